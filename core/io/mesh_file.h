@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/scene/mesh.h"
+
+namespace brume {
+
+// Reads OBJ, PLY, STL or OFF by extension; polygons become triangles. Normals in the file are
+// used, smooth ones (area-weighted) computed where it has none; all are unit. Throws InputError:
+// unreadable, no faces, coordinates that are not finite.
+std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file);
+
+}  // namespace brume

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace brume {
+
+// One Gaussian of a medium: b_i(x) = density * exp(-|x - center|^2 / radius^2)  [1/u].
+// The paper's a_i is 1 / radius, its c_i is density. Domain: radius > 0, density >= 0, all finite.
+struct Gaussian {
+  glm::dvec3 center{0.0};
+  double radius = 1.0;
+  double density = 0.0;
+
+  bool operator==(const Gaussian&) const = default;
+};
+
+// Names a Gaussian for as long as its medium lives; ids are never used twice in one medium.
+using GaussianId = std::uint64_t;
+
+}  // namespace brume

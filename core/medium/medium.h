@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+class MediumEdit;
+
+// A scattering medium: b(x) = homogeneous_density + sum of Gaussians (eqs. 1 and 2 of the paper).
+//
+// Gaussians live in parallel arrays, ordered by id, and ids only grow; so an id is found by
+// binary search and a Gaussian taken out and put back lands where it was. A medium is filled
+// with append() when it is made or loaded, and changed only by MediumEdit (undo relies on it).
+class Medium {
+ public:
+  [[nodiscard]] std::size_t size() const { return ids_.size(); }
+  [[nodiscard]] bool empty() const { return ids_.empty(); }
+
+  [[nodiscard]] std::span<const glm::dvec3> centers() const { return centers_; }
+  [[nodiscard]] std::span<const double> radii() const { return radii_; }
+  [[nodiscard]] std::span<const double> densities() const { return densities_; }
+  [[nodiscard]] std::span<const GaussianId> ids() const { return ids_; }
+
+  // The Gaussian at an index in [0, size()).
+  [[nodiscard]] Gaussian gaussian(std::size_t index) const {
+    return {centers_[index], radii_[index], densities_[index]};
+  }
+  [[nodiscard]] std::optional<std::size_t> index_of(GaussianId id) const;
+
+  // b0, the homogeneous scattering coefficient [1/u], >= 0.
+  [[nodiscard]] double homogeneous_density() const { return homogeneous_density_; }
+  void set_homogeneous_density(double b0) { homogeneous_density_ = b0; }
+
+  // The id that the next appended Gaussian gets; an edit that adds n takes next_id() + 0..n-1.
+  [[nodiscard]] GaussianId next_id() const { return next_id_; }
+  GaussianId append(const Gaussian& gaussian);
+  void reserve(std::size_t count);
+
+  // Same Gaussians under the same ids and the same b0; what ids come next does not matter.
+  bool operator==(const Medium& other) const;
+
+ private:
+  friend class MediumEdit;
+
+  std::vector<glm::dvec3> centers_;
+  std::vector<double> radii_;
+  std::vector<double> densities_;
+  std::vector<GaussianId> ids_;
+  GaussianId next_id_ = 1;
+  double homogeneous_density_ = 0.0;
+};
+
+}  // namespace brume

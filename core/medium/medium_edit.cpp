@@ -1,0 +1,161 @@
+#include "core/medium/medium_edit.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace brume {
+namespace {
+
+// Calls visit(from, to) for every element that stays when the sorted `dropped` indices leave an
+// array of `size` elements, in order.
+template <class Visit>
+std::size_t compact(std::size_t size, const std::vector<std::size_t>& dropped, Visit visit) {
+  std::size_t to = 0;
+  std::size_t next = 0;
+  for (std::size_t from = 0; from < size; ++from) {
+    if (next < dropped.size() && dropped[next] == from) {
+      ++next;
+    } else {
+      visit(from, to++);
+    }
+  }
+  return to;
+}
+
+template <class T>
+void by_id(std::vector<T>& entries) {
+  std::sort(entries.begin(), entries.end(), [](const T& a, const T& b) { return a.id < b.id; });
+}
+
+}  // namespace
+
+MediumEdit MediumEdit::add(const Medium& medium, std::span<const Gaussian> gaussians) {
+  MediumEdit edit;
+  GaussianId id = medium.next_id();
+  for (const Gaussian& gaussian : gaussians) edit.added_.push_back({id++, gaussian});
+  return edit;
+}
+
+MediumEdit MediumEdit::remove(const Medium& medium, std::span<const GaussianId> ids) {
+  MediumEdit edit;
+  for (const GaussianId id : ids) {
+    const auto index = medium.index_of(id);
+    assert(index && "MediumEdit::remove: no such Gaussian");
+    edit.removed_.push_back({id, medium.gaussian(*index)});
+  }
+  by_id(edit.removed_);
+  return edit;
+}
+
+MediumEdit MediumEdit::change(const Medium& medium, std::span<const GaussianId> ids,
+                              std::span<const Gaussian> after) {
+  assert(ids.size() == after.size());
+  MediumEdit edit;
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const auto index = medium.index_of(ids[k]);
+    assert(index && "MediumEdit::change: no such Gaussian");
+    const Gaussian before = medium.gaussian(*index);
+    if (!(before == after[k])) edit.changed_.push_back({ids[k], before, after[k]});
+  }
+  by_id(edit.changed_);
+  return edit;
+}
+
+MediumEdit MediumEdit::set_homogeneous_density(const Medium& medium, double b0) {
+  MediumEdit edit;
+  if (b0 != medium.homogeneous_density()) {
+    edit.homogeneous_density_ = {medium.homogeneous_density(), b0};
+  }
+  return edit;
+}
+
+bool MediumEdit::empty() const {
+  return added_.empty() && removed_.empty() && changed_.empty() && !homogeneous_density_;
+}
+
+MediumEdit MediumEdit::inverted() const {
+  MediumEdit inverse = *this;
+  std::swap(inverse.added_, inverse.removed_);
+  for (Change& change : inverse.changed_) std::swap(change.before, change.after);
+  if (inverse.homogeneous_density_) {
+    std::swap(inverse.homogeneous_density_->first, inverse.homogeneous_density_->second);
+  }
+  return inverse;
+}
+
+void MediumEdit::apply(Medium& medium) const {
+  const auto put = [&medium](std::size_t index, const Gaussian& gaussian) {
+    medium.centers_[index] = gaussian.center;
+    medium.radii_[index] = gaussian.radius;
+    medium.densities_[index] = gaussian.density;
+  };
+  const auto resize = [&medium](std::size_t size) {
+    medium.centers_.resize(size);
+    medium.radii_.resize(size);
+    medium.densities_.resize(size);
+    medium.ids_.resize(size);
+  };
+  const auto move = [&](std::size_t from, std::size_t to) {
+    put(to, medium.gaussian(from));
+    medium.ids_[to] = medium.ids_[from];
+  };
+
+  if (!removed_.empty()) {
+    std::vector<std::size_t> dropped;
+    dropped.reserve(removed_.size());
+    for (const Entry& entry : removed_) {
+      const auto index = medium.index_of(entry.id);
+      assert(index && "MediumEdit::apply: the Gaussian to remove is not there");
+      dropped.push_back(*index);
+    }
+    resize(compact(medium.size(), dropped, move));
+  }
+  for (const Change& change : changed_) {
+    const auto index = medium.index_of(change.id);
+    assert(index && "MediumEdit::apply: the Gaussian to change is not there");
+    put(*index, change.after);
+  }
+  if (!added_.empty()) {
+    // A merge from the back: every Gaussian moves at most once.
+    std::size_t from = medium.size();
+    std::size_t left = added_.size();
+    resize(from + left);
+    for (std::size_t to = medium.size(); left > 0;) {
+      --to;
+      if (from > 0 && medium.ids_[from - 1] > added_[left - 1].id) {
+        move(--from, to);
+      } else {
+        --left;
+        put(to, added_[left].gaussian);
+        medium.ids_[to] = added_[left].id;
+      }
+    }
+    medium.next_id_ = std::max(medium.next_id_, added_.back().id + 1);
+  }
+  if (homogeneous_density_) medium.homogeneous_density_ = homogeneous_density_->second;
+}
+
+bool MediumEdit::merge(const MediumEdit& later) {
+  if (!added_.empty() || !removed_.empty() || !later.added_.empty() || !later.removed_.empty()) {
+    return false;
+  }
+  for (const Change& change : later.changed_) {
+    const auto at = std::lower_bound(changed_.begin(), changed_.end(), change.id,
+                                     [](const Change& c, GaussianId id) { return c.id < id; });
+    if (at != changed_.end() && at->id == change.id) {
+      at->after = change.after;
+    } else {
+      changed_.insert(at, change);
+    }
+  }
+  std::erase_if(changed_, [](const Change& c) { return c.before == c.after; });
+  if (later.homogeneous_density_) {
+    const double before =
+        homogeneous_density_ ? homogeneous_density_->first : later.homogeneous_density_->first;
+    homogeneous_density_ = {before, later.homogeneous_density_->second};
+    if (before == homogeneous_density_->second) homogeneous_density_.reset();
+  }
+  return true;
+}
+
+}  // namespace brume

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace brume {
+
+// A pinhole camera. vertical_fov is the full vertical angle of view in degrees, in (0, 180).
+struct Camera {
+  glm::dvec3 eye{0.0, 0.0, 5.0};
+  glm::dvec3 target{0.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double vertical_fov = 45.0;
+
+  bool operator==(const Camera&) const = default;
+};
+
+// The size of a frame in pixels.
+struct Film {
+  int width = 800;
+  int height = 600;
+
+  bool operator==(const Film&) const = default;
+};
+
+// A camera on a film: the rays through pixels, and pixels of points. The pixel (x, y) has its
+// centre at (x + 0.5, y + 0.5); y grows downwards.
+class CameraRays {
+ public:
+  CameraRays(const Camera& camera, const Film& film);
+
+  [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
+  [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
+
+  // The unit direction from the eye through a film position (pixels).
+  [[nodiscard]] glm::dvec3 direction(double x, double y) const;
+
+  // The film position of a point, and its depth along forward() in z [u]; a point with z <= 0 is
+  // behind the eye and has no film position (x and y are then 0).
+  [[nodiscard]] glm::dvec3 project(const glm::dvec3& point) const;
+
+  // Half the angle that a pixel in the middle of the film subtends [radians].
+  [[nodiscard]] double pixel_half_angle() const;
+
+ private:
+  glm::dvec3 eye_;
+  glm::dvec3 forward_;
+  glm::dvec3 right_;
+  glm::dvec3 up_;
+  glm::dvec2 half_size_;  // of the film at distance 1
+  glm::dvec2 size_;       // of the film in pixels
+};
+
+}  // namespace brume

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+namespace brume {
+
+// Triangles with unit vertex normals, in the mesh file's own coordinates [u]. A class of its own
+// so that other headers can name it without OpenMesh's headers (forward declaration).
+struct TriangleMesh : OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraits> {};
+
+}  // namespace brume

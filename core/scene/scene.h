@@ -1,0 +1,118 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/medium/medium.h"
+#include "core/scene/camera.h"
+
+namespace brume {
+
+struct TriangleMesh;
+
+// Objects of a scene file may hold keys that this version does not know. Each such object here
+// carries them as the text of one JSON object ("" for none), so that saving keeps them.
+using UnknownKeys = std::string;
+
+// An isotropic point light; intensity is radiant intensity, RGB [W/sr], >= 0.
+struct PointLight {
+  glm::dvec3 position{0.0};
+  glm::dvec3 intensity{1.0};
+  UnknownKeys unknown;
+
+  bool operator==(const PointLight&) const = default;
+};
+
+// A latitude-longitude radiance map around the scene; rotation about +y in degrees.
+struct Environment {
+  std::filesystem::path file;
+  double intensity = 1.0;
+  double rotation = 0.0;
+  UnknownKeys unknown;
+
+  bool operator==(const Environment&) const = default;
+};
+
+struct Material {
+  enum class Type { diffuse, phong, measured };
+  Type type = Type::diffuse;
+  glm::dvec3 reflectance{0.5};  // diffuse albedo, RGB in [0, 1]; the diffuse BRDF is this / pi
+  glm::dvec3 specular{0.0};     // phong only, RGB in [0, 1]
+  double exponent = 1.0;        // phong only, >= 0
+  std::filesystem::path file;   // measured only: a MERL .binary
+  UnknownKeys unknown;
+
+  bool operator==(const Material&) const = default;
+};
+
+// A mesh placed in the scene: world = translate + rotate * (scale * mesh).
+struct Surface {
+  enum class Transfer { none, shadow, interreflection };
+  std::filesystem::path mesh_file;
+  std::shared_ptr<const TriangleMesh> mesh;  // never null in a loaded scene
+  glm::dvec3 translate{0.0};
+  glm::dquat rotate{1.0, 0.0, 0.0, 0.0};  // unit
+  double scale = 1.0;                     // > 0
+  Material material;
+  Transfer transfer = Transfer::none;
+  UnknownKeys unknown;
+
+  bool operator==(const Surface&) const = default;
+};
+
+// 3-D noise that perturbs view rays; amplitude 0 is off.
+struct Noise {
+  double amplitude = 0.0;
+  double frequency = 1.0;
+  glm::dvec3 velocity{0.0};
+  std::int64_t seed = 0;
+  UnknownKeys unknown;
+
+  bool operator==(const Noise&) const = default;
+};
+
+// What a medium's light does besides being scattered by its density.
+struct MediumOptics {
+  glm::dvec3 albedo{1.0};   // single-scattering albedo, RGB in (0, 1]; extinction = scattering / albedo
+  double anisotropy = 0.0;  // g of Henyey-Greenstein, in [-0.95, 0.95]
+  Noise noise;
+
+  bool operator==(const MediumOptics&) const = default;
+};
+
+// The Gaussians of a scene that came from `medium.file`, as they were loaded: while they are
+// unchanged, saving refers to the file again instead of writing them into the scene.
+struct MediumFile {
+  std::filesystem::path file;
+  std::vector<GaussianId> ids;
+  std::vector<Gaussian> gaussians;
+};
+
+// Everything a frame needs except the way it is rendered. A value: copying shares the meshes.
+// Paths are absolute.
+struct Scene {
+  Camera camera;
+  Film film;
+  Medium medium;
+  MediumOptics optics;
+  std::shared_ptr<const MediumFile> medium_file;
+  std::vector<PointLight> lights;
+  std::optional<Environment> environment;
+  std::vector<Surface> surfaces;
+
+  UnknownKeys unknown;  // of the top level
+  UnknownKeys unknown_camera;
+  UnknownKeys unknown_film;
+  UnknownKeys unknown_medium;
+  std::map<GaussianId, UnknownKeys> unknown_gaussians;
+
+  bool operator==(const Scene&) const = default;
+};
+
+}  // namespace brume

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/io/image_file.h"
+#include "core/scene/camera.h"
+
+namespace brume {
+
+struct StageTime {
+  std::string name;
+  double milliseconds = 0.0;
+};
+
+struct SkippedStage {
+  std::string stage;
+  std::string why;
+};
+
+// What a frame cost and what it left out.
+struct FrameStatistics {
+  double frame_milliseconds = 0.0;
+  std::vector<StageTime> stages;      // in the order they ran
+  std::vector<SkippedStage> skipped;  // what this scene did not need, and why
+  std::size_t gaussians_total = 0;
+  std::size_t gaussians_used = 0;
+  std::uint64_t light_pairs = 0;  // Gaussian x ray pairs evaluated from lights
+  std::uint64_t view_pairs = 0;   // Gaussian x ray pairs evaluated from the eye
+};
+
+// A rendered frame: linear radiance, rows from the top, width * height pixels.
+struct Frame {
+  Film film;
+  std::vector<float> beauty;         // RGBA per pixel; A = 1 on surfaces, else 1 - transmittance
+  std::vector<float> airlight;       // RGB per pixel
+  std::vector<float> transmittance;  // RGB per pixel, eye to first surface or through the medium
+  std::vector<float> depth;          // distance along the view ray [u], +inf where nothing is hit
+  FrameStatistics statistics;
+};
+
+// The EXR layers of the contract: R G B A, airlight.R/G/B, transmittance.R/G/B, Z.
+ImageLayers to_layers(const Frame& frame);
+
+// What the screen and PNG show of linear radiance: 8-bit sRGB, RGB per pixel. `exposure` is in
+// stops. See view_transform in frame.cpp for the curve; it is never baked into an EXR.
+std::vector<std::uint8_t> to_display(const Frame& frame, double exposure);
+
+}  // namespace brume

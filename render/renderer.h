@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+#include "render/settings.h"
+
+namespace brume {
+
+// Renders frames of scenes on the CPU. Keeps between frames what has not changed (ray-tracing and
+// culling structures, optical depths from lights), so rendering again after a camera move is
+// cheap; what changed is found by comparing values. Not thread-safe: one frame at a time.
+class Renderer {
+ public:
+  Renderer();
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  // The frame that `camera` sees on `film` (the scene's own are not used). Every value of the
+  // frame is finite except the depth where nothing is hit. nullopt if `stop` was requested.
+  std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
+                              const Settings& settings, std::stop_token stop = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brume
