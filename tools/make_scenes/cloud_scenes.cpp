@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "tools/make_scenes/generated_files.h"
+#include "tools/make_scenes/noise.h"
+#include "tools/make_scenes/random.h"
+#include "tools/make_scenes/sample_scene.h"
+#include "tools/make_scenes/scenes.h"
+
+namespace brume {
+namespace {
+
+// 3,008 small Gaussians that fill the open box from wall to wall, dense and thin by noise.
+std::vector<Gaussian> box_of_gaussians() {
+  const int columns = 16;  // 16 * 47 * 4 = 3,008: a jittered grid, so no hole and no heap
+  const int rows = 4;
+  const int layers = 47;
+  Random random(3008);
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < columns * rows * layers; ++i) {
+    const double u = (i % columns + random.uniform()) / columns;
+    const double v = (i / columns % rows + random.uniform()) / rows;
+    const double w = (i / columns / rows + random.uniform()) / layers;
+    const glm::dvec3 center(-1.85 + 3.7 * u, 0.12 + 1.7 * v, -1.85 + 3.6 * w);
+    const double cloud = fractal_noise(5, 1.1 * center, 3);
+    const double density = std::max(0.02, 0.3 + 1.3 * cloud);
+    gaussians.push_back({center, random.uniform(0.07, 0.13), density});
+  }
+  return gaussians;
+}
+
+SampleScene box_3008() {
+  SampleScene scene;
+  scene.camera = {{0.0, 2.5, 7.0}, {0.0, 0.85, 0.0}, {0.0, 1.0, 0.0}, 34.0};
+  scene.medium_file = "box_3008.ply";
+  scene.lights = {{{0.9, 3.4, 0.6}, {58.0, 54.0, 48.0}}};
+  scene.surfaces = {{"open_box.off", {0.0, 0.0, 0.0}, 2.0, {0.5, 0.48, 0.45}}};
+  return scene;
+}
+
+// The greatest optical depth over the lines through each centre in 256 directions.
+double greatest_optical_depth(const std::vector<Gaussian>& gaussians) {
+  Random random(256);
+  double greatest = 0.0;
+  for (int k = 0; k < 256; ++k) {
+    const glm::dvec3 direction = glm::normalize(random.in_ball());
+    for (const Gaussian& through : gaussians) {
+      double depth = 0.0;
+      for (const Gaussian& g : gaussians) {
+        const double h = glm::length(glm::cross(g.center - through.center, direction)) / g.radius;
+        depth += g.density * g.radius * std::exp(-h * h);
+      }
+      greatest = std::max(greatest, depth * std::sqrt(std::numbers::pi));
+    }
+  }
+  return greatest;
+}
+
+SampleScene dense_cloud() {
+  SampleScene scene;
+  scene.camera = {{0.0, 0.4, 8.5}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 36.0};
+  scene.lights = {{{-3.6, 3.6, 3.2}, {230.0, 205.0, 170.0}},
+                  {{4.2, 1.0, -1.5}, {70.0, 95.0, 140.0}}};
+  // A heap of lobes with a flat base, each lobe filled with Gaussians.
+  struct Lobe {
+    glm::dvec3 center;
+    double radius;
+  };
+  const Lobe lobes[] = {{{-1.3, -0.35, 0.0}, 0.8},  {{-0.35, 0.25, 0.1}, 1.05},
+                        {{0.65, 0.05, -0.1}, 0.95}, {{1.5, -0.4, 0.1}, 0.65},
+                        {{0.1, -0.5, 0.35}, 0.8},   {{0.15, 0.95, -0.1}, 0.65}};
+  Random random(300);
+  while (scene.gaussians.size() < 300) {
+    const Lobe& lobe = lobes[scene.gaussians.size() % std::size(lobes)];
+    glm::dvec3 center = lobe.center + lobe.radius * random.in_ball();
+    center.y = std::max(center.y, -0.8 + 0.1 * random.uniform());
+    scene.gaussians.push_back({center, random.uniform(0.16, 0.34), random.uniform(0.7, 1.3)});
+  }
+  const double scale = 10.0 / greatest_optical_depth(scene.gaussians);
+  for (Gaussian& g : scene.gaussians) g.density *= scale;
+  return scene;
+}
+
+}  // namespace
+
+void write_cloud_scenes(const std::filesystem::path& folder) {
+  write_open_box(folder / "open_box.off");
+  write_gaussian_ply(folder / "box_3008.ply", box_of_gaussians());
+  write_sample_scene(folder / "box_3008.brume", box_3008());
+  write_sample_scene(folder / "dense_cloud.brume", dense_cloud());
+}
+
+}  // namespace brume

@@ -1,0 +1,26 @@
+// brume-make-scenes FOLDER: writes the sample scenes of resources/scenes, the same bytes each time.
+
+#include <exception>
+#include <filesystem>
+#include <iostream>
+
+#include "tools/make_scenes/generated_files.h"
+#include "tools/make_scenes/scenes.h"
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: brume-make-scenes FOLDER\n";
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = argv[1];
+    std::filesystem::create_directories(folder);
+    brume::write_plane(folder / "plane.obj");
+    brume::write_object_scenes(folder);
+    brume::write_cloud_scenes(folder);
+    brume::write_terrain_scene(folder);
+  } catch (const std::exception& error) {
+    std::cerr << "brume-make-scenes: " << error.what() << '\n';
+    return 2;
+  }
+}

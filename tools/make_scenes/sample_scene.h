@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "core/medium/gaussian.h"
+#include "core/scene/camera.h"
+
+namespace brume {
+
+struct SampleLight {
+  glm::dvec3 position;
+  glm::dvec3 intensity;
+};
+
+struct SampleSurface {
+  std::string mesh;  // relative to the scene file
+  glm::dvec3 translate{0.0};
+  double scale = 1.0;
+  glm::dvec3 reflectance{0.5};
+  glm::dquat rotate{1.0, 0.0, 0.0, 0.0};
+};
+
+// What a sample scene holds: a small part of what a scene file can.
+struct SampleScene {
+  Camera camera;
+  double homogeneous_density = 0.0;
+  std::vector<Gaussian> gaussians;
+  std::string medium_file;  // relative to the scene file; "" for none
+  std::vector<SampleLight> lights;
+  std::vector<SampleSurface> surfaces;
+};
+
+// Writes a scene file, version 1, with numbers rounded to four decimals: the last digits of a
+// computation, in which machines may differ, never reach the file.
+void write_sample_scene(const std::filesystem::path& file, const SampleScene& scene);
+
+// The same rounding, for what other files hold.
+double rounded(double value);
+
+}  // namespace brume

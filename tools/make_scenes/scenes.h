@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+namespace brume {
+
+// Each writes scene files, and the generated files they refer to, into a folder. Bunny and teapot
+// are expected in ../meshes, seen from there.
+
+// bunny_fog, teapot_steam, light_inside, camera_inside.
+void write_object_scenes(const std::filesystem::path& folder);
+
+// box_3008 and dense_cloud.
+void write_cloud_scenes(const std::filesystem::path& folder);
+
+// ground_fog.
+void write_terrain_scene(const std::filesystem::path& folder);
+
+}  // namespace brume
