@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/transport/light_path.h"
+
+namespace brume {
+
+// The paper's airlight of one Gaussian i along a view ray (eq. 16), per unit of radiant
+// intensity [1/u^2]:
+//
+//   L_i = exp(-(frozen + T_i(s, x_i) + T_i(v, x_i))) / (4 pi |x_i - s|^2) * T_i(v, p)
+//
+// x_i is the projection of the centre on the ray, clamped to the segment [0, d]; `frozen` is what
+// the other Gaussians and b0 take along the fixed path s -> b_i -> v, that is
+// Tbar_i(s, b_i) + Tbar_i(v, b_i). The paper's factors f0 and f1 multiply exp(+T) by exp(-T);
+// here all depths meet in one exponent, which cannot overflow.
+//
+// eye, light and g.b in one frame [u]; w unit; d >= 0 or +inf.
+template <class Real>
+Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
+                       Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen);
+
+#define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                         \
+  extern template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&,        \
+                                         const Vec3<Real>&, Real, const Vec3<Real>&,          \
+                                         const LightPath<Real>&, Real);
+BRUME_GAUSSIAN_AIRLIGHT(double)
+BRUME_GAUSSIAN_AIRLIGHT(float)
+#undef BRUME_GAUSSIAN_AIRLIGHT
+
+}  // namespace brume

@@ -1,0 +1,287 @@
+#include "render/reference/airlight_integral.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/math/quadrature.h"
+
+namespace brume {
+namespace {
+
+// Depth past which nothing comes back: exp(-45) = 3e-20.
+template <class Real>
+constexpr Real opaque = Real(45);
+
+// Gaussians are followed to this many radii from their centre, where they are down to 1e-7.
+template <class Real>
+constexpr Real extent = Real(4);
+
+// A 15-point Kronrod rule integrates a Gaussian over this many of its radii to about 1e-9.
+template <class Real>
+constexpr Real interval_radii = Real(3);
+
+}  // namespace
+
+template <class Real>
+ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0_,
+                                   const Vec3<Real>& eye_, const Vec3<Real>& w_, Real d_)
+    : eye(eye_), w(w_), d(d_), b0(b0_) {
+  Real total = 0;
+  for (const GaussianTerm<Real>& g : gaussians) {
+    const LineProfile<Real> line = line_profile(g, eye, w);
+    const Real fall = std::exp(-line.e);
+    const Real scale = g.c / g.a * Real(0.5) * std::sqrt(std::numbers::pi_v<Real>) * fall;
+    if (!(scale > 0)) continue;
+    const Real u0 = -g.a * line.t0;
+    crossings_.push_back({g.a, line.t0, g.c * fall, scale, u0 >= 0 ? std::erfc(u0) : -u0});
+    if (u0 < 0) crossings_.back().start = std::erfc(-u0);
+    total += optical_depth(g, line, d);
+  }
+  for (const Crossing& c : crossings_) {
+    const Real begin = std::max(c.t0 - extent<Real> / c.a, Real(0));
+    const Real end = std::min(c.t0 + extent<Real> / c.a, d);
+    // What is a millionth of the ray's depth is left to the adaptive rule.
+    if (begin < end && 2 * c.scale > Real(1e-6) * total) {
+      features_.push_back({begin, end, interval_radii<Real> / c.a});
+    }
+  }
+}
+
+template <class Real>
+Real ViewRayMedium<Real>::gaussian_density(Real t) const {
+  Real sum = 0;
+  for (const Crossing& c : crossings_) {
+    const Real u = c.a * (t - c.t0);
+    sum += c.peak * std::exp(-u * u);
+  }
+  return sum;
+}
+
+template <class Real>
+Real ViewRayMedium<Real>::depth(Real t) const {
+  Real sum = 0;
+  for (const Crossing& c : crossings_) {
+    // As in optical_depth(): erfc on one side of the centre, its complement across it.
+    const Real u = c.a * (t - c.t0);
+    if (c.t0 <= 0) {
+      sum += c.scale * (c.start - std::erfc(u));
+    } else if (u <= 0) {
+      sum += c.scale * (std::erfc(-u) - c.start);
+    } else {
+      sum += c.scale * (2 - std::erfc(u) - c.start);
+    }
+  }
+  return std::max(sum, Real(0)) + (b0 > 0 ? b0 * t : Real(0));
+}
+
+template <class Real>
+Real ViewRayMedium<Real>::parameter_at_depth(Real level) const {
+  Real lo = 0;
+  Real hi = d;
+  if (!std::isfinite(hi)) {
+    if (!(depth(hi) > level)) return d;
+    for (hi = 1; !(depth(hi) > level); hi *= 2) lo = hi;
+  } else if (!(depth(hi) > level)) {
+    return d;
+  }
+  for (int i = 0; i < 200; ++i) {
+    const Real middle = Real(0.5) * (lo + hi);
+    if (!(lo < middle && middle < hi)) break;
+    (depth(middle) < level ? lo : hi) = middle;
+  }
+  return hi;
+}
+
+namespace {
+
+// A stretch of the equi-angular variable where something happens, and the longest interval that
+// is integrated in one piece there: `longest_t` along the ray, `longest_phi` in the angle.
+template <class Real>
+struct AngularFeature {
+  Real begin, end;
+  Real longest_t, longest_phi;
+};
+
+template <class Real>
+class Subdivision {
+ public:
+  Subdivision(const EquiAngular<Real>& angular, std::vector<Real>& breakpoints)
+      : angular_(angular), breakpoints_(breakpoints) {}
+
+  // Appends the ends of the pieces of (begin, end].
+  void split(Real begin, Real end, const std::vector<AngularFeature<Real>>& features,
+             int depth = 0) {
+    std::vector<AngularFeature<Real>> inside;
+    bool too_long = false;
+    const Real length_t = angular_.t(end) - angular_.t(begin);
+    for (const AngularFeature<Real>& f : features) {
+      if (f.end <= begin || f.begin >= end) continue;
+      inside.push_back(f);
+      too_long = too_long || !(length_t <= f.longest_t) || end - begin > f.longest_phi;
+    }
+    const Real middle = Real(0.5) * (begin + end);
+    if (too_long && depth < 50 && begin < middle && middle < end && breakpoints_.size() < 4096) {
+      split(begin, middle, inside, depth + 1);
+      split(middle, end, inside, depth + 1);
+    } else {
+      breakpoints_.push_back(end);
+    }
+  }
+
+ private:
+  const EquiAngular<Real>& angular_;
+  std::vector<Real>& breakpoints_;
+};
+
+// Where a Gaussian stands in the fan of rays from the light across the view ray, as the feature
+// that its shadow is.
+template <class Real>
+void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
+                const LightSource<Real>& light, const EquiAngular<Real>& angular, Real tolerance,
+                std::vector<AngularFeature<Real>>& features) {
+  // In the plane of light and ray: x along the ray, y from the light towards it.
+  const Vec3<Real> q = g.b - light.position;
+  const Vec3<Real> to_eye = medium.eye - light.position;
+  Vec3<Real> down = to_eye + angular.path.ts * medium.w;
+  const Real length = glm::length(down);
+  const Real peak = g.c / g.a * std::sqrt(std::numbers::pi_v<Real>);
+  if (!(peak > tolerance)) return;
+  if (!(length > 0)) return;  // the light is on the ray: there is no plane, and no shadow edge
+  down /= length;
+  const Real x = glm::dot(q, medium.w);
+  const Real y = glm::dot(q, down);
+  const Vec3<Real> off = g.a * (q - x * medium.w - y * down);
+  if (!(peak * std::exp(-glm::dot(off, off)) > tolerance)) return;
+  const Real distance = std::hypot(x, y);
+  const Real width = distance > 0 ? 1 / (g.a * distance) : Real(10);
+  if (width > Real(0.5)) return;  // as broad as the whole fan: the adaptive rule sees it
+  const Real start = std::atan2(-angular.path.ts, angular.path.h);
+  const Real phi = std::atan2(x, y) - start;
+  features.push_back({phi - extent<Real> * width, phi + extent<Real> * width,
+                      std::numeric_limits<Real>::infinity(), interval_radii<Real> * width});
+}
+
+// The intervals of [0, end] from which the light is seen: probed at even angles, their ends found
+// by bisection. A blocker narrower than the probes' distance between two probes is missed.
+template <class Real>
+std::vector<std::pair<Real, Real>> lit_intervals(const LightSource<Real>& light,
+                                                 const EquiAngular<Real>& angular, Real end,
+                                                 Real tolerance) {
+  if (!light.unblocked) return {{Real(0), end}};
+  const auto lit = [&](Real phi) { return light.unblocked(angular.t(phi)); };
+  const int probes = std::clamp(static_cast<int>(Real(0.64) / std::sqrt(tolerance)), 32, 1024);
+  std::vector<std::pair<Real, Real>> intervals;
+  Real last = 0;
+  bool was_lit = lit(Real(0));
+  Real begin = 0;
+  for (int i = 1; i <= probes; ++i) {
+    const Real phi = end * Real(i) / Real(probes);
+    const bool is_lit = lit(phi);
+    if (is_lit != was_lit) {
+      Real lo = last;
+      Real hi = phi;
+      for (int k = 0; k < 24; ++k) {
+        const Real middle = Real(0.5) * (lo + hi);
+        (lit(middle) == was_lit ? lo : hi) = middle;
+      }
+      if (is_lit) {
+        begin = hi;
+      } else {
+        intervals.emplace_back(begin, lo);
+      }
+    }
+    was_lit = is_lit;
+    last = phi;
+  }
+  if (was_lit) intervals.emplace_back(begin, end);
+  return intervals;
+}
+
+}  // namespace
+
+template <class Real>
+Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real>& light,
+                       Real tolerance, ScatteredBy part) {
+  const LightPath<Real> path(light.position, medium.eye, medium.w, light.h_min);
+  const Real end_t = medium.parameter_at_depth(opaque<Real>);
+  const EquiAngular<Real> angular(path, end_t);
+  if (!(angular.span > 0)) return 0;
+
+  struct Nearby {
+    GaussianTerm<Real> g;
+    Real reach2;
+  };
+  // A Gaussian farther than this from a path takes less than a thousandth of the tolerance.
+  std::vector<Nearby> near_light;
+  for (const GaussianTerm<Real>& g : light.gaussians) {
+    const Real peak = g.c / g.a * std::sqrt(std::numbers::pi_v<Real>);
+    const Real eps = Real(1e-3) * tolerance / Real(light.gaussians.size());
+    if (peak > eps) near_light.push_back({g, std::log(peak / eps) / (g.a * g.a)});
+  }
+  const auto light_depth = [&](const Vec3<Real>& x) {
+    const Vec3<Real> v = x - light.position;
+    const Real r = glm::length(v);
+    if (!(r > 0)) return Real(0);
+    const Vec3<Real> u = v / r;
+    Real sum = medium.b0 * r;
+    for (const Nearby& n : near_light) {
+      const Vec3<Real> q = n.g.b - light.position;
+      const Vec3<Real> gap = q - std::clamp(glm::dot(q, u), Real(0), r) * u;
+      if (glm::dot(gap, gap) < n.reach2) sum += optical_depth(n.g, line_profile(n.g, light.position, u), r);
+    }
+    return sum;
+  };
+  const auto integrand = [&](Real phi) {
+    const Real t = std::min(angular.t(phi), end_t);
+    Real density = part == ScatteredBy::homogeneous ? Real(0) : medium.gaussian_density(t);
+    if (part != ScatteredBy::gaussians) density += medium.b0;
+    if (!(density > 0)) return Real(0);
+    const Real view_depth = medium.depth(t);
+    if (view_depth > opaque<Real>) return Real(0);
+    return density * std::exp(-(view_depth + light_depth(medium.eye + t * medium.w)));
+  };
+
+  std::vector<AngularFeature<Real>> features;
+  const Real unbounded = std::numeric_limits<Real>::infinity();
+  for (const auto& f : medium.features()) {
+    if (f.begin < end_t) {
+      features.push_back({angular.angle(f.begin), angular.angle(f.end), f.longest, unbounded});
+    }
+  }
+  for (const Nearby& n : near_light) {
+    add_shadow(n.g, medium, light, angular, tolerance, features);
+  }
+  // In dense media all happens within the first few units of depth.
+  std::vector<Real> levels;
+  if (medium.depth(end_t) > Real(4)) {
+    for (const Real level : {Real(0.01), Real(0.1), Real(0.5), Real(1), Real(2), Real(4), Real(8),
+                             Real(16), Real(30)}) {
+      const Real t = medium.parameter_at_depth(level);
+      if (t < end_t) levels.push_back(angular.angle(t));
+    }
+  }
+
+  Integral<Real> sum;
+  for (const auto& [begin, end] : lit_intervals(light, angular, angular.span, tolerance)) {
+    std::vector<Real> breakpoints{begin};
+    Subdivision<Real> subdivision(angular, breakpoints);
+    for (const Real level : levels) {
+      if (level > breakpoints.back() && level < end) {
+        subdivision.split(breakpoints.back(), level, features);
+      }
+    }
+    subdivision.split(breakpoints.back(), end, features);
+    sum.value += integrate<Real>(integrand, breakpoints, tolerance).value;
+  }
+  return sum.value / (4 * std::numbers::pi_v<Real> * path.h);
+}
+
+template class ViewRayMedium<double>;
+template class ViewRayMedium<float>;
+template double airlight_integral(const ViewRayMedium<double>&, const LightSource<double>&, double,
+                                  ScatteredBy);
+template float airlight_integral(const ViewRayMedium<float>&, const LightSource<float>&, float,
+                                 ScatteredBy);
+
+}  // namespace brume

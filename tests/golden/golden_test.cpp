@@ -1,0 +1,214 @@
+// Evaluates every quantity of the golden file that Brume has, in double at tol64 and in float at
+// tol32, and prints "N passed, N failed". Quantities that Brume does not have yet are named.
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/transport/gaussian_airlight.h"
+#include "core/transport/homogeneous_airlight.h"
+#include "render/reference/airlight_integral.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Real>
+Real real(const Json& value) {
+  return static_cast<Real>(value.get<double>());
+}
+
+template <class Real>
+Vec3<Real> vec(const Json& value) {
+  return {real<Real>(value[0]), real<Real>(value[1]), real<Real>(value[2])};
+}
+
+template <class Real>
+GaussianTerm<Real> gaussian(const Json& value) {
+  return {real<Real>(value.at("a")), value.contains("c") ? real<Real>(value.at("c")) : Real(1),
+          vec<Real>(value.at("b"))};
+}
+
+template <class Real>
+std::vector<GaussianTerm<Real>> gaussians(const Json& in) {
+  std::vector<GaussianTerm<Real>> all;
+  for (const Json& g : in.at("gaussians")) all.push_back(gaussian<Real>(g));
+  return all;
+}
+
+// The view ray of a case: to a point "p", or along "dir" to infinity.
+template <class Real>
+struct Ray {
+  Vec3<Real> v, w;
+  Real d;
+
+  explicit Ray(const Json& in) : v(vec<Real>(in.at("v"))) {
+    const Vec3<Real> q = in.contains("p") ? vec<Real>(in.at("p")) - v : vec<Real>(in.at("dir"));
+    w = glm::normalize(q);
+    d = in.contains("p") ? glm::length(q) : std::numeric_limits<Real>::infinity();
+  }
+};
+
+template <class Real>
+Real exact_airlight(const Json& in, ScatteredBy part) {
+  const Ray<Real> ray(in);
+  const auto all = gaussians<Real>(in);
+  const ViewRayMedium<Real> medium(all, real<Real>(in.at("b0")), ray.v, ray.w, ray.d);
+  const LightSource<Real> light{vec<Real>(in.at("s")), 0, all, {}};
+  const Real tolerance = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-10);
+  return real<Real>(in.at("I0")) * airlight_integral(medium, light, tolerance, part);
+}
+
+template <class Real>
+Real paper_gaussians(const Json& in) {
+  const Ray<Real> ray(in);
+  const auto all = gaussians<Real>(in);
+  const Real b0 = real<Real>(in.at("b0"));
+  const Vec3<Real> s = vec<Real>(in.at("s"));
+  const LightPath<Real> path(s, ray.v, ray.w, Real(0));
+  Real sum = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Real frozen = b0 * (glm::length(all[i].b - s) + glm::length(all[i].b - ray.v));
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (j == i) continue;
+      frozen += optical_depth(all[j], s, all[i].b) + optical_depth(all[j], ray.v, all[i].b);
+    }
+    sum += gaussian_airlight(all[i], ray.v, ray.w, ray.d, s, path, frozen);
+  }
+  return real<Real>(in.at("I0")) * sum;
+}
+
+template <class Real>
+Real paper_homogeneous(const Json& in) {
+  const Ray<Real> ray(in);
+  const Vec3<Real> s = vec<Real>(in.at("s"));
+  Real between = 0;
+  for (const auto& g : gaussians<Real>(in)) between += optical_depth(g, s, ray.v);
+  const LightPath<Real> path(s, ray.v, ray.w, Real(0));
+  return real<Real>(in.at("I0")) * std::exp(-between) *
+         homogeneous_airlight(real<Real>(in.at("b0")), path, ray.d);
+}
+
+template <class Real>
+using Quantity = std::function<std::vector<Real>(const Json&)>;
+
+template <class Real>
+std::map<std::string, Quantity<Real>> quantities() {
+  using R = std::vector<Real>;
+  return {
+      {"tau_segment",
+       [](const Json& in) {
+         return R{optical_depth(gaussian<Real>(in), vec<Real>(in["A"]), vec<Real>(in["B"]))};
+       }},
+      {"tau_ray_inf",
+       [](const Json& in) {
+         const auto g = gaussian<Real>(in);
+         const auto w = glm::normalize(vec<Real>(in["dir"]));
+         return R{optical_depth(g, line_profile(g, vec<Real>(in["A"]), w),
+                                std::numeric_limits<Real>::infinity())};
+       }},
+      {"airlight_homog",
+       [](const Json& in) {
+         const Ray<Real> ray(in);
+         const LightPath<Real> path(vec<Real>(in["s"]), ray.v, ray.w, Real(0));
+         return R{real<Real>(in["I0"]) *
+                  homogeneous_airlight(real<Real>(in["b0"]), path, ray.d)};
+       }},
+      {"airlight_gauss_exact",
+       [](const Json& in) { return R{exact_airlight<Real>(in, ScatteredBy::gaussians)}; }},
+      {"airlight_homog_exact",
+       [](const Json& in) { return R{exact_airlight<Real>(in, ScatteredBy::homogeneous)}; }},
+      {"airlight_gauss_paper", [](const Json& in) { return R{paper_gaussians<Real>(in)}; }},
+      {"airlight_homog_paper", [](const Json& in) { return R{paper_homogeneous<Real>(in)}; }},
+      {"trunc_mean",
+       [](const Json& in) {
+         const Ray<Real> ray(in);
+         const auto g = gaussian<Real>(in["g"]);
+         return R{truncated_mean(g, line_profile(g, ray.v, ray.w), ray.d)};
+       }},
+      {"cull",
+       [](const Json& in) {
+         // Culling bounds are made once per Gaussian and always in double.
+         const Gaussian g{vec<double>(in["b"]), 1.0 / in["a"].get<double>(), in["c"]};
+         const double r = reach(g.radius, g.density, in["eps"]);
+         return R{Real(r), Real(reach_cone(g.center, r, vec<double>(in["o"])))};
+       }},
+  };
+}
+
+std::vector<double> expected(const Json& value) {
+  if (value.is_array()) return value.get<std::vector<double>>();
+  return {value.get<double>()};
+}
+
+struct Score {
+  int passed = 0;
+  int failed = 0;
+};
+
+template <class Real>
+void evaluate(const Json& test, const char* tolerance, Score& score) {
+  static const auto known = quantities<Real>();
+  const std::vector<Real> got = known.at(test.at("quantity"))(test.at("inputs"));
+  const std::vector<double> want = expected(test.at("value"));
+  const double relative = test.at(tolerance).at("rel");
+  const double absolute = test.at(tolerance).at("abs");
+  bool pass = got.size() == want.size();
+  for (std::size_t i = 0; pass && i < want.size(); ++i) {
+    pass = std::abs(static_cast<double>(got[i]) - want[i]) <=
+           relative * std::abs(want[i]) + absolute;
+  }
+  ++(pass ? score.passed : score.failed);
+  if (pass) return;
+  std::printf("FAILED %s at %s:", test.at("id").get<std::string>().c_str(), tolerance);
+  for (std::size_t i = 0; i < want.size() && i < got.size(); ++i) {
+    const double value = static_cast<double>(got[i]);
+    std::printf(" %.15g should be %.15g (relative error %.2g, allowed %.2g);", value, want[i],
+                std::abs(value / want[i] - 1.0), relative);
+  }
+  std::printf(" %s\n", test.value("note", "").c_str());
+}
+
+int run(const char* file) {
+  std::ifstream stream(file);
+  if (!stream) {
+    std::printf("cannot read %s\n", file);
+    return 2;
+  }
+  const Json golden = Json::parse(stream);
+  const auto known = quantities<double>();
+  std::set<std::string> skipped;
+  Score score;
+  for (const Json& test : golden.at("cases")) {
+    const std::string quantity = test.at("quantity");
+    if (!known.contains(quantity)) {
+      skipped.insert(quantity);
+      continue;
+    }
+    evaluate<double>(test, "tol64", score);
+    evaluate<float>(test, "tol32", score);
+  }
+  for (const std::string& quantity : skipped) {
+    std::printf("skipped: %s is not implemented yet\n", quantity.c_str());
+  }
+  std::printf("%d passed, %d failed\n", score.passed, score.failed);
+  return score.failed == 0 && score.passed > 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace brume
+
+int main() {
+  const char* file = std::getenv("BRUME_GOLDEN");
+  return brume::run(file ? file : BRUME_GOLDEN_DEFAULT);
+}
