@@ -2,14 +2,23 @@
 
 #include <filesystem>
 #include <functional>
+#include <string_view>
 
 namespace brume {
 
+// Throws InputError if `file` cannot be written: its folder is missing or not writable, or it is
+// a folder or a device itself. Asked before long work whose result would be lost.
+void check_writable(const std::filesystem::path& file);
+
 // Writes a file so that `file` holds either its old content or the complete new one: `write` gets
-// the path of a temporary file beside it, which then takes the place of `file`. If `write` throws
-// the temporary file is removed and the exception goes on. Throws InputError if the folder cannot
-// be written.
+// the path of a temporary file beside it, which then takes the place of `file`. An existing file
+// keeps its permissions, a symbolic link stays and its target is written. If `write` throws the
+// temporary file is removed and the exception goes on. Throws InputError if the folder cannot be
+// written.
 void write_atomically(const std::filesystem::path& file,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
+
+// The same for content that is at hand.
+void write_atomically(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace brume

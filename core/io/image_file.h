@@ -18,12 +18,21 @@ struct ImageLayers {
   std::map<std::string, std::string> metadata;
 };
 
-// OpenEXR, 32-bit float scan lines, ZIP. Reading converts half and uint channels to float.
-// Both throw InputError; an existing file is replaced only by a complete one.
+// OpenEXR. Reads the first flat part, scan lines or tiles, of a file; half and uint channels
+// become float, values that are not finite stay. Throws InputError: no EXR, truncated, deep only,
+// subsampled, larger than limits::image_side a side.
 ImageLayers read_exr(const std::filesystem::path& file);
+
+// Writes 32-bit float scan lines, ZIP; an existing file is replaced only by a complete one. Throws
+// InputError. Every channel must have width * height values (assert).
 void write_exr(const std::filesystem::path& file, const ImageLayers& image);
 
-// 8-bit sRGB PNG from width * height * 3 bytes; metadata goes into text chunks.
+// Throws InputError unless the file is an image that can light a scene: OpenEXR with a sound header
+// and the channels R G B, or Radiance HDR. Reads headers only.
+void check_radiance_map(const std::filesystem::path& file);
+
+// 8-bit sRGB PNG from width * height * 3 bytes, rows from the top; metadata goes into text chunks.
+// An existing file is replaced only by a complete one. Throws InputError.
 void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint8_t> rgb,
                const std::map<std::string, std::string>& metadata);

@@ -1,1 +1,151 @@
-// being written
+#include "core/io/mesh_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/mesh_readers.h"
+#include "core/io/number_domain.h"
+#include "core/io/text_scanner.h"
+
+namespace brume {
+namespace {
+
+using OpenMesh::Vec3f;
+using OpenMesh::VertexHandle;
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+RawMesh read_raw(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  const auto reader = extension == ".obj"   ? read_obj
+                      : extension == ".off" ? read_off
+                      : extension == ".ply" ? read_ply_mesh
+                      : extension == ".stl" ? read_stl
+                                            : nullptr;
+  regular_file_size(file);  // a missing file is said to be missing, whatever its extension
+  if (reader == nullptr) {
+    throw InputError(
+        file, "",
+        "found a mesh of format " + shown(extension) + "; allowed: .obj, .ply, .stl, .off");
+  }
+  const std::string bytes = read_bytes(file);
+  if (bytes.empty()) throw InputError(file, "", "is empty");
+  return reader(file, bytes);
+}
+
+// The unit vector along v, or zero where v has no direction.
+glm::dvec3 unit_or_zero(const glm::dvec3& v) {
+  const double greatest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(greatest > 0.0 && greatest <= 1e300)) return glm::dvec3(0.0);
+  const glm::dvec3 scaled = v / greatest;  // so that no square underflows
+  return scaled / glm::length(scaled);
+}
+
+// Unit normals: the file's, else the sum of the adjacent triangles' normals weighted by area.
+std::vector<glm::dvec3> unit_normals(const RawMesh& raw) {
+  std::vector<glm::dvec3> smooth(raw.points.size(), glm::dvec3(0.0));
+  for (const auto& [a, b, c] : raw.triangles) {
+    const glm::dvec3 area =
+        glm::cross(raw.points[b] - raw.points[a], raw.points[c] - raw.points[a]);
+    for (const std::uint32_t vertex : {a, b, c}) smooth[vertex] += area;
+  }
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    glm::dvec3 normal = raw.normals.empty() ? glm::dvec3(0.0) : unit_or_zero(raw.normals[i]);
+    if (normal == glm::dvec3(0.0)) normal = unit_or_zero(smooth[i]);
+    if (normal == glm::dvec3(0.0)) normal = {0.0, 1.0, 0.0};  // of no visible triangle
+    smooth[i] = normal;
+  }
+  return smooth;
+}
+
+// OpenMesh holds manifolds only: where a triangle does not fit, it gets vertices of its own.
+std::shared_ptr<TriangleMesh> to_triangle_mesh(const RawMesh& raw) {
+  const std::vector<glm::dvec3> normals = unit_normals(raw);
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->request_vertex_normals();
+  mesh->reserve(raw.points.size(), raw.triangles.size() * 3 / 2, raw.triangles.size());
+  const auto add_vertex = [&](std::uint32_t index) {
+    const VertexHandle vertex = mesh->add_vertex(Vec3f(static_cast<float>(raw.points[index].x),
+                                                       static_cast<float>(raw.points[index].y),
+                                                       static_cast<float>(raw.points[index].z)));
+    mesh->set_normal(
+        vertex, Vec3f(static_cast<float>(normals[index].x), static_cast<float>(normals[index].y),
+                      static_cast<float>(normals[index].z)));
+    return vertex;
+  };
+  for (std::uint32_t i = 0; i < raw.points.size(); ++i) add_vertex(i);
+  // OpenMesh reports each triangle that does not fit on its error stream.
+  const bool was_enabled = omerr().is_enabled();
+  omerr().disable();
+  for (const auto& corners : raw.triangles) {
+    std::array<VertexHandle, 3> vertices;
+    std::transform(corners.begin(), corners.end(), vertices.begin(),
+                   [](std::uint32_t i) { return VertexHandle(static_cast<int>(i)); });
+    if (!mesh->add_face(vertices.data(), 3).is_valid()) {
+      std::transform(corners.begin(), corners.end(), vertices.begin(), add_vertex);
+      mesh->add_face(vertices.data(), 3);
+    }
+  }
+  if (was_enabled) omerr().enable();
+  return mesh;
+}
+
+}  // namespace
+
+void check_point(const std::filesystem::path& file, const std::string& place,
+                 const glm::dvec3& point) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!domain::coordinate.contains(point[axis])) {
+      throw InputError(file, place, domain::coordinate.refusal(point[axis]));
+    }
+  }
+}
+
+glm::dvec3 read_point(const std::filesystem::path& file, TextScanner& scanner) {
+  glm::dvec3 point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string_view token = scanner.next_token();
+    const std::optional<double> value = parse_number(token);
+    if (!value) {
+      throw InputError(file, scanner.place(), "found " + shown(token) + "; allowed: a number");
+    }
+    point[axis] = *value;
+  }
+  check_point(file, scanner.place(), point);
+  return point;
+}
+
+glm::dvec3 read_normal(TextScanner& scanner) {
+  glm::dvec3 normal;
+  for (int axis = 0; axis < 3; ++axis) {
+    normal[axis] = parse_number(scanner.next_token()).value_or(0.0);
+  }
+  return normal;
+}
+
+void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const std::array triangle{corners[0], corners[i - 1], corners[i]};
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) {
+      mesh.triangles.push_back(triangle);
+    }
+  }
+}
+
+std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file) {
+  const RawMesh raw = read_raw(file);
+  if (raw.triangles.empty()) throw InputError(file, "", "the mesh has no faces");
+  return to_triangle_mesh(raw);
+}
+
+}  // namespace brume

@@ -1,0 +1,175 @@
+#include <ImfArray.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+#include <ImfTestFile.h>
+
+#include <cassert>
+#include <new>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/image_file.h"
+#include "core/io/limits.h"
+#include "core/io/text_scanner.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t most_channels = 1024;
+// Pixels beyond the first GiB must be backed by the file: ZIP makes at most 1/1032 of them.
+constexpr std::uintmax_t free_bytes = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t best_compression = 1100;
+
+// OpenEXR throws many kinds of exceptions on hostile files; all of them mean a bad file.
+template <typename Work>
+auto guarded(const fs::path& file, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(file, "", "the image needs more memory than there is");
+  } catch (const std::exception& error) {
+    throw InputError(file, "", "not a readable OpenEXR file: " + shown(error.what(), 200));
+  }
+}
+
+bool has_exr_magic(const fs::path& file) {
+  return read_first_bytes(file, 4) == std::string("\x76\x2f\x31\x01", 4);
+}
+
+// The first part that is an image of one value per pixel and channel.
+int first_flat_part(const fs::path& file, const Imf::MultiPartInputFile& input) {
+  for (int part = 0; part < input.parts(); ++part) {
+    const Imf::Header& header = input.header(part);
+    if (!header.hasType() || header.type() == Imf::SCANLINEIMAGE ||
+        header.type() == Imf::TILEDIMAGE) {
+      return part;
+    }
+  }
+  throw InputError(file, "header", "found only deep images; allowed: a flat one");
+}
+
+struct Size {
+  int width;
+  int height;
+};
+
+// Sane and worth allocating.
+Size checked_size(const fs::path& file, const Imf::Header& header) {
+  const Imath::Box2i window = header.dataWindow();
+  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+  if (width < 1 || height < 1 || width > limits::image_side || height > limits::image_side) {
+    throw InputError(file, "header",
+                     "found a size of " + std::to_string(width) + " x " + std::to_string(height) +
+                         "; allowed: 1 to " + std::to_string(limits::image_side) + " a side");
+  }
+  std::uintmax_t channels = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++channels) {
+    if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
+      throw InputError(file, "channel " + shown(c.name()),
+                       "found subsampling; allowed: a value for every pixel");
+    }
+  }
+  if (channels < 1 || channels > most_channels) {
+    throw InputError(file, "header",
+                     "found " + std::to_string(channels) + " channels; allowed: 1 to " +
+                         std::to_string(most_channels));
+  }
+  const std::uintmax_t bytes = channels * sizeof(float) * static_cast<std::uintmax_t>(width) *
+                               static_cast<std::uintmax_t>(height);
+  if (bytes > free_bytes && bytes / best_compression > regular_file_size(file)) {
+    throw InputError(
+        file, "header",
+        "found " + std::to_string(bytes) + " bytes of pixels; the file is too short for them");
+  }
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+}  // namespace
+
+ImageLayers read_exr(const fs::path& file) {
+  regular_file_size(file);
+  if (!has_exr_magic(file)) throw InputError(file, "header", "not an OpenEXR file");
+  return guarded(file, [&] {
+    Imf::MultiPartInputFile input(file.c_str());
+    const int part_number = first_flat_part(file, input);
+    const Imf::Header& header = input.header(part_number);
+    const Size size = checked_size(file, header);
+    ImageLayers image;
+    image.width = size.width;
+    image.height = size.height;
+    const auto pixels =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const Imath::Box2i window = header.dataWindow();
+    Imf::FrameBuffer frame;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+      std::vector<float>& values = image.channels[c.name()];
+      values.resize(pixels);
+      frame.insert(c.name(),
+                   Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float),
+                                    sizeof(float) * static_cast<std::size_t>(size.width)));
+    }
+    Imf::InputPart part(input, part_number);
+    part.setFrameBuffer(frame);
+    part.readPixels(window.min.y, window.max.y);
+    for (auto a = header.begin(); a != header.end(); ++a) {
+      const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+      if (text != nullptr) image.metadata[a.name()] = text->value();
+    }
+    return image;
+  });
+}
+
+void write_exr(const fs::path& file, const ImageLayers& image) {
+  write_atomically(file, [&](const fs::path& temporary) {
+    guarded(file, [&] {
+      Imf::Header header(image.width, image.height);
+      header.compression() = Imf::ZIP_COMPRESSION;
+      Imf::FrameBuffer frame;
+      const auto width = static_cast<std::size_t>(image.width);
+      for (const auto& [name, values] : image.channels) {
+        assert(values.size() == width * static_cast<std::size_t>(image.height));
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        // The slice is only read from when a file is written.
+        frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(),
+                                            sizeof(float), sizeof(float) * width));
+      }
+      for (const auto& [name, text] : image.metadata) {
+        header.insert(name, Imf::StringAttribute(text));
+      }
+      Imf::OutputFile output(temporary.c_str(), header);
+      output.setFrameBuffer(frame);
+      output.writePixels(image.height);
+    });
+  });
+}
+
+void check_radiance_map(const fs::path& file) {
+  const std::string start = read_first_bytes(file, 11);
+  if (start.starts_with("#?RADIANCE") || start.starts_with("#?RGBE")) return;
+  if (!has_exr_magic(file)) {
+    throw InputError(file, "header", "found neither an OpenEXR nor a Radiance HDR image");
+  }
+  guarded(file, [&] {
+    const Imf::MultiPartInputFile input(file.c_str());
+    const Imf::Header& header = input.header(first_flat_part(file, input));
+    checked_size(file, header);
+    for (const char* channel : {"R", "G", "B"}) {
+      if (header.channels().findChannel(channel) == nullptr) {
+        throw InputError(file, "header", std::string("there is no channel ") + channel);
+      }
+    }
+  });
+}
+
+}  // namespace brume

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace brume {
+
+// The size in bytes of a regular file. Throws InputError: missing, a folder or a device.
+std::uintmax_t regular_file_size(const std::filesystem::path& file);
+
+// All bytes of a regular file. Throws InputError also if it is larger than limits::file_bytes or
+// cannot be read.
+std::string read_bytes(const std::filesystem::path& file);
+
+// At most `count` bytes from the start of a regular file. Throws InputError.
+std::string read_first_bytes(const std::filesystem::path& file, std::size_t count);
+
+}  // namespace brume

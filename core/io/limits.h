@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// What files may hold at most. The bounds are far beyond any real scene; they keep a hostile file
+// from taking all memory, and every product in the renderer finite.
+namespace brume::limits {
+
+inline constexpr std::uintmax_t file_bytes = std::uintmax_t{1} << 30;  // scenes, meshes, Gaussians
+inline constexpr std::size_t gaussians = 10'000'000;
+inline constexpr std::size_t lights = 1024;
+inline constexpr std::size_t surfaces = 4096;
+inline constexpr int film_side = 16384;    // pixels
+inline constexpr int image_side = 32768;   // pixels
+inline constexpr int json_depth = 64;      // nested arrays and objects
+inline constexpr std::size_t keys = 1024;  // of one JSON object
+
+inline constexpr double coordinate = 1e12;     // |x| [u]
+inline constexpr double least_length = 1e-12;  // of radii and scales [u]
+inline constexpr double greatest_length = 1e12;
+inline constexpr double density = 1e12;    // [1/u]
+inline constexpr double intensity = 1e20;  // [W/sr]
+
+}  // namespace brume::limits

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "core/io/limits.h"
+
+namespace brume {
+
+// The interval a number of a file must lie in. NaN is in no domain.
+struct NumberDomain {
+  double least;
+  double greatest;
+  const char* allowed;  // in words, for the error message
+  bool open = false;    // without its ends
+
+  [[nodiscard]] constexpr bool contains(double value) const {
+    return open ? value > least && value < greatest : value >= least && value <= greatest;
+  }
+  // "found -0.5; allowed: a number > 0"
+  [[nodiscard]] std::string refusal(double value) const;
+};
+
+// A number as error messages show it: the shortest text that reads back the same.
+std::string shown(double value);
+
+namespace domain {
+
+inline constexpr NumberDomain coordinate{-limits::coordinate, limits::coordinate,
+                                         "a number from -1e12 to 1e12"};
+inline constexpr NumberDomain length{limits::least_length, limits::greatest_length,
+                                     "a number > 0 (from 1e-12 to 1e12)"};
+inline constexpr NumberDomain density{0.0, limits::density, "a number >= 0 (up to 1e12)"};
+inline constexpr NumberDomain intensity{0.0, limits::intensity, "a number >= 0 (up to 1e20)"};
+inline constexpr NumberDomain unit{0.0, 1.0, "a number in [0, 1]"};
+inline constexpr NumberDomain albedo{1e-6, 1.0, "a number in (0, 1] (from 1e-6)"};
+inline constexpr NumberDomain anisotropy{-0.95, 0.95, "a number in [-0.95, 0.95]"};
+inline constexpr NumberDomain field_of_view{0.0, 180.0, "a number in (0, 180) degrees", true};
+inline constexpr NumberDomain not_negative{0.0, 1e12, "a number >= 0 (up to 1e12)"};
+inline constexpr NumberDomain degrees{-1e12, 1e12, "a number of degrees from -1e12 to 1e12"};
+
+}  // namespace domain
+}  // namespace brume

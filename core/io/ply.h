@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brume {
+
+// A PLY file as generic rows of numbers: ascii, binary little-endian or binary big-endian.
+class PlyFile {
+ public:
+  enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+  struct Property {
+    std::string name;
+    Type type = Type::float32;
+    std::optional<Type> list_count;  // of a list: the type of its length
+  };
+
+  struct Element {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<Property> properties;
+
+    [[nodiscard]] std::optional<std::size_t> property(std::string_view name) const;
+  };
+
+  // One row: by property index, a scalar's value and a list's values.
+  struct Row {
+    std::vector<double> scalars;
+    std::vector<std::vector<double>> lists;
+  };
+
+  // Reads the header; `bytes` must live as long as this. Throws InputError.
+  PlyFile(std::filesystem::path file, std::string_view bytes);
+
+  [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
+  [[nodiscard]] const Element* element(std::string_view name) const;
+
+  // Calls `visit` for each row of each element in the order of the file. Throws InputError naming
+  // element and row where the data ends early, is no number or a count is absurd.
+  using Visit = std::function<void(const Element& element, std::uint64_t index, const Row& row)>;
+  void for_each_row(const Visit& visit) const;
+
+ private:
+  enum class Format { ascii, little, big };
+
+  std::filesystem::path file_;
+  std::string_view data_;
+  Format format_ = Format::ascii;
+  std::vector<Element> elements_;
+};
+
+}  // namespace brume

@@ -1,0 +1,247 @@
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <new>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/json_reader.h"
+#include "core/io/limits.h"
+#include "core/io/scene_file.h"
+#include "core/io/scene_names.h"
+#include "core/io/scene_references.h"
+#include "core/io/text_scanner.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* no_effect = "has no effect in this version yet";
+
+class SceneLoader {
+ public:
+  SceneLoader(const fs::path& file, std::vector<std::string>* warnings)
+      : context_(file, warnings), references_(file) {}
+
+  Scene load(const Json& root) {
+    JsonObject object(context_, root, root_);
+    check_version(object);
+    if (const Json* value = object.find("camera")) load_camera(*value, object.place("camera"));
+    if (const Json* value = object.find("film")) load_film(*value, object.place("film"));
+    if (const Json* value = object.find("medium")) load_medium(*value, object.place("medium"));
+    load_elements(object, "lights", limits::lights, &SceneLoader::load_light);
+    if (const Json* value = object.find("environment")) {
+      load_environment(*value, object.place("environment"));
+    }
+    load_elements(object, "surfaces", limits::surfaces, &SceneLoader::load_surface);
+    scene_.unknown = object.unknown();
+    return std::move(scene_);
+  }
+
+ private:
+  using LoadElement = void (SceneLoader::*)(const Json&, const JsonPlace&);
+
+  void load_elements(JsonObject& object, const char* key, std::size_t longest,
+                     LoadElement load_element) {
+    const Json::array_t& elements = object.array(key, longest);
+    const JsonPlace place = object.place(key);
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      (this->*load_element)(elements[i], place.element(i));
+  }
+
+  static void check_version(JsonObject& object) {
+    const Json& format = object.required("format");
+    if (format != scene_names::format) {
+      object.fail("format", "found " + shown_json(format) + "; allowed: \"brume-scene\"");
+    }
+    const Json& version = object.required("version");
+    if (!version.is_number() || version != scene_names::version) {
+      const bool newer = version.is_number() && version > scene_names::version;
+      object.fail("version", "found " + shown_json(version) + "; allowed: 1" +
+                                 (newer ? " (the scene is of a newer Brume)" : ""));
+    }
+  }
+
+  void load_camera(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Camera& camera = scene_.camera;
+    camera.eye = object.vector("eye", domain::coordinate, camera.eye);
+    camera.target = object.vector("target", domain::coordinate, camera.target);
+    camera.up = object.vector("up", domain::coordinate, camera.up);
+    camera.vertical_fov = object.number("vertical_fov", domain::field_of_view, camera.vertical_fov);
+    if (!(glm::length(camera.target - camera.eye) > 0.0)) {
+      object.fail("target", "found the camera's eye; allowed: another point than the eye");
+    }
+    if (!(glm::length(camera.up) > 0.0)) {
+      object.fail("up", "found a vector of length 0; allowed: any other");
+    }
+    scene_.unknown_camera = object.unknown();
+  }
+
+  void load_film(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Film& film = scene_.film;
+    film.width = static_cast<int>(object.integer("width", 1, limits::film_side, film.width));
+    film.height = static_cast<int>(object.integer("height", 1, limits::film_side, film.height));
+    scene_.unknown_film = object.unknown();
+  }
+
+  void load_medium(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    scene_.medium.set_homogeneous_density(object.number("density", domain::density, 0.0));
+    load_elements(object, "gaussians", limits::gaussians, &SceneLoader::load_gaussian);
+    if (object.find("file") != nullptr) load_medium_file(object);
+
+    MediumOptics& optics = scene_.optics;
+    optics.albedo = object.vector("albedo", domain::albedo, optics.albedo);
+    if (optics.albedo != glm::dvec3(1.0)) context_.warn(object.place("albedo"), no_effect);
+    optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
+    if (optics.anisotropy != 0.0) context_.warn(object.place("anisotropy"), no_effect);
+    if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
+    scene_.unknown_medium = object.unknown();
+  }
+
+  void load_gaussian(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Gaussian gaussian;
+    gaussian.center = object.vector("center", domain::coordinate, {});
+    gaussian.radius = object.number("radius", domain::length, {});
+    gaussian.density = object.number("density", domain::density, {});
+    const GaussianId id = scene_.medium.append(gaussian);
+    if (UnknownKeys unknown = object.unknown(); !unknown.empty()) {
+      scene_.unknown_gaussians[id] = std::move(unknown);
+    }
+  }
+
+  void load_medium_file(JsonObject& object) {
+    const JsonPlace place = object.place("file");
+    auto loaded = std::make_shared<MediumFile>();
+    loaded->file = references_.resolve(context_, place, object.text("file", {}));
+    loaded->gaussians = SceneReferences::gaussians(context_, place, loaded->file);
+    Medium& medium = scene_.medium;
+    const std::size_t total = medium.size() + loaded->gaussians.size();
+    if (total > limits::gaussians) {
+      context_.fail(place, "found " + std::to_string(total) +
+                               " Gaussians in all; allowed: at most " +
+                               std::to_string(limits::gaussians));
+    }
+    medium.reserve(total);
+    loaded->ids.reserve(loaded->gaussians.size());
+    for (const Gaussian& g : loaded->gaussians) loaded->ids.push_back(medium.append(g));
+    scene_.medium_file = std::move(loaded);
+  }
+
+  void load_noise(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Noise& noise = scene_.optics.noise;
+    noise.amplitude = object.number("amplitude", domain::not_negative, noise.amplitude);
+    noise.frequency = object.number("frequency", domain::not_negative, noise.frequency);
+    noise.velocity = object.vector("velocity", domain::coordinate, noise.velocity);
+    noise.seed = object.integer("seed", INT64_MIN, INT64_MAX, noise.seed);
+    if (noise.amplitude > 0.0) context_.warn(place, no_effect);
+    noise.unknown = object.unknown();
+  }
+
+  void load_light(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    object.choice("type", {"point"}, {});
+    PointLight light;
+    light.position = object.vector("position", domain::coordinate, {});
+    light.intensity = object.vector("intensity", domain::intensity, light.intensity);
+    light.unknown = object.unknown();
+    scene_.lights.push_back(std::move(light));
+  }
+
+  void load_environment(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Environment environment;
+    const JsonPlace file = object.place("file");
+    environment.file = references_.resolve(context_, file, object.text("file", {}));
+    SceneReferences::check_environment(context_, file, environment.file);
+    environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
+    environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
+    environment.unknown = object.unknown();
+    context_.warn(place, no_effect);
+    scene_.environment = std::move(environment);
+  }
+
+  void load_surface(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Surface surface;
+    const JsonPlace mesh = object.place("mesh");
+    surface.mesh_file = references_.resolve(context_, mesh, object.text("mesh", {}));
+    surface.mesh = references_.mesh(context_, mesh, surface.mesh_file);
+    surface.translate = object.vector("translate", domain::coordinate, surface.translate);
+    if (const Json* rotate = object.find("rotate")) {
+      surface.rotate = unit_quaternion(*rotate, object.place("rotate"));
+    }
+    surface.scale = object.number("scale", domain::length, surface.scale);
+    if (const Json* material = object.find("material")) {
+      surface.material = load_material(*material, object.place("material"));
+    }
+    surface.transfer = static_cast<Surface::Transfer>(
+        object.choice("transfer", scene_names::transfers, std::size_t{0}));
+    if (surface.transfer != Surface::Transfer::none) {
+      context_.warn(object.place("transfer"), no_effect);
+    }
+    surface.unknown = object.unknown();
+    scene_.surfaces.push_back(std::move(surface));
+  }
+
+  [[nodiscard]] glm::dquat unit_quaternion(const Json& value, const JsonPlace& place) const {
+    const std::vector<double> q = read_numbers(context_, value, place, 4, domain::coordinate);
+    const glm::dquat rotate(q[0], q[1], q[2], q[3]);
+    const double length = glm::length(rotate);
+    if (!(std::abs(length - 1.0) <= 1e-3)) {
+      context_.fail(place, "found a quaternion of length " + shown(length) +
+                               "; allowed: length 1, within 1e-3");
+    }
+    // What is unit up to rounding stays as it is, so that a saved scene is the same scene.
+    return std::abs(length - 1.0) <= 1e-12 ? rotate : rotate / length;
+  }
+
+  Material load_material(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Material material;
+    material.type =
+        static_cast<Material::Type>(object.choice("type", scene_names::materials, std::size_t{0}));
+    if (material.type == Material::Type::measured) {
+      const JsonPlace file = object.place("file");
+      material.file = references_.resolve(context_, file, object.text("file", {}));
+      SceneReferences::check_measured_brdf(context_, file, material.file);
+    } else {
+      material.reflectance = object.vector("reflectance", domain::unit, material.reflectance);
+    }
+    if (material.type == Material::Type::phong) {
+      material.specular = object.vector("specular", domain::unit, material.specular);
+      material.exponent = object.number("exponent", domain::not_negative, material.exponent);
+    }
+    if (material.type != Material::Type::diffuse) {
+      context_.warn(object.place("type"),
+                    std::string("a material other than diffuse ") + no_effect);
+    }
+    material.unknown = object.unknown();
+    return material;
+  }
+
+  JsonContext context_;
+  JsonPlace root_;
+  SceneReferences references_;
+  Scene scene_;
+};
+
+}  // namespace
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+  try {
+    const std::string text = read_bytes(file);
+    return SceneLoader(file, warnings).load(parse_json(file, text));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(file, "", "needs more memory than there is");
+  } catch (const std::exception& error) {  // of the file system, or a limit of the library's
+    throw InputError(file, "", error.what());
+  }
+}
+
+}  // namespace brume

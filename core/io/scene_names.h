@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+// Words of the scene file, in the order of the enumerations they stand for.
+namespace brume::scene_names {
+
+inline constexpr const char* format = "brume-scene";
+inline constexpr int version = 1;
+inline const std::vector<std::string> materials{"diffuse", "phong", "measured"};
+inline const std::vector<std::string> transfers{"none", "shadow", "interreflection"};
+
+}  // namespace brume::scene_names

@@ -1,0 +1,100 @@
+#include "core/io/scene_references.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/gaussian_file.h"
+#include "core/io/image_file.h"
+#include "core/io/mesh_file.h"
+#include "core/io/text_scanner.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+// The folder without symbolic links, so that ".." in a reference is the real parent folder.
+fs::path real_folder(const fs::path& folder) {
+  return fs::weakly_canonical(folder.empty() ? fs::path(".") : folder);
+}
+
+// Runs `read`; an error of the file read becomes one of the scene, at the place that refers to it.
+template <typename Read>
+auto at_place(const JsonContext& context, const JsonPlace& place, Read&& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    context.fail(place, error.what());
+  }
+}
+
+}  // namespace
+
+SceneReferences::SceneReferences(const fs::path& scene_file)
+    : scene_file_(scene_file), directory_(real_folder(scene_file.parent_path())) {}
+
+fs::path SceneReferences::resolve(const JsonContext& context, const JsonPlace& place,
+                                  const std::string& text) const {
+  const bool is_name = !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) {
+    return c < 0x20 || c == 0x7f;
+  });
+  if (!is_name) context.fail(place, "found \"" + text + "\"; allowed: a file name");
+  const fs::path file = (directory_ / text).lexically_normal();
+  at_place(context, place, [&] { return regular_file_size(file); });
+  std::error_code error;
+  if (fs::equivalent(file, scene_file_, error)) {
+    context.fail(place, "found the scene itself, " + text + "; allowed: another file");
+  }
+  return file;
+}
+
+std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& context,
+                                                          const JsonPlace& place,
+                                                          const fs::path& file) {
+  std::shared_ptr<const TriangleMesh>& mesh = meshes_[file];
+  if (!mesh) mesh = at_place(context, place, [&] { return read_mesh(file); });
+  return mesh;
+}
+
+std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPlace& place,
+                                                 const fs::path& file) {
+  return at_place(context, place, [&] { return read_gaussians(file); });
+}
+
+void SceneReferences::check_environment(const JsonContext& context, const JsonPlace& place,
+                                        const fs::path& file) {
+  at_place(context, place, [&] { check_radiance_map(file); });
+}
+
+// A MERL .binary: three int32, the resolution in the half and difference angles, then as many
+// doubles for each of red, green and blue.
+void SceneReferences::check_measured_brdf(const JsonContext& context, const JsonPlace& place,
+                                          const fs::path& file) {
+  constexpr std::int64_t samples = 90 * 90 * 180;
+  constexpr std::uintmax_t size = 12 + 3 * sizeof(double) * samples;
+  at_place(context, place, [&] {
+    const std::string header = read_first_bytes(file, 12);
+    std::int32_t dims[3] = {0, 0, 0};
+    if (header.size() == 12) std::memcpy(dims, header.data(), 12);
+    if (dims[0] != 90 || dims[1] != 90 || dims[2] != 180) {
+      throw InputError(file, "header",
+                       "found the dimensions " + std::to_string(dims[0]) + " x " +
+                           std::to_string(dims[1]) + " x " + std::to_string(dims[2]) +
+                           "; allowed: 90 x 90 x 180, a MERL .binary");
+    }
+    if (const std::uintmax_t found = regular_file_size(file); found != size) {
+      throw InputError(file, "",
+                       "found " + std::to_string(found) + " bytes; allowed: " +
+                           std::to_string(size) + ", the size of a MERL .binary");
+    }
+  });
+}
+
+std::string SceneReferences::text_for(const fs::path& file, const fs::path& directory) {
+  const fs::path absolute = fs::absolute(file).lexically_normal();
+  const fs::path relative = absolute.lexically_relative(real_folder(fs::absolute(directory)));
+  return (relative.empty() ? absolute : relative).generic_string();
+}
+
+}  // namespace brume

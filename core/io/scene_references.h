@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/json_reader.h"
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// The files a scene refers to: finds them relative to the scene, reads and checks them. An error
+// names the scene, the JSON path of the reference, the file and the place in it.
+class SceneReferences {
+ public:
+  explicit SceneReferences(const std::filesystem::path& scene_file);
+
+  // The absolute path that the text at `place` means. It is a file, and not the scene itself.
+  std::filesystem::path resolve(const JsonContext& context, const JsonPlace& place,
+                                const std::string& text) const;
+
+  // Meshes are read once and shared.
+  std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPlace& place,
+                                           const std::filesystem::path& file);
+  static std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPlace& place,
+                                         const std::filesystem::path& file);
+  static void check_environment(const JsonContext& context, const JsonPlace& place,
+                                const std::filesystem::path& file);
+  static void check_measured_brdf(const JsonContext& context, const JsonPlace& place,
+                                  const std::filesystem::path& file);
+
+  // How a scene file in `directory` refers to `file`: relative where it can.
+  static std::string text_for(const std::filesystem::path& file,
+                              const std::filesystem::path& directory);
+
+ private:
+  std::filesystem::path scene_file_;
+  std::filesystem::path directory_;
+  std::map<std::filesystem::path, std::shared_ptr<const TriangleMesh>> meshes_;
+};
+
+}  // namespace brume

@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/scene_file.h"
+#include "core/io/scene_names.h"
+#include "core/io/scene_references.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+Json to_json(const glm::dvec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+// Adds the keys that came with an object and that this version does not know.
+void add_unknown(Json& object, const UnknownKeys& unknown) {
+  if (unknown.empty()) return;
+  const Json keys = Json::parse(unknown);
+  for (const auto& [key, value] : keys.items()) {
+    if (!object.contains(key)) object[key] = value;
+  }
+}
+
+// Whether the Gaussians that came from medium.file are still what they were.
+bool is_unchanged(const MediumFile& loaded, const Scene& scene) {
+  for (std::size_t i = 0; i < loaded.ids.size(); ++i) {
+    const auto at = scene.medium.index_of(loaded.ids[i]);
+    if (!at || scene.medium.gaussian(*at) != loaded.gaussians[i]) return false;
+    if (scene.unknown_gaussians.contains(loaded.ids[i])) return false;
+  }
+  return true;
+}
+
+Json medium_to_json(const Scene& scene, const fs::path& directory) {
+  const Medium& medium = scene.medium;
+  const MediumFile* file = scene.medium_file.get();
+  if (file != nullptr && !is_unchanged(*file, scene)) file = nullptr;
+
+  Json object;
+  object["density"] = medium.homogeneous_density();
+  Json& gaussians = object["gaussians"] = Json::array();
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const GaussianId id = medium.ids()[i];
+    if (file != nullptr && std::binary_search(file->ids.begin(), file->ids.end(), id)) continue;
+    const Gaussian g = medium.gaussian(i);
+    Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
+    const auto unknown = scene.unknown_gaussians.find(id);
+    if (unknown != scene.unknown_gaussians.end()) add_unknown(entry, unknown->second);
+    gaussians.push_back(std::move(entry));
+  }
+  if (file != nullptr) object["file"] = SceneReferences::text_for(file->file, directory);
+
+  const MediumOptics& optics = scene.optics;
+  if (optics.albedo != glm::dvec3(1.0)) object["albedo"] = to_json(optics.albedo);
+  if (optics.anisotropy != 0.0) object["anisotropy"] = optics.anisotropy;
+  if (const Noise& noise = optics.noise; noise != Noise{}) {
+    Json& entry = object["noise"] = Json{{"amplitude", noise.amplitude},
+                                         {"frequency", noise.frequency},
+                                         {"velocity", to_json(noise.velocity)},
+                                         {"seed", noise.seed}};
+    add_unknown(entry, noise.unknown);
+  }
+  add_unknown(object, scene.unknown_medium);
+  return object;
+}
+
+Json material_to_json(const Material& material, const fs::path& directory) {
+  Json object;
+  object["type"] = scene_names::materials[static_cast<std::size_t>(material.type)];
+  if (material.type == Material::Type::measured) {
+    object["file"] = SceneReferences::text_for(material.file, directory);
+  } else {
+    object["reflectance"] = to_json(material.reflectance);
+  }
+  if (material.type == Material::Type::phong) {
+    object["specular"] = to_json(material.specular);
+    object["exponent"] = material.exponent;
+  }
+  add_unknown(object, material.unknown);
+  return object;
+}
+
+Json surface_to_json(const Surface& surface, const fs::path& directory) {
+  Json object;
+  object["mesh"] = SceneReferences::text_for(surface.mesh_file, directory);
+  object["translate"] = to_json(surface.translate);
+  const glm::dquat& q = surface.rotate;
+  object["rotate"] = Json::array({q.w, q.x, q.y, q.z});
+  object["scale"] = surface.scale;
+  object["material"] = material_to_json(surface.material, directory);
+  if (surface.transfer != Surface::Transfer::none) {
+    object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
+  }
+  add_unknown(object, surface.unknown);
+  return object;
+}
+
+Json to_json(const Scene& scene, const fs::path& directory) {
+  Json root{{"format", scene_names::format}, {"version", scene_names::version}};
+  const Camera& camera = scene.camera;
+  root["camera"] = Json{{"eye", to_json(camera.eye)},
+                        {"target", to_json(camera.target)},
+                        {"up", to_json(camera.up)},
+                        {"vertical_fov", camera.vertical_fov}};
+  add_unknown(root["camera"], scene.unknown_camera);
+  root["film"] = Json{{"width", scene.film.width}, {"height", scene.film.height}};
+  add_unknown(root["film"], scene.unknown_film);
+  root["medium"] = medium_to_json(scene, directory);
+  Json& lights = root["lights"] = Json::array();
+  for (const PointLight& light : scene.lights) {
+    Json entry{{"type", "point"},
+               {"position", to_json(light.position)},
+               {"intensity", to_json(light.intensity)}};
+    add_unknown(entry, light.unknown);
+    lights.push_back(std::move(entry));
+  }
+  if (scene.environment) {
+    Json& entry = root["environment"] =
+        Json{{"file", SceneReferences::text_for(scene.environment->file, directory)},
+             {"intensity", scene.environment->intensity},
+             {"rotation", scene.environment->rotation}};
+    add_unknown(entry, scene.environment->unknown);
+  }
+  Json& surfaces = root["surfaces"] = Json::array();
+  for (const Surface& surface : scene.surfaces) {
+    surfaces.push_back(surface_to_json(surface, directory));
+  }
+  add_unknown(root, scene.unknown);
+  return root;
+}
+
+// JSON as people write it: an array or object that fits on a line stands on one.
+class Layout {
+ public:
+  explicit Layout(const fs::path& directory) : directory_(directory) {}
+
+  std::string text(const Json& root) {
+    append(root, 0);
+    return std::move(text_) + "\n";
+  }
+
+ private:
+  static constexpr std::size_t longest_line = 100;
+  static constexpr std::size_t most_on_a_line = 16;
+
+  void append(const Json& value, std::size_t indent) {
+    if (value.is_structured() && !value.empty()) {
+      const std::size_t begin = text_.size();
+      if (indent > 0 && append_line(value, begin + longest_line - std::min(indent, longest_line))) {
+        return;
+      }
+      text_.resize(begin);
+      append_broken(value, indent);
+    } else {
+      append_scalar(value);
+    }
+  }
+
+  void append_scalar(const Json& value) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+      throw InputError(directory_, "", "a scene with a value that is not finite cannot be saved");
+    }
+    text_ += value.dump();
+  }
+
+  void append_broken(const Json& value, std::size_t indent) {
+    const std::string line = std::string(1, '\n').append(indent + 2, ' ');
+    text_ += value.is_object() ? '{' : '[';
+    const char* separator = "";
+    for (const auto& [key, member] : value.items()) {
+      text_ += separator + line;
+      if (value.is_object()) text_ += Json(key).dump() + ": ";
+      append(member, indent + 2);
+      separator = ",";
+    }
+    (text_ += '\n').append(indent, ' ');
+    text_ += value.is_object() ? '}' : ']';
+  }
+
+  // False, with some of it written, if the text would become longer than `end`.
+  bool append_line(const Json& value, std::size_t end) {
+    if (!value.is_structured() || value.empty()) {
+      append_scalar(value);
+      return text_.size() <= end;
+    }
+    if (value.size() > most_on_a_line) return false;
+    text_ += value.is_object() ? "{ " : "[";
+    const char* separator = "";
+    for (const auto& [key, member] : value.items()) {
+      text_ += separator;
+      if (value.is_object()) text_ += Json(key).dump() + ": ";
+      if (!append_line(member, end)) return false;
+      separator = ", ";
+    }
+    text_ += value.is_object() ? " }" : "]";
+    return text_.size() <= end;
+  }
+
+  const fs::path& directory_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string scene_to_json(const Scene& scene, const fs::path& directory) {
+  try {
+    return Layout(directory).text(to_json(scene, directory));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(directory, "", "the scene needs more memory than there is");
+  } catch (const std::exception& error) {  // a name that is not UTF-8, or of the file system
+    throw InputError(directory, "", std::string("the scene cannot be saved: ") + error.what());
+  }
+}
+
+void save_scene(const Scene& scene, const fs::path& file) {
+  write_atomically(file, scene_to_json(scene, file.parent_path()));
+}
+
+}  // namespace brume
