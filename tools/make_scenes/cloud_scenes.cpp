@@ -12,39 +12,35 @@
 namespace brume {
 namespace {
 
-// 3,008 small Gaussians that fill the open box from wall to wall, dense and thin by noise.
+// 3,008 small Gaussians inside the open box, most of them where a noise is high.
 std::vector<Gaussian> box_of_gaussians() {
-  const int columns = 16;  // 16 * 47 * 4 = 3,008: a jittered grid, so no hole and no heap
-  const int rows = 4;
-  const int layers = 47;
   Random random(3008);
   std::vector<Gaussian> gaussians;
-  for (int i = 0; i < columns * rows * layers; ++i) {
-    const double u = (i % columns + random.uniform()) / columns;
-    const double v = (i / columns % rows + random.uniform()) / rows;
-    const double w = (i / columns / rows + random.uniform()) / layers;
-    const glm::dvec3 center(-1.85 + 3.7 * u, 0.12 + 1.7 * v, -1.85 + 3.6 * w);
-    const double cloud = fractal_noise(5, 1.1 * center, 3);
-    const double density = std::max(0.02, 0.3 + 1.3 * cloud);
-    gaussians.push_back({center, random.uniform(0.07, 0.13), density});
+  while (gaussians.size() < 3008) {
+    const glm::dvec3 center(random.uniform(-1.85, 1.85), random.uniform(0.12, 1.85),
+                            random.uniform(-1.85, 1.7));
+    const glm::dvec3 turned(center.x + 0.6 * center.z, center.y + 0.4 * center.x,
+                            center.z - 0.6 * center.x);
+    if (fractal_noise(5, 1.2 * turned, 3) < random.uniform(-0.25, 0.3)) continue;
+    gaussians.push_back({center, random.uniform(0.08, 0.14), random.uniform(0.2, 0.9)});
   }
   return gaussians;
 }
 
 SampleScene box_3008() {
   SampleScene scene;
-  scene.camera = {{0.0, 2.5, 7.0}, {0.0, 0.85, 0.0}, {0.0, 1.0, 0.0}, 34.0};
+  scene.camera = {{0.0, 3.1, 6.9}, {0.0, 0.8, 0.0}, {0.0, 1.0, 0.0}, 32.0};
   scene.medium_file = "box_3008.ply";
-  scene.lights = {{{0.9, 3.4, 0.6}, {58.0, 54.0, 48.0}}};
-  scene.surfaces = {{"open_box.off", {0.0, 0.0, 0.0}, 2.0, {0.5, 0.48, 0.45}}};
+  scene.lights = {{{0.5, 3.6, 0.4}, {64.0, 58.0, 50.0}}};
+  scene.surfaces = {{"open_box.off", {0.0, 0.0, 0.0}, 2.0, {0.16, 0.13, 0.11}}};
   return scene;
 }
 
-// The greatest optical depth over the lines through each centre in 256 directions.
+// The greatest optical depth over the lines through each centre in 1,000 directions.
 double greatest_optical_depth(const std::vector<Gaussian>& gaussians) {
-  Random random(256);
+  Random random(1000);
   double greatest = 0.0;
-  for (int k = 0; k < 256; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     const glm::dvec3 direction = glm::normalize(random.in_ball());
     for (const Gaussian& through : gaussians) {
       double depth = 0.0;
@@ -60,9 +56,9 @@ double greatest_optical_depth(const std::vector<Gaussian>& gaussians) {
 
 SampleScene dense_cloud() {
   SampleScene scene;
-  scene.camera = {{0.0, 0.4, 8.5}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 36.0};
-  scene.lights = {{{-3.6, 3.6, 3.2}, {230.0, 205.0, 170.0}},
-                  {{4.2, 1.0, -1.5}, {70.0, 95.0, 140.0}}};
+  scene.camera = {{0.0, 0.4, 8.5}, {0.1, 0.1, 0.0}, {0.0, 1.0, 0.0}, 31.0};
+  scene.lights = {{{-3.6, 3.6, 3.2}, {400.0, 350.0, 280.0}},
+                  {{4.2, 1.0, -1.5}, {110.0, 150.0, 220.0}}};
   // A heap of lobes with a flat base, each lobe filled with Gaussians.
   struct Lobe {
     glm::dvec3 center;

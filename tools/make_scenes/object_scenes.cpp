@@ -18,15 +18,15 @@ SampleScene bunny_fog() {
   scene.camera = {{0.4, 2.1, 8.2}, {0.0, 1.55, 0.0}, {0.0, 1.0, 0.0}, 36.0};
   scene.surfaces = {{bunny, {0.0, 0.0, 0.0}, 0.3, {0.75, 0.72, 0.68}},
                     ground(14.0, {0.32, 0.34, 0.36})};
-  scene.lights = {{{-3.4, 3.6, 2.4}, {95.0, 52.0, 22.0}},
-                  {{3.6, 2.6, 1.8}, {18.0, 44.0, 90.0}},
-                  {{0.6, 3.8, -3.2}, {80.0, 26.0, 62.0}}};
+  scene.lights = {{{-3.6, 3.4, 1.6}, {72.0, 34.0, 9.0}},
+                  {{3.7, 2.4, 1.6}, {7.0, 26.0, 66.0}},
+                  {{0.6, 3.6, -3.4}, {84.0, 18.0, 58.0}}};
   // Wisps: a few Gaussians each, strung along the wind, which blows along +x and a little up.
   Random random(34);
   while (scene.gaussians.size() < 34) {
-    glm::dvec3 at(random.uniform(-4.2, 2.4), random.uniform(0.25, 1.1), random.uniform(-3.0, 2.0));
-    double radius = random.uniform(0.55, 0.95);
-    const double density = random.uniform(0.14, 0.36);
+    glm::dvec3 at(random.uniform(-4.6, 2.4), random.uniform(0.2, 2.0), random.uniform(-3.4, 1.8));
+    double radius = random.uniform(0.5, 0.9);
+    const double density = random.uniform(0.22, 0.5);
     for (int i = 0; i < 5 && scene.gaussians.size() < 34; ++i) {
       scene.gaussians.push_back({at, radius, density * (1.0 - 0.13 * i)});
       at += radius * (glm::dvec3(0.85, 0.16, 0.0) + 0.35 * random.in_ball());
@@ -43,7 +43,7 @@ SampleScene teapot_steam() {
   scene.surfaces = {{teapot, {0.0, 0.79, 0.0}, 0.1, {0.55, 0.62, 0.66}},
                     ground(14.0, {0.36, 0.27, 0.2})};
   scene.lights = {{{3.9, 4.2, -2.6}, {150.0, 132.0, 110.0}},
-                  {{-3.2, 3.4, 3.4}, {34.0, 42.0, 58.0}}};
+                  {{-3.2, 3.4, 3.4}, {48.0, 58.0, 78.0}}};
   // A plume from the spout's mouth: it widens and thins as it rises, and noise bends it.
   Random random(7);
   const glm::dvec3 mouth(1.57, 1.27, 0.0);
@@ -55,7 +55,7 @@ SampleScene teapot_steam() {
                           fractal_noise(2, {3.0 * rise, 0.5, 0.5}, 3));
     const glm::dvec3 center = mouth + glm::dvec3(0.25 * rise, 2.1 * rise, 0.0) + 0.9 * rise * bend +
                               0.8 * radius * random.in_ball();
-    scene.gaussians.push_back({center, radius, 0.09 * (1.05 - rise) / radius});
+    scene.gaussians.push_back({center, radius, 0.15 * (1.05 - rise) / radius});
   }
   return scene;
 }
@@ -64,7 +64,7 @@ SampleScene light_inside() {
   SampleScene scene;
   scene.camera = {{0.0, 2.0, 7.0}, {0.0, 1.25, 0.0}, {0.0, 1.0, 0.0}, 36.0};
   scene.gaussians = {{{0.0, 1.5, 0.0}, 1.4, 0.45}};
-  scene.lights = {{{-0.45, 1.75, 0.2}, {14.0, 11.5, 8.0}}};
+  scene.lights = {{{-0.45, 1.75, 0.2}, {20.0, 16.0, 11.0}}};
   scene.surfaces = {{bunny, {0.75, 0.0, 0.35}, 0.11, {0.7, 0.7, 0.7}},
                     ground(10.0, {0.4, 0.4, 0.42})};
   return scene;
@@ -73,10 +73,10 @@ SampleScene light_inside() {
 SampleScene camera_inside() {
   SampleScene scene;
   scene.camera = {{0.3, 1.5, 6.0}, {0.0, 1.35, 0.0}, {0.0, 1.0, 0.0}, 45.0};
-  scene.homogeneous_density = 0.03;
+  scene.homogeneous_density = 0.02;
   scene.surfaces = {{bunny, {0.0, 0.0, 0.0}, 0.3, {0.72, 0.7, 0.66}},
                     ground(16.0, {0.34, 0.36, 0.33})};
-  scene.lights = {{{-2.8, 4.2, 2.6}, {80.0, 74.0, 62.0}}, {{3.6, 3.2, -2.8}, {50.0, 62.0, 84.0}}};
+  scene.lights = {{{-2.8, 4.2, 2.6}, {110.0, 96.0, 76.0}}, {{3.6, 3.2, -2.8}, {50.0, 62.0, 84.0}}};
   // The first Gaussian holds the eye; the others lie around it and between it and the bunny.
   Random random(11);
   scene.gaussians = {{{0.1, 1.3, 5.7}, 1.2, 0.08}};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -21,7 +20,6 @@ struct SampleSurface {
   glm::dvec3 translate{0.0};
   double scale = 1.0;
   glm::dvec3 reflectance{0.5};
-  glm::dquat rotate{1.0, 0.0, 0.0, 0.0};
 };
 
 // What a sample scene holds: a small part of what a scene file can.

@@ -58,7 +58,7 @@ std::vector<Gaussian> ground_fog_gaussians() {
     if (height > random.uniform(-1.2, 0.2) || patch < -0.15) continue;
     const double radius = random.uniform(0.35, 0.9);
     const double lift = random.uniform(0.05, 0.45);
-    gaussians.push_back({{x, height + lift, z}, radius, random.uniform(0.1, 0.35)});
+    gaussians.push_back({{x, height + lift, z}, radius, random.uniform(0.2, 0.6)});
   }
   return gaussians;
 }
@@ -70,9 +70,9 @@ void write_terrain_scene(const std::filesystem::path& folder) {
   SampleScene scene;
   scene.camera = {{0.0, 4.6, 13.0}, {0.0, -0.3, 0.0}, {0.0, 1.0, 0.0}, 40.0};
   scene.gaussians = ground_fog_gaussians();
-  scene.lights = {{{-9.0, 5.5, -5.0}, {900.0, 640.0, 400.0}},
-                  {{8.0, 7.0, 7.0}, {180.0, 230.0, 320.0}}};
-  scene.surfaces = {{"terrain.ply", {0.0, 0.0, 0.0}, 1.0, {0.42, 0.4, 0.34}}};
+  scene.lights = {{{-15.0, 9.0, -9.0}, {2300.0, 1600.0, 950.0}},
+                  {{14.0, 11.0, 9.0}, {260.0, 380.0, 600.0}}};
+  scene.surfaces = {{"terrain.ply", {0.0, 0.0, 0.0}, 1.0, {0.2, 0.18, 0.14}}};
   write_sample_scene(folder / "ground_fog.brume", scene);
 }
 

@@ -1,0 +1,147 @@
+// The sample scenes are what their generator writes, and they hold what the manual says.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include "core/io/scene_file.h"
+#include "core/scene/mesh.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path scenes = BRUME_SCENES;
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
+  return names;
+}
+
+Scene load(const std::string& name) {
+  std::vector<std::string> warnings;
+  Scene scene = load_scene(scenes / name, &warnings);
+  EXPECT_TRUE(warnings.empty()) << name << ": " << warnings.front();
+  EXPECT_EQ(scene.film, (Film{800, 600})) << name;
+  EXPECT_FALSE(scene.lights.empty()) << name;
+  return scene;
+}
+
+// b(x) of the medium [1/u].
+double density_at(const Medium& medium, const glm::dvec3& point) {
+  double sum = medium.homogeneous_density();
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const Gaussian g = medium.gaussian(i);
+    const double distance = glm::distance(point, g.center) / g.radius;
+    sum += g.density * std::exp(-distance * distance);
+  }
+  return sum;
+}
+
+TEST(SampleScenes, AreWhatTheGeneratorWrites) {
+  const fs::path folder = fs::path(testing::TempDir()) / "brume_sample_scenes";
+  fs::remove_all(folder);
+  const std::string command =
+      std::string("\"") + BRUME_MAKE_SCENES + "\" \"" + folder.string() + '"';
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  EXPECT_EQ(names_in(folder), names_in(scenes));
+  for (const std::string& name : names_in(folder)) {
+    EXPECT_TRUE(bytes_of(folder / name) == bytes_of(scenes / name))
+        << name << " differs: run brume-make-scenes and commit what it writes";
+  }
+  fs::remove_all(folder);
+}
+
+TEST(SampleScenes, EachLoads) {
+  for (const std::string& name : names_in(scenes)) {
+    if (fs::path(name).extension() != ".brume") continue;
+    const Scene scene = load(name);
+    EXPECT_FALSE(scene.medium.empty()) << name;
+  }
+}
+
+TEST(SampleScenes, BunnyInFog) {
+  const Scene scene = load("bunny_fog.brume");
+  EXPECT_EQ(scene.medium.size(), 34u);
+  EXPECT_EQ(scene.lights.size(), 3u);
+  ASSERT_EQ(scene.surfaces.size(), 2u);
+  EXPECT_EQ(scene.surfaces[0].mesh->n_vertices(), 1839u);
+}
+
+TEST(SampleScenes, TeapotWithSteam) {
+  const Scene scene = load("teapot_steam.brume");
+  EXPECT_EQ(scene.lights.size(), 2u);
+  EXPECT_GT(scene.medium.homogeneous_density(), 0.0);
+  EXPECT_LT(scene.medium.homogeneous_density(), 0.02);
+}
+
+TEST(SampleScenes, BoxOfSmallGaussians) {
+  const Scene scene = load("box_3008.brume");
+  EXPECT_EQ(scene.medium.size(), 3008u);
+  EXPECT_EQ(scene.lights.size(), 1u);
+  const auto radii = scene.medium.radii();
+  EXPECT_LT(*std::max_element(radii.begin(), radii.end()), 0.15);
+}
+
+TEST(SampleScenes, GroundFogOverTerrain) {
+  const Scene scene = load("ground_fog.brume");
+  EXPECT_EQ(scene.medium.size(), 292u);
+  ASSERT_EQ(scene.surfaces.size(), 1u);
+  EXPECT_EQ(scene.surfaces[0].mesh->n_vertices(), 65536u);
+  EXPECT_EQ(scene.surfaces[0].mesh->n_faces(), 2u * 255u * 255u);
+  EXPECT_LT(fs::file_size(scenes / "terrain.ply"), 2'600'000u);
+}
+
+// Lines through every centre in 500 directions of a spiral: other lines than the generator's.
+TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
+  const Medium medium = load("dense_cloud.brume").medium;
+  ASSERT_EQ(medium.size(), 300u);
+  const double golden_angle = 2.399963229728653;
+  double greatest = 0.0;
+  for (int k = 0; k < 500; ++k) {
+    const double z = (k + 0.5) / 500.0;  // a half sphere: a line has no sign
+    const double r = std::sqrt(1.0 - z * z);
+    const glm::dvec3 direction(r * std::cos(golden_angle * k), r * std::sin(golden_angle * k), z);
+    for (std::size_t i = 0; i < medium.size(); ++i) {
+      double depth = 0.0;
+      for (std::size_t j = 0; j < medium.size(); ++j) {
+        const Gaussian g = medium.gaussian(j);
+        const double h =
+            glm::length(glm::cross(g.center - medium.centers()[i], direction)) / g.radius;
+        depth += g.density * g.radius * std::exp(-h * h);
+      }
+      greatest = std::max(greatest, depth * std::sqrt(3.141592653589793));
+    }
+  }
+  EXPECT_NEAR(greatest, 10.0, 0.1);
+}
+
+TEST(SampleScenes, LightAndCameraInside) {
+  const Scene light_inside = load("light_inside.brume");
+  ASSERT_EQ(light_inside.medium.size(), 1u);
+  const Gaussian g = light_inside.medium.gaussian(0);
+  EXPECT_LT(glm::distance(light_inside.lights.front().position, g.center), g.radius);
+
+  const Scene camera_inside = load("camera_inside.brume");
+  EXPECT_GT(camera_inside.medium.homogeneous_density(), 0.0);
+  EXPECT_GT(density_at(camera_inside.medium, camera_inside.camera.eye),
+            2.0 * camera_inside.medium.homogeneous_density());
+}
+
+}  // namespace
+}  // namespace brume
