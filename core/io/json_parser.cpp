@@ -98,7 +98,9 @@ class Builder final : public nlohmann::json_sax<Json> {
     std::string place;
     for (std::size_t i = 0; i < stack_.size(); ++i) {
       if (stack_[i]->is_array()) {
-        if (i + 1 < stack_.size()) place += "[" + std::to_string(stack_[i]->size() - 1) + "]";
+        if (i + 1 == stack_.size()) break;  // the array itself is meant
+        (place += '[') += std::to_string(stack_[i]->size() - 1);
+        place += ']';
       } else if (!keys_[i].empty()) {
         if (!place.empty()) place += '.';
         place += shown(keys_[i]);

@@ -1,1 +1,109 @@
-int main() { return 0; }
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "tools/brume/command.h"
+#include "tools/brume/suggestion.h"
+
+namespace brume {
+namespace {
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+int fail(const std::string& message) {
+  std::cerr << "brume: error: " << one_line(message) << std::endl;
+  return bad_input;
+}
+
+bool is_option(const std::string& argument) {
+  return argument.size() > 1 && argument[0] == '-' &&
+         (argument[1] == '-' || std::isalpha(static_cast<unsigned char>(argument[1])) != 0);
+}
+
+// CLI11 first complains of what is missing; a mistyped name is the better news, so it is looked
+// for before parsing.
+void check_names(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return;
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  const std::string& first = arguments.front();
+  const auto at = std::find(commands.begin(), commands.end(), first);
+  if (at == commands.end() && !is_option(first)) {
+    throw UsageError("unknown subcommand " + first + suggestion(first, commands));
+  }
+
+  const CLI::App* scope = at == commands.end() ? &app : app.get_subcommand(first);
+  std::vector<std::string> names;
+  for (const CLI::Option* option : scope->get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  for (const std::string& argument : arguments) {
+    if (argument == "--") break;
+    if (!is_option(argument)) continue;
+    const bool is_long = argument[1] == '-';
+    const std::string name =
+        is_long ? argument.substr(0, argument.find('=')) : argument.substr(0, 2);
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      throw UsageError("unknown option " + name + suggestion(name, names));
+    }
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Brume renders what light does in fog.", "brume");
+  app.set_version_flag("--version", "brume " BRUME_VERSION);
+  CLI::App& render = *app.add_subcommand("render", "render a frame of a scene");
+  CLI::App& compare = *app.add_subcommand("compare", "compare two EXR images");
+  CLI::App& info = *app.add_subcommand("info", "say what a scene or a medium holds");
+  const auto render_command = make_render_command(render);
+  const auto compare_command = make_compare_command(compare);
+  const auto info_command = make_info_command(info);
+
+  try {
+    check_names(app, {argv + 1, argv + argc});
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {  // --help, --version
+    return app.exit(wish);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  if (render.parsed()) return render_command->run();
+  if (compare.parsed()) return compare_command->run();
+  if (info.parsed()) return info_command->run();
+  throw UsageError("a subcommand is missing: render, compare or info; brume -h explains them");
+}
+
+}  // namespace
+
+void print_result(const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw InputError("standard output", "", "cannot be written");
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::cerr << "brume: warning: " << one_line(warning) << '\n';
+  }
+}
+
+}  // namespace brume
+
+int main(int argc, char** argv) {
+  try {
+    return brume::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return brume::fail("not enough memory");
+  } catch (const std::exception& error) {
+    return brume::fail(error.what());
+  }
+}

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/io/gaussian_file.h"
+#include "core/io/number_domain.h"
+#include "core/io/scene_file.h"
+#include "core/io/text_scanner.h"
+#include "core/scene/mesh.h"
+#include "tools/brume/command.h"
+#include "tools/brume/medium_summary.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const glm::dvec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json bounds(const glm::dvec3& least, const glm::dvec3& greatest) {
+  return Json::array({to_json(least), to_json(greatest)});
+}
+
+Json medium_json(const Medium& medium) {
+  const MediumSummary summary = summarize(medium);
+  Json json;
+  json["gaussians"] = medium.size();
+  json["homogeneous_density"] = medium.homogeneous_density();
+  if (!medium.empty()) {
+    json["center_bounds"] = bounds(summary.least_center, summary.greatest_center);
+    json["bounds"] = bounds(summary.least_extent, summary.greatest_extent);
+    json["radius_range"] = Json::array({summary.least_radius, summary.greatest_radius});
+  }
+  json["peak_density"] = summary.peak_density;
+  json["greatest_optical_depth"] = summary.greatest_optical_depth;
+  return json;
+}
+
+Json scene_json(const Scene& scene) {
+  Json json;
+  json["medium"] = medium_json(scene.medium);
+  if (scene.medium_file) json["medium"]["file"] = scene.medium_file->file.string();
+  json["film"] = Json::array({scene.film.width, scene.film.height});
+  json["lights"] = Json::array();
+  for (const PointLight& light : scene.lights) {
+    Json entry;
+    entry["type"] = "point";
+    entry["position"] = to_json(light.position);
+    entry["intensity"] = to_json(light.intensity);
+    json["lights"].push_back(std::move(entry));
+  }
+  if (scene.environment) json["environment"] = scene.environment->file.string();
+  json["surfaces"] = Json::array();
+  for (const Surface& surface : scene.surfaces) {
+    Json entry;
+    entry["mesh"] = surface.mesh_file.string();
+    entry["vertices"] = surface.mesh->n_vertices();
+    entry["faces"] = surface.mesh->n_faces();
+    json["surfaces"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+// A value on one line: numbers bare, lists with spaces.
+std::string as_words(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return shown(value.get<double>());
+  if (!value.is_array() && !value.is_object()) return value.dump();
+  std::string text;
+  for (const auto& [key, member] : value.items()) {
+    if (!text.empty()) text += value[0].is_array() ? " to " : ", ";
+    if (value.is_object()) text += key + " ";
+    text += member.is_array() ? "(" + as_words(member) + ")" : as_words(member);
+  }
+  return text;
+}
+
+void print_lines(std::ostream& out, const Json& json, const std::string& indent) {
+  for (const auto& [key, value] : json.items()) {
+    std::string name = key;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    const bool is_list = value.is_array() && (value.empty() || value[0].is_object());
+    if (value.is_object()) {
+      out << indent << name << "\n";
+      print_lines(out, value, indent + "  ");
+    } else if (is_list) {
+      out << indent << name << ": " << value.size() << "\n";
+      for (const Json& element : value) out << indent << "  " << as_words(element) << "\n";
+    } else {
+      out << indent << name << ": " << as_words(value) << "\n";
+    }
+  }
+}
+
+class InfoCommand final : public Command {
+ public:
+  explicit InfoCommand(CLI::App& app) {
+    app.add_option("FILE", file_, "a scene, .brume, or Gaussians, .ply")->required();
+    app.add_flag("--json", as_json_, "print JSON");
+    app.footer(
+        "Peak density and greatest optical depth are sampled at and through the centres of the\n"
+        "Gaussians (the thickest ones if there are many), in 64 directions: lower bounds.");
+  }
+
+  ExitCode run() override {
+    Json json;
+    json["file"] = file_;
+    const std::string extension = std::filesystem::path(file_).extension().string();
+    if (extension == ".vdb") {
+      throw InputError(file_, "", "volumes are not supported in this version");
+    }
+    if (extension == ".ply") {
+      Medium medium;
+      for (const Gaussian& gaussian : read_gaussians(file_)) medium.append(gaussian);
+      json["medium"] = medium_json(medium);
+    } else if (extension == ".brume") {
+      std::vector<std::string> warnings;
+      const Scene scene = load_scene(file_, &warnings);
+      print_warnings(warnings);
+      json.update(scene_json(scene));
+    } else {
+      throw InputError(file_, "",
+                       "found the extension " + shown(extension) + "; allowed: .brume, .ply");
+    }
+    std::ostringstream text;
+    if (as_json_) {
+      text << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    } else {
+      print_lines(text, json, "");
+    }
+    print_result(text.str());
+    return done;
+  }
+
+ private:
+  std::string file_;
+  bool as_json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_info_command(CLI::App& app) {
+  return std::make_unique<InfoCommand>(app);
+}
+
+}  // namespace brume

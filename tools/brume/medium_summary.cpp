@@ -1,0 +1,113 @@
+#include "tools/brume/medium_summary.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "core/transport/optical_depth.h"
+
+namespace brume {
+namespace {
+
+constexpr std::size_t direction_count = 64;
+constexpr std::size_t most_evaluations = 100'000'000;  // Gaussians x lines: some seconds
+constexpr std::size_t most_centers = 1024;
+
+// Points of a Fibonacci lattice on the half sphere z > 0; a line has no orientation.
+glm::dvec3 direction(std::size_t index) {
+  const double z = (static_cast<double>(index) + 0.5) / direction_count;
+  const double angle = static_cast<double>(index) * std::numbers::pi * (3.0 - std::sqrt(5.0));
+  const double r = std::sqrt(1.0 - z * z);
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+// Along the whole line: sum of sqrt(pi) radius density exp(-h^2 / radius^2).
+double optical_depth_of_line(const Medium& medium, const glm::dvec3& point, const glm::dvec3& w) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const GaussianTerm<double> term(medium.gaussian(i));
+    const double e = line_profile(term, point, w).e;
+    sum += std::sqrt(std::numbers::pi) * term.c / term.a * std::exp(-e);
+  }
+  return sum;
+}
+
+double density_at(const Medium& medium, const glm::dvec3& point) {
+  double sum = medium.homogeneous_density();
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const glm::dvec3 offset = (point - medium.centers()[i]) / medium.radii()[i];
+    sum += medium.densities()[i] * std::exp(-glm::dot(offset, offset));
+  }
+  return sum;
+}
+
+template <typename Function>
+double greatest_of(std::size_t count, Function&& function) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, count), 0.0,
+      [&](const tbb::blocked_range<std::size_t>& range, double greatest) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          greatest = std::max(greatest, function(i));
+        }
+        return greatest;
+      },
+      [](double a, double b) { return std::max(a, b); });
+}
+
+// The indices of the Gaussians with the greatest optical depth of their own.
+std::vector<std::size_t> thickest(const Medium& medium, std::size_t count) {
+  std::vector<std::size_t> order(medium.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  count = std::min(count, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](std::size_t a, std::size_t b) {
+                      const double depth_a = medium.radii()[a] * medium.densities()[a];
+                      const double depth_b = medium.radii()[b] * medium.densities()[b];
+                      return depth_a != depth_b ? depth_a > depth_b : a < b;
+                    });
+  order.resize(count);
+  return order;
+}
+
+}  // namespace
+
+MediumSummary summarize(const Medium& medium) {
+  MediumSummary summary;
+  summary.peak_density = medium.homogeneous_density();
+  const std::size_t size = medium.size();
+  if (size == 0) return summary;
+
+  summary.least_center = summary.greatest_center = medium.centers()[0];
+  summary.least_radius = summary.greatest_radius = medium.radii()[0];
+  summary.least_extent = summary.greatest_extent = medium.centers()[0];
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto [center, radius, density] = medium.gaussian(i);
+    summary.least_center = glm::min(summary.least_center, center);
+    summary.greatest_center = glm::max(summary.greatest_center, center);
+    summary.least_extent = glm::min(summary.least_extent, center - 2.0 * radius);
+    summary.greatest_extent = glm::max(summary.greatest_extent, center + 2.0 * radius);
+    summary.least_radius = std::min(summary.least_radius, radius);
+    summary.greatest_radius = std::max(summary.greatest_radius, radius);
+  }
+
+  const std::vector<std::size_t> centers = thickest(
+      medium,
+      std::clamp<std::size_t>(most_evaluations / (size * direction_count), 1, most_centers));
+  summary.peak_density = std::max(summary.peak_density, greatest_of(centers.size(), [&](auto i) {
+                                    return density_at(medium, medium.centers()[centers[i]]);
+                                  }));
+  summary.greatest_optical_depth =
+      greatest_of(centers.size() * direction_count, [&](std::size_t i) {
+        return optical_depth_of_line(medium, medium.centers()[centers[i / direction_count]],
+                                     direction(i % direction_count));
+      });
+  return summary;
+}
+
+}  // namespace brume

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "core/medium/medium.h"
+
+namespace brume {
+
+// What a medium holds, in numbers. The zeros stand where it has no Gaussians.
+struct MediumSummary {
+  glm::dvec3 least_center{0.0};  // bounds of the centres [u]
+  glm::dvec3 greatest_center{0.0};
+  glm::dvec3 least_extent{0.0};  // bounds of centre -+ 2 radius, beyond which 2% of a peak is left
+  glm::dvec3 greatest_extent{0.0};
+  double least_radius = 0.0;  // [u]
+  double greatest_radius = 0.0;
+  double peak_density = 0.0;            // the greatest b(x) found at a centre, with b0 [1/u]
+  double greatest_optical_depth = 0.0;  // of the Gaussians alone, along a whole line
+};
+
+// The last two are sampled, so they are lower bounds: the density at the centres, and the optical
+// depth along lines through the centres in 64 directions spread evenly over the half sphere. Where
+// there are so many Gaussians that this would take long, only the centres of the greatest
+// radius * density (the optical depth of one Gaussian) are tried, at least one. Deterministic.
+MediumSummary summarize(const Medium& medium);
+
+}  // namespace brume

@@ -1,0 +1,185 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <iostream>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/limits.h"
+#include "core/io/scene_file.h"
+#include "core/io/text_scanner.h"
+#include "render/renderer.h"
+#include "tools/brume/command.h"
+#include "tools/brume/render_statistics.h"
+
+namespace brume {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* view_transform_name = "brume 1";  // view_transform in render/frame.cpp
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+AirlightMethod parse_airlight(const std::string& name) {
+  if (name == "paper") return AirlightMethod::paper;
+  if (name == "reference") return AirlightMethod::reference;
+  const bool is_planned = name == "auto" || name == "sliced";
+  throw UsageError("--airlight: found " + shown(name) + "; " +
+                   (is_planned ? "it is not available in this version; " : "") +
+                   "allowed: paper, reference");
+}
+
+void check_backend(const std::string& name) {
+  if (name == "auto" || name == "cpu") return;
+  throw UsageError("--backend: found " + shown(name) + "; " +
+                   (name == "gl" ? "it is not available in this version; " : "") +
+                   "allowed: auto, cpu");
+}
+
+Film parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto side = [&](std::string_view part) {
+    const auto value = parse_integer(part);
+    if (!value || *value < 1 || *value > limits::film_side) {
+      throw UsageError("--size: found " + shown(text) + "; allowed: WIDTHxHEIGHT, each 1 to " +
+                       std::to_string(limits::film_side));
+    }
+    return static_cast<int>(*value);
+  };
+  const std::string_view view = text;
+  return {side(view.substr(0, cross)),
+          side(cross == std::string::npos ? std::string_view{} : view.substr(cross + 1))};
+}
+
+class RenderCommand final : public Command {
+ public:
+  explicit RenderCommand(CLI::App& app) {
+    app.add_option("SCENE", scene_file_, "the scene, .brume")->required();
+    app.add_option("-o,--output", output_, "the image: .exr (linear, all layers) or .png")
+        ->required();
+    app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
+    app.add_option("--airlight", airlight_, "paper or reference")->capture_default_str();
+    app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
+        ->check(CLI::Range(1e-12, 1.0))
+        ->capture_default_str();
+    app.add_option("--backend", backend_, "auto or cpu")->capture_default_str();
+    app.add_option("--threads", threads_, "worker threads, all if not given")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--repeat", repeat_, "render so many times, report medians")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    app.add_option("--exposure", exposure_, "of a .png, in stops")
+        ->check(CLI::Range(-100.0, 100.0))
+        ->capture_default_str();
+    app.add_option("--stats", stats_file_, "write what the frame cost, as JSON");
+  }
+
+  ExitCode run() override {
+    Settings settings;
+    settings.airlight = parse_airlight(airlight_);
+    settings.reference_tolerance = tolerance_;
+    settings.threads = threads_;
+    check_backend(backend_);
+    const std::optional<Film> size =
+        size_.empty() ? std::nullopt : std::optional(parse_size(size_));
+    check_outputs();
+
+    const Clock::time_point start = Clock::now();
+    std::vector<std::string> warnings;
+    const Scene scene = load_scene(scene_file_, &warnings);
+    print_warnings(warnings);
+    const Film film = size.value_or(scene.film);
+    Renderer renderer;
+    progress(1);
+    const Frame frame = *renderer.render(scene, scene.camera, film, settings);
+    const std::chrono::duration<double, std::milli> first = Clock::now() - start;
+
+    std::vector<FrameStatistics> frames{frame.statistics};
+    for (int i = 1; i < repeat_; ++i) {
+      progress(i + 1);
+      // A step so small that it changes no cost, but nothing of the last view can be used again.
+      Camera camera = scene.camera;
+      camera.eye += (i % 1000) * 1e-6 * (camera.target - camera.eye);
+      FrameStatistics next = renderer.render(scene, camera, film, settings)->statistics;
+      // What is reported is the cost of frames with everything built.
+      if (i == 1) frames.clear();
+      frames.push_back(std::move(next));
+    }
+    progress(0);
+    write_output(frame);
+    if (!stats_file_.empty()) {
+      const RenderRun run{scene_file_, film, airlight_, threads_, repeat_, first.count()};
+      write_atomically(stats_file_, statistics_json(run, frame.statistics, frames));
+    }
+    return done;
+  }
+
+ private:
+  // Whatever would fail after the work fails before it.
+  void check_outputs() const {
+    const std::string extension = lower_case(std::filesystem::path(output_).extension().string());
+    if (extension != ".exr" && extension != ".png") {
+      throw InputError(output_, "",
+                       "found the extension " + shown(extension) + "; allowed: .exr, .png");
+    }
+    check_writable(output_);
+    if (stats_file_.empty()) return;
+    check_writable(stats_file_);
+    std::error_code error;
+    if (std::filesystem::weakly_canonical(stats_file_, error) ==
+        std::filesystem::weakly_canonical(output_, error)) {
+      throw InputError(stats_file_, "", "--stats and -o name the same file");
+    }
+  }
+
+  void write_output(const Frame& frame) const {
+    std::map<std::string, std::string> metadata{{"scene", scene_file_},
+                                                {"version", BRUME_VERSION},
+                                                {"airlight", airlight_},
+                                                {"backend", "cpu"}};
+    if (lower_case(std::filesystem::path(output_).extension().string()) == ".exr") {
+      ImageLayers layers = to_layers(frame);
+      layers.metadata = std::move(metadata);
+      write_exr(output_, layers);
+    } else {
+      metadata["exposure"] = shown(exposure_);
+      metadata["view transform"] = view_transform_name;
+      write_png(output_, frame.film.width, frame.film.height, to_display(frame, exposure_),
+                metadata);
+    }
+  }
+
+  // Frame `number` of `repeat_` has begun; 0: all are done.
+  void progress(int number) const {
+    if (::isatty(STDERR_FILENO) == 0) return;
+    std::cerr << "\r\033[K";
+    if (number > 0) std::cerr << "rendering frame " << number << " of " << repeat_;
+    std::cerr << std::flush;
+  }
+
+  std::string scene_file_;
+  std::string output_;
+  std::string size_;
+  std::string airlight_ = "paper";
+  double tolerance_ = Settings{}.reference_tolerance;
+  std::string backend_ = "auto";
+  int threads_ = 0;
+  int repeat_ = 1;
+  double exposure_ = 0.0;
+  std::string stats_file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_render_command(CLI::App& app) {
+  return std::make_unique<RenderCommand>(app);
+}
+
+}  // namespace brume

@@ -1,0 +1,96 @@
+#include "tools/brume/render_statistics.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <vector>
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+// The name of the processor, as Linux tells it.
+std::string device_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (!line.starts_with("model name")) continue;
+    const std::size_t begin = line.find_first_not_of(" \t:", line.find(':'));
+    if (begin != std::string::npos) return line.substr(begin);
+  }
+  return "unknown";
+}
+
+// Each stage's median, in the order in which stages first ran.
+Json stage_medians(std::span<const FrameStatistics> frames) {
+  std::vector<std::string> names;
+  for (const FrameStatistics& frame : frames) {
+    for (const StageTime& stage : frame.stages) {
+      if (std::find(names.begin(), names.end(), stage.name) == names.end()) {
+        names.push_back(stage.name);
+      }
+    }
+  }
+  Json stages = Json::array();
+  for (const std::string& name : names) {
+    std::vector<double> times;
+    for (const FrameStatistics& frame : frames) {
+      double time = 0.0;  // a frame that did not need the stage spent nothing on it
+      for (const StageTime& stage : frame.stages) {
+        if (stage.name == name) time += stage.milliseconds;
+      }
+      times.push_back(time);
+    }
+    Json stage;
+    stage["name"] = name;
+    stage["ms"] = median(std::move(times));
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
+}  // namespace
+
+std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
+                            std::span<const FrameStatistics> frames) {
+  std::vector<double> times;
+  for (const FrameStatistics& frame : frames) times.push_back(frame.frame_milliseconds);
+  const auto [least, greatest] = std::minmax_element(times.begin(), times.end());
+  Json skipped = Json::array();
+  for (const SkippedStage& stage : first.skipped) {
+    Json entry;
+    entry["stage"] = stage.stage;
+    entry["why"] = stage.why;
+    skipped.push_back(std::move(entry));
+  }
+
+  Json json;
+  json["version"] = BRUME_VERSION;
+  json["scene"] = run.scene;
+  json["size"] = Json::array({run.film.width, run.film.height});
+  json["backend"] = "cpu";
+  json["device"] = device_name();
+  json["airlight"] = run.airlight;
+  json["slices"] = nullptr;
+  json["threads"] =
+      run.threads > 0 ? run.threads : static_cast<int>(std::thread::hardware_concurrency());
+  json["repeat"] = run.repeat;
+  json["frame_ms"] = Json{{"median", median(times)}, {"min", *least}, {"max", *greatest}};
+  json["first_frame_ms"] = run.first_frame_milliseconds;
+  json["stages"] = stage_medians(frames);
+  json["skipped"] = std::move(skipped);
+  json["gaussians"] = Json{{"total", first.gaussians_total}, {"used", first.gaussians_used}};
+  json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};
+  json["error"] = nullptr;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace brume
