@@ -15,7 +15,7 @@ std::string one_line(std::string text) {
 
 InputError::InputError(const std::filesystem::path& file, const std::string& place,
                        const std::string& message)
-    : std::runtime_error(one_line(file.string() + ": " + (place.empty() ? "" : place + ": ") +
-                                  message)) {}
+    : std::runtime_error(
+          one_line(file.string() + ": " + (place.empty() ? "" : place + ": ") + message)) {}
 
 }  // namespace brume

@@ -1,1 +1,91 @@
-// being written
+#include "render/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/settings.h"
+
+namespace brume {
+namespace {
+
+// Khronos PBR Neutral (Khronos Group, 2024): colours below 0.8 are kept, brighter ones are
+// compressed towards white, so that hues of lit fog stay what the lights are.
+std::array<float, 3> compress_highlights(std::array<float, 3> c) {
+  constexpr float start = 0.8f - 0.04f;
+  constexpr float desaturation = 0.15f;
+  const float low = std::min({c[0], c[1], c[2]});
+  const float offset = low < 0.08f ? low - 6.25f * low * low : 0.04f;
+  for (float& x : c) x -= offset;
+  const float peak = std::max({c[0], c[1], c[2]});
+  if (peak < start) return c;
+  const float room = 1.0f - start;
+  const float new_peak = 1.0f - room * room / (peak + room - start);
+  const float white = 1.0f - 1.0f / (desaturation * (peak - new_peak) + 1.0f);
+  for (float& x : c) x = std::lerp(x * new_peak / peak, new_peak, white);
+  return c;
+}
+
+std::uint8_t srgb_byte(float x) {
+  x = std::clamp(x, 0.0f, 1.0f);
+  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+  return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
+}
+
+}  // namespace
+
+const char* to_string(AirlightMethod method) {
+  return method == AirlightMethod::paper ? "paper" : "reference";
+}
+
+ImageLayers to_layers(const Frame& frame) {
+  ImageLayers image;
+  image.width = frame.film.width;
+  image.height = frame.film.height;
+  const auto split = [&](const std::vector<float>& pixels,
+                         std::initializer_list<const char*> names) {
+    const std::size_t stride = names.size();
+    std::size_t k = 0;
+    for (const char* name : names) {
+      std::vector<float>& channel = image.channels[name];
+      channel.resize(pixels.size() / stride);
+      for (std::size_t i = 0; i < channel.size(); ++i) channel[i] = pixels[i * stride + k];
+      ++k;
+    }
+  };
+  split(frame.beauty, {"R", "G", "B", "A"});
+  split(frame.airlight, {"airlight.R", "airlight.G", "airlight.B"});
+  split(frame.transmittance, {"transmittance.R", "transmittance.G", "transmittance.B"});
+  split(frame.depth, {"Z"});
+  return image;
+}
+
+std::vector<std::uint8_t> to_display(const Frame& frame, double exposure) {
+  // sRGB bytes of even steps of [0, 1], finer than a byte even in the darkest values, whose slope
+  // is 12.92.
+  static const auto table = [] {
+    std::array<std::uint8_t, 8193> bytes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      bytes[i] = srgb_byte(static_cast<float>(i) / static_cast<float>(bytes.size() - 1));
+    }
+    return bytes;
+  }();
+  const float gain = static_cast<float>(std::exp2(exposure));
+  const std::size_t pixels = frame.beauty.size() / 4;
+  std::vector<std::uint8_t> rgb(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    // Clamped first: an exposure must not turn a bright light into infinity.
+    std::array<float, 3> c;
+    for (std::size_t k = 0; k < 3; ++k) {
+      c[k] = std::clamp(gain * frame.beauty[4 * i + k], 0.0f, 1e6f);
+    }
+    c = compress_highlights(c);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float x = std::clamp(c[k], 0.0f, 1.0f) * static_cast<float>(table.size() - 1);
+      rgb[3 * i + k] = table[static_cast<std::size_t>(x + 0.5f)];
+    }
+  }
+  return rgb;
+}
+
+}  // namespace brume

@@ -1,1 +1,388 @@
-// being written
+#include "render/renderer.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
+#include <xmmintrin.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "render/cpu/paper_airlight.h"
+#include "render/cpu/path_depths.h"
+#include "render/cpu/surfaces.h"
+#include "render/cpu/visibility.h"
+#include "render/light_limits.h"
+#include "render/medium_index.h"
+#include "render/reference/reference_airlight.h"
+#include "render/render_plan.h"
+#include "render/tiles.h"
+
+namespace brume {
+namespace {
+
+// How far the optical depth of a ray may be off because Gaussians far from it are left out.
+constexpr double paper_depth_error = 1e-3;
+constexpr double reference_depth_error = 1e-8;
+
+// Threads of the arena flush denormals: they are far below every tolerance, slow, and Embree
+// expects it.
+class FlushDenormals : public tbb::task_scheduler_observer {
+ public:
+  explicit FlushDenormals(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
+    observe(true);
+  }
+  ~FlushDenormals() override { observe(false); }
+  void on_scheduler_entry(bool) override {
+    saved() = _mm_getcsr();
+    _mm_setcsr(saved() | 0x8040u);
+  }
+  void on_scheduler_exit(bool) override { _mm_setcsr(saved()); }
+
+ private:
+  static unsigned& saved() {
+    thread_local unsigned csr = 0;
+    return csr;
+  }
+};
+
+class StageClock {
+ public:
+  explicit StageClock(std::vector<StageTime>& stages) : stages_(stages) {}
+  void finish(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    stages_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  std::vector<StageTime>& stages_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+float finite(double x) {
+  // Radiance beyond float, or a broken sum: the frame promises finite values.
+  constexpr double most = 1e30;
+  return std::isfinite(x) ? static_cast<float>(std::clamp(x, 0.0, most)) : 0.0f;
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  // What is kept between frames, with what it was made from.
+  struct Prepared {
+    Medium medium;
+    double depth_error = 0.0;
+    std::unique_ptr<MediumIndex> index;
+    std::unique_ptr<Visibility> visibility;
+    struct LightDepths {
+      glm::dvec3 position;
+      Settings::Arithmetic arithmetic;
+      CenterDepths depths;
+    };
+    std::vector<LightDepths> lights;
+  } prepared;
+
+  // One frame's state, stage by stage.
+  struct Work {
+    const Scene& scene;
+    const Camera& camera;
+    const Settings& settings;
+    const std::stop_token& stop;
+    const std::function<void(double)>& progress;
+    RenderPlan plan;
+    CameraRays rays;
+    Tiles tiles;
+    Frame frame;
+    std::vector<std::optional<SurfaceHit>> hits;
+    std::vector<glm::dvec3> surface_radiance;
+    std::vector<double> depths;  // T(v, p)
+
+    [[nodiscard]] std::size_t pixel(int x, int y) const {
+      return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
+             static_cast<std::size_t>(x);
+    }
+  };
+
+  std::optional<Frame> render(Work& work);
+  void prepare(const Work& work);
+  const CenterDepths& light_depths(const glm::dvec3& position, Settings::Arithmetic arithmetic);
+  void find_surfaces(Work& work) const;
+  std::vector<PaperLight> paper_lights(Work& work, StageClock& clock);
+  void paper(Work& work, StageClock& clock);
+  void reference(Work& work) const;
+  void shade_surfaces(Work& work) const;
+  static void composite(Work& work);
+
+  // Runs body(tile) for all tiles in parallel until a stop is requested.
+  template <class Body>
+  static void each_tile(const Work& work, bool report, Body body) {
+    std::atomic<std::size_t> done = 0;
+    std::mutex mutex;
+    tbb::parallel_for(std::size_t{0}, work.tiles.count(), [&](std::size_t tile) {
+      if (work.stop.stop_requested()) return;
+      body(tile);
+      if (!report || !work.progress) return;
+      ++done;
+      const std::scoped_lock lock(mutex);
+      work.progress(static_cast<double>(done) / static_cast<double>(work.tiles.count()));
+    });
+  }
+
+  // Calls visit(pixel index, x, y) for the pixels of a tile, row by row.
+  template <class Visit>
+  static void each_pixel(const Work& work, std::size_t tile, Visit visit) {
+    const auto r = work.tiles.rectangle(tile);
+    for (int y = r.y0; y < r.y1; ++y) {
+      for (int x = r.x0; x < r.x1; ++x) visit(work.pixel(x, y), x, y);
+    }
+  }
+};
+
+Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, const Film& film,
+                                      const Settings& settings, std::stop_token stop,
+                                      const std::function<void(double)>& progress) {
+  Impl::Work work{
+      scene,       camera, settings, stop, progress, RenderPlan(scene), CameraRays(camera, film),
+      Tiles(film), {},     {},       {},   {}};
+  work.frame.film = film;
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  const FlushDenormals observer(arena);
+  return arena.execute([&] { return impl_->render(work); });
+}
+
+std::optional<Frame> Renderer::Impl::render(Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  FrameStatistics& statistics = work.frame.statistics;
+  StageClock clock(statistics.stages);
+  const auto pixels = static_cast<std::size_t>(work.frame.film.width) *
+                      static_cast<std::size_t>(work.frame.film.height);
+  work.frame.beauty.resize(4 * pixels);
+  work.frame.airlight.resize(3 * pixels);
+  work.frame.transmittance.resize(3 * pixels);
+  work.frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
+  work.hits.resize(pixels);
+  work.surface_radiance.assign(pixels, glm::dvec3(0.0));
+  work.depths.assign(pixels, 0.0);
+  statistics.skipped = work.plan.skipped;
+  statistics.gaussians_total = work.scene.medium.size();
+
+  prepare(work);
+  clock.finish("prepare");
+  if (work.plan.surfaces) {
+    find_surfaces(work);
+    clock.finish("visibility");
+  }
+  if (work.settings.airlight == AirlightMethod::reference) {
+    reference(work);
+    clock.finish("airlight");
+  } else {
+    paper(work, clock);
+  }
+  if (work.plan.lit_surfaces) {
+    shade_surfaces(work);
+    clock.finish("surfaces");
+  }
+  if (work.stop.stop_requested()) return std::nullopt;
+  composite(work);
+  clock.finish("composite");
+  statistics.frame_milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::move(work.frame);
+}
+
+void Renderer::Impl::prepare(const Work& work) {
+  const Scene& scene = work.scene;
+  const double depth_error = work.settings.airlight == AirlightMethod::reference
+                                 ? reference_depth_error
+                                 : paper_depth_error;
+  if (!prepared.index || prepared.depth_error != depth_error ||
+      !(prepared.medium == scene.medium)) {
+    prepared.medium = scene.medium;
+    prepared.depth_error = depth_error;
+    prepared.index =
+        std::make_unique<MediumIndex>(scene.medium, depth_tolerance(scene.medium, depth_error));
+    prepared.lights.clear();
+  }
+  if (!prepared.visibility || !prepared.visibility->shows(scene.surfaces)) {
+    prepared.visibility = std::make_unique<Visibility>(scene.surfaces);
+  }
+  // Depths of lights that are gone or have moved.
+  std::erase_if(prepared.lights, [&](const Prepared::LightDepths& known) {
+    return std::none_of(work.plan.lights.begin(), work.plan.lights.end(),
+                        [&](const PointLight& light) { return light.position == known.position; });
+  });
+}
+
+const CenterDepths& Renderer::Impl::light_depths(const glm::dvec3& position,
+                                                 Settings::Arithmetic arithmetic) {
+  for (const Prepared::LightDepths& known : prepared.lights) {
+    if (known.position == position && known.arithmetic == arithmetic) return known.depths;
+  }
+  prepared.lights.push_back(
+      {position, arithmetic, center_depths(*prepared.index, position, arithmetic)});
+  return prepared.lights.back().depths;
+}
+
+void Renderer::Impl::find_surfaces(Work& work) const {
+  each_tile(work, false, [&](std::size_t tile) {
+    each_pixel(work, tile, [&](std::size_t i, int x, int y) {
+      work.hits[i] = prepared.visibility->first_hit(
+          work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
+      if (work.hits[i]) work.frame.depth[i] = static_cast<float>(work.hits[i]->distance);
+    });
+  });
+}
+
+std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clock) {
+  const MediumIndex& medium = *prepared.index;
+  const Settings::Arithmetic arithmetic = work.settings.arithmetic;
+  const glm::dvec3& eye = work.rays.eye();
+  std::vector<PaperLight> lights;
+  if (!work.plan.airlight) return lights;
+  for (const PointLight& light : work.plan.lights) {
+    PaperLight& l = lights.emplace_back();
+    l.position = light.position;
+    l.intensity = light.intensity;
+    l.h_min = least_light_distance(work.rays, work.camera, light.position);
+  }
+  if (!work.plan.gaussians) return lights;
+
+  const std::size_t known = prepared.lights.size();
+  for (PaperLight& light : lights) {
+    const CenterDepths& from_light = light_depths(light.position, arithmetic);
+    light.frozen = from_light.depths;
+    const glm::dvec3 q = eye - light.position;
+    const double distance = glm::length(q);
+    if (work.plan.homogeneous && distance > 0.0) {
+      light.depth_to_eye = medium.depth({light.position, q / distance, distance}) -
+                           medium.homogeneous_density() * distance;
+    }
+  }
+  for (std::size_t l = known; l < prepared.lights.size(); ++l) {
+    work.frame.statistics.light_pairs += prepared.lights[l].depths.pairs;
+  }
+  clock.finish("light_depth");
+
+  const CenterDepths from_eye = center_depths(medium, eye, arithmetic);
+  const double b0 = medium.homogeneous_density();
+  for (PaperLight& light : lights) {
+    for (std::size_t i = 0; i < medium.size(); ++i) {
+      const glm::dvec3& b = medium.gaussians()[i].b;
+      light.frozen[i] +=
+          from_eye.depths[i] + b0 * (glm::length(b - light.position) + glm::length(b - eye));
+    }
+  }
+  work.frame.statistics.view_pairs += from_eye.pairs;
+  clock.finish("eye_depth");
+  return lights;
+}
+
+void Renderer::Impl::paper(Work& work, StageClock& clock) {
+  const std::vector<PaperLight> lights = paper_lights(work, clock);
+  const MediumIndex& medium = *prepared.index;
+  const Tiles::Lists lists = work.tiles.lists(medium, work.rays);
+  work.frame.statistics.gaussians_used = lists.used;
+  if (!work.plan.gaussians && !work.plan.homogeneous) return;
+  std::atomic<std::uint64_t> pairs = 0;
+  each_tile(work, true, [&](std::size_t tile) {
+    std::array<glm::dvec3, Tiles::pixels> directions;
+    std::array<double, Tiles::pixels> lengths;
+    std::array<glm::vec3, Tiles::pixels> airlight;
+    std::array<double, Tiles::pixels> depths;
+    std::size_t count = 0;
+    each_pixel(work, tile, [&](std::size_t i, int x, int y) {
+      directions[count] = work.rays.direction(x + 0.5, y + 0.5);
+      lengths[count++] =
+          work.hits[i] ? work.hits[i]->distance : std::numeric_limits<double>::infinity();
+    });
+    const TileRays rays{work.rays.eye(), std::span(directions).first(count),
+                        std::span(lengths).first(count)};
+    pairs += paper_airlight(medium, lists.of(tile), lights, rays, work.settings.arithmetic,
+                            {std::span(airlight).first(count), std::span(depths).first(count)});
+    count = 0;
+    each_pixel(work, tile, [&](std::size_t i, int, int) {
+      work.depths[i] = depths[count];
+      for (int k = 0; k < 3; ++k) {
+        work.frame.airlight[3 * i + static_cast<std::size_t>(k)] = finite(airlight[count][k]);
+      }
+      ++count;
+    });
+  });
+  work.frame.statistics.view_pairs += pairs;
+  clock.finish("airlight");
+}
+
+void Renderer::Impl::reference(Work& work) const {
+  if (!work.plan.gaussians && !work.plan.homogeneous) return;
+  std::vector<ReferenceLight> lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light.position, light.intensity,
+                      least_light_distance(work.rays, work.camera, light.position)});
+  }
+  std::atomic<std::uint64_t> view_pairs = 0;
+  std::atomic<std::uint64_t> light_pairs = 0;
+  each_tile(work, true, [&](std::size_t tile) {
+    each_pixel(work, tile, [&](std::size_t i, int x, int y) {
+      if (work.stop.stop_requested()) return;
+      const double length =
+          work.hits[i] ? work.hits[i]->distance : std::numeric_limits<double>::infinity();
+      const ReferenceRay ray = reference_airlight(
+          *prepared.index, *prepared.visibility, lights, work.rays.eye(),
+          work.rays.direction(x + 0.5, y + 0.5), length, work.settings.reference_tolerance);
+      work.depths[i] = ray.depth;
+      for (int k = 0; k < 3; ++k) {
+        work.frame.airlight[3 * i + static_cast<std::size_t>(k)] = finite(ray.airlight[k]);
+      }
+      view_pairs += ray.view_pairs;
+      light_pairs += ray.light_pairs;
+    });
+  });
+  work.frame.statistics.gaussians_used = prepared.index->size();
+  work.frame.statistics.view_pairs = view_pairs;
+  work.frame.statistics.light_pairs = light_pairs;
+}
+
+void Renderer::Impl::shade_surfaces(Work& work) const {
+  const Settings::Arithmetic arithmetic = work.settings.airlight == AirlightMethod::reference
+                                              ? Settings::Arithmetic::plain_double
+                                              : work.settings.arithmetic;
+  std::atomic<std::uint64_t> pairs = 0;
+  each_tile(work, false, [&](std::size_t tile) {
+    std::array<std::optional<SurfaceHit>, Tiles::pixels> hits;
+    std::array<glm::dvec3, Tiles::pixels> radiance;
+    std::size_t count = 0;
+    each_pixel(work, tile, [&](std::size_t i, int, int) { hits[count++] = work.hits[i]; });
+    pairs += surface_radiance(*prepared.index, *prepared.visibility, work.plan.lights,
+                              std::span(hits).first(count), arithmetic,
+                              std::span(radiance).first(count));
+    count = 0;
+    each_pixel(work, tile,
+               [&](std::size_t i, int, int) { work.surface_radiance[i] = radiance[count++]; });
+  });
+  work.frame.statistics.light_pairs += pairs;
+}
+
+void Renderer::Impl::composite(Work& work) {
+  Frame& frame = work.frame;
+  tbb::parallel_for(std::size_t{0}, work.depths.size(), [&](std::size_t i) {
+    const double transmittance = std::exp(-work.depths[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      frame.transmittance[3 * i + k] = finite(transmittance);
+      const double surface = work.surface_radiance[i][static_cast<int>(k)];
+      frame.beauty[4 * i + k] =
+          finite(static_cast<double>(frame.airlight[3 * i + k]) + transmittance * surface);
+    }
+    frame.beauty[4 * i + 3] = work.hits[i] ? 1.0f : finite(1.0 - transmittance);
+  });
+}
+
+}  // namespace brume

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -22,8 +23,10 @@ class Renderer {
 
   // The frame that `camera` sees on `film` (the scene's own are not used). Every value of the
   // frame is finite except the depth where nothing is hit. nullopt if `stop` was requested.
+  // `progress` hears the share that is done, in [0, 1], from the rendering threads, one at a time.
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
-                              const Settings& settings, std::stop_token stop = {});
+                              const Settings& settings, std::stop_token stop = {},
+                              const std::function<void(double)>& progress = {});
 
  private:
   struct Impl;

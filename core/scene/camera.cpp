@@ -1,7 +1,9 @@
 #include "core/scene/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace brume {
@@ -14,7 +16,8 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
   glm::dvec3 right = glm::cross(forward_, camera.up);
   if (glm::dot(right, right) <= 1e-24 * glm::dot(camera.up, camera.up)) {
     // `up` along the view says nothing; any axis across the view will do.
-    const glm::dvec3 other = std::abs(forward_.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    const glm::dvec3 other =
+        std::abs(forward_.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
     right = glm::cross(forward_, other);
   }
   right_ = glm::normalize(right);
@@ -38,6 +41,45 @@ glm::dvec3 CameraRays::project(const glm::dvec3& point) const {
   return {0.5 * (u + 1.0) * size_.x, 0.5 * (1.0 - v) * size_.y, z};
 }
 
-double CameraRays::pixel_half_angle() const { return std::atan(half_size_.y / size_.y); }
+namespace {
+
+// The stretch of one film axis, in half sizes from -1 to 1, that a disc of `radius` around (x, z)
+// covers as seen from the origin along z.
+glm::dvec2 covered(double x, double z, double radius, double half_size) {
+  const double distance = std::hypot(x, z);
+  if (distance <= radius) return {-1.0, 1.0};
+  const double right_angle = 0.5 * glm::pi<double>();
+  const double middle = std::atan2(x, z);
+  const double half = std::asin(radius / distance);
+  const double low = middle - half;
+  const double high = middle + half;
+  if (low >= right_angle || high <= -right_angle) return {1.0, -1.0};
+  return {low <= -right_angle ? -1.0 : std::max(-1.0, std::tan(low) / half_size),
+          high >= right_angle ? 1.0 : std::min(1.0, std::tan(high) / half_size)};
+}
+
+}  // namespace
+
+CameraRays::PixelRectangle CameraRays::bounds(const glm::dvec3& point, double radius) const {
+  const glm::dvec3 q = point - eye_;
+  const double z = glm::dot(q, forward_);
+  const glm::dvec2 u = covered(glm::dot(q, right_), z, radius, half_size_.x);
+  const glm::dvec2 v = covered(-glm::dot(q, up_), z, radius, half_size_.y);
+  if (!(u[0] < u[1]) || !(v[0] < v[1])) return {};
+  // Pixels whose centre lies inside, with a little room for rounding.
+  const auto first = [](double s, double size) {
+    return static_cast<int>(std::ceil(0.5 * (s + 1.0) * size - 0.5 - 1e-6));
+  };
+  const auto last = [](double s, double size) {
+    return static_cast<int>(std::floor(0.5 * (s + 1.0) * size - 0.5 + 1e-6)) + 1;
+  };
+  return {std::max(first(u[0], size_.x), 0), std::max(first(v[0], size_.y), 0),
+          std::min(last(u[1], size_.x), static_cast<int>(size_.x)),
+          std::min(last(v[1], size_.y), static_cast<int>(size_.y))};
+}
+
+double CameraRays::pixel_half_angle() const {
+  return std::atan(half_size_.y / size_.y);
+}
 
 }  // namespace brume

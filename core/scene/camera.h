@@ -39,6 +39,13 @@ class CameraRays {
   // behind the eye and has no film position (x and y are then 0).
   [[nodiscard]] glm::dvec3 project(const glm::dvec3& point) const;
 
+  // The pixels [x0, x1) x [y0, y1) whose rays may come within `radius` of a point; empty if none.
+  struct PixelRectangle {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    [[nodiscard]] bool empty() const { return x0 >= x1 || y0 >= y1; }
+  };
+  [[nodiscard]] PixelRectangle bounds(const glm::dvec3& point, double radius) const;
+
   // Half the angle that a pixel in the middle of the film subtends [radians].
   [[nodiscard]] double pixel_half_angle() const;
 

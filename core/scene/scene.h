@@ -79,7 +79,8 @@ struct Noise {
 
 // What a medium's light does besides being scattered by its density.
 struct MediumOptics {
-  glm::dvec3 albedo{1.0};   // single-scattering albedo, RGB in (0, 1]; extinction = scattering / albedo
+  glm::dvec3 albedo{
+      1.0};  // single-scattering albedo, RGB in (0, 1]; extinction = scattering / albedo
   double anisotropy = 0.0;  // g of Henyey-Greenstein, in [-0.95, 0.95]
   Noise noise;
 

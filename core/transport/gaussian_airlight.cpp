@@ -15,10 +15,9 @@ Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const
   return depth * std::exp(-(frozen + own)) / (4 * std::numbers::pi_v<Real> * path.distance2(t));
 }
 
-#define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                   \
-  template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&,         \
-                                  const Vec3<Real>&, Real, const Vec3<Real>&,           \
-                                  const LightPath<Real>&, Real);
+#define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                              \
+  template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&, const Vec3<Real>&, \
+                                  Real, const Vec3<Real>&, const LightPath<Real>&, Real);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)
 #undef BRUME_GAUSSIAN_AIRLIGHT

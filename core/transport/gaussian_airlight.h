@@ -19,9 +19,9 @@ template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
                        Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen);
 
-#define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                         \
-  extern template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&,        \
-                                         const Vec3<Real>&, Real, const Vec3<Real>&,          \
+#define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                  \
+  extern template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&, \
+                                         const Vec3<Real>&, Real, const Vec3<Real>&,   \
                                          const LightPath<Real>&, Real);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)

@@ -130,12 +130,11 @@ double reach_cone(const glm::dvec3& center, double reach, const glm::dvec3& o) {
   return distance <= reach ? std::numbers::pi : std::asin(reach / distance);
 }
 
-#define BRUME_OPTICAL_DEPTH(Real)                                                         \
-  template LineProfile<Real> line_profile(const GaussianTerm<Real>&, const Vec3<Real>&,   \
-                                          const Vec3<Real>&);                             \
-  template Real optical_depth(const GaussianTerm<Real>&, const LineProfile<Real>&, Real); \
-  template Real optical_depth(const GaussianTerm<Real>&, const Vec3<Real>&,               \
-                              const Vec3<Real>&);                                         \
+#define BRUME_OPTICAL_DEPTH(Real)                                                               \
+  template LineProfile<Real> line_profile(const GaussianTerm<Real>&, const Vec3<Real>&,         \
+                                          const Vec3<Real>&);                                   \
+  template Real optical_depth(const GaussianTerm<Real>&, const LineProfile<Real>&, Real);       \
+  template Real optical_depth(const GaussianTerm<Real>&, const Vec3<Real>&, const Vec3<Real>&); \
   template Real truncated_mean(const GaussianTerm<Real>&, const LineProfile<Real>&, Real);
 BRUME_OPTICAL_DEPTH(double)
 BRUME_OPTICAL_DEPTH(float)

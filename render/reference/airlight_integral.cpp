@@ -228,7 +228,8 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     for (const Nearby& n : near_light) {
       const Vec3<Real> q = n.g.b - light.position;
       const Vec3<Real> gap = q - std::clamp(glm::dot(q, u), Real(0), r) * u;
-      if (glm::dot(gap, gap) < n.reach2) sum += optical_depth(n.g, line_profile(n.g, light.position, u), r);
+      if (glm::dot(gap, gap) < n.reach2)
+        sum += optical_depth(n.g, line_profile(n.g, light.position, u), r);
     }
     return sum;
   };

@@ -121,8 +121,7 @@ std::map<std::string, Quantity<Real>> quantities() {
        [](const Json& in) {
          const Ray<Real> ray(in);
          const LightPath<Real> path(vec<Real>(in["s"]), ray.v, ray.w, Real(0));
-         return R{real<Real>(in["I0"]) *
-                  homogeneous_airlight(real<Real>(in["b0"]), path, ray.d)};
+         return R{real<Real>(in["I0"]) * homogeneous_airlight(real<Real>(in["b0"]), path, ray.d)};
        }},
       {"airlight_gauss_exact",
        [](const Json& in) { return R{exact_airlight<Real>(in, ScatteredBy::gaussians)}; }},
@@ -165,8 +164,8 @@ void evaluate(const Json& test, const char* tolerance, Score& score) {
   const double absolute = test.at(tolerance).at("abs");
   bool pass = got.size() == want.size();
   for (std::size_t i = 0; pass && i < want.size(); ++i) {
-    pass = std::abs(static_cast<double>(got[i]) - want[i]) <=
-           relative * std::abs(want[i]) + absolute;
+    pass =
+        std::abs(static_cast<double>(got[i]) - want[i]) <= relative * std::abs(want[i]) + absolute;
   }
   ++(pass ? score.passed : score.failed);
   if (pass) return;

@@ -1,0 +1,261 @@
+#include "render/cpu/kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/cpu/kernels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+HWY_INLINE V3 LoadDirection(const PathBatch& paths, std::size_t k) {
+  const D d;
+  return {hn::LoadU(d, paths.x.data() + k), hn::LoadU(d, paths.y.data() + k),
+          hn::LoadU(d, paths.z.data() + k)};
+}
+
+void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t k = 0; k < paths.padded_size(); k += lanes) {
+    const V3 w = LoadDirection(paths, k);
+    const V length = hn::LoadU(d, paths.length.data() + k);
+    const auto self = hn::LoadU(di, paths.self.data() + k);
+    V sum = hn::LoadU(d, depths + k);
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const V a = set(g.a[j]);
+      const Crossing crossing({set(g.x[j]), set(g.y[j]), set(g.z[j])}, w, a);
+      if (hn::AllTrue(d, hn::Gt(crossing.e, set(g.cutoff[j])))) continue;
+      const V depth = hn::Mul(set(g.scale[j]), crossing.Depth(a, length));
+      const auto own = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
+      sum = hn::Add(sum, hn::IfThenZeroElse(own, depth));
+    }
+    hn::StoreU(sum, d, depths + k);
+  }
+}
+
+// One pack of `kLights` lights; the number is a constant so that sums stay in registers.
+template <std::size_t kLights>
+HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& rays,
+                                       const LightBatch& lights, float* depths,
+                                       const std::array<float*, light_pack>& radiance) {
+  const D d;
+  const std::size_t lanes = hn::Lanes(d);
+  const V zero = hn::Zero(d);
+  std::uint64_t pairs = 0;
+  for (std::size_t k = 0; k < rays.padded_size(); k += lanes) {
+    const V3 w = LoadDirection(rays, k);
+    const V length = hn::LoadU(d, rays.length.data() + k);
+    V ts[kLights > 0 ? kLights : 1];
+    V h2[kLights > 0 ? kLights : 1];
+    V sum[kLights > 0 ? kLights : 1];
+    for (std::size_t l = 0; l < kLights; ++l) {
+      const V3 s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
+      ts[l] = dot(s, w);
+      const V3 gap = minus(s, ts[l], w);
+      h2[l] = hn::Max(dot(gap, gap), set(lights.h_min[l] * lights.h_min[l]));
+      sum[l] = zero;
+    }
+    V depth_sum = zero;
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const V a = set(g.a[j]);
+      const V3 b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
+      const Crossing view(b, w, a);
+      const M reached = hn::Le(view.e, set(g.cutoff[j]));
+      if (hn::AllFalse(d, reached)) continue;
+      pairs += hn::CountTrue(d, reached);
+      const V scale = set(g.scale[j]);
+      const V depth = hn::Mul(scale, view.Depth(a, length));
+      depth_sum = hn::Add(depth_sum, depth);
+
+      // The projection of the centre on the ray, and the own depth up to it: nothing if the
+      // centre is behind the eye, all if it is behind the surface, else half a line less the
+      // part behind the eye.
+      const V t = hn::Min(hn::Max(view.t0, zero), length);
+      const V u = hn::Mul(a, view.t0);
+      const V before =
+          hn::IfThenElse(hn::Lt(u, set(1.0f)),
+                         hn::Mul(hn::Exp(d, hn::Neg(view.e)), ErfSmall(hn::Min(u, set(1.0f)))),
+                         hn::Sub(hn::Exp(d, hn::Neg(view.e)), ScaledErfc(view.e, u)));
+      const V own = hn::IfThenElse(
+          hn::Le(view.t0, zero), zero,
+          hn::IfThenElse(hn::Ge(view.t0, length), depth, hn::Mul(scale, hn::Max(before, zero))));
+      const V3 q = minus(b, t, w);  // centre relative to the projection
+      for (std::size_t l = 0; l < kLights; ++l) {
+        const V along = hn::Sub(t, ts[l]);
+        const V distance2 = hn::MulAdd(along, along, h2[l]);
+        const V distance = hn::Sqrt(distance2);
+        const V3 s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
+        const V3 to_light = minus(s, t, w);
+        const V inverse = hn::Div(set(1.0f), distance);
+        const V3 wl{hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse),
+                    hn::Mul(to_light.z, inverse)};
+        const V light_depth = hn::Mul(scale, Crossing(q, wl, a).Depth(a, distance));
+        const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(own, light_depth));
+        const V falloff = hn::Mul(hn::Exp(d, hn::Neg(exponent)), hn::Mul(inverse, inverse));
+        sum[l] = hn::MulAdd(depth, falloff, sum[l]);
+      }
+    }
+    if (depths) hn::StoreU(hn::Add(depth_sum, hn::LoadU(d, depths + k)), d, depths + k);
+    for (std::size_t l = 0; l < kLights; ++l) {
+      constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
+      const V old = hn::LoadU(d, radiance[l] + k);
+      hn::StoreU(hn::MulAdd(set(phase), sum[l], old), d, radiance[l] + k);
+    }
+  }
+  return pairs;
+}
+
+std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& rays,
+                                      const LightBatch& lights, float* depths,
+                                      const std::array<float*, light_pack>& radiance) {
+  switch (lights.count) {
+    case 0:
+      return PaperAirlight<0>(g, rays, lights, depths, radiance);
+    case 1:
+      return PaperAirlight<1>(g, rays, lights, depths, radiance);
+    case 2:
+      return PaperAirlight<2>(g, rays, lights, depths, radiance);
+    case 3:
+      return PaperAirlight<3>(g, rays, lights, depths, radiance);
+    default:
+      return PaperAirlight<4>(g, rays, lights, depths, radiance);
+  }
+}
+
+void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
+                                   const PathBatch& rays, float* radiance) {
+  // 8-point Gauss-Legendre on [0, 1], clustered at the far end by x -> 1 - (1 - x)^2.
+  constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                              0.9602898564975363};
+  constexpr double weight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                0.1012285362903763};
+  float x[8];
+  float wx[8];
+  for (int i = 0; i < 8; ++i) {
+    const double y = 0.5 * (1.0 + (i < 4 ? -node[3 - i] : node[i - 4]));
+    const double wy = 0.5 * (i < 4 ? weight[3 - i] : weight[i - 4]);
+    x[i] = static_cast<float>(1.0 - (1.0 - y) * (1.0 - y));
+    wx[i] = static_cast<float>(2.0 * (1.0 - y) * wy);
+  }
+  const D d;
+  const V zero = hn::Zero(d);
+  const V3 s{set(light.x), set(light.y), set(light.z)};
+  const V minus_b0 = set(-b0);
+  for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
+    const V3 w = LoadDirection(rays, k);
+    const V ts = dot(s, w);
+    const V3 gap = minus(s, ts, w);
+    // A light on the ray needs some distance from it; see LightPath.
+    const V floor = hn::Max(hn::Mul(hn::Abs(ts), set(1e-6f)), set(1e-15f));
+    const V h = hn::Max(hn::Max(hn::Sqrt(dot(gap, gap)), set(h_min)), floor);
+    const V start2 = hn::MulAdd(ts, ts, hn::Mul(h, h));
+    const V start = hn::Sqrt(start2);
+    // Past this point the path is longer than the shortest one by a depth of 10.
+    const V longer = set(10.0f / b0);
+    const V longest = hn::Add(start, longer);
+    const V reach =
+        hn::Div(hn::Mul(longer, hn::Add(longest, start)), hn::Mul(set(2.0f), hn::Sub(longest, ts)));
+    const V end = hn::Min(hn::LoadU(d, rays.length.data() + k), reach);
+    // The angle at the light between start and end.
+    const V opposite = hn::Mul(h, end);
+    const V adjacent = hn::NegMulAdd(ts, end, start2);
+    const V acute = hn::Atan(d, hn::Div(opposite, hn::Max(hn::Abs(adjacent), set(1e-30f))));
+    const V span = hn::IfThenElse(hn::Ge(adjacent, zero), acute, hn::Sub(set(3.14159265f), acute));
+    V sum = zero;
+    for (int i = 0; i < 8; ++i) {
+      const V phi = hn::Mul(span, set(x[i]));
+      const V sine = hn::Sin(d, phi);
+      const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
+      const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
+      const V along = hn::Sub(t, ts);
+      const V distance = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(h, h)));
+      sum = hn::MulAdd(set(wx[i]), hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance))), sum);
+    }
+    const V mean = hn::Mul(sum, hn::Div(span, h));
+    const V gain = set(b0 * attenuation * 0.0795774715459476679f);
+    hn::StoreU(hn::MulAdd(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
+  }
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(AccumulatePathDepths);
+HWY_EXPORT(AccumulatePaperAirlight);
+HWY_EXPORT(AccumulateHomogeneousAirlight);
+
+void accumulate_path_depths(const GaussianBatch& gaussians, const PathBatch& paths, float* depths) {
+  HWY_DYNAMIC_DISPATCH(AccumulatePathDepths)(gaussians, paths, depths);
+}
+
+std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const PathBatch& rays,
+                                        const LightBatch& lights, float* depths,
+                                        const std::array<float*, light_pack>& radiance) {
+  return HWY_DYNAMIC_DISPATCH(AccumulatePaperAirlight)(gaussians, rays, lights, depths, radiance);
+}
+
+void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,
+                                     float h_min, const PathBatch& rays, float* radiance) {
+  HWY_DYNAMIC_DISPATCH(AccumulateHomogeneousAirlight)
+  (b0, attenuation, light, h_min, rays, radiance);
+}
+
+void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
+                           std::span<const std::uint32_t> indices) {
+  for (auto* array : {&x, &y, &z, &a, &scale, &cutoff}) array->resize(indices.size());
+  index.resize(indices.size());
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    const GaussianTerm<double>& g = medium.gaussians()[indices[k]];
+    const glm::vec3 b(g.b - origin);
+    const double reach = medium.reach()[indices[k]] * g.a;
+    x[k] = b.x;
+    y[k] = b.y;
+    z[k] = b.z;
+    a[k] = static_cast<float>(g.a);
+    // Deeper than this is opaque all the same, and float has room for its sums and products.
+    scale[k] = static_cast<float>(std::min(g.c / g.a * 0.886226925452758, 1e20));
+    cutoff[k] = static_cast<float>(reach * reach);
+    index[k] = static_cast<std::int32_t>(indices[k]);
+  }
+}
+
+void PathBatch::resize(std::size_t size) {
+  count = size;
+  // Padding rays are valid rays of length 0.
+  x.assign(padded(size), 0.0f);
+  y.assign(padded(size), 0.0f);
+  z.assign(padded(size), 1.0f);
+  length.assign(padded(size), 0.0f);
+  self.assign(padded(size), -1);
+}
+
+void PathBatch::assign(const glm::dvec3& origin, std::span<const glm::dvec3> ends,
+                       std::span<const std::int32_t> self_of) {
+  resize(ends.size());
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const glm::dvec3 q = ends[k] - origin;
+    const double distance = glm::length(q);
+    if (!(distance > 0.0)) continue;
+    const glm::vec3 w(q / distance);
+    x[k] = w.x;
+    y[k] = w.y;
+    z[k] = w.z;
+    length[k] = static_cast<float>(distance);
+    self[k] = self_of[k];
+  }
+}
+
+}  // namespace brume
+#endif

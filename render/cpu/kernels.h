@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "render/medium_index.h"
+
+namespace brume {
+
+// The inner loops of the CPU renderer in single precision, for the widest instruction set of the
+// machine (Highway: SSE4, AVX2, AVX-512). All positions are relative to the rays' origin; the
+// subtraction is done in double before.
+//
+// Arrays of rays are padded to padded(n) elements, so that whole vectors can be loaded and stored.
+constexpr std::size_t padded(std::size_t count) {
+  return (count + 15) / 16 * 16;
+}
+
+// Gaussians relative to an origin, as arrays.
+struct GaussianBatch {
+  std::vector<float> x, y, z;  // b_i - origin [u]
+  std::vector<float> a;        // [1/u]
+  std::vector<float> scale;    // c sqrt(pi) / (2 a): half of the depth of a line through the centre
+  std::vector<float> cutoff;   // a^2 h^2 beyond which the Gaussian is below tolerance
+  std::vector<std::int32_t> index;
+
+  void assign(const MediumIndex& medium, const glm::dvec3& origin,
+              std::span<const std::uint32_t> indices);
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+// Rays or paths from the origin, as arrays: unit direction and length (may be +inf).
+struct PathBatch {
+  std::vector<float> x, y, z;
+  std::vector<float> length;
+  std::vector<std::int32_t> self;  // the Gaussian to leave out, or -1
+  std::size_t count = 0;
+
+  void assign(const glm::dvec3& origin, std::span<const glm::dvec3> ends,
+              std::span<const std::int32_t> self_of);
+  void resize(std::size_t size);
+  [[nodiscard]] std::size_t padded_size() const { return x.size(); }
+};
+
+// depths[k] += sum of T_j over path k, for padded_size() paths.
+void accumulate_path_depths(const GaussianBatch& gaussians, const PathBatch& paths, float* depths);
+
+// Up to this many lights share the work on the view ray.
+constexpr std::size_t light_pack = 4;
+
+struct LightBatch {
+  std::size_t count = 0;
+  std::array<float, light_pack> x{}, y{}, z{};  // relative to the eye [u]
+  std::array<float, light_pack> h_min{};        // see LightPath [u]
+  // Per light and Gaussian of the batch: Tbar_i(s, b_i) + Tbar_i(v, b_i).
+  std::array<std::vector<float>, light_pack> frozen;
+};
+
+// The paper's airlight (eq. 16) of all Gaussians of the batch: for every ray k,
+// depths[k] += T(v, p), radiance[l][k] += sum_i L_i per unit of radiant intensity [1/u^2].
+// `depths` may be null where a former pack of lights has summed it. Returns the number of
+// Gaussian x ray pairs that passed the cutoff.
+std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const PathBatch& rays,
+                                        const LightBatch& lights, float* depths,
+                                        const std::array<float*, light_pack>& radiance);
+
+// Airlight of the homogeneous part (eqs. 17 to 19): radiance[k] += for every ray
+// attenuation * b0/(4 pi) * integral, per unit of radiant intensity; relative error at most 5e-4.
+void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,
+                                     float h_min, const PathBatch& rays, float* radiance);
+
+}  // namespace brume

@@ -1,0 +1,42 @@
+#include "render/medium_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brume {
+
+MediumIndex::MediumIndex(const Medium& medium, double tolerance)
+    : b0_(medium.homogeneous_density()) {
+  gaussians_.reserve(medium.size());
+  reach_.reserve(medium.size());
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const Gaussian g = medium.gaussian(i);
+    gaussians_.emplace_back(g);
+    reach_.push_back(brume::reach(g.radius, g.density, tolerance));
+  }
+  hierarchy_ = SphereHierarchy(medium.centers(), reach_);
+}
+
+double MediumIndex::depth(const RaySegment& segment) const {
+  if (!(segment.length > 0.0)) return 0.0;
+  double sum = b0_ > 0.0 ? b0_ * segment.length : 0.0;
+  hierarchy_.query(segment, [&](std::uint32_t i) {
+    sum +=
+        optical_depth(gaussians_[i], line_profile(gaussians_[i], segment.origin, segment.direction),
+                      segment.length);
+  });
+  return sum;
+}
+
+double depth_tolerance(const Medium& medium, double error) {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    deepest = std::max(deepest, medium.densities()[i] * medium.radii()[i]);
+  }
+  deepest *= std::sqrt(std::numbers::pi);
+  const double count = static_cast<double>(std::max<std::size_t>(medium.size(), 1));
+  return std::min(1.0, deepest) * std::min(0.1 * error, 25.0 * error / count);
+}
+
+}  // namespace brume

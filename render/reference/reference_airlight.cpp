@@ -1,0 +1,51 @@
+#include "render/reference/reference_airlight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/reference/airlight_integral.h"
+
+namespace brume {
+
+ReferenceRay reference_airlight(const MediumIndex& medium, const Visibility& visibility,
+                                std::span<const ReferenceLight> lights, const glm::dvec3& eye,
+                                const glm::dvec3& w, double length, double tolerance) {
+  ReferenceRay result;
+  std::vector<GaussianTerm<double>> along;
+  double last = 0.0;  // where the last Gaussian ends
+  medium.hierarchy().query(RaySegment{eye, w, length}, [&](std::uint32_t i) {
+    along.push_back(medium.gaussians()[i]);
+    last = std::max(last, glm::dot(along.back().b - eye, w) + medium.reach()[i]);
+  });
+  result.view_pairs = along.size();
+  const double b0 = medium.homogeneous_density();
+  const ViewRayMedium<double> ray(along, b0, eye, w, length);
+  result.depth = ray.depth(length);
+  if (along.empty() && !(b0 > 0.0)) return result;
+
+  // The part of the ray that scatters at all; past it shadows are of no interest.
+  double end = ray.parameter_at_depth(50.0);
+  if (!(b0 > 0.0)) end = std::min(end, last);
+  for (const ReferenceLight& light : lights) {
+    LightSource<double> source{light.position, light.h_min, {}, {}};
+    std::vector<GaussianTerm<double>> toward_light;
+    // An endless ray in fog: whatever is farther than its medium is dense lies in the dark.
+    const glm::dvec3 far = eye + std::min(end, 1e15) * w;
+    medium.hierarchy().query(TriangleShape{light.position, eye, far}, [&](std::uint32_t i) {
+      toward_light.push_back(medium.gaussians()[i]);
+    });
+    source.gaussians = toward_light;
+    result.light_pairs += toward_light.size();
+    if (visibility.may_block(light.position, eye, far)) {
+      source.unblocked = [&](double t) {
+        return !visibility.blocked(light.position, eye + std::min(t, 1e15) * w);
+      };
+    }
+    const ViewRayMedium<double> lit(along, b0, eye, w, end);
+    result.airlight += light.intensity * airlight_integral(lit, source, tolerance);
+  }
+  return result;
+}
+
+}  // namespace brume

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "core/scene/scene.h"
+#include "render/cpu/visibility.h"
+#include "render/medium_index.h"
+
+namespace brume {
+
+// The converged airlight of one view ray in a scene: every light, b0, Gaussians, and surfaces as
+// blockers of light on its way through the medium.
+
+struct ReferenceLight {
+  glm::dvec3 position{0.0};
+  glm::dvec3 intensity{0.0};  // RGB [W/sr]
+  double h_min = 0.0;         // see light_limits.h [u]
+};
+
+struct ReferenceRay {
+  glm::dvec3 airlight{0.0};  // RGB radiance
+  double depth = 0.0;        // T(v, p), b0 included; +inf possible
+  std::uint64_t view_pairs = 0;
+  std::uint64_t light_pairs = 0;
+};
+
+// `length` is the distance to the first surface or +inf; `tolerance` the relative one of
+// airlight_integral(). Thread-safe.
+ReferenceRay reference_airlight(const MediumIndex& medium, const Visibility& visibility,
+                                std::span<const ReferenceLight> lights, const glm::dvec3& eye,
+                                const glm::dvec3& w, double length, double tolerance);
+
+}  // namespace brume

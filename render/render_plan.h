@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+
+namespace brume {
+
+// What a scene needs to be rendered, and why the rest is left out: the one place that decides.
+struct RenderPlan {
+  bool surfaces = false;           // any to be seen and to cast shadows
+  bool lit_surfaces = false;       // surfaces and lights
+  bool gaussians = false;          // any that takes light away
+  bool homogeneous = false;        // b0 > 0
+  bool airlight = false;           // a medium and lights
+  std::vector<PointLight> lights;  // those that give light
+  std::vector<SkippedStage> skipped;
+
+  explicit RenderPlan(const Scene& scene);
+};
+
+}  // namespace brume
