@@ -1,0 +1,106 @@
+#include "app/document/gaussian_field.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+#include <limits>
+
+namespace brume {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("GaussianField", text);
+}
+
+}  // namespace
+
+QString field_title(GaussianField field) {
+  switch (field) {
+    case GaussianField::center_x:
+      return tr("Center X");
+    case GaussianField::center_y:
+      return tr("Center Y");
+    case GaussianField::center_z:
+      return tr("Center Z");
+    case GaussianField::radius:
+      return tr("Radius");
+    case GaussianField::density:
+      return tr("Density");
+  }
+  return {};
+}
+
+QString field_name(GaussianField field) {
+  return field_title(field).toLower();
+}
+
+double field_value(const Gaussian& gaussian, GaussianField field) {
+  switch (field) {
+    case GaussianField::center_x:
+      return gaussian.center.x;
+    case GaussianField::center_y:
+      return gaussian.center.y;
+    case GaussianField::center_z:
+      return gaussian.center.z;
+    case GaussianField::radius:
+      return gaussian.radius;
+    case GaussianField::density:
+      return gaussian.density;
+  }
+  return 0.0;
+}
+
+void set_field_value(Gaussian& gaussian, GaussianField field, double value) {
+  switch (field) {
+    case GaussianField::center_x:
+      gaussian.center.x = value;
+      break;
+    case GaussianField::center_y:
+      gaussian.center.y = value;
+      break;
+    case GaussianField::center_z:
+      gaussian.center.z = value;
+      break;
+    case GaussianField::radius:
+      gaussian.radius = value;
+      break;
+    case GaussianField::density:
+      gaussian.density = value;
+      break;
+  }
+}
+
+QString field_problem(GaussianField field, double value) {
+  if (!std::isfinite(value)) return tr("%1 must be a finite number.").arg(field_title(field));
+  if (field == GaussianField::radius && !(value > 0.0)) {
+    return tr("Radius must be greater than 0, not %1.").arg(number_text(value));
+  }
+  if (field == GaussianField::density && value < 0.0) {
+    return tr("Density must not be negative, not %1.").arg(number_text(value));
+  }
+  return {};
+}
+
+double parse_number(const QString& text) {
+  QString plain = text.trimmed();
+  plain.replace(QChar(0x2212), QLatin1Char('-'));
+  bool ok = false;
+  double value = plain.toDouble(&ok);
+  // A decimal comma is what many keyboards give.
+  if (!ok) value = plain.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
+  return ok ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+QString number_text(double value) {
+  return QString::number(value, 'g', 6);
+}
+
+QString exact_number_text(double value) {
+  return QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString gaussians_text(std::size_t count) {
+  return count == 1 ? tr("Gaussian") : tr("%1 Gaussians").arg(count);
+}
+
+}  // namespace brume

@@ -1,0 +1,95 @@
+#include "app/frame_export.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+#include <exception>
+
+#include "app/document/paths.h"
+#include "core/error.h"
+#include "core/io/image_file.h"
+#include "render/renderer.h"
+
+namespace brume {
+namespace {
+
+void write(const Frame& frame, double exposure, const std::filesystem::path& file) {
+  const QString extension = to_qstring(file.extension()).toLower();
+  if (extension == ".exr") {
+    write_exr(file, to_layers(frame));
+  } else if (extension == ".png") {
+    write_png(file, frame.film.width, frame.film.height, to_display(frame, exposure),
+              {{"Software", "Brume"}});
+  } else {
+    throw InputError(file, "", "a frame is exported as .exr or .png");
+  }
+}
+
+}  // namespace
+
+FrameExport::FrameExport(QWidget* parent) : QWidget(parent), label_(new QLabel(this)) {
+  auto* bar = new QProgressBar(this);
+  bar->setRange(0, 0);  // how far a frame is cannot be told
+  bar->setFixedWidth(90);
+  bar->setTextVisible(false);
+  auto* stop = new QToolButton(this);
+  stop->setText(tr("Cancel"));
+  connect(stop, &QToolButton::clicked, this, &FrameExport::cancel);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(label_);
+  layout->addWidget(bar);
+  layout->addWidget(stop);
+  hide();
+}
+
+FrameExport::~FrameExport() = default;
+
+void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera, double exposure,
+                        const std::filesystem::path& file) {
+  if (running_) return;
+  running_ = true;
+  label_->setText(tr("Exporting %1").arg(to_qstring(file.filename())));
+  show();
+  thread_ = std::jthread([=, this](const std::stop_token& stop) {
+    Outcome outcome = Outcome::cancelled;
+    QString text = to_qstring(file);
+    try {
+      Renderer renderer;
+      const auto frame = renderer.render(*scene, camera, scene->film, {}, stop);
+      if (frame && !stop.stop_requested()) {
+        write(*frame, exposure, file);
+        outcome = Outcome::written;
+      }
+    } catch (const std::exception& error) {
+      outcome = Outcome::failed;
+      text = QString::fromUtf8(error.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [this, outcome, text] { end(outcome, text); }, Qt::QueuedConnection);
+  });
+}
+
+void FrameExport::cancel() {
+  thread_.request_stop();
+}
+
+void FrameExport::end(Outcome outcome, const QString& text) {
+  thread_.join();
+  running_ = false;
+  hide();
+  switch (outcome) {
+    case Outcome::written:
+      Q_EMIT finished(text);
+      break;
+    case Outcome::cancelled:
+      Q_EMIT cancelled();
+      break;
+    case Outcome::failed:
+      Q_EMIT failed(text);
+      break;
+  }
+}
+
+}  // namespace brume

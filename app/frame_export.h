@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "core/scene/scene.h"
+
+class QLabel;
+
+namespace brume {
+
+// Renders a frame to an EXR or PNG file in the background. As a widget it says so in the status
+// bar while it lasts, with a button to cancel.
+class FrameExport : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FrameExport(QWidget* parent = nullptr);
+  ~FrameExport() override;  // gives up
+
+  [[nodiscard]] bool is_running() const { return running_; }
+  // One at a time. The extension decides the format; `exposure` (stops) is for PNG only.
+  void start(std::shared_ptr<const Scene> scene, const Camera& camera, double exposure,
+             const std::filesystem::path& file);
+  void cancel();
+
+ Q_SIGNALS:
+  void finished(const QString& file);
+  void cancelled();
+  void failed(const QString& message);
+
+ private:
+  enum class Outcome { written, cancelled, failed };
+  void end(Outcome outcome, const QString& text);
+
+  QLabel* label_;
+  bool running_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace brume

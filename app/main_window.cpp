@@ -1,0 +1,209 @@
+#include "app/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <cstdio>
+#include <numbers>
+
+#include "app/commands/edit_medium.h"
+#include "app/document/paths.h"
+#include "app/frame_export.h"
+#include "app/message_bar.h"
+#include "app/panels/gaussian_panel.h"
+#include "app/panels/history_panel.h"
+#include "app/scene_files.h"
+#include "app/viewport/navigation.h"
+#include "app/viewport/viewport.h"
+
+namespace brume {
+namespace {
+
+constexpr int message_time = 6000;  // milliseconds
+
+// The first dropped file that could be a scene.
+QString dropped_scene(const QMimeData& data) {
+  for (const QUrl& url : data.urls()) {
+    const QString file = url.toLocalFile();
+    if (file.endsWith(".brume", Qt::CaseInsensitive)) return file;
+  }
+  return {};
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      files_(new SceneFiles(document_, this)),
+      message_bar_(new MessageBar(this)),
+      viewport_(new Viewport(document_, this)) {
+  auto* center = new QWidget(this);
+  auto* layout = new QVBoxLayout(center);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(message_bar_);
+  layout->addWidget(viewport_, 1);
+  setCentralWidget(center);
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+
+  create_docks();
+  create_status_bar();
+  create_actions();
+  connect_document();
+
+  resize(1280, 800);
+  const QSettings settings;
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  restoreState(settings.value("window/state").toByteArray());
+  viewport_->setFocus();
+  update_title();
+  update_status();
+}
+
+// The views go before the document and the widgets they draw from.
+MainWindow::~MainWindow() {
+  document_.disconnect();
+  document_.undo_stack().disconnect();
+  delete takeCentralWidget();
+}
+
+void MainWindow::create_docks() {
+  const auto dock = [this](const QString& title, const char* name, QWidget* panel) {
+    auto* made = new QDockWidget(title, this);
+    made->setObjectName(name);  // restoreState() knows it by this
+    made->setWidget(panel);
+    addDockWidget(Qt::RightDockWidgetArea, made);
+    return made;
+  };
+  gaussian_panel_ = new GaussianPanel(document_, this);
+  QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", gaussian_panel_);
+  QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
+  resizeDocks({gaussians}, {400}, Qt::Horizontal);
+  resizeDocks({gaussians, history}, {520, 200}, Qt::Vertical);
+  connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::say);
+}
+
+void MainWindow::create_status_bar() {
+  hint_ = new QLabel(this);
+  numbers_ = new QLabel(this);
+  frame_export_ = new FrameExport(this);
+  statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(frame_export_);
+  statusBar()->addPermanentWidget(numbers_);
+  connect(frame_export_, &FrameExport::finished, this,
+          [this](const QString& file) { say(tr("Exported %1").arg(file)); });
+  connect(frame_export_, &FrameExport::cancelled, this, [this] { say(tr("Export cancelled")); });
+  connect(frame_export_, &FrameExport::failed, message_bar_, &MessageBar::show_error);
+}
+
+void MainWindow::connect_document() {
+  const auto fail = [this](const QString& message) {
+    std::fprintf(stderr, "%s\n", qUtf8Printable(message));
+    message_bar_->show_error(message);
+  };
+  connect(files_, &SceneFiles::failed, this, fail);
+  connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
+  connect(viewport_, &Viewport::failed, this, fail);
+  connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_status);
+  connect(&document_, &Document::scene_replaced, message_bar_, &QWidget::hide);
+  connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
+  connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
+  connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
+  connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, &MainWindow::update_title);
+}
+
+void MainWindow::update_title() {
+  setWindowTitle(document_.name() + "[*] – Brume");
+  setWindowModified(document_.is_modified());
+}
+
+void MainWindow::update_status() {
+  const std::size_t count = document_.medium().size();
+  const std::size_t selected = document_.selection().size();
+  const QLocale locale = QLocale::c();
+  QString text =
+      count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(locale.toString(qulonglong{count}));
+  if (selected > 0) text += tr(", %1 selected").arg(locale.toString(qulonglong{selected}));
+  if (const RenderedFrame* frame = viewport_->shown()) {
+    text += tr(" · %1 ms").arg(frame->milliseconds, 0, 'f', 1);
+  }
+  numbers_->setText(text);
+  hint_->setText(count == 0 ? tr("No fog yet. Shift+A adds a Gaussian where the view looks.")
+                            : tr("Click selects, drag moves or frames. Middle button orbits, with "
+                                 "Shift pans, wheel zooms."));
+}
+
+void MainWindow::say(const QString& message) {
+  statusBar()->showMessage(message, message_time);
+}
+
+void MainWindow::add_gaussian_in_view() {
+  const Camera& camera = viewport_->camera();
+  const double radius = 0.12 * std::max(target_distance(camera), 1e-6);
+  // Optical depth 1 straight through: sqrt(pi) * radius * density.
+  const double density = 1.0 / (std::sqrt(std::numbers::pi) * radius);
+  add_gaussian(document_, {.center = camera.target, .radius = radius, .density = density});
+}
+
+void MainWindow::change_exposure(double stops) {
+  viewport_->set_exposure(viewport_->exposure() + stops);
+  say(tr("Exposure %1 stops").arg(viewport_->exposure(), 0, 'f', 1));
+}
+
+void MainWindow::export_frame() {
+  QFileDialog dialog(this, tr("Export frame"), {},
+                     tr("PNG picture (*.png);;OpenEXR layers (*.exr)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("png");
+  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    dialog.setDefaultSuffix(filter.contains("exr") ? "exr" : "png");
+  });
+  if (dialog.exec() == QDialog::Accepted) export_frame_to(to_path(dialog.selectedFiles().value(0)));
+}
+
+void MainWindow::export_frame_to(const std::filesystem::path& file) {
+  frame_export_->start(document_.snapshot(), viewport_->camera(), viewport_->exposure(), file);
+}
+
+void MainWindow::quit_with_screenshot(const QString& file) {
+  const auto take = [this, file] {
+    if (!viewport_->is_settled()) return;
+    viewport_->disconnect(this);
+    // Once more through the event loop: the frame has come, but is not painted yet.
+    QTimer::singleShot(200, this, [this, file] {
+      const bool saved = grab().save(file);
+      if (!saved) std::fprintf(stderr, "%s: cannot be written\n", qUtf8Printable(file));
+      QApplication::exit(saved ? 0 : 1);
+    });
+  };
+  connect(viewport_, &Viewport::frame_shown, this, take);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->may_discard()) {
+    event->ignore();
+    return;
+  }
+  QSettings settings;
+  settings.setValue("window/geometry", saveGeometry());
+  settings.setValue("window/state", saveState());
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!dropped_scene(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  files_->open_file(to_path(dropped_scene(*event->mimeData())));
+}
+
+}  // namespace brume

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+
+#include "app/document/document.h"
+
+class QLabel;
+
+namespace brume {
+
+class FrameExport;
+class GaussianPanel;
+class MessageBar;
+class SceneFiles;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Document& document() { return document_; }
+  SceneFiles& files() { return *files_; }
+  Viewport& viewport() { return *viewport_; }
+
+  // Exports what the view sees, on the scene's film.
+  void export_frame_to(const std::filesystem::path& file);
+
+  // Saves a picture of this window once it shows a full-resolution frame, then quits.
+  void quit_with_screenshot(const QString& file);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void create_docks();
+  void create_status_bar();
+  void create_actions();  // main_window_actions.cpp
+  void connect_document();
+
+  void update_title();
+  void update_status();
+  void add_gaussian_in_view();
+  void export_frame();
+  void change_exposure(double stops);
+  void say(const QString& message);
+
+  Document document_;
+  SceneFiles* files_;
+  MessageBar* message_bar_;
+  Viewport* viewport_;
+  GaussianPanel* gaussian_panel_ = nullptr;
+  FrameExport* frame_export_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* numbers_ = nullptr;
+};
+
+}  // namespace brume

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "app/document/gaussian_field.h"
+
+namespace brume {
+
+class Document;
+class NumberField;
+
+// The selection's numbers, one field each: the common value, or "–" where they differ. What is
+// entered is written to all of them.
+class GaussianForm : public QWidget {
+  Q_OBJECT
+ public:
+  explicit GaussianForm(Document& document, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void refused(const QString& problem);
+
+ private:
+  void refresh();
+
+  Document& document_;
+  std::array<NumberField*, gaussian_fields.size()> fields_{};
+};
+
+}  // namespace brume

@@ -1,0 +1,145 @@
+#include "app/panels/gaussian_panel.h"
+
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+#include <utility>
+#include <vector>
+
+#include "app/document/document.h"
+#include "app/panels/gaussian_form.h"
+#include "app/panels/gaussian_table_model.h"
+
+namespace brume {
+namespace {
+
+// Qt compares every range of a selection with every other. A selection more scattered than this
+// stays with the document alone; the rows are painted by what the document says in any case.
+constexpr int max_ranges = 500;
+
+class RowDelegate : public QStyledItemDelegate {
+ public:
+  RowDelegate(const Document& document, const GaussianTableModel& model, QObject* parent)
+      : QStyledItemDelegate(parent), document_(document), model_(model) {}
+
+  // Opening a cell and leaving it must not write its value into the whole selection.
+  void setModelData(QWidget* editor, QAbstractItemModel* model,
+                    const QModelIndex& index) const override {
+    const auto* line = qobject_cast<QLineEdit*>(editor);
+    if (!line || line->isModified()) QStyledItemDelegate::setModelData(editor, model, index);
+  }
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->state.setFlag(QStyle::State_Selected, document_.is_selected(model_.id(index.row())));
+  }
+
+ private:
+  const Document& document_;
+  const GaussianTableModel& model_;
+};
+
+}  // namespace
+
+GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      model_(new GaussianTableModel(document, this)),
+      table_(new QTableView(this)) {
+  auto* form = new GaussianForm(document, this);
+  table_->setModel(model_);
+  table_->setItemDelegate(new RowDelegate(document, *model_, this));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                          QAbstractItemView::AnyKeyPressed);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setHighlightSections(false);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(form);
+  layout->addWidget(table_);
+
+  connect(form, &GaussianForm::refused, this, &GaussianPanel::refused);
+  connect(model_, &GaussianTableModel::refused, this, &GaussianPanel::refused);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &GaussianPanel::take_selection);
+  connect(&document_, &Document::selection_changed, this, &GaussianPanel::select_rows);
+  connect(&document_, &Document::scene_replaced, this, [this] {
+    const bool was_syncing = std::exchange(syncing_, true);
+    model_->reload();
+    syncing_ = was_syncing;
+  });
+  connect(&document_, &Document::medium_changed, this, [this](const MediumEdit& edit) {
+    // While rows come and go the view's selection is not the user's.
+    const bool was_syncing = std::exchange(syncing_, true);
+    model_->follow(edit);
+    syncing_ = was_syncing;
+    if (!edit.added().empty() || !edit.removed().empty()) select_rows();
+  });
+}
+
+void GaussianPanel::take_selection() {
+  if (syncing_) return;
+  std::vector<GaussianId> ids;
+  for (const QItemSelectionRange& range : table_->selectionModel()->selection()) {
+    for (int row = range.top(); row <= range.bottom(); ++row) ids.push_back(model_->id(row));
+  }
+  syncing_ = true;
+  document_.select(std::move(ids));
+  syncing_ = false;
+  table_->viewport()->update();
+}
+
+void GaussianPanel::select_rows() {
+  if (syncing_) return;
+  syncing_ = true;
+  QItemSelection selection;
+  int first = -1;
+  int last = -1;
+  const auto close_range = [&] {
+    if (first >= 0) {
+      selection.append(QItemSelectionRange(model_->index(first, 0),
+                                           model_->index(last, model_->columnCount() - 1)));
+    }
+  };
+  for (const GaussianId id : document_.selection()) {
+    const int row = model_->row(id).value_or(-1);
+    if (row < 0) continue;
+    if (first >= 0 && row == last + 1) {
+      last = row;
+      continue;
+    }
+    close_range();
+    first = last = row;
+  }
+  close_range();
+  auto* rows = table_->selectionModel();
+  if (selection.size() <= max_ranges) {
+    rows->select(selection, QItemSelectionModel::ClearAndSelect);
+  } else {
+    rows->clearSelection();
+  }
+  if (!selection.isEmpty()) {
+    const QModelIndex top = selection.first().topLeft();
+    // Typing then edits the selection, not some row that happened to be current before.
+    const QModelIndex current = table_->currentIndex();
+    if (!current.isValid() || !document_.is_selected(model_->id(current.row()))) {
+      rows->setCurrentIndex(top.siblingAtColumn(std::max(0, current.column())),
+                            QItemSelectionModel::NoUpdate);
+    }
+    table_->scrollTo(top);
+  }
+  syncing_ = false;
+  table_->viewport()->update();
+}
+
+}  // namespace brume

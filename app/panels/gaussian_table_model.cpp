@@ -1,0 +1,154 @@
+#include "app/panels/gaussian_table_model.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "app/commands/edit_medium.h"
+#include "app/document/document.h"
+
+namespace brume {
+namespace {
+
+// Beyond this many separate runs of rows, telling views about each costs more than a fresh start.
+constexpr std::size_t max_runs = 64;
+
+struct Run {
+  int first = 0;
+  int last = 0;
+};
+
+// Consecutive numbers of an ascending list as runs.
+std::vector<Run> runs_of(const std::vector<int>& rows) {
+  std::vector<Run> runs;
+  for (const int row : rows) {
+    if (!runs.empty() && runs.back().last + 1 == row) {
+      runs.back().last = row;
+    } else {
+      runs.push_back({row, row});
+    }
+  }
+  return runs;
+}
+
+}  // namespace
+
+GaussianTableModel::GaussianTableModel(Document& document, QObject* parent)
+    : QAbstractTableModel(parent), document_(document) {
+  reload();
+}
+
+std::optional<int> GaussianTableModel::row(GaussianId id) const {
+  const auto at = std::lower_bound(ids_.begin(), ids_.end(), id);
+  if (at == ids_.end() || *at != id) return std::nullopt;
+  return static_cast<int>(at - ids_.begin());
+}
+
+void GaussianTableModel::reload() {
+  beginResetModel();
+  ids_.assign(document_.medium().ids().begin(), document_.medium().ids().end());
+  endResetModel();
+}
+
+void GaussianTableModel::follow(const MediumEdit& edit) {
+  if (!edit.removed().empty() && !edit.added().empty()) {
+    reload();
+    return;
+  }
+  announce_changes(edit);
+  if (!edit.removed().empty()) remove_rows(edit);
+  if (!edit.added().empty()) insert_rows(edit);
+}
+
+void GaussianTableModel::announce_changes(const MediumEdit& edit) {
+  std::vector<int> rows;
+  rows.reserve(edit.changed().size());
+  for (const auto& change : edit.changed()) rows.push_back(*row(change.id));
+  std::vector<Run> runs = runs_of(rows);
+  if (runs.size() > max_runs) runs = {{runs.front().first, runs.back().last}};
+  for (const Run& run : runs) {
+    Q_EMIT dataChanged(index(run.first, 0), index(run.last, columnCount() - 1));
+  }
+}
+
+void GaussianTableModel::remove_rows(const MediumEdit& edit) {
+  std::vector<int> rows;
+  rows.reserve(edit.removed().size());
+  for (const auto& entry : edit.removed()) rows.push_back(*row(entry.id));
+  const std::vector<Run> runs = runs_of(rows);
+  if (runs.size() > max_runs) {
+    reload();
+    return;
+  }
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    beginRemoveRows({}, run->first, run->last);
+    ids_.erase(ids_.begin() + run->first, ids_.begin() + run->last + 1);
+    endRemoveRows();
+  }
+}
+
+void GaussianTableModel::insert_rows(const MediumEdit& edit) {
+  // Rows as they will be, from the front: each run then finds everything before it in place.
+  std::vector<int> rows;
+  rows.reserve(edit.added().size());
+  for (const auto& entry : edit.added()) {
+    rows.push_back(static_cast<int>(*document_.medium().index_of(entry.id)));
+  }
+  const std::vector<Run> runs = runs_of(rows);
+  if (runs.size() > max_runs) {
+    reload();
+    return;
+  }
+  const auto now = document_.medium().ids();
+  for (const Run& run : runs) {
+    beginInsertRows({}, run.first, run.last);
+    ids_.insert(ids_.begin() + run.first, now.begin() + run.first, now.begin() + run.last + 1);
+    endInsertRows();
+  }
+}
+
+int GaussianTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(ids_.size());
+}
+
+int GaussianTableModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(gaussian_fields.size());
+}
+
+QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
+  const auto at = document_.medium().index_of(id(index.row()));
+  if (!at) return {};
+  const GaussianField field = gaussian_fields[static_cast<std::size_t>(index.column())];
+  const double value = field_value(document_.medium().gaussian(*at), field);
+  // As text: the editor that Qt offers for numbers rounds them.
+  return role == Qt::DisplayRole ? number_text(value) : exact_number_text(value);
+}
+
+bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || role != Qt::EditRole) return false;
+  const std::array one{id(index.row())};
+  const std::vector<GaussianId> selection = document_.selection();
+  const std::span<const GaussianId> targets =
+      document_.is_selected(one[0]) ? std::span<const GaussianId>(selection) : one;
+  const QString problem =
+      set_field(document_, targets, gaussian_fields[static_cast<std::size_t>(index.column())],
+                parse_number(value.toString()));
+  if (!problem.isEmpty()) Q_EMIT refused(problem);
+  return problem.isEmpty();
+}
+
+QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+    return QAbstractTableModel::headerData(section, orientation, role);
+  }
+  return field_title(gaussian_fields[static_cast<std::size_t>(section)]);
+}
+
+Qt::ItemFlags GaussianTableModel::flags(const QModelIndex& index) const {
+  return QAbstractTableModel::flags(index) | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+}
+
+}  // namespace brume

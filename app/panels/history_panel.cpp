@@ -1,0 +1,12 @@
+#include "app/panels/history_panel.h"
+
+#include <QStyle>
+
+namespace brume {
+
+HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : QUndoView(&stack, parent) {
+  setEmptyLabel(tr("As opened"));
+  setCleanIcon(style()->standardIcon(QStyle::SP_DialogSaveButton));
+}
+
+}  // namespace brume

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QLineEdit>
+#include <optional>
+
+namespace brume {
+
+// A number that may be mixed ("–"). Enter commits what was typed; leaving the field or Escape
+// brings the old value back.
+class NumberField : public QLineEdit {
+  Q_OBJECT
+ public:
+  explicit NumberField(QWidget* parent = nullptr);
+
+  void show_value(std::optional<double> value);  // nullopt: mixed, or nothing there
+
+ Q_SIGNALS:
+  void committed(double value);  // NaN if the text is no number
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void revert();
+
+  std::optional<double> value_;
+};
+
+}  // namespace brume

@@ -1,0 +1,122 @@
+#include "app/tools/select_tool.h"
+
+#include <QLineF>
+#include <QRectF>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "app/commands/edit_medium.h"
+#include "app/document/document.h"
+#include "app/viewport/viewport.h"
+
+namespace brume {
+namespace {
+
+constexpr double drag_threshold = 4.0;  // pixels; a hand is not perfectly still in a click
+
+}  // namespace
+
+SelectTool::SelectTool(Document& document, Viewport& viewport)
+    : document_(document), viewport_(viewport) {}
+
+void SelectTool::hover(QPointF position) {
+  const auto index = viewport_.handles().pick(position);
+  viewport_.set_hovered(index ? std::optional(document_.medium().ids()[*index]) : std::nullopt);
+}
+
+void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
+  start_ = position;
+  gesture_ = Gesture::undecided;
+  mode_ = modifiers.testFlag(Qt::ControlModifier) ? Mode::toggle
+          : modifiers.testFlag(Qt::ShiftModifier) ? Mode::add
+                                                  : Mode::replace;
+  pressed_.reset();
+  if (const auto index = viewport_.handles().pick(position)) {
+    pressed_ = document_.medium().ids()[*index];
+    // At once, so that press and drag in one go moves it. One that is selected already waits for
+    // the release: the drag may be meant for the whole selection.
+    if (mode_ != Mode::replace || !document_.is_selected(*pressed_)) select({*pressed_}, mode_);
+  }
+}
+
+void SelectTool::move(QPointF position) {
+  if (gesture_ == Gesture::undecided && QLineF(start_, position).length() >= drag_threshold) {
+    if (!pressed_) {
+      gesture_ = Gesture::band;
+    } else if (document_.is_selected(*pressed_)) {
+      begin_move();
+    }
+  }
+  if (gesture_ == Gesture::band) {
+    viewport_.show_band(QRectF(start_, position).normalized().toAlignedRect());
+  } else if (gesture_ == Gesture::moving) {
+    move_selection(position);
+  }
+}
+
+void SelectTool::release(QPointF position) {
+  if (gesture_ == Gesture::band) {
+    std::vector<GaussianId> ids;
+    for (const std::size_t index :
+         viewport_.handles().inside(QRectF(start_, position).normalized())) {
+      ids.push_back(document_.medium().ids()[index]);
+    }
+    select(ids, mode_);
+  } else if (gesture_ == Gesture::undecided && mode_ == Mode::replace) {
+    select(pressed_ ? std::vector{*pressed_} : std::vector<GaussianId>{}, Mode::replace);
+  }
+  viewport_.show_band({});
+  gesture_ = Gesture::none;
+}
+
+void SelectTool::cancel() {
+  if (gesture_ == Gesture::moving) move_selection(start_);
+  viewport_.show_band({});
+  gesture_ = Gesture::none;
+}
+
+void SelectTool::select(const std::vector<GaussianId>& ids, Mode mode) {
+  const std::vector<GaussianId>& old = document_.selection();
+  std::vector<GaussianId> selection;
+  if (mode == Mode::replace) {
+    selection = ids;
+  } else if (mode == Mode::add) {
+    std::set_union(old.begin(), old.end(), ids.begin(), ids.end(), std::back_inserter(selection));
+  } else {
+    std::set_symmetric_difference(old.begin(), old.end(), ids.begin(), ids.end(),
+                                  std::back_inserter(selection));
+  }
+  document_.select(std::move(selection));
+}
+
+void SelectTool::begin_move() {
+  const Medium& medium = document_.medium();
+  gesture_ = Gesture::moving;
+  merge_id_ = new_merge_id();
+  ids_ = document_.selection();
+  centers_.clear();
+  for (const GaussianId id : ids_) centers_.push_back(medium.centers()[*medium.index_of(id)]);
+  depth_ = viewport_.handles().position(*medium.index_of(*pressed_)).z;
+}
+
+void SelectTool::move_selection(QPointF position) {
+  // Undo works during a drag too, and may take from the medium what is being dragged.
+  const Medium& medium = document_.medium();
+  if (!std::all_of(ids_.begin(), ids_.end(), [&](GaussianId id) { return medium.index_of(id); })) {
+    gesture_ = Gesture::none;
+    return;
+  }
+  const glm::dvec3 shift = on_drag_plane(position) - on_drag_plane(start_);
+  std::vector<glm::dvec3> centers = centers_;
+  for (glm::dvec3& center : centers) center += shift;
+  move_gaussians(document_, ids_, centers, merge_id_);
+}
+
+glm::dvec3 SelectTool::on_drag_plane(QPointF position) const {
+  const CameraRays rays = viewport_.rays();
+  const glm::dvec3 direction = rays.direction(position.x(), position.y());
+  return rays.eye() + direction * (depth_ / glm::dot(direction, rays.forward()));
+}
+
+}  // namespace brume

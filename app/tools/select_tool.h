@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QPointF>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/commands/medium_command.h"
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+class Document;
+class Viewport;
+
+// The left mouse button: a click selects, a drag on a selected handle moves the selection in the
+// plane parallel to the film through that handle, a drag anywhere else is a selection rectangle.
+// With Shift the selection grows, with Control it is toggled.
+class SelectTool {
+ public:
+  SelectTool(Document& document, Viewport& viewport);
+
+  void hover(QPointF position);
+  void press(QPointF position, Qt::KeyboardModifiers modifiers);
+  void move(QPointF position);
+  void release(QPointF position);
+  void cancel();  // as if the gesture had not begun
+
+ private:
+  enum class Mode { replace, add, toggle };
+  enum class Gesture { none, undecided, moving, band };
+
+  void select(const std::vector<GaussianId>& ids, Mode mode);
+  void begin_move();
+  void move_selection(QPointF position);
+  [[nodiscard]] glm::dvec3 on_drag_plane(QPointF position) const;
+
+  Document& document_;
+  Viewport& viewport_;
+  Gesture gesture_ = Gesture::none;
+  Mode mode_ = Mode::replace;
+  QPointF start_;
+  std::optional<GaussianId> pressed_;  // the handle under the mouse when it went down
+
+  // While moving: what is moved, and from where.
+  std::vector<GaussianId> ids_;
+  std::vector<glm::dvec3> centers_;
+  double depth_ = 0.0;  // of the pressed handle along the view
+  MergeId merge_id_ = no_merge;
+};
+
+}  // namespace brume

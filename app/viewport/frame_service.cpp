@@ -1,0 +1,108 @@
+#include "app/viewport/frame_service.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <cstring>
+#include <exception>
+
+#include "render/renderer.h"
+
+namespace brume {
+namespace {
+
+constexpr double motion_budget = 33.0;  // milliseconds: about 30 frames a second
+constexpr int max_divisor = 4;
+
+Film divided(const Film& film, int divisor) {
+  return {std::max(1, film.width / divisor), std::max(1, film.height / divisor)};
+}
+
+}  // namespace
+
+QImage to_picture(const Frame& frame, double exposure) {
+  const auto bytes = to_display(frame, exposure);
+  QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
+  const auto row = static_cast<std::size_t>(frame.film.width) * 3;
+  for (int y = 0; y < frame.film.height; ++y) {
+    std::memcpy(image.scanLine(y), bytes.data() + static_cast<std::size_t>(y) * row, row);
+  }
+  return image;
+}
+
+FrameService::FrameService(QObject* parent)
+    : QObject(parent), thread_([this](const std::stop_token& quit) { work(quit); }) {}
+
+FrameService::~FrameService() {
+  thread_.request_stop();
+  {
+    const std::scoped_lock lock(mutex_);
+    stop_frame_.request_stop();
+  }
+  thread_.join();
+}
+
+void FrameService::request(FrameRequest request) {
+  const std::scoped_lock lock(mutex_);
+  if (running_) {
+    // The same state at full resolution is already on its way.
+    if (running_->serial == request.serial && running_->divisor == 1) {
+      pending_.reset();
+      return;
+    }
+    if (!running_->moving) stop_frame_.request_stop();
+  }
+  pending_ = std::move(request);
+  wake_.notify_one();
+}
+
+int FrameService::motion_divisor(const Film& film) const {
+  if (milliseconds_per_pixel_ == 0.0) return max_divisor;  // a first picture soon
+  for (int divisor = 1; divisor < max_divisor; ++divisor) {
+    const Film part = divided(film, divisor);
+    if (milliseconds_per_pixel_ * part.width * part.height <= motion_budget) return divisor;
+  }
+  return max_divisor;
+}
+
+void FrameService::work(const std::stop_token& quit) {
+  Renderer renderer;
+  while (true) {
+    FrameRequest request;
+    int divisor = 1;
+    std::stop_token stop;
+    {
+      std::unique_lock lock(mutex_);
+      running_.reset();
+      if (!wake_.wait(lock, quit, [this] { return pending_.has_value(); })) return;
+      request = std::move(*pending_);
+      pending_.reset();
+      if (request.moving) divisor = motion_divisor(request.film);
+      running_ = Running{request.serial, divisor, request.moving};
+      stop_frame_ = std::stop_source();
+      if (quit.stop_requested()) return;
+      stop = stop_frame_.get_token();
+    }
+    try {
+      QElapsedTimer timer;
+      timer.start();
+      const Film film = divided(request.film, divisor);
+      auto frame = renderer.render(*request.scene, request.camera, film, request.settings, stop);
+      if (!frame) continue;
+      auto rendered = std::make_shared<RenderedFrame>();
+      rendered->picture = to_picture(*frame, request.exposure);
+      rendered->milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+      rendered->divisor = divisor;
+      rendered->frame = std::move(*frame);
+      rendered->request = std::move(request);
+      milliseconds_per_pixel_ = rendered->milliseconds / (film.width * film.height);
+      QMetaObject::invokeMethod(
+          this, [this, rendered] { Q_EMIT frame_ready(rendered); }, Qt::QueuedConnection);
+    } catch (const std::exception& error) {
+      const QString message = QString::fromUtf8(error.what());
+      QMetaObject::invokeMethod(
+          this, [this, message] { Q_EMIT failed(message); }, Qt::QueuedConnection);
+    }
+  }
+}
+
+}  // namespace brume

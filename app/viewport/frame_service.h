@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+#include "render/settings.h"
+
+namespace brume {
+
+struct FrameRequest {
+  std::shared_ptr<const Scene> scene;
+  Camera camera;
+  Film film;  // the full resolution
+  Settings settings;
+  double exposure = 0.0;     // stops
+  std::uint64_t serial = 0;  // names the state of scene, camera and film that this shows
+  bool moving = false;       // may take a lower resolution to stay fluid
+};
+
+struct RenderedFrame {
+  FrameRequest request;
+  Frame frame;
+  QImage picture;  // tone-mapped
+  int divisor = 1;
+  double milliseconds = 0.0;
+};
+
+QImage to_picture(const Frame& frame, double exposure);
+
+// Renders in a thread of its own: the newest request wins, the ones between are never rendered.
+// A frame at rest is given up as soon as something newer is asked for; one in motion is short and
+// is let finish, or else nothing would be seen until the mouse stands still.
+class FrameService : public QObject {
+  Q_OBJECT
+ public:
+  explicit FrameService(QObject* parent = nullptr);
+  ~FrameService() override;  // gives up the frame in flight
+
+  void request(FrameRequest request);
+
+ Q_SIGNALS:
+  void frame_ready(std::shared_ptr<const brume::RenderedFrame> frame);
+  void failed(const QString& message);
+
+ private:
+  void work(const std::stop_token& quit);
+  int motion_divisor(const Film& film) const;
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::optional<FrameRequest> pending_;
+  struct Running {
+    std::uint64_t serial = 0;
+    int divisor = 1;
+    bool moving = false;
+  };
+  std::optional<Running> running_;
+  std::stop_source stop_frame_;
+  double milliseconds_per_pixel_ = 0.0;  // of the last frame; 0 before the first
+  std::jthread thread_;
+};
+
+}  // namespace brume

@@ -1,0 +1,128 @@
+#include "app/viewport/handles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "app/application.h"
+
+namespace brume {
+namespace {
+
+constexpr double pick_radius = 8.0;  // logical pixels
+// Outlines of more Gaussians than this would only hide the fog.
+constexpr std::size_t max_outlines = 2000;
+
+QRgb with_alpha(QRgb color, int alpha) {
+  return qRgba(qRed(color), qGreen(color), qBlue(color), alpha);
+}
+
+// The silhouette of the sphere of radius r around a centre, exact in perspective: the circle in
+// which the cone from the eye touches the sphere.
+void add_outline(Overlay& overlay, const CameraRays& rays, const glm::dvec3& center, double radius,
+                 QRgb color) {
+  const glm::dvec3 view = center - rays.eye();
+  const double distance = glm::length(view);
+  if (!(distance > radius)) return;  // the eye is inside: there is no outline
+  const glm::dvec3 axis = view / distance;
+  const double sine = radius / distance;
+  const glm::dvec3 middle = center - axis * (radius * sine);
+  const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
+  const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(axis, other)) * circle;
+  const glm::dvec3 v = glm::normalize(glm::cross(axis, u)) * circle;
+  constexpr int segments = 64;
+  glm::dvec3 last = rays.project(middle + u);
+  for (int k = 1; k <= segments; ++k) {
+    const double angle = glm::two_pi<double>() * k / segments;
+    const glm::dvec3 next = rays.project(middle + std::cos(angle) * u + std::sin(angle) * v);
+    if (last.z > 0.0 && next.z > 0.0) {
+      overlay.lines.push_back({static_cast<float>(last.x), static_cast<float>(last.y), color});
+      overlay.lines.push_back({static_cast<float>(next.x), static_cast<float>(next.y), color});
+    }
+    last = next;
+  }
+}
+
+}  // namespace
+
+void Handles::project(const Medium& medium, const CameraRays& rays) {
+  positions_.resize(medium.size());
+  std::transform(medium.centers().begin(), medium.centers().end(), positions_.begin(),
+                 [&rays](const glm::dvec3& center) { return rays.project(center); });
+}
+
+void Handles::judge_depth(const Medium& medium, const CameraRays& rays, const Frame& frame) {
+  hidden_.assign(medium.size(), false);
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const glm::dvec3& center = medium.centers()[i];
+    const glm::dvec3 at = rays.project(center);
+    const double x = std::floor(at.x);
+    const double y = std::floor(at.y);
+    if (at.z <= 0.0 || x < 0.0 || y < 0.0 || x >= frame.film.width || y >= frame.film.height) {
+      continue;
+    }
+    const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
+                       static_cast<std::size_t>(x);
+    hidden_[i] = glm::distance(center, rays.eye()) > static_cast<double>(frame.depth[pixel]);
+  }
+}
+
+std::optional<std::size_t> Handles::pick(QPointF position) const {
+  std::optional<std::size_t> best;
+  double best_distance = 0.0;
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    const glm::dvec3& p = positions_[i];
+    const double distance = std::hypot(p.x - position.x(), p.y - position.y());
+    if (p.z <= 0.0 || !(distance <= pick_radius)) continue;
+    // Less than two pixels nearer is no reason to take one from behind.
+    const bool nearer = !best || distance < best_distance - 2.0 ||
+                        (distance < best_distance + 2.0 && p.z < positions_[*best].z);
+    if (nearer) {
+      best = i;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::vector<std::size_t> Handles::inside(const QRectF& rectangle) const {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    const glm::dvec3& p = positions_[i];
+    if (p.z > 0.0 && rectangle.contains(QPointF(p.x, p.y))) indices.push_back(i);
+  }
+  return indices;
+}
+
+void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
+                   std::span<const GaussianId> selected, std::optional<GaussianId> hovered) const {
+  const QRgb accent = accent_color().rgb();
+  const QRgb plain = qRgb(235, 238, 242);
+  auto next_selected = selected.begin();
+  std::size_t outlines = 0;
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    const GaussianId id = medium.ids()[i];
+    while (next_selected != selected.end() && *next_selected < id) ++next_selected;
+    const bool is_selected = next_selected != selected.end() && *next_selected == id;
+    const glm::dvec3& p = positions_[i];
+    const bool hidden = i < hidden_.size() && hidden_[i];
+    if (is_selected && outlines < max_outlines) {
+      add_outline(overlay, rays, medium.centers()[i], medium.radii()[i],
+                  with_alpha(accent, hidden ? 90 : 220));
+      ++outlines;
+    }
+    if (p.z <= 0.0) continue;
+    const auto x = static_cast<float>(p.x);
+    const auto y = static_cast<float>(p.y);
+    if (is_selected) {
+      overlay.marks.push_back({x, y, with_alpha(accent, hidden ? 110 : 255)});
+    } else {
+      overlay.dots.push_back({x, y, with_alpha(plain, hidden ? 60 : 170)});
+    }
+    if (hovered == id) overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));
+  }
+}
+
+}  // namespace brume

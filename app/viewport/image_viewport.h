@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "app/viewport/egl_context.h"
+#include "app/viewport/viewport_surface.h"
+#include "app/viewport/vtk_host.h"
+
+namespace brume {
+
+// VTK in an OpenGL context of our own, read back and painted: where windows have no OpenGL.
+class ImageViewport : public QWidget, public ViewportSurface {
+  Q_OBJECT
+ public:
+  explicit ImageViewport(std::unique_ptr<EglContext> context, QWidget* parent = nullptr);
+  ~ImageViewport() override;
+
+  QWidget* widget() override { return this; }
+  void show_picture(const QImage& picture) override;
+  void show_overlay(const Overlay& overlay) override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::unique_ptr<EglContext> context_;
+  VtkHost host_;
+};
+
+}  // namespace brume

@@ -1,0 +1,228 @@
+#include "app/viewport/viewport.h"
+
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/document/document.h"
+#include "app/tools/select_tool.h"
+#include "app/viewport/bounds.h"
+#include "app/viewport/navigation.h"
+#include "app/viewport/viewport_surface.h"
+
+namespace brume {
+namespace {
+
+constexpr int rest_after = 150;  // milliseconds without a change
+
+}  // namespace
+
+Viewport::Viewport(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      surface_(create_viewport_surface(this)),
+      tool_(std::make_unique<SelectTool>(document, *this)),
+      band_(QRubberBand::Rectangle, this),
+      camera_(document.scene().camera) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(surface_->widget());
+  surface_->widget()->setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(160, 120);
+
+  overlay_timer_.setSingleShot(true);
+  connect(&overlay_timer_, &QTimer::timeout, this, &Viewport::draw_overlay);
+  rest_timer_.setSingleShot(true);
+  connect(&rest_timer_, &QTimer::timeout, this, &Viewport::request_at_rest);
+
+  connect(&frames_, &FrameService::frame_ready, this, &Viewport::take_frame);
+  connect(&frames_, &FrameService::failed, this, &Viewport::failed);
+  connect(&document_, &Document::scene_replaced, this, [this] {
+    hovered_.reset();
+    oldest_serial_ = serial_ + 1;
+    set_camera(document_.scene().camera);
+  });
+  connect(&document_, &Document::medium_changed, this, [this] {
+    refresh_handles();
+    request_frame();
+  });
+  connect(&document_, &Document::selection_changed, this, [this] { overlay_timer_.start(0); });
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::set_camera(const Camera& camera) {
+  camera_ = camera;
+  refresh_handles();
+  request_frame();
+}
+
+void Viewport::frame_all() {
+  if (const auto sphere = bounding_sphere(document_.scene())) {
+    set_camera(frame_sphere(camera_, film(), sphere->center, sphere->radius));
+  }
+}
+
+void Viewport::frame_selection() {
+  if (const auto sphere = bounding_sphere(document_.medium(), document_.selection())) {
+    set_camera(frame_sphere(camera_, film(), sphere->center, sphere->radius));
+  } else {
+    frame_all();
+  }
+}
+
+void Viewport::set_exposure(double stops) {
+  exposure_ = stops;
+  if (shown_) surface_->show_picture(to_picture(shown_->frame, exposure_));
+}
+
+Film Viewport::film() const {
+  return {std::max(1, width()), std::max(1, height())};
+}
+
+void Viewport::set_hovered(std::optional<GaussianId> id) {
+  if (id == hovered_) return;
+  hovered_ = id;
+  overlay_timer_.start(0);
+}
+
+void Viewport::show_band(const QRect& rectangle) {
+  band_.setVisible(!rectangle.isNull());
+  if (!rectangle.isNull()) band_.setGeometry(rectangle);
+}
+
+bool Viewport::is_settled() const {
+  return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1;
+}
+
+QString Viewport::gl_problem() const {
+  return surface_->gl_problem();
+}
+
+FrameRequest Viewport::frame_request(bool moving) const {
+  const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+  return {.scene = document_.snapshot(),
+          .camera = camera_,
+          .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
+          .settings = {},
+          .exposure = exposure_,
+          .serial = serial_,
+          .moving = moving};
+}
+
+// Everything that changes the picture comes here: something soon, the full frame once it rests.
+void Viewport::request_frame() {
+  ++serial_;
+  frames_.request(frame_request(true));
+  rest_timer_.start(rest_after);
+}
+
+void Viewport::request_at_rest() {
+  if (!is_settled()) frames_.request(frame_request(false));
+}
+
+void Viewport::take_frame(std::shared_ptr<const RenderedFrame> frame) {
+  if (frame->request.serial < oldest_serial_) return;
+  shown_ = std::move(frame);
+  surface_->show_picture(shown_->request.exposure == exposure_
+                             ? shown_->picture
+                             : to_picture(shown_->frame, exposure_));
+  if (document_.medium().size() == shown_->request.scene->medium.size()) {
+    handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
+                         shown_->frame);
+    overlay_timer_.start(0);
+  }
+  Q_EMIT frame_shown();
+}
+
+void Viewport::refresh_handles() {
+  handles_.project(document_.medium(), rays());
+  overlay_timer_.start(0);
+}
+
+void Viewport::draw_overlay() {
+  Overlay overlay;
+  const CameraRays view = rays();
+  handles_.draw(overlay, document_.medium(), view, document_.selection(), hovered_);
+  add_axes(overlay, view, film());
+  surface_->show_overlay(overlay);
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  refresh_handles();
+  request_frame();
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  if (drag_ != Drag::none) return;  // one gesture at a time
+  last_position_ = event->position();
+  const bool alt = event->modifiers().testFlag(Qt::AltModifier);
+  const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->button() == Qt::MiddleButton) {
+    drag_ = alt || shift ? Drag::pan : Drag::orbit;
+  } else if (event->button() == Qt::LeftButton && alt) {
+    drag_ = Drag::orbit;
+  } else if (event->button() == Qt::RightButton && alt) {
+    drag_ = Drag::zoom;
+  } else if (event->button() == Qt::LeftButton) {
+    drag_ = Drag::tool;
+    tool_->press(event->position(), event->modifiers());
+  }
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF step = event->position() - last_position_;
+  last_position_ = event->position();
+  const double half_turn = std::numbers::pi / std::max(1, height());
+  switch (drag_) {
+    case Drag::none:
+      tool_->hover(event->position());
+      break;
+    case Drag::tool:
+      tool_->move(event->position());
+      break;
+    case Drag::orbit:
+      set_camera(orbit(camera_, {step.x() * half_turn, step.y() * half_turn}));
+      break;
+    case Drag::pan:
+      set_camera(pan(camera_, film(), {step.x(), step.y()}));
+      break;
+    case Drag::zoom:
+      set_camera(zoom(camera_, std::exp(0.005 * (step.y() - step.x()))));
+      break;
+  }
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  const Qt::MouseButtons held = event->buttons();
+  if (drag_ == Drag::tool && !held.testFlag(Qt::LeftButton)) {
+    tool_->release(event->position());
+    drag_ = Drag::none;
+  } else if (held == Qt::NoButton) {
+    drag_ = Drag::none;
+  }
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  set_camera(zoom(camera_, std::pow(0.999, event->angleDelta().y())));
+  event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && drag_ == Drag::tool) {
+    tool_->cancel();
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+void Viewport::leaveEvent(QEvent* /*event*/) {
+  set_hovered(std::nullopt);
+}
+
+}  // namespace brume

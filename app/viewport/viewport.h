@@ -1,0 +1,93 @@
+#pragma once
+
+#include <QRubberBand>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "app/viewport/frame_service.h"
+#include "app/viewport/handles.h"
+
+namespace brume {
+
+class Document;
+class SelectTool;
+class ViewportSurface;
+
+// The lit picture with the handles over it, and the view's own camera: moving it is no edit.
+class Viewport : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Viewport(Document& document, QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  void set_camera(const Camera& camera);
+  void frame_all();
+  void frame_selection();  // all, if nothing is selected
+
+  [[nodiscard]] double exposure() const { return exposure_; }
+  void set_exposure(double stops);
+
+  // The view in widget coordinates.
+  [[nodiscard]] Film film() const;
+  [[nodiscard]] CameraRays rays() const { return {camera_, film()}; }
+  [[nodiscard]] const Handles& handles() const { return handles_; }
+  void set_hovered(std::optional<GaussianId> id);
+  void show_band(const QRect& rectangle);  // null: none
+
+  // The frame on screen; nullptr before the first.
+  [[nodiscard]] const RenderedFrame* shown() const { return shown_.get(); }
+  // Whether it shows the present state at full resolution.
+  [[nodiscard]] bool is_settled() const;
+
+  // Why the picture is shown without OpenGL; empty if it is not.
+  [[nodiscard]] QString gl_problem() const;
+  [[nodiscard]] bool has_gl() const { return gl_problem().isEmpty(); }
+
+ Q_SIGNALS:
+  void frame_shown();
+  void failed(const QString& message);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  enum class Drag { none, orbit, pan, zoom, tool };
+
+  void request_frame();
+  void request_at_rest();
+  void take_frame(std::shared_ptr<const RenderedFrame> frame);
+  void refresh_handles();
+  void draw_overlay();
+  [[nodiscard]] FrameRequest frame_request(bool moving) const;
+
+  Document& document_;
+  ViewportSurface* surface_;
+  std::unique_ptr<SelectTool> tool_;
+  QRubberBand band_;
+
+  Camera camera_;
+  double exposure_ = 0.0;
+  Drag drag_ = Drag::none;
+  QPointF last_position_;
+
+  Handles handles_;
+  std::optional<GaussianId> hovered_;
+  QTimer overlay_timer_;
+
+  std::uint64_t serial_ = 0;         // of the state that frames should show
+  std::uint64_t oldest_serial_ = 0;  // frames before this show another scene
+  std::shared_ptr<const RenderedFrame> shown_;
+  QTimer rest_timer_;
+  FrameService frames_;
+};
+
+}  // namespace brume

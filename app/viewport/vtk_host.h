@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vtkNew.h>
+
+#include <QImage>
+#include <QSize>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/viewport/hosted_render_window.h"
+#include "app/viewport/overlay.h"
+
+class vtkRenderer;
+
+namespace brume {
+
+// VTK without VTK's Qt module: a render window inside somebody else's OpenGL context, showing the
+// picture and the overlay. What owns the context drives it: gl_ready(), resize(), render(), and
+// gl_gone() before the context goes.
+class VtkHost {
+ public:
+  struct Context {
+    std::function<void()> make_current;
+    std::function<bool()> is_current;
+  };
+  explicit VtkHost(Context context);
+  ~VtkHost();
+  VtkHost(const VtkHost&) = delete;
+  VtkHost& operator=(const VtkHost&) = delete;
+
+  void gl_ready();  // the context is current for the first time
+  void gl_gone();
+
+  // `size` in device pixels; `scale` of those to a logical pixel.
+  void resize(QSize size, double scale);
+  [[nodiscard]] QSize size() const;
+
+  void show_picture(const QImage& picture);
+  void show_overlay(const Overlay& overlay);
+
+  // Draws; answers the framebuffer that holds the result in its first colour attachment.
+  unsigned render();
+
+ private:
+  class Shapes;
+  void observe(unsigned long event, std::function<void(void*)> react);
+  void rebuild_shapes();
+
+  Context context_;
+  std::vector<std::unique_ptr<std::function<void(void*)>>> reactions_;
+  vtkNew<HostedRenderWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+  std::vector<std::unique_ptr<Shapes>> shapes_;  // lines, dots, marks
+  Overlay overlay_;
+  double scale_ = 1.0;
+  bool ready_ = false;
+};
+
+}  // namespace brume
