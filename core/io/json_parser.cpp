@@ -45,7 +45,8 @@ class Builder final : public nlohmann::json_sax<Json> {
 
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    const std::string_view before = text_.substr(0, std::min(position, text_.size()));
+    // `position` counts the character that was wrong, too.
+    const std::string_view before = text_.substr(0, std::max<std::size_t>(position, 1) - 1);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
     std::string_view message = error.what();
@@ -55,7 +56,7 @@ class Builder final : public nlohmann::json_sax<Json> {
     }
     throw InputError(file_,
                      "line " + std::to_string(line) + ", column " +
-                         std::to_string(std::max<std::size_t>(before.size() - line_begin, 1)),
+                         std::to_string(before.size() - line_begin + 1),
                      shown(message, 160));
   }
 

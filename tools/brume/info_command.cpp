@@ -73,7 +73,8 @@ std::string as_words(const Json& value) {
   if (!value.is_array() && !value.is_object()) return value.dump();
   std::string text;
   for (const auto& [key, member] : value.items()) {
-    if (!text.empty()) text += value[0].is_array() ? " to " : ", ";
+    const bool is_range = value.is_array() && member.is_array();
+    if (!text.empty()) text += is_range ? " to " : ", ";
     if (value.is_object()) text += key + " ";
     text += member.is_array() ? "(" + as_words(member) + ")" : as_words(member);
   }

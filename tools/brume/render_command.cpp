@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/limits.h"
+#include "core/io/number_domain.h"
 #include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
 #include "render/renderer.h"
@@ -19,7 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* view_transform_name = "brume 1";  // view_transform in render/frame.cpp
+constexpr const char* view_transform_name = "Khronos PBR Neutral, sRGB";  // to_display()
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -97,22 +98,19 @@ class RenderCommand final : public Command {
     print_warnings(warnings);
     const Film film = size.value_or(scene.film);
     Renderer renderer;
-    progress(1);
-    const Frame frame = *renderer.render(scene, scene.camera, film, settings);
+    const Frame frame = render(renderer, scene, scene.camera, film, settings, 1);
     const std::chrono::duration<double, std::milli> first = Clock::now() - start;
 
     std::vector<FrameStatistics> frames{frame.statistics};
     for (int i = 1; i < repeat_; ++i) {
-      progress(i + 1);
       // A step so small that it changes no cost, but nothing of the last view can be used again.
       Camera camera = scene.camera;
       camera.eye += (i % 1000) * 1e-6 * (camera.target - camera.eye);
-      FrameStatistics next = renderer.render(scene, camera, film, settings)->statistics;
+      FrameStatistics next = render(renderer, scene, camera, film, settings, i + 1).statistics;
       // What is reported is the cost of frames with everything built.
       if (i == 1) frames.clear();
       frames.push_back(std::move(next));
     }
-    progress(0);
     write_output(frame);
     if (!stats_file_.empty()) {
       const RenderRun run{scene_file_, film, airlight_, threads_, repeat_, first.count()};
@@ -156,12 +154,21 @@ class RenderCommand final : public Command {
     }
   }
 
-  // Frame `number` of `repeat_` has begun; 0: all are done.
-  void progress(int number) const {
-    if (::isatty(STDERR_FILENO) == 0) return;
-    std::cerr << "\r\033[K";
-    if (number > 0) std::cerr << "rendering frame " << number << " of " << repeat_;
-    std::cerr << std::flush;
+  // Renders frame `number` of `repeat_`; says how far it is if somebody watches.
+  Frame render(Renderer& renderer, const Scene& scene, const Camera& camera, const Film& film,
+               const Settings& settings, int number) const {
+    if (::isatty(STDERR_FILENO) == 0) return *renderer.render(scene, camera, film, settings);
+    int shown_percent = -1;
+    const auto progress = [&](double share) {
+      const int percent = static_cast<int>(100.0 * share);
+      if (percent == shown_percent) return;
+      shown_percent = percent;
+      std::cerr << "\rframe " << number << " of " << repeat_ << ": " << percent << "%\033[K"
+                << std::flush;
+    };
+    Frame frame = *renderer.render(scene, camera, film, settings, {}, progress);
+    std::cerr << "\r\033[K" << std::flush;
+    return frame;
   }
 
   std::string scene_file_;

@@ -1,0 +1,83 @@
+#include "core/io/atomic_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(AtomicFile, ReplacesTheContent) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "old");
+  write_atomically(file, "new");
+  EXPECT_EQ(content_of(file), "new");
+  EXPECT_EQ(folder.entry_count(), 1u);
+}
+
+TEST(AtomicFile, KeepsTheOldFileWhenWritingFails) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "old");
+  EXPECT_THROW(write_atomically(file,
+                                [](const fs::path& temporary) {
+                                  std::ofstream(temporary) << "half of it";
+                                  throw std::logic_error("stopped");
+                                }),
+               std::logic_error);
+  EXPECT_EQ(content_of(file), "old");
+  EXPECT_EQ(folder.entry_count(), 1u) << "the temporary file must be gone";
+}
+
+TEST(AtomicFile, KeepsPermissions) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "old");
+  const fs::perms mode = fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read;
+  fs::permissions(file, mode);
+  write_atomically(file, "new");
+  EXPECT_EQ(fs::status(file).permissions(), mode);
+}
+
+TEST(AtomicFile, WritesThroughALink) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.write("inner/a.txt", "old");
+  fs::create_symlink("inner/a.txt", folder / "link");
+  write_atomically(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(content_of(target), "new");
+}
+
+TEST(AtomicFile, WritesThroughALinkToAFileThatIsNotThereYet) {
+  const TemporaryFolder folder;
+  fs::create_symlink("a.txt", folder / "link");
+  write_atomically(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(content_of(folder / "a.txt"), "new");
+}
+
+TEST(AtomicFile, RefusesWhatCannotBeWritten) {
+  const TemporaryFolder folder;
+  folder.write("plain", "");
+  fs::create_directory(folder / "sub");
+  fs::create_symlink("loop", folder / "loop");
+  for (const char* name : {"missing/a.txt", "plain/a.txt", "sub", "loop"}) {
+    SCOPED_TRACE(name);
+    const std::string error = error_of([&] { write_atomically(folder / name, "x"); });
+    EXPECT_TRUE(contains(error, (folder / name).string())) << error;
+    EXPECT_TRUE(contains(error, "cannot be written")) << error;
+  }
+  EXPECT_TRUE(contains(error_of([&] { check_writable("/dev/null"); }), "regular file"));
+}
+
+TEST(AtomicFile, RefusesAFolderWithoutPermission) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_TRUE(contains(error_of([&] { write_atomically(folder / "a", "x"); }), "not writable"));
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,283 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/io/gaussian_file.h"
+#include "core/io/image_file.h"
+#include "tests/tools/run_program.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* scene_text = R"({
+  "format": "brume-scene", "version": 1,
+  "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "film": { "width": 24, "height": 18 },
+  "medium": { "density": 0.02, "gaussians": [
+    { "center": [0, 0, 0], "radius": 1, "density": 0.5 },
+    { "center": [1, 0, 0], "radius": 0.5, "density": 2 } ] },
+  "lights": [ { "type": "point", "position": [2, 2, 2], "intensity": [30, 20, 10] } ],
+  "surfaces": [ { "mesh": "floor.obj" } ]
+})";
+
+class CommandLine : public ::testing::Test {
+ protected:
+  CommandLine() {
+    scene_ = folder_.write("a.brume", scene_text).string();
+    folder_.write("floor.obj", "v -2 -1 -2\nv -2 -1 2\nv 2 -1 2\nv 2 -1 -2\nf 1 2 3 4\n");
+  }
+
+  [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
+
+  // Exit code 2 and one line on standard error that holds all of `parts`.
+  static void expect_refused(const std::vector<std::string>& arguments,
+                             const std::vector<std::string>& parts) {
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_TRUE(result.err.starts_with("brume: error: ")) << result.err;
+    for (const std::string& part : parts) {
+      EXPECT_NE(result.err.find(part), std::string::npos) << part << " in " << result.err;
+    }
+  }
+
+  // An image of one pixel and the channels given.
+  void write_image(const char* name, const std::map<std::string, float>& channels) const {
+    ImageLayers image;
+    image.width = image.height = 1;
+    for (const auto& [channel, value] : channels) image.channels[channel] = {value};
+    write_exr(folder_ / name, image);
+  }
+
+  TemporaryFolder folder_;
+  std::string scene_;
+};
+
+TEST_F(CommandLine, HelpAndVersion) {
+  EXPECT_EQ(run_brume({"--version"}).out, "brume " BRUME_VERSION "\n");
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"-h"}, {"render", "-h"}, {"compare", "--help"}}) {
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.out.find("Usage"), std::string::npos);
+    EXPECT_EQ(result.err, "");
+  }
+}
+
+TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
+  const std::string out = file("o.exr");
+  expect_refused({}, {"render"});
+  expect_refused({"rendr", scene_}, {"rendr", "did you mean render?"});
+  expect_refused({"comapre"}, {"did you mean compare?"});
+  expect_refused({"xyzzy"}, {"unknown subcommand xyzzy"});
+  expect_refused({"render", scene_, "--ouput", out}, {"--ouput", "did you mean --output?"});
+  expect_refused({"render", scene_, "-o", out, "--thread=2"}, {"did you mean --threads?"});
+  expect_refused({"render", scene_, "-q", out}, {"unknown option -q"});
+  expect_refused({"render", scene_}, {"--output"});
+  expect_refused({"render", "-o", out}, {"SCENE"});
+  expect_refused({"render", scene_, "two.brume", "-o", out}, {"two.brume"});
+  expect_refused({"render", scene_, "-o", out, "--threads", "many"}, {"--threads", "many"});
+  expect_refused({"render", scene_, "-o", out, "--threads", "0"}, {"--threads"});
+  expect_refused({"render", scene_, "-o", out, "--repeat", "-1"}, {"--repeat"});
+  for (const char* size : {"10", "x10", "10x", "0x10", "10x16385", "10x10x10", "1e3x10"}) {
+    expect_refused({"render", scene_, "-o", out, "--size", size}, {"--size", "WIDTHxHEIGHT"});
+  }
+  expect_refused({"render", scene_, "-o", out, "--airlight", "papr"}, {"allowed: paper"});
+  expect_refused({"render", scene_, "-o", out, "--airlight", "auto"}, {"not available"});
+  expect_refused({"render", scene_, "-o", out, "--airlight", "sliced"}, {"not available"});
+  expect_refused({"render", scene_, "-o", out, "--backend", "gl"}, {"not available"});
+  expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "not supported in this version"});
+  expect_refused({"info", file("a.txt")}, {"allowed: .brume, .ply"});
+  expect_refused({"line one\nline two"}, {"unknown subcommand"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(CommandLine, RefusesOutputsBeforeItRenders) {
+  // The scene does not exist: an error about the output shows that it was looked at first.
+  const std::string none = file("none.brume");
+  expect_refused({"render", none, "-o", file("o.jpg")}, {"o.jpg", ".exr, .png"});
+  expect_refused({"render", none, "-o", file("no/o.exr")}, {"no/o.exr", "cannot be written"});
+  expect_refused({"render", none, "-o", file("o.exr"), "--stats", file("no/s.json")},
+                 {"no/s.json", "cannot be written"});
+  expect_refused({"render", none, "-o", file("o.exr"), "--stats", file("o.exr")}, {"same file"});
+  std::filesystem::create_directory(folder_ / "dir.exr");
+  expect_refused({"render", none, "-o", file("dir.exr")}, {"dir.exr", "folder"});
+  expect_refused({"render", none, "-o", file("o.exr")}, {"none.brume", "no such file"});
+}
+
+TEST_F(CommandLine, RendersAllLayersToExr) {
+  for (const char* airlight : {"paper", "reference"}) {
+    SCOPED_TRACE(airlight);
+    const ProgramResult result =
+        run_brume({"render", scene_, "-o", file("o.exr"), "--airlight", airlight});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+    const ImageLayers image = read_exr(folder_ / "o.exr");
+    EXPECT_EQ(image.width, 24);
+    EXPECT_EQ(image.height, 18);
+    std::vector<std::string> names;
+    for (const auto& [name, values] : image.channels) names.push_back(name);
+    EXPECT_EQ(names, (std::vector<std::string>{"A", "B", "G", "R", "Z", "airlight.B", "airlight.G",
+                                               "airlight.R", "transmittance.B", "transmittance.G",
+                                               "transmittance.R"}));
+    EXPECT_GT(*std::max_element(image.channels.at("R").begin(), image.channels.at("R").end()),
+              0.0f);
+    EXPECT_EQ(image.metadata.at("scene"), scene_);
+    EXPECT_EQ(image.metadata.at("version"), BRUME_VERSION);
+    EXPECT_EQ(image.metadata.at("airlight"), airlight);
+    EXPECT_EQ(image.metadata.at("backend"), "cpu");
+  }
+}
+
+TEST_F(CommandLine, RendersToPng) {
+  const ProgramResult result =
+      run_brume({"render", scene_, "-o", file("o.PNG"), "--size", "7x5", "--exposure", "-1.5"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string png = content_of(folder_ / "o.PNG");
+  EXPECT_TRUE(png.starts_with("\x89PNG"));
+  for (const char* text : {"exposure", "-1.5", "view transform", "airlight", "paper"}) {
+    EXPECT_NE(png.find(text), std::string::npos) << text;
+  }
+}
+
+TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
+  const ProgramResult result =
+      run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--repeat", "3",
+                 "--threads", "1", "--size", "8x6"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto stats = nlohmann::ordered_json::parse(content_of(folder_ / "s.json"));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : stats.items()) keys.push_back(key);
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"version", "scene", "size", "backend", "device", "airlight",
+                                      "slices", "threads", "repeat", "frame_ms", "first_frame_ms",
+                                      "stages", "skipped", "gaussians", "pairs", "error"}));
+  EXPECT_EQ(stats["version"], BRUME_VERSION);
+  EXPECT_EQ(stats["scene"], scene_);
+  EXPECT_EQ(stats["size"], Json::array({8, 6}));
+  EXPECT_EQ(stats["backend"], "cpu");
+  EXPECT_NE(stats["device"], "");
+  EXPECT_EQ(stats["airlight"], "paper");
+  EXPECT_EQ(stats["threads"], 1);
+  EXPECT_EQ(stats["repeat"], 3);
+  EXPECT_TRUE(stats["error"].is_null());
+  EXPECT_TRUE(stats["slices"].is_null());
+  EXPECT_LE(stats["frame_ms"]["min"], stats["frame_ms"]["median"]);
+  EXPECT_LE(stats["frame_ms"]["median"], stats["frame_ms"]["max"]);
+  EXPECT_GT(stats["first_frame_ms"], 0.0);
+  ASSERT_FALSE(stats["stages"].empty());
+  EXPECT_TRUE(stats["stages"][0]["name"].is_string());
+  EXPECT_TRUE(stats["stages"][0]["ms"].is_number());
+  for (const auto& skipped : stats["skipped"]) {
+    EXPECT_TRUE(skipped["stage"].is_string());
+    EXPECT_TRUE(skipped["why"].is_string());
+  }
+  EXPECT_EQ(stats["gaussians"]["total"], 2);
+  EXPECT_TRUE(stats["pairs"]["light"].is_number());
+  EXPECT_TRUE(stats["pairs"]["view"].is_number());
+}
+
+TEST_F(CommandLine, WarnsOnStandardError) {
+  const std::string scene = folder_
+                                .write("w.brume", R"({"format": "brume-scene", "version": 1,
+    "mystery": 1, "film": {"width": 2, "height": 2}})")
+                                .string();
+  const ProgramResult result = run_brume({"render", scene, "-o", file("o.exr")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(result.err.starts_with("brume: warning: ")) << result.err;
+  EXPECT_NE(result.err.find("mystery: unknown key"), std::string::npos) << result.err;
+}
+
+TEST_F(CommandLine, ComparesAgainstTheSecondImage) {
+  write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", 6}, {"Z", 2}});
+  write_image("b.exr", {{"R", 1}, {"G", 4}, {"B", 3}, {"Z", 4}});
+  const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1);
+  const Json json = Json::parse(result.out);
+  EXPECT_DOUBLE_EQ(json["rel_rmse"], std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(json["max_error"], 3.0);
+  EXPECT_DOUBLE_EQ(json["bias"], 0.125);
+
+  const auto with = [&](const char* option, const char* value) {
+    return run_brume({"compare", file("a.exr"), file("b.exr"), option, value});
+  };
+  EXPECT_DOUBLE_EQ(Json::parse(with("--layer", "Z").out)["bias"], -0.5);
+  EXPECT_EQ(with("--max-rel-rmse", "0.7").exit_code, 1);
+  EXPECT_EQ(with("--max-rel-rmse", "0.71").exit_code, 0);
+  EXPECT_EQ(Json::parse(with("--max-rel-rmse", "0").out), json);
+}
+
+TEST_F(CommandLine, CompareStatesWhatCannotBeCompared) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", std::nanf("")}, {"Z", infinity}});
+  write_image("b.exr", {{"R", 1}, {"G", 2}, {"B", 3}, {"Z", infinity}});
+  const ProgramResult result = run_brume({"compare", file("a.exr"), file("b.exr")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(Json::parse(result.out)["rel_rmse"].is_null());
+  EXPECT_NE(result.err.find("NaN"), std::string::npos);
+  const ProgramResult depth = run_brume({"compare", file("a.exr"), file("b.exr"), "--layer", "Z"});
+  EXPECT_EQ(depth.exit_code, 0);
+  EXPECT_EQ(Json::parse(depth.out)["rel_rmse"], 0.0);
+}
+
+TEST_F(CommandLine, RefusesWhatHasNothingToCompare) {
+  write_image("a.exr", {{"R", 1}, {"G", 2}, {"B", 3}});
+  write_image("z.exr", {{"Z", 1}});
+  ImageLayers wide;
+  wide.width = 2;
+  wide.height = 1;
+  for (const char* name : {"R", "G", "B"}) wide.channels[name] = {1, 2};
+  write_exr(folder_ / "wide.exr", wide);
+  folder_.write("not.exr", "hello");
+  expect_refused({"compare", file("a.exr"), file("wide.exr")}, {"a.exr", "1 x 1", "2 x 1"});
+  expect_refused({"compare", file("a.exr"), file("z.exr")}, {"z.exr", "no channels R G B"});
+  expect_refused({"compare", file("z.exr"), file("a.exr")}, {"z.exr", "no channels R G B"});
+  expect_refused({"compare", file("a.exr"), file("a.exr"), "--layer", "fog"}, {"fog", "R"});
+  expect_refused({"compare", file("a.exr"), file("not.exr")}, {"not.exr", "OpenEXR"});
+  expect_refused({"compare", file("a.exr"), file("none.exr")}, {"none.exr", "no such file"});
+  expect_refused({"compare", file("a.exr")}, {"B"});
+}
+
+TEST_F(CommandLine, TellsWhatASceneHolds) {
+  const ProgramResult result = run_brume({"info", scene_, "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json info = Json::parse(result.out);
+  EXPECT_EQ(info["medium"]["gaussians"], 2);
+  EXPECT_EQ(info["medium"]["homogeneous_density"], 0.02);
+  EXPECT_EQ(info["medium"]["center_bounds"], Json::parse("[[0, 0, 0], [1, 0, 0]]"));
+  EXPECT_EQ(info["medium"]["bounds"], Json::parse("[[-2, -2, -2], [2, 2, 2]]"));
+  EXPECT_EQ(info["medium"]["radius_range"], Json::parse("[0.5, 1]"));
+  EXPECT_DOUBLE_EQ(info["medium"]["peak_density"], 0.02 + 2.0 + 0.5 * std::exp(-1.0));
+  EXPECT_EQ(info["film"], Json::parse("[24, 18]"));
+  EXPECT_EQ(info["lights"].size(), 1u);
+  EXPECT_EQ(info["surfaces"][0]["vertices"], 4);
+  EXPECT_EQ(info["surfaces"][0]["faces"], 2);
+  // The line through both centres sees both whole; 64 directions come near it.
+  const double both = std::sqrt(std::acos(-1.0)) * (1.0 * 0.5 + 0.5 * 2.0);
+  EXPECT_LE(info["medium"]["greatest_optical_depth"], both);
+  EXPECT_GT(info["medium"]["greatest_optical_depth"], 0.95 * both);
+
+  const ProgramResult words = run_brume({"info", scene_});
+  EXPECT_EQ(words.exit_code, 0);
+  EXPECT_NE(words.out.find("gaussians: 2"), std::string::npos) << words.out;
+  EXPECT_NE(words.out.find("center bounds: (0, 0, 0) to (1, 0, 0)"), std::string::npos)
+      << words.out;
+}
+
+TEST_F(CommandLine, TellsWhatAMediumHolds) {
+  write_gaussians(folder_ / "m.ply", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
+  const ProgramResult result = run_brume({"info", file("m.ply"), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json medium = Json::parse(result.out)["medium"];
+  EXPECT_EQ(medium["gaussians"], 1);
+  EXPECT_DOUBLE_EQ(medium["greatest_optical_depth"], std::sqrt(std::acos(-1.0)) * 0.5);
+}
+
+}  // namespace
+}  // namespace brume
