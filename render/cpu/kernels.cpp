@@ -55,13 +55,13 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     const V3 w = LoadDirection(rays, k);
     const V length = hn::LoadU(d, rays.length.data() + k);
     V ts[kLights > 0 ? kLights : 1];
-    V h2[kLights > 0 ? kLights : 1];
+    V gap2[kLights > 0 ? kLights : 1];
     V sum[kLights > 0 ? kLights : 1];
     for (std::size_t l = 0; l < kLights; ++l) {
       const V3 s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
       ts[l] = dot(s, w);
       const V3 gap = minus(s, ts[l], w);
-      h2[l] = hn::Max(dot(gap, gap), set(lights.h_min[l] * lights.h_min[l]));
+      gap2[l] = dot(gap, gap);
       sum[l] = zero;
     }
     V depth_sum = zero;
@@ -91,8 +91,10 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
       const V3 q = minus(b, t, w);  // centre relative to the projection
       for (std::size_t l = 0; l < kLights; ++l) {
         const V along = hn::Sub(t, ts[l]);
-        const V distance2 = hn::MulAdd(along, along, h2[l]);
-        const V distance = hn::Sqrt(distance2);
+        // The path is as long as it is; only the falloff has a least distance (LightPath).
+        const V h2 = hn::Max(gap2[l], set(lights.h_min[l] * lights.h_min[l]));
+        const V distance2 = hn::MulAdd(along, along, h2);
+        const V distance = hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2[l]), set(1e-30f)));
         const V3 s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
         const V3 to_light = minus(s, t, w);
         const V inverse = hn::Div(set(1.0f), distance);
@@ -100,7 +102,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
                     hn::Mul(to_light.z, inverse)};
         const V light_depth = hn::Mul(scale, Crossing(q, wl, a).Depth(a, distance));
         const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(own, light_depth));
-        const V falloff = hn::Mul(hn::Exp(d, hn::Neg(exponent)), hn::Mul(inverse, inverse));
+        const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
         sum[l] = hn::MulAdd(depth, falloff, sum[l]);
       }
     }

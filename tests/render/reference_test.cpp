@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "render/renderer.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+// An independent integrator: densities summed point by point, everything by the midpoint rule, no
+// closed form, no culling. Slow, and as simple as the integral itself.
+class Marching {
+ public:
+  explicit Marching(const Scene& scene) : scene_(scene) {}
+
+  // Whether the straight way between two points is free; for scenes with surfaces.
+  std::function<bool(const glm::dvec3&, const glm::dvec3&)> free = [](auto&, auto&) {
+    return true;
+  };
+
+  [[nodiscard]] double density(const glm::dvec3& x) const {
+    double sum = scene_.medium.homogeneous_density();
+    for (std::size_t i = 0; i < scene_.medium.size(); ++i) {
+      const glm::dvec3 q = (x - scene_.medium.centers()[i]) / scene_.medium.radii()[i];
+      sum += scene_.medium.densities()[i] * std::exp(-glm::dot(q, q));
+    }
+    return sum;
+  }
+
+  [[nodiscard]] double depth(const glm::dvec3& a, const glm::dvec3& b, int steps) const {
+    double sum = 0.0;
+    for (int k = 0; k < steps; ++k) sum += density(a + (k + 0.5) / steps * (b - a));
+    return sum * glm::length(b - a) / steps;
+  }
+
+  // Airlight of the first light, per unit of intensity, along [0, length].
+  [[nodiscard]] double airlight(const glm::dvec3& eye, const glm::dvec3& w, double length,
+                                int steps) const {
+    const glm::dvec3 light = scene_.lights[0].position;
+    const double dt = length / steps;
+    double view_depth = 0.0;
+    double sum = 0.0;
+    for (int k = 0; k < steps; ++k) {
+      const glm::dvec3 x = eye + (k + 0.5) * dt * w;
+      const double b = density(x);
+      view_depth += 0.5 * b * dt;
+      if (free(light, x)) {
+        const glm::dvec3 q = light - x;
+        sum += b * std::exp(-view_depth - depth(light, x, 300)) / glm::dot(q, q);
+      }
+      view_depth += 0.5 * b * dt;
+    }
+    return sum * dt / (4.0 * std::numbers::pi);
+  }
+
+ private:
+  const Scene& scene_;
+};
+
+Settings reference(double tolerance = 1e-4) {
+  Settings settings;
+  settings.airlight = AirlightMethod::reference;
+  settings.reference_tolerance = tolerance;
+  return settings;
+}
+
+// relRMSE of the reference's airlight over all pixels against marching up to `length`.
+double error_against_marching(const Scene& scene, const Marching& marching, double length,
+                              int steps) {
+  const Frame frame = render_frame(scene, reference());
+  const CameraRays rays(scene.camera, scene.film);
+  double square = 0.0;
+  double square_true = 0.0;
+  for (int y = 0; y < scene.film.height; ++y) {
+    for (int x = 0; x < scene.film.width; ++x) {
+      const auto pixel = static_cast<std::size_t>(y * scene.film.width + x);
+      const double end = std::min(length, static_cast<double>(frame.depth[pixel]));
+      const double truth =
+          scene.lights[0].intensity.x *
+          marching.airlight(rays.eye(), rays.direction(x + 0.5, y + 0.5), end, steps);
+      const double d = static_cast<double>(frame.airlight[3 * pixel]) - truth;
+      square += d * d;
+      square_true += truth * truth;
+    }
+  }
+  return std::sqrt(square / square_true);
+}
+
+TEST(Reference, AgreesWithMarchingThroughAClump) {
+  Scene scene = cloud_scene(12, 2.5, 5);
+  scene.film = {7, 7};
+  EXPECT_LT(error_against_marching(scene, Marching(scene), 7.0, 700), 3e-4);
+}
+
+TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
+  Scene scene = cloud_scene(6, 1.0, 6);
+  scene.medium.set_homogeneous_density(0.1);
+  scene.lights[0].position = {0.35, 0.2, 0.3};
+  scene.camera.eye = {0.1, 0.1, 2.0};
+  scene.film = {6, 6};
+  // Marching stops at 60 u, where exp(-6) is left; the reference goes on to infinity.
+  scene.surfaces.push_back(wall(-8.0, 100.0));
+  EXPECT_LT(error_against_marching(scene, Marching(scene), 12.0, 3000), 5e-4);
+}
+
+// Light shafts: a wall between the light and half of the medium.
+TEST(Reference, SurfacesBlockLightOnItsWayThroughTheMedium) {
+  Scene scene = cloud_scene(10, 1.5, 7);
+  scene.film = {7, 7};
+  scene.lights[0].position = {0.2, 0.1, -4.0};
+  scene.surfaces.push_back(wall(-2.0, 0.3));
+  Marching marching(scene);
+  const double open = error_against_marching(scene, marching, 7.0, 700);
+  marching.free = [](const glm::dvec3& a, const glm::dvec3& b) {
+    const double t = (-2.0 - a.z) / (b.z - a.z);
+    if (!(t > 0.0 && t < 1.0)) return true;
+    const glm::dvec3 x = a + t * (b - a);
+    return std::max(std::abs(x.x), std::abs(x.y)) > 0.3;
+  };
+  // The midpoint rule is off by half a step at each edge of the shadow.
+  EXPECT_LT(error_against_marching(scene, marching, 7.0, 2000), 2e-3);
+  EXPECT_GT(open, 0.1) << "the wall must matter in this scene";
+}
+
+TEST(Reference, HalvingTheToleranceChangesNothing) {
+  Scene scene = cloud_scene(60, 3.0, 8);
+  scene.medium.set_homogeneous_density(0.02);
+  scene.film = {16, 16};
+  scene.surfaces.push_back(wall(-0.3, 0.6));
+  const Frame coarse = render_frame(scene, reference(1e-4));
+  const Frame fine = render_frame(scene, reference(0.5e-4));
+  EXPECT_LT(difference(coarse.beauty, fine.beauty).relative_rmse, 1e-4);
+}
+
+// A needle in a haystack: a tiny dense Gaussian in broad haze, and the sharp shadow it casts.
+TEST(Reference, FindsASmallGaussianAndItsShadow) {
+  Scene scene;
+  scene.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 20.0};
+  scene.film = {5, 41};
+  scene.lights.push_back({{0, 6, 0}, {1, 1, 1}, {}});
+  scene.medium.append({{0, 0, 0}, 3.0, 0.05});
+  scene.medium.append({{0, 1.5, 0.01}, 0.02, 200.0});
+  const Marching marching(scene);
+  const Frame frame = render_frame(scene, reference());
+  const CameraRays rays(scene.camera, scene.film);
+  for (const int y : {2, 10, 20, 30}) {
+    const auto pixel = static_cast<std::size_t>(y * scene.film.width + 2);
+    const double truth = marching.airlight(rays.eye(), rays.direction(2.5, y + 0.5), 15.0, 6000);
+    EXPECT_NEAR(static_cast<double>(frame.airlight[3 * pixel]), truth, 3e-3 * truth) << y;
+  }
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,115 @@
+#include "tests/render/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+
+#include "core/scene/mesh.h"
+#include "core/transport/optical_depth.h"
+#include "render/renderer.h"
+
+namespace brume {
+
+Scene cloud_scene(int count, double depth, unsigned seed) {
+  // Only the raw generator: distributions differ between standard libraries.
+  std::mt19937 random(seed);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  std::vector<Gaussian> gaussians;
+  while (static_cast<int>(gaussians.size()) < count) {
+    const glm::dvec3 p(2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0);
+    const double density = 0.5 + uniform();
+    if (glm::dot(p, p) <= 1.0) gaussians.push_back({p, 0.3, density});
+  }
+  double along_axis = 0.0;
+  for (const Gaussian& g : gaussians) {
+    along_axis += optical_depth(GaussianTerm<double>(g), {0, 0, -10}, {0, 0, 10});
+  }
+  Scene scene;
+  for (Gaussian& g : gaussians) {
+    g.density *= depth / along_axis;
+    scene.medium.append(g);
+  }
+  scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  scene.film = {32, 32};
+  scene.lights.push_back({{1.5, 3.0, 2.0}, {10, 10, 10}, {}});
+  return scene;
+}
+
+Surface wall(double z, double half, double reflectance) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->request_vertex_normals();
+  const auto h = static_cast<float>(half);
+  const auto v = [&](float x, float y) { return mesh->add_vertex({x, y, static_cast<float>(z)}); };
+  const auto a = v(-h, -h);
+  const auto b = v(h, -h);
+  const auto c = v(h, h);
+  const auto d = v(-h, h);
+  mesh->add_face(a, b, c);
+  mesh->add_face(a, c, d);
+  for (const auto vertex : {a, b, c, d}) mesh->set_normal(vertex, {0, 0, 1});
+  Surface surface;
+  surface.mesh = mesh;
+  surface.material.reflectance = glm::dvec3(reflectance);
+  return surface;
+}
+
+std::shared_ptr<const TriangleMesh> ball_mesh(int rings) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->request_vertex_normals();
+  const int segments = 2 * rings;
+  std::vector<TriangleMesh::VertexHandle> vertices;
+  for (int i = 0; i <= rings; ++i) {
+    for (int j = 0; j < segments; ++j) {
+      const double theta = std::numbers::pi * i / rings;
+      const double phi = 2.0 * std::numbers::pi * j / segments;
+      const OpenMesh::Vec3f p(static_cast<float>(std::sin(theta) * std::cos(phi)),
+                              static_cast<float>(std::cos(theta)),
+                              static_cast<float>(std::sin(theta) * std::sin(phi)));
+      vertices.push_back(mesh->add_vertex(p));
+      mesh->set_normal(vertices.back(), p);
+    }
+  }
+  const auto at = [&](int i, int j) {
+    return vertices[static_cast<std::size_t>(i * segments + j % segments)];
+  };
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < segments; ++j) {
+      mesh->add_face(at(i, j), at(i, j + 1), at(i + 1, j));
+      mesh->add_face(at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
+    }
+  }
+  return mesh;
+}
+
+Frame render_frame(const Scene& scene, const Settings& settings) {
+  Renderer renderer;
+  return *renderer.render(scene, scene.camera, scene.film, settings);
+}
+
+Difference difference(const std::vector<float>& a, const std::vector<float>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double square = 0.0;
+  double square_b = 0.0;
+  double sum = 0.0;
+  double sum_b = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    square += d * d;
+    square_b += static_cast<double>(b[i]) * static_cast<double>(b[i]);
+    sum += d;
+    sum_b += static_cast<double>(b[i]);
+  }
+  return {std::sqrt(square / square_b), sum / sum_b};
+}
+
+void expect_finite(const Frame& frame) {
+  for (const float x : frame.beauty) ASSERT_TRUE(std::isfinite(x) && x >= 0.0f) << x;
+  for (const float x : frame.airlight) ASSERT_TRUE(std::isfinite(x) && x >= 0.0f) << x;
+  for (const float x : frame.transmittance) ASSERT_TRUE(x >= 0.0f && x <= 1.0f) << x;
+  for (const float x : frame.depth) ASSERT_TRUE(x > 0.0f) << x;
+}
+
+}  // namespace brume

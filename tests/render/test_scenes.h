@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+#include "render/settings.h"
+
+namespace brume {
+
+// A ball of `count` random Gaussians of radius 0.3 around the origin, about 1 u large, whose
+// densities are scaled so that the depth along the z axis is `depth`; seen from z = 4, lit from
+// above. The same for the same seed everywhere.
+Scene cloud_scene(int count, double depth, unsigned seed = 1);
+
+// Two triangles across z = `z`, from -`half` to `half` in x and y, facing +z.
+Surface wall(double z, double half, double reflectance = 0.5);
+
+// A tessellated unit ball.
+std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
+
+Frame render_frame(const Scene& scene, const Settings& settings);
+
+// Largest and root-mean-square difference of two frames' beauty (RGB), relative to b's rms.
+struct Difference {
+  double relative_rmse = 0.0;
+  double bias = 0.0;  // mean(a - b) / mean(b)
+};
+Difference difference(const std::vector<float>& a, const std::vector<float>& b);
+
+// Whether all is finite: radiance, alpha, transmittance in [0, 1]; distances > 0, +inf allowed.
+void expect_finite(const Frame& frame);
+
+}  // namespace brume
