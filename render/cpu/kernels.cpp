@@ -10,12 +10,28 @@
 #define HWY_TARGET_INCLUDE "render/cpu/kernels.cpp"
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
-#include "render/cpu/kernels-inl.h"
+#include "render/simd/gaussian-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 
-HWY_INLINE V3 LoadDirection(const PathBatch& paths, std::size_t k) {
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+using Vector = V3<V>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+
+// erf(x) for |x| <= 1, relative error 2e-7.
+HWY_INLINE V ErfSmall(V x) {
+  constexpr float coefficient[] = {-0.00056314253f, 0.0049175541f,  -0.0267113168f,
+                                   0.1128018051f,   -0.3761232495f, 1.1283791065f};
+  return hn::Mul(x, Horner(D(), hn::Mul(x, x), coefficient));
+}
+
+HWY_INLINE Vector LoadDirection(const PathBatch& paths, std::size_t k) {
   const D d;
   return {hn::LoadU(d, paths.x.data() + k), hn::LoadU(d, paths.y.data() + k),
           hn::LoadU(d, paths.z.data() + k)};
@@ -26,15 +42,15 @@ void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float*
   const hn::RebindToSigned<D> di;
   const std::size_t lanes = hn::Lanes(d);
   for (std::size_t k = 0; k < paths.padded_size(); k += lanes) {
-    const V3 w = LoadDirection(paths, k);
+    const Vector w = LoadDirection(paths, k);
     const V length = hn::LoadU(d, paths.length.data() + k);
     const auto self = hn::LoadU(di, paths.self.data() + k);
     V sum = hn::LoadU(d, depths + k);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing crossing({set(g.x[j]), set(g.y[j]), set(g.z[j])}, w, a);
+      const Crossing<D> crossing({set(g.x[j]), set(g.y[j]), set(g.z[j])}, w, a);
       if (hn::AllTrue(d, hn::Gt(crossing.e, set(g.cutoff[j])))) continue;
-      const V depth = hn::Mul(set(g.scale[j]), crossing.Depth(a, length));
+      const V depth = hn::Mul(set(g.scale[j]), crossing.Depth(d, a, length));
       const auto own = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
       sum = hn::Add(sum, hn::IfThenZeroElse(own, depth));
     }
@@ -52,28 +68,28 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
   const V zero = hn::Zero(d);
   std::uint64_t pairs = 0;
   for (std::size_t k = 0; k < rays.padded_size(); k += lanes) {
-    const V3 w = LoadDirection(rays, k);
+    const Vector w = LoadDirection(rays, k);
     const V length = hn::LoadU(d, rays.length.data() + k);
     V ts[kLights > 0 ? kLights : 1];
     V gap2[kLights > 0 ? kLights : 1];
     V sum[kLights > 0 ? kLights : 1];
     for (std::size_t l = 0; l < kLights; ++l) {
-      const V3 s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
+      const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
       ts[l] = dot(s, w);
-      const V3 gap = minus(s, ts[l], w);
+      const Vector gap = minus(s, ts[l], w);
       gap2[l] = dot(gap, gap);
       sum[l] = zero;
     }
     V depth_sum = zero;
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const V3 b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
-      const Crossing view(b, w, a);
+      const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
+      const Crossing<D> view(b, w, a);
       const M reached = hn::Le(view.e, set(g.cutoff[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
       const V scale = set(g.scale[j]);
-      const V depth = hn::Mul(scale, view.Depth(a, length));
+      const V depth = hn::Mul(scale, view.Depth(d, a, length));
       depth_sum = hn::Add(depth_sum, depth);
 
       // The projection of the centre on the ray, and the own depth up to it: nothing if the
@@ -84,23 +100,23 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
       const V before =
           hn::IfThenElse(hn::Lt(u, set(1.0f)),
                          hn::Mul(hn::Exp(d, hn::Neg(view.e)), ErfSmall(hn::Min(u, set(1.0f)))),
-                         hn::Sub(hn::Exp(d, hn::Neg(view.e)), ScaledErfc(view.e, u)));
+                         hn::Sub(hn::Exp(d, hn::Neg(view.e)), ScaledErfc(d, view.e, u)));
       const V own = hn::IfThenElse(
           hn::Le(view.t0, zero), zero,
           hn::IfThenElse(hn::Ge(view.t0, length), depth, hn::Mul(scale, hn::Max(before, zero))));
-      const V3 q = minus(b, t, w);  // centre relative to the projection
+      const Vector q = minus(b, t, w);  // centre relative to the projection
       for (std::size_t l = 0; l < kLights; ++l) {
         const V along = hn::Sub(t, ts[l]);
         // The path is as long as it is; only the falloff has a least distance (LightPath).
         const V h2 = hn::Max(gap2[l], set(lights.h_min[l] * lights.h_min[l]));
         const V distance2 = hn::MulAdd(along, along, h2);
         const V distance = hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2[l]), set(1e-30f)));
-        const V3 s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
-        const V3 to_light = minus(s, t, w);
+        const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
+        const Vector to_light = minus(s, t, w);
         const V inverse = hn::Div(set(1.0f), distance);
-        const V3 wl{hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse),
-                    hn::Mul(to_light.z, inverse)};
-        const V light_depth = hn::Mul(scale, Crossing(q, wl, a).Depth(a, distance));
+        const Vector wl{hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse),
+                        hn::Mul(to_light.z, inverse)};
+        const V light_depth = hn::Mul(scale, Crossing<D>(q, wl, a).Depth(d, a, distance));
         const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(own, light_depth));
         const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
         sum[l] = hn::MulAdd(depth, falloff, sum[l]);
@@ -150,12 +166,12 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
   }
   const D d;
   const V zero = hn::Zero(d);
-  const V3 s{set(light.x), set(light.y), set(light.z)};
+  const Vector s{set(light.x), set(light.y), set(light.z)};
   const V minus_b0 = set(-b0);
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
-    const V3 w = LoadDirection(rays, k);
+    const Vector w = LoadDirection(rays, k);
     const V ts = dot(s, w);
-    const V3 gap = minus(s, ts, w);
+    const Vector gap = minus(s, ts, w);
     // A light on the ray needs some distance from it; see LightPath.
     const V floor = hn::Max(hn::Mul(hn::Abs(ts), set(1e-6f)), set(1e-15f));
     const V h = hn::Max(hn::Max(hn::Sqrt(dot(gap, gap)), set(h_min)), floor);

@@ -17,9 +17,10 @@ constexpr Real opaque = Real(45);
 template <class Real>
 constexpr Real extent = Real(4);
 
-// A 15-point Kronrod rule integrates a Gaussian over this many of its radii to about 1e-9.
+// The first intervals are this many radii long at most: the 15-point rule then sees every Gaussian,
+// integrates it to about 1e-6, and knows where to refine.
 template <class Real>
-constexpr Real interval_radii = Real(3);
+constexpr Real interval_radii = Real(6);
 
 }  // namespace
 
@@ -30,15 +31,11 @@ ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians
   Real total = 0;
   for (const GaussianTerm<Real>& g : gaussians) {
     const LineProfile<Real> line = line_profile(g, eye, w);
-    const Real fall = std::exp(-line.e);
-    const Real scale = g.c / g.a * Real(0.5) * std::sqrt(std::numbers::pi_v<Real>) * fall;
-    if (!(scale > 0)) continue;
-    const Real u0 = -g.a * line.t0;
-    crossings_.push_back({g.a, line.t0, g.c * fall, scale, u0 >= 0 ? std::erfc(u0) : -u0});
-    if (u0 < 0) crossings_.back().start = std::erfc(-u0);
+    crossings_.add(g, line);
     total += optical_depth(g, line, d);
   }
-  for (const Crossing& c : crossings_) {
+  crossings_.finish();
+  for (const auto& c : crossings_.all()) {
     const Real begin = std::max(c.t0 - extent<Real> / c.a, Real(0));
     const Real end = std::min(c.t0 + extent<Real> / c.a, d);
     // What is a millionth of the ray's depth is left to the adaptive rule.
@@ -49,30 +46,10 @@ ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians
 }
 
 template <class Real>
-Real ViewRayMedium<Real>::gaussian_density(Real t) const {
-  Real sum = 0;
-  for (const Crossing& c : crossings_) {
-    const Real u = c.a * (t - c.t0);
-    sum += c.peak * std::exp(-u * u);
-  }
-  return sum;
-}
-
-template <class Real>
-Real ViewRayMedium<Real>::depth(Real t) const {
-  Real sum = 0;
-  for (const Crossing& c : crossings_) {
-    // As in optical_depth(): erfc on one side of the centre, its complement across it.
-    const Real u = c.a * (t - c.t0);
-    if (c.t0 <= 0) {
-      sum += c.scale * (c.start - std::erfc(u));
-    } else if (u <= 0) {
-      sum += c.scale * (std::erfc(-u) - c.start);
-    } else {
-      sum += c.scale * (2 - std::erfc(u) - c.start);
-    }
-  }
-  return std::max(sum, Real(0)) + (b0 > 0 ? b0 * t : Real(0));
+typename Crossings<Real>::Sums ViewRayMedium<Real>::at(Real t) const {
+  auto sums = crossings_.at(t);
+  sums.depth = std::max(sums.depth, Real(0)) + (b0 > 0 ? b0 * t : Real(0));
+  return sums;
 }
 
 template <class Real>
@@ -208,39 +185,27 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
   const EquiAngular<Real> angular(path, end_t);
   if (!(angular.span > 0)) return 0;
 
-  struct Nearby {
-    GaussianTerm<Real> g;
-    Real reach2;
-  };
-  // A Gaussian farther than this from a path takes less than a thousandth of the tolerance.
-  std::vector<Nearby> near_light;
+  // A Gaussian farther than its reach from a path takes less than a thousandth of the tolerance.
+  GaussiansAroundLight<Real> around_light(light.position);
+  std::vector<const GaussianTerm<Real>*> near_light;
   for (const GaussianTerm<Real>& g : light.gaussians) {
     const Real peak = g.c / g.a * std::sqrt(std::numbers::pi_v<Real>);
     const Real eps = Real(1e-3) * tolerance / Real(light.gaussians.size());
-    if (peak > eps) near_light.push_back({g, std::log(peak / eps) / (g.a * g.a)});
+    if (!(peak > eps)) continue;
+    around_light.add(g, std::sqrt(std::log(peak / eps)) / g.a);
+    near_light.push_back(&g);
   }
-  const auto light_depth = [&](const Vec3<Real>& x) {
-    const Vec3<Real> v = x - light.position;
-    const Real r = glm::length(v);
-    if (!(r > 0)) return Real(0);
-    const Vec3<Real> u = v / r;
-    Real sum = medium.b0 * r;
-    for (const Nearby& n : near_light) {
-      const Vec3<Real> q = n.g.b - light.position;
-      const Vec3<Real> gap = q - std::clamp(glm::dot(q, u), Real(0), r) * u;
-      if (glm::dot(gap, gap) < n.reach2)
-        sum += optical_depth(n.g, line_profile(n.g, light.position, u), r);
-    }
-    return sum;
-  };
+  around_light.finish();
   const auto integrand = [&](Real phi) {
     const Real t = std::min(angular.t(phi), end_t);
-    Real density = part == ScatteredBy::homogeneous ? Real(0) : medium.gaussian_density(t);
+    const auto [gaussian_density, view_depth] = medium.at(t);
+    Real density = part == ScatteredBy::homogeneous ? Real(0) : gaussian_density;
     if (part != ScatteredBy::gaussians) density += medium.b0;
-    if (!(density > 0)) return Real(0);
-    const Real view_depth = medium.depth(t);
-    if (view_depth > opaque<Real>) return Real(0);
-    return density * std::exp(-(view_depth + light_depth(medium.eye + t * medium.w)));
+    if (!(density > 0) || view_depth > opaque<Real>) return Real(0);
+    const Vec3<Real> q = medium.eye + t * medium.w - light.position;
+    const Real r = glm::length(q);
+    const Real light_depth = r > 0 ? around_light.depth(q / r, r) + medium.b0 * r : Real(0);
+    return density * std::exp(-(view_depth + light_depth));
   };
 
   std::vector<AngularFeature<Real>> features;
@@ -250,14 +215,13 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
       features.push_back({angular.angle(f.begin), angular.angle(f.end), f.longest, unbounded});
     }
   }
-  for (const Nearby& n : near_light) {
-    add_shadow(n.g, medium, light, angular, tolerance, features);
+  for (const GaussianTerm<Real>* g : near_light) {
+    add_shadow(*g, medium, light, angular, tolerance, features);
   }
   // In dense media all happens within the first few units of depth.
   std::vector<Real> levels;
   if (medium.depth(end_t) > Real(4)) {
-    for (const Real level : {Real(0.01), Real(0.1), Real(0.5), Real(1), Real(2), Real(4), Real(8),
-                             Real(16), Real(30)}) {
+    for (const Real level : {Real(0.3), Real(1.5), Real(5), Real(14)}) {
       const Real t = medium.parameter_at_depth(level);
       if (t < end_t) levels.push_back(angular.angle(t));
     }

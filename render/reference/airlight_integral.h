@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/transport/light_path.h"
+#include "render/reference/gaussian_sums.h"
 
 namespace brume {
 
@@ -20,11 +21,10 @@ class ViewRayMedium {
   ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0, const Vec3<Real>& eye,
                 const Vec3<Real>& w, Real d);
 
-  // Scattering coefficient of the Gaussians alone, at t [1/u].
-  [[nodiscard]] Real gaussian_density(Real t) const;
-
-  // T(v, x(t)), b0 included; t may be +inf.
-  [[nodiscard]] Real depth(Real t) const;
+  // At t: the scattering coefficient of the Gaussians alone [1/u], and T(v, x(t)) with b0.
+  // t may be +inf.
+  [[nodiscard]] typename Crossings<Real>::Sums at(Real t) const;
+  [[nodiscard]] Real depth(Real t) const { return at(t).depth; }
 
   // The least t with depth(t) >= `level`, or d if there is none.
   [[nodiscard]] Real parameter_at_depth(Real level) const;
@@ -41,13 +41,7 @@ class ViewRayMedium {
   const Real b0;
 
  private:
-  struct Crossing {
-    Real a, t0;
-    Real peak;   // density at t0 [1/u]
-    Real scale;  // half the optical depth of the whole line
-    Real start;  // erfc or erf of the ray's start, on its side of t0
-  };
-  std::vector<Crossing> crossings_;
+  Crossings<Real> crossings_;
   std::vector<Feature> features_;
 };
 

@@ -1,0 +1,217 @@
+// The document, its commands and the table's model, without a window.
+
+#include <QAbstractItemModelTester>
+#include <QElapsedTimer>
+#include <limits>
+#include <random>
+
+#include "app/commands/edit_medium.h"
+#include "app/commands/set_camera_command.h"
+#include "app/document/document.h"
+#include "app/panels/gaussian_table_model.h"
+#include "core/error.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+void load(Document& document, const QTemporaryDir& folder, const Scene& scene) {
+  const auto file = std::filesystem::path(folder.path().toStdString()) / "scene.brume";
+  save_scene(scene, file);
+  document.load(file);
+}
+
+std::vector<GaussianId> random_ids(const Medium& medium, std::mt19937& random) {
+  std::vector<GaussianId> ids;
+  for (const GaussianId id : medium.ids()) {
+    if (random() % 3 == 0) ids.push_back(id);
+  }
+  return ids;
+}
+
+void random_edit(Document& document, std::mt19937& random) {
+  std::uniform_real_distribution<double> number(0.1, 2.0);
+  document.select(random_ids(document.medium(), random));
+  const std::vector<GaussianId> ids = document.selection();
+  switch (random() % 5) {
+    case 0:
+    case 1:
+      add_gaussian(document, {{number(random), number(random), 0.0}, number(random), 0.5});
+      break;
+    case 2:
+      if (random() % 2 == 0) delete_selection(document);
+      break;
+    case 3:
+      set_field(document, ids, gaussian_fields[random() % gaussian_fields.size()], number(random));
+      break;
+    default: {
+      const MergeId drag = new_merge_id();
+      for (int step = 0; step < 3; ++step) {
+        std::vector<glm::dvec3> centers(ids.size(), glm::dvec3(number(random)));
+        move_gaussians(document, ids, centers, drag);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+class DocumentTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void random_edits_undo_and_redo_exactly() {
+    const QTemporaryDir folder;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      Document document;
+      load(document, folder, small_scene());
+      GaussianTableModel model(document);
+      connect(&document, &Document::medium_changed, &model, &GaussianTableModel::follow);
+      const QAbstractItemModelTester tester(&model,
+                                            QAbstractItemModelTester::FailureReportingMode::Fatal);
+      const auto model_agrees = [&] {
+        const Medium& medium = document.medium();
+        if (static_cast<std::size_t>(model.rowCount()) != medium.size()) return false;
+        for (int row = 0; row < model.rowCount(); ++row) {
+          if (model.id(row) != medium.ids()[static_cast<std::size_t>(row)]) return false;
+        }
+        return true;
+      };
+      const Scene before = document.scene();
+      std::mt19937 random(seed);
+      for (int k = 0; k < 40; ++k) {
+        random_edit(document, random);
+        QVERIFY(model_agrees());
+      }
+      const Scene after = document.scene();
+      while (document.undo_stack().canUndo()) {
+        document.undo_stack().undo();
+        QVERIFY(model_agrees());
+      }
+      QVERIFY(document.scene() == before);
+      QVERIFY(!document.is_modified());
+      while (document.undo_stack().canRedo()) document.undo_stack().redo();
+      QVERIFY(document.scene() == after);
+      QVERIFY(model_agrees());
+    }
+  }
+
+  void removal_takes_gaussians_from_the_selection() {
+    const QTemporaryDir folder;
+    Document document;
+    load(document, folder, small_scene());
+    add_gaussian(document, {{}, 1.0, 1.0});
+    const GaussianId added = document.medium().ids().back();
+    QCOMPARE(document.selection(), std::vector{added});
+    document.select_all();
+    document.undo_stack().undo();
+    QCOMPARE(document.selection().size(), std::size_t{5});
+    QVERIFY(!document.is_selected(added));
+    document.select({added, 12345});  // neither is there
+    QVERIFY(document.selection().empty());
+  }
+
+  void a_gesture_is_one_step_and_none_if_it_comes_back() {
+    Document document;
+    add_gaussian(document, {{1.0, 2.0, 3.0}, 1.0, 1.0});
+    const std::vector<GaussianId> ids = document.selection();
+    const glm::dvec3 start = document.medium().centers()[0];
+    const auto put = [&](glm::dvec3 center, MergeId drag) {
+      move_gaussians(document, ids, {&center, 1}, drag);
+    };
+    const MergeId first = new_merge_id();
+    put({5, 5, 5}, first);
+    put({6, 6, 6}, first);
+    QCOMPARE(document.undo_stack().count(), 2);
+    put(start, first);
+    QCOMPARE(document.undo_stack().count(), 1);
+    put({7, 7, 7}, new_merge_id());
+    put({8, 8, 8}, new_merge_id());
+    QCOMPARE(document.undo_stack().count(), 3);
+    QCOMPARE(document.undo_stack().text(2), QString("Move Gaussian"));
+  }
+
+  void a_change_to_the_same_value_is_no_step() {
+    Document document;
+    add_gaussian(document, {{}, 1.0, 1.0});
+    document.undo_stack().undo();
+    document.undo_stack().redo();
+    QVERIFY(set_field(document, document.selection(), GaussianField::radius, 1.0).isEmpty());
+    QCOMPARE(document.undo_stack().count(), 1);
+  }
+
+  void values_outside_their_domain_are_refused() {
+    Document document;
+    add_gaussian(document, {{}, 1.0, 1.0});
+    const std::vector<GaussianId> ids = document.selection();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    QVERIFY(!set_field(document, ids, GaussianField::radius, 0.0).isEmpty());
+    QVERIFY(!set_field(document, ids, GaussianField::radius, -1.0).isEmpty());
+    QVERIFY(!set_field(document, ids, GaussianField::density, -1e-9).isEmpty());
+    QVERIFY(!set_field(document, ids, GaussianField::center_x, infinity).isEmpty());
+    QVERIFY(!set_field(document, ids, GaussianField::center_x, parse_number("fog")).isEmpty());
+    QCOMPARE(document.undo_stack().count(), 1);
+    QVERIFY(set_field(document, ids, GaussianField::density, 0.0).isEmpty());
+    QCOMPARE(parse_number(" 0,25 "), 0.25);
+  }
+
+  void the_scene_camera_is_an_edit() {
+    Document document;
+    const Camera before = document.scene().camera;
+    Camera camera = before;
+    camera.eye.x += 1.0;
+    document.undo_stack().push(new SetCameraCommand(document, camera));
+    QVERIFY(document.scene().camera == camera && document.is_modified());
+    document.undo_stack().undo();
+    QVERIFY(document.scene().camera == before);
+  }
+
+  void snapshots_are_shared_until_something_changes() {
+    Document document;
+    const auto first = document.snapshot();
+    QCOMPARE(document.snapshot().get(), first.get());
+    add_gaussian(document, {{}, 1.0, 1.0});
+    QVERIFY(document.snapshot() != first);
+    QVERIFY(first->medium.empty());
+  }
+
+  void a_broken_file_leaves_the_document_alone() {
+    const QTemporaryDir folder;
+    Document document;
+    load(document, folder, small_scene());
+    const Scene before = document.scene();
+    const auto broken = std::filesystem::path(folder.path().toStdString()) / "broken.brume";
+    QFile file(QString::fromStdString(broken.string()));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("{ \"brume\": ");
+    file.close();
+    QVERIFY_EXCEPTION_THROWN(document.load(broken), InputError);
+    QVERIFY(document.scene() == before);
+    QCOMPARE(document.name(), QString("scene.brume"));
+  }
+
+  void a_hundred_thousand_rows_stay_fluid() {
+    Document document;
+    std::vector<Gaussian> many(100000, Gaussian{{}, 1.0, 0.1});
+    document.apply(MediumEdit::add(document.medium(), many));
+    GaussianTableModel model(document);
+    connect(&document, &Document::medium_changed, &model, &GaussianTableModel::follow);
+    std::vector<GaussianId> odd;
+    for (const GaussianId id : document.medium().ids()) {
+      if (id % 2 == 1) odd.push_back(id);
+    }
+    QElapsedTimer timer;
+    timer.start();
+    document.select(odd);
+    set_field(document, odd, GaussianField::density, 0.2);
+    delete_selection(document);
+    document.undo_stack().undo();
+    QCOMPARE(model.rowCount(), 100000);
+    QVERIFY2(timer.elapsed() < 2000, qPrintable(QString::number(timer.elapsed())));
+  }
+};
+
+BRUME_TEST_MAIN(DocumentTest)
+#include "document_test.moc"

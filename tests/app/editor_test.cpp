@@ -1,0 +1,271 @@
+// The window as a whole: table, keys, history, files.
+
+#include <QAbstractButton>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QUndoView>
+#include <random>
+
+#include "app/message_bar.h"
+#include "app/panels/gaussian_panel.h"
+#include "app/panels/number_field.h"
+#include "app/scene_files.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+QTableView* table_of(MainWindow& window) {
+  return window.findChild<GaussianPanel*>()->table();
+}
+
+// Types into the table's current cell.
+void type(QTableView* table, const QString& text) {
+  table->setFocus();
+  QTest::keyClick(table, Qt::Key_F2);
+  auto* editor = table->viewport()->findChild<QLineEdit*>();
+  QVERIFY(editor);
+  editor->selectAll();
+  QTest::keyClicks(editor, text);
+  QTest::keyClick(editor, Qt::Key_Return);
+  QCoreApplication::processEvents();  // Qt commits a cell a little later
+}
+
+// Presses a button of the question that is about to be asked.
+void answer(QMessageBox::StandardButton button) {
+  QTimer::singleShot(200, qApp, [button] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    QVERIFY(question);
+    question->button(button)->click();
+  });
+}
+
+}  // namespace
+
+class EditorTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_cell_writes_to_all_selected_rows_as_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    QTableView* table = table_of(*window);
+    document.select({1, 3, 4});
+    table->selectionModel()->setCurrentIndex(table->model()->index(2, 3),
+                                             QItemSelectionModel::NoUpdate);
+    type(table, "0.75");
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set radius of 3 Gaussians to 0.75"));
+    for (const std::size_t k : {0U, 2U, 3U}) QCOMPARE(document.medium().radii()[k], 0.75);
+    QCOMPARE(document.medium().radii()[1], before.medium.radii()[1]);
+    QCOMPARE(table->model()->index(0, 3).data().toString(), QString("0.75"));
+    QCOMPARE(document.selection().size(), std::size_t{3});
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene() == before);
+  }
+
+  void a_cell_outside_the_selection_writes_to_its_row() {
+    TestWindow window;
+    QAbstractItemModel* model = table_of(*window)->model();
+    window->document().select({1, 2});
+    QVERIFY(model->setData(model->index(4, 4), "0.125", Qt::EditRole));
+    QCOMPARE(window->document().medium().densities()[4], 0.125);
+    QCOMPARE(window->document().medium().densities()[0], 0.8);
+  }
+
+  void opening_a_cell_changes_nothing() {
+    TestWindow window;
+    window->document().select_all();
+    QTableView* table = table_of(*window);
+    table->setFocus();
+    QTest::keyClick(table, Qt::Key_F2);
+    auto* editor = table->viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QVERIFY(!window->document().is_modified());
+  }
+
+  void a_bad_value_is_refused_with_a_message() {
+    TestWindow window;
+    QTableView* table = table_of(*window);
+    window->document().select({2});
+    for (const char* bad : {"0", "-1", "nan", "1e999", "fog", ""}) {
+      table->selectionModel()->setCurrentIndex(table->model()->index(1, 3),
+                                               QItemSelectionModel::NoUpdate);
+      window->statusBar()->clearMessage();
+      table->model()->setData(table->model()->index(1, 3), bad, Qt::EditRole);
+      QVERIFY2(window->statusBar()->currentMessage().contains("Radius"), bad);
+    }
+    QVERIFY(!window->document().is_modified());
+  }
+
+  void the_form_shows_and_writes_the_common_value() {
+    TestWindow window;
+    Document& document = window->document();
+    auto* radius = window->findChild<NumberField*>("radius");
+    auto* density = window->findChild<NumberField*>("density");
+    QVERIFY(!radius->isEnabled());
+    document.select({1, 2, 5});
+    QVERIFY(radius->text().isEmpty());  // mixed
+    QCOMPARE(density->text(), QString("0.8"));
+    radius->setFocus();
+    QTest::keyClicks(radius, "0.3");
+    QTest::keyClick(radius, Qt::Key_Return);
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.medium().radii()[4], 0.3);
+    QCOMPARE(radius->text(), QString("0.3"));
+    QTest::keyClicks(radius, "-4");  // over what is selected
+    QTest::keyClick(radius, Qt::Key_Return);
+    QVERIFY(window->statusBar()->currentMessage().contains("Radius"));
+    window->viewport().setFocus();
+    QCOMPARE(radius->text(), QString("0.3"));
+    QCOMPARE(document.undo_stack().count(), 1);
+  }
+
+  void add_delete_undo_all_redo_all() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    window.key(Qt::Key_A, Qt::ShiftModifier);
+    QCOMPARE(document.medium().size(), std::size_t{6});
+    QCOMPARE(document.selection().size(), std::size_t{1});
+    window.drag(window.handle(0), window.handle(0) + QPoint(20, 20));
+    window.key(Qt::Key_A, Qt::ControlModifier);
+    window.key(Qt::Key_I, Qt::ControlModifier);
+    QVERIFY(document.selection().empty());
+    document.select({2, 4});
+    window.key(Qt::Key_Delete);
+    QCOMPARE(document.medium().size(), std::size_t{4});
+    QVERIFY(document.selection().empty());
+    QCOMPARE(table_of(*window)->model()->rowCount(), 4);
+    const Scene after = document.scene();
+    QCOMPARE(window->findChild<QUndoView*>()->model()->rowCount(), 4);
+    for (int k = 0; k < 3; ++k) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene() == before);
+    QVERIFY(!window->isWindowModified());
+    for (int k = 0; k < 3; ++k) {
+      window.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QVERIFY(document.scene() == after);
+    QVERIFY(window.settle());
+  }
+
+  void random_gestures_undo_and_redo_exactly() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    std::mt19937 random(7);
+    QAbstractItemModel* model = table_of(*window)->model();
+    for (int k = 0; k < 60; ++k) {
+      const std::size_t count = document.medium().size();
+      const std::size_t some = count > 0 ? random() % count : 0;
+      switch (count == 0 ? 0 : random() % 6) {
+        case 0:
+          window.key(Qt::Key_A, Qt::ShiftModifier);
+          break;
+        case 1:
+          window.drag(window.handle(some), window.handle(some) + QPoint(random() % 60, 9));
+          break;
+        case 2:
+          model->setData(model->index(static_cast<int>(some), static_cast<int>(random() % 5)),
+                         QString::number(0.1 + 0.01 * (random() % 90)), Qt::EditRole);
+          break;
+        case 3:
+          QTest::mouseClick(&window->viewport(), Qt::LeftButton, Qt::ShiftModifier,
+                            window.handle(some));
+          break;
+        case 4:
+          if (random() % 3 == 0) window.key(Qt::Key_Delete);
+          break;
+        default:
+          window.key(Qt::Key_Z, Qt::ControlModifier);
+      }
+    }
+    const Scene after = document.scene();
+    const int index = document.undo_stack().index();
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    document.undo_stack().setIndex(index);
+    QVERIFY(document.scene() == after);
+    QCOMPARE(static_cast<std::size_t>(model->rowCount()), document.medium().size());
+  }
+
+  void save_and_open_again_is_the_same_scene() {
+    TestWindow window;
+    Document& document = window->document();
+    QCOMPARE(window->windowTitle(), QString("scene.brume[*] – Brume"));
+    window.key(Qt::Key_A, Qt::ShiftModifier);
+    QVERIFY(window->isWindowModified());
+    window.key(Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(!window->isWindowModified());
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->isWindowModified());
+    window.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(!window->isWindowModified());
+    QVERIFY(window->files().save_to(window.file("other.brume")));
+    const Scene saved = document.scene();
+    QVERIFY(window->files().create());
+    QVERIFY(document.medium().empty() && document.file().empty());
+    QVERIFY(window->files().open_file(window.file("other.brume")));
+    QCOMPARE(document.name(), QString("other.brume"));
+    QVERIFY(std::ranges::equal(document.medium().centers(), saved.medium.centers()));
+    QVERIFY(std::ranges::equal(document.medium().radii(), saved.medium.radii()));
+    QVERIFY(std::ranges::equal(document.medium().densities(), saved.medium.densities()));
+    QVERIFY(document.scene().lights == saved.lights);
+    QVERIFY(document.scene().camera == saved.camera);
+    QMenu recent;
+    window->files().fill_recent_menu(recent);
+    QCOMPARE(recent.actions().first()->text(), QString("other.brume"));
+  }
+
+  void unsaved_work_is_asked_about_once() {
+    TestWindow window;
+    window.key(Qt::Key_A, Qt::ShiftModifier);
+    answer(QMessageBox::Cancel);
+    QVERIFY(!window->close());
+    QVERIFY(window->isVisible());
+    answer(QMessageBox::Save);
+    QVERIFY(window->files().create());
+    QCOMPARE(load_scene(window.file("scene.brume")).medium.size(), std::size_t{6});
+    window.key(Qt::Key_A, Qt::ShiftModifier);
+    answer(QMessageBox::Discard);
+    QVERIFY(window->close());
+  }
+
+  void a_broken_file_is_said_in_the_bar_and_nothing_is_lost() {
+    TestWindow window;
+    auto* bar = window->findChild<MessageBar*>();
+    QVERIFY(!bar->isVisible());
+    QVERIFY(!window->files().open_file(window.file("missing.brume")));
+    QVERIFY(bar->isVisible());
+    QVERIFY(bar->message().contains("missing.brume"));
+    QCOMPARE(window->document().medium().size(), std::size_t{5});
+    QVERIFY(window->files().open_file(window.file("scene.brume")));
+    QVERIFY(!bar->isVisible());
+  }
+
+  void a_dropped_scene_opens() {
+    TestWindow window;
+    QVERIFY(window->files().create());
+    QMimeData data;
+    data.setUrls(
+        {QUrl::fromLocalFile(QString::fromStdString(window.file("scene.brume").string()))});
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&*window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&*window, &drop);
+    QCOMPARE(window->document().medium().size(), std::size_t{5});
+  }
+};
+
+BRUME_TEST_MAIN(EditorTest)
+#include "editor_test.moc"

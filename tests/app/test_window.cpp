@@ -1,0 +1,83 @@
+#include "tests/app/test_window.h"
+
+#include <QApplication>
+
+#include "app/application.h"
+#include "app/document/paths.h"
+#include "app/scene_files.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
+
+namespace brume {
+
+Scene small_scene() {
+  Scene scene;
+  scene.camera.eye = {0.0, 0.0, 6.0};
+  scene.film = {120, 90};
+  for (const glm::dvec3 center :
+       {glm::dvec3(-1.2, 0.6, 0.0), glm::dvec3(1.2, 0.7, 0.0), glm::dvec3(0.0, -0.8, 0.5),
+        glm::dvec3(-1.1, -0.9, -0.5), glm::dvec3(0.1, 0.5, 0.25)}) {
+    scene.medium.append({center, 0.4 + 0.1 * center.x, 0.8});
+  }
+  PointLight light;
+  light.position = {1.0, 2.0, 2.0};
+  light.intensity = glm::dvec3(12.0, 10.0, 8.0);
+  scene.lights.push_back(light);
+  return scene;
+}
+
+TestWindow::TestWindow(const Scene& scene) : window_(std::make_unique<MainWindow>()) {
+  save_scene(scene, file("scene.brume"));
+  window_->resize(900, 560);
+  window_->show();
+  window_->files().open_file(file("scene.brume"));
+  window_->activateWindow();
+  if (!QTest::qWaitForWindowActive(window_.get()) || !settle()) {
+    qFatal("the window did not come up");
+  }
+}
+
+std::filesystem::path TestWindow::file(const char* name) const {
+  return to_path(folder_.filePath(name));
+}
+
+bool TestWindow::settle() {
+  return QTest::qWaitFor([this] { return window_->viewport().is_settled(); }, 60000);
+}
+
+QPoint TestWindow::handle(std::size_t index) {
+  const glm::dvec3& at = window_->viewport().handles().position(index);
+  return QPointF(at.x, at.y).toPoint();
+}
+
+void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,
+                      Qt::KeyboardModifiers modifiers) {
+  Viewport& view = window_->viewport();
+  QTest::mousePress(&view, button, modifiers, from);
+  constexpr int steps = 5;
+  for (int k = 1; k <= steps; ++k) {
+    // Moves with the buttons down: QTest::mouseMove knows of none.
+    const QPointF at = QPointF(from) + QPointF(to - from) * k / steps;
+    QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, modifiers);
+    QApplication::sendEvent(&view, &move);
+  }
+  QTest::mouseRelease(&view, button, modifiers, to);
+}
+
+void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  // A question may have taken the activity, and shortcuts want it.
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  window_->viewport().setFocus();
+  QTest::keyClick(&window_->viewport(), key, modifiers);
+}
+
+int start_test(int argc, char** argv, int (*run)(int, char**)) {
+  const QTemporaryDir settings;
+  qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+  QApplication application(argc, argv);
+  set_up_application(application);
+  return run(argc, argv);
+}
+
+}  // namespace brume

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QTemporaryDir>
+#include <QtTest/QtTest>
+#include <memory>
+
+#include "app/main_window.h"
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Five Gaussians well apart on screen, two of them behind each other's plane, and a light.
+Scene small_scene();
+
+// A main window that shows a scene from a file, active and with its first full frame.
+class TestWindow {
+ public:
+  explicit TestWindow(const Scene& scene = small_scene());
+
+  MainWindow& operator*() { return *window_; }
+  MainWindow* operator->() { return window_.get(); }
+  [[nodiscard]] std::filesystem::path file(const char* name) const;
+
+  // Waits until the viewport shows the present state at full resolution.
+  bool settle();
+  // Where a Gaussian's handle is in the viewport.
+  QPoint handle(std::size_t index);
+  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
+ private:
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+// Runs a test program with settings of its own: the user's stay untouched.
+int start_test(int argc, char** argv, int (*run)(int, char**));
+
+}  // namespace brume
+
+#define BRUME_TEST_MAIN(Test)                                  \
+  int main(int argc, char** argv) {                            \
+    return brume::start_test(argc, argv, [](int c, char** v) { \
+      Test test;                                               \
+      return QTest::qExec(&test, c, v);                        \
+    });                                                        \
+  }

@@ -1,0 +1,151 @@
+// The viewport with a mouse and a keyboard.
+
+#include <QLabel>
+#include <QWheelEvent>
+#include <glm/geometric.hpp>
+
+#include "app/panels/gaussian_panel.h"
+#include "app/viewport/viewport.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+class ViewportTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_click_selects_the_row_too() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, window.handle(2));
+    QCOMPARE(window->document().selection(), std::vector<GaussianId>{3});
+    auto* table = window->findChild<GaussianPanel*>()->table();
+    QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
+    QCOMPARE(table->selectionModel()->selectedRows().first().row(), 2);
+
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::ShiftModifier, window.handle(4));
+    QCOMPARE(window->document().selection(), (std::vector<GaussianId>{3, 5}));
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, window.handle(2));
+    QCOMPARE(window->document().selection(), std::vector<GaussianId>{5});
+    QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(5, 5));
+    QVERIFY(window->document().selection().empty());
+    QVERIFY(!window->document().is_modified());
+  }
+
+  void a_row_selects_the_handle_too() {
+    TestWindow window;
+    window->findChild<GaussianPanel*>()->table()->selectRow(1);
+    QCOMPARE(window->document().selection(), std::vector<GaussianId>{2});
+  }
+
+  void a_rectangle_selects_what_is_inside() {
+    TestWindow window;
+    const QPoint around(20, 20);
+    const QRect both = QRect(window.handle(0), window.handle(3)).normalized();
+    window.drag(both.topLeft() - around, both.bottomRight() + around);
+    QCOMPARE(window->document().selection(), (std::vector<GaussianId>{1, 4}));
+  }
+
+  void a_drag_moves_the_selection_as_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({2, 3});
+    const QPoint from = window.handle(1);
+    const QPoint to = from + QPoint(40, 25);
+    window.drag(from, to);
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Move 2 Gaussians"));
+    // The handle went with the mouse, in the plane of the film; the other one went along.
+    QVERIFY((window.handle(1) - to).manhattanLength() <= 2);
+    const auto moved = [&](std::size_t k) {
+      return document.medium().centers()[k] - before.medium.centers()[k];
+    };
+    QVERIFY(std::abs(moved(1).z) < 1e-12);
+    QVERIFY(glm::length(moved(1)) > 0.1);
+    QVERIFY(glm::distance(moved(1), moved(2)) < 1e-12);
+    QVERIFY(moved(0) == glm::dvec3(0.0));
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene() == before);
+  }
+
+  void a_drag_that_returns_or_is_cancelled_leaves_nothing() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    Viewport& view = window->viewport();
+    const QPoint from = window.handle(1);
+    const auto move = [&](QPointF at) {
+      QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                        Qt::NoModifier);
+      QApplication::sendEvent(&view, &event);
+    };
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    move(from + QPoint(30, 0));
+    QVERIFY(document.is_modified());
+    move(from);
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, from);
+    QCOMPARE(document.undo_stack().count(), 0);
+    QVERIFY(document.scene() == before);
+
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    move(from + QPoint(30, 0));
+    QTest::keyClick(&view, Qt::Key_Escape);
+    move(from + QPoint(60, 0));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(60, 0));
+    QCOMPARE(document.undo_stack().count(), 0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void navigation_is_no_edit() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    const Camera start = view.camera();
+    const QPoint middle = view.rect().center();
+    window.drag(middle, middle + QPoint(60, 20), Qt::MiddleButton);
+    QVERIFY(glm::distance(view.camera().eye, start.eye) > 0.1);
+    QVERIFY(view.camera().target == start.target);
+    const Camera orbited = view.camera();
+    window.drag(middle, middle + QPoint(30, 0), Qt::MiddleButton, Qt::ShiftModifier);
+    QVERIFY(view.camera().target != orbited.target);
+    const double distance = glm::distance(view.camera().eye, view.camera().target);
+    QWheelEvent wheel(middle, view.mapToGlobal(QPointF(middle)), {}, {0, 120}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &wheel);
+    QVERIFY(glm::distance(view.camera().eye, view.camera().target) < distance);
+    window.drag(middle, middle + QPoint(10, 10), Qt::LeftButton, Qt::AltModifier);
+    QVERIFY(window->document().selection().empty());
+    window.key(Qt::Key_Home);
+    for (std::size_t k = 0; k < 5; ++k) QVERIFY(view.rect().contains(window.handle(k)));
+    window->document().select({3});
+    window.key(Qt::Key_F);
+    QVERIFY((window.handle(2) - middle).manhattanLength() <= 2);
+    QVERIFY(!window->document().is_modified());
+    QVERIFY(window.settle());
+  }
+
+  void it_works_without_opengl() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    if (qEnvironmentVariableIsSet("BRUME_TEST_NO_OPENGL")) QVERIFY(!view.has_gl());
+    // Picture and handles are there, whatever draws them.
+    window->document().select({1});
+    QTest::qWait(100);
+    const QImage image = window->grab().toImage();
+    int bright = 0;
+    int accent = 0;
+    const QRect area(view.mapTo(&*window, QPoint(0, 0)), view.size());
+    for (int y = area.top(); y <= area.bottom(); ++y) {
+      for (int x = area.left(); x <= area.right(); ++x) {
+        const QColor color(image.pixel(x, y));
+        if (color.lightness() > 20) ++bright;
+        if (color.red() > 180 && color.green() > 90 && color.blue() < 110) ++accent;
+      }
+    }
+    QVERIFY2(bright > area.width() * area.height() / 20, qPrintable(QString::number(bright)));
+    QVERIFY2(accent > 60, qPrintable(QString::number(accent)));
+  }
+};
+
+BRUME_TEST_MAIN(ViewportTest)
+#include "viewport_test.moc"
