@@ -34,8 +34,9 @@ void set_up_application(QApplication& application) {
   palette.setColor(QPalette::ToolTipText, text);
   palette.setColor(QPalette::Link, accent_color());
   palette.setColor(QPalette::LinkVisited, accent_color());
-  palette.setColor(QPalette::Highlight, accent_color());
-  palette.setColor(QPalette::HighlightedText, QColor(20, 20, 20));
+  // Muted, since whole lists can be selected.
+  palette.setColor(QPalette::Highlight, QColor(124, 86, 34));
+  palette.setColor(QPalette::HighlightedText, QColor(250, 246, 238));
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     palette.setColor(QPalette::Disabled, role, dim);
   }

@@ -10,6 +10,8 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -27,6 +29,11 @@ namespace brume {
 namespace {
 
 constexpr int message_time = 6000;  // milliseconds
+
+// To three digits: numbers that a user meets should be short.
+double rounded(double value) {
+  return QString::number(value, 'g', 3).toDouble();
+}
 
 // The first dropped file that could be a scene.
 QString dropped_scene(const QMimeData& data) {
@@ -68,11 +75,14 @@ MainWindow::MainWindow(QWidget* parent)
   update_status();
 }
 
-// The views go before the document and the widgets they draw from.
+// The views go before the document they show. Hidden first: a window that is still visible moves
+// its focus about while it goes.
 MainWindow::~MainWindow() {
+  hide();
   document_.disconnect();
   document_.undo_stack().disconnect();
   delete takeCentralWidget();
+  qDeleteAll(findChildren<QDockWidget*>());
 }
 
 void MainWindow::create_docks() {
@@ -147,9 +157,9 @@ void MainWindow::say(const QString& message) {
 
 void MainWindow::add_gaussian_in_view() {
   const Camera& camera = viewport_->camera();
-  const double radius = 0.12 * std::max(target_distance(camera), 1e-6);
+  const double radius = rounded(0.12 * std::max(target_distance(camera), 1e-6));
   // Optical depth 1 straight through: sqrt(pi) * radius * density.
-  const double density = 1.0 / (std::sqrt(std::numbers::pi) * radius);
+  const double density = rounded(1.0 / (std::sqrt(std::numbers::pi) * radius));
   add_gaussian(document_, {.center = camera.target, .radius = radius, .density = density});
 }
 

@@ -117,7 +117,7 @@ int GaussianTableModel::columnCount(const QModelIndex& parent) const {
 
 QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
   const auto at = document_.medium().index_of(id(index.row()));
   if (!at) return {};
@@ -148,6 +148,7 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
 }
 
 Qt::ItemFlags GaussianTableModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
   return QAbstractTableModel::flags(index) | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
 }
 

@@ -5,6 +5,9 @@
 namespace brume {
 
 HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : QUndoView(&stack, parent) {
+  const int size = fontMetrics().height();
+  setIconSize({size, size});
+  setUniformItemSizes(true);
   setEmptyLabel(tr("As opened"));
   setCleanIcon(style()->standardIcon(QStyle::SP_DialogSaveButton));
 }

@@ -17,8 +17,9 @@ void NumberField::show_value(std::optional<double> value) {
 }
 
 void NumberField::revert() {
-  setText(value_ ? exact_number_text(*value_) : QString());
-  setCursorPosition(0);  // the leading digits are those that matter
+  // All digits only for who is about to edit them.
+  setText(!value_ ? QString() : hasFocus() ? exact_number_text(*value_) : number_text(*value_));
+  setCursorPosition(0);
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
@@ -31,6 +32,12 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
   } else {
     QLineEdit::keyPressEvent(event);
   }
+}
+
+void NumberField::focusInEvent(QFocusEvent* event) {
+  revert();
+  QLineEdit::focusInEvent(event);
+  selectAll();
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {

@@ -7,7 +7,9 @@
 
 namespace brume {
 
+// clang-format off
 vtkStandardNewMacro(HostedRenderWindow)
+    // clang-format on
 
     void HostedRenderWindow::OpenGLInitContext() {
   if (!Initialized) {

@@ -39,8 +39,10 @@ class VtkHost::Shapes {
 
   void set(const std::vector<Overlay::Vertex>& vertices, double height, double scale) {
     const auto count = static_cast<vtkIdType>(vertices.size());
-    float* xyz = coordinates_->WritePointer(0, 3 * count);
-    unsigned char* rgba = colors_->WritePointer(0, 4 * count);
+    coordinates_->SetNumberOfTuples(count);
+    colors_->SetNumberOfTuples(count);
+    float* xyz = coordinates_->GetPointer(0);
+    unsigned char* rgba = colors_->GetPointer(0);
     for (const Overlay::Vertex& v : vertices) {
       *xyz++ = static_cast<float>(v.x * scale);
       *xyz++ = static_cast<float>(height - v.y * scale);
@@ -65,7 +67,8 @@ class VtkHost::Shapes {
   void set_cells(vtkIdType count) {
     count_ = count;
     vtkNew<vtkIdTypeArray> ids;
-    std::iota(ids->WritePointer(0, count), ids->GetPointer(0) + count, vtkIdType{0});
+    ids->SetNumberOfValues(count);
+    std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{0});
     vtkNew<vtkCellArray> cells;
     cells->SetData(points_per_cell_, ids);
     if (points_per_cell_ == 1) {
