@@ -1,0 +1,135 @@
+// What the speed claims rest on. Every figure is a ratio or comes with its answer's error, both
+// from the same run. Run it alone on the machine:
+//
+//   build/release/bin/benchmark_render
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "core/io/scene_file.h"
+#include "render/compare.h"
+#include "render/cpu/path_depths.h"
+#include "render/renderer.h"
+
+namespace brume {
+namespace {
+
+// What the method itself costs: everything but casting rays at surfaces and writing the frame.
+double airlight_milliseconds(const Frame& frame) {
+  double sum = 0.0;
+  for (const StageTime& stage : frame.statistics.stages) {
+    if (stage.name == "light_depth" || stage.name == "eye_depth" || stage.name == "airlight") {
+      sum += stage.milliseconds;
+    }
+  }
+  return sum;
+}
+
+// `paper` on the box of 3,008 Gaussians, SIMD float against plain double on one thread: time is
+// that of SIMD, plain_over_simd the ratio per thread, rel_rmse the difference of the two airlights.
+void paper_simd_against_plain(benchmark::State& state) {
+  const std::filesystem::path file = std::filesystem::path(BRUME_SCENES) / "box_3008.brume";
+  const Scene scene = load_scene(file);
+  Settings simd;
+  simd.threads = 1;
+  Settings plain = simd;
+  plain.arithmetic = Settings::Arithmetic::plain_double;
+  for (auto _ : state) {
+    // New renderers: nothing is kept from the frame before.
+    const Frame fast = *Renderer().render(scene, scene.camera, scene.film, simd);
+    const Frame slow = *Renderer().render(scene, scene.camera, scene.film, plain);
+    state.SetIterationTime(1e-3 * airlight_milliseconds(fast));
+    state.counters["plain_over_simd"] = airlight_milliseconds(slow) / airlight_milliseconds(fast);
+    state.counters["rel_rmse"] =
+        compare(std::array{ChannelPair{fast.airlight, slow.airlight}}).rel_rmse;
+    state.counters["pairs"] = static_cast<double>(fast.statistics.view_pairs);
+  }
+}
+BENCHMARK(paper_simd_against_plain)
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Repetitions(3)
+    ->Unit(benchmark::kMillisecond);
+
+// n Gaussians in a unit box with the same optical depth through it for every n: radii shrink so
+// that a ray always meets about the same number of them.
+Medium box_of(int count) {
+  std::mt19937 random(1);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  const double radius = 0.05 * std::sqrt(1000.0 / count);
+  const double depth = 3.0;
+  Medium medium;
+  for (int i = 0; i < count; ++i) {
+    const glm::dvec3 center(uniform(), uniform(), uniform());
+    // n pi^(3/2) r^3 c is the depth through the box of cross-section 1.
+    medium.append({center, radius, depth / (count * 5.568327996831708 * std::pow(radius, 3))});
+  }
+  return medium;
+}
+
+// T(s, b_i) of all n Gaussians from a light, tree included: grows like n log n. rel_error compares
+// 100 of them with the sum over all n in double.
+void depths_of_n_gaussians(benchmark::State& state) {
+  const Medium medium = box_of(static_cast<int>(state.range(0)));
+  const glm::dvec3 light(2.0, 3.0, 2.5);
+  CenterDepths result;
+  for (auto _ : state) {
+    const MediumIndex index(medium, depth_tolerance(medium, 1e-3));
+    result = center_depths(index, light, Settings::Arithmetic::simd_float);
+    benchmark::DoNotOptimize(result.depths.data());
+  }
+  double error2 = 0.0;
+  double sum2 = 0.0;
+  for (std::size_t i = 0; i < medium.size(); i += medium.size() / 100) {
+    double truth = 0.0;
+    for (std::size_t j = 0; j < medium.size(); ++j) {
+      if (j == i) continue;
+      truth += optical_depth(GaussianTerm<double>(medium.gaussian(j)), light, medium.centers()[i]);
+    }
+    error2 += (result.depths[i] - truth) * (result.depths[i] - truth);
+    sum2 += truth * truth;
+  }
+  const double n = static_cast<double>(state.range(0));
+  state.SetComplexityN(state.range(0));
+  state.counters["pairs_per_path"] = static_cast<double>(result.pairs) / n;
+  state.counters["rel_error"] = std::sqrt(error2 / sum2);
+}
+BENCHMARK(depths_of_n_gaussians)
+    ->RangeMultiplier(2)
+    ->Range(1000, 64000)
+    ->Complexity(benchmark::oNLogN)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+// A whole frame of n Gaussians at constant depth, all threads; only what a camera move renews.
+void frame_of_n_gaussians(benchmark::State& state) {
+  Scene scene;
+  scene.medium = box_of(static_cast<int>(state.range(0)));
+  scene.camera = {{0.5, 0.5, 3.0}, {0.5, 0.5, 0.5}, {0, 1, 0}, 35.0};
+  scene.film = {400, 300};
+  scene.lights.push_back({{2.0, 3.0, 2.5}, {10, 10, 10}, {}});
+  Renderer renderer;
+  std::uint64_t pairs = 0;
+  for (auto _ : state) {
+    scene.camera.eye.x += 1e-6;
+    const Frame frame = *renderer.render(scene, scene.camera, scene.film, {});
+    pairs = frame.statistics.view_pairs;
+  }
+  state.SetComplexityN(state.range(0));
+  state.counters["view_pairs"] = static_cast<double>(pairs);
+}
+BENCHMARK(frame_of_n_gaussians)
+    ->RangeMultiplier(4)
+    ->Range(1000, 64000)
+    ->Complexity(benchmark::oNLogN)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace brume
+
+BENCHMARK_MAIN();
