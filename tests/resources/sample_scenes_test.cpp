@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/io/scene_file.h"
+#include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
 
 namespace brume {
@@ -128,7 +129,10 @@ TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
       greatest = std::max(greatest, depth * std::sqrt(3.141592653589793));
     }
   }
-  EXPECT_NEAR(greatest, 10.0, 0.1);
+  // No line through a centre is deeper than the deepest line, and some come close.
+  EXPECT_LE(greatest, 10.01);
+  EXPECT_GT(greatest, 9.8);
+  EXPECT_NEAR(summarize(medium).greatest_optical_depth, 10.0, 0.01);
 }
 
 TEST(SampleScenes, LightAndCameraInside) {

@@ -11,7 +11,7 @@
 #include "core/io/text_scanner.h"
 #include "core/scene/mesh.h"
 #include "tools/brume/command.h"
-#include "tools/brume/medium_summary.h"
+#include "core/medium/medium_summary.h"
 
 namespace brume {
 namespace {

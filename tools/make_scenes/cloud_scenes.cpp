@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
+#include <glm/vec3.hpp>
 
+#include "core/medium/medium_summary.h"
 #include "tools/make_scenes/generated_files.h"
 #include "tools/make_scenes/noise.h"
 #include "tools/make_scenes/random.h"
@@ -36,24 +35,6 @@ SampleScene box_3008() {
   return scene;
 }
 
-// The greatest optical depth over the lines through each centre in 1,000 directions.
-double greatest_optical_depth(const std::vector<Gaussian>& gaussians) {
-  Random random(1000);
-  double greatest = 0.0;
-  for (int k = 0; k < 1000; ++k) {
-    const glm::dvec3 direction = glm::normalize(random.in_ball());
-    for (const Gaussian& through : gaussians) {
-      double depth = 0.0;
-      for (const Gaussian& g : gaussians) {
-        const double h = glm::length(glm::cross(g.center - through.center, direction)) / g.radius;
-        depth += g.density * g.radius * std::exp(-h * h);
-      }
-      greatest = std::max(greatest, depth * std::sqrt(std::numbers::pi));
-    }
-  }
-  return greatest;
-}
-
 SampleScene dense_cloud() {
   SampleScene scene;
   scene.camera = {{0.0, 0.4, 8.5}, {0.1, 0.1, 0.0}, {0.0, 1.0, 0.0}, 31.0};
@@ -74,7 +55,9 @@ SampleScene dense_cloud() {
     center.y = std::max(center.y, -0.8 + 0.1 * random.uniform());
     scene.gaussians.push_back({center, random.uniform(0.16, 0.34), random.uniform(0.7, 1.3)});
   }
-  const double scale = 10.0 / greatest_optical_depth(scene.gaussians);
+  Medium medium;
+  for (const Gaussian& g : scene.gaussians) medium.append(g);
+  const double scale = 10.0 / summarize(medium).greatest_optical_depth;
   for (Gaussian& g : scene.gaussians) g.density *= scale;
   return scene;
 }

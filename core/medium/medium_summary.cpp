@@ -1,6 +1,7 @@
-#include "tools/brume/medium_summary.h"
+#include "core/medium/medium_summary.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 #include "core/transport/optical_depth.h"
 
@@ -27,6 +29,12 @@ glm::dvec3 direction(std::size_t index) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
+struct Line {
+  glm::dvec3 point{0.0};
+  glm::dvec3 direction{0.0, 0.0, 1.0};  // unit
+  double depth = 0.0;
+};
+
 // Along the whole line: sum of sqrt(pi) radius density exp(-h^2 / radius^2).
 double optical_depth_of_line(const Medium& medium, const glm::dvec3& point, const glm::dvec3& w) {
   double sum = 0.0;
@@ -36,6 +44,33 @@ double optical_depth_of_line(const Medium& medium, const glm::dvec3& point, cons
     sum += std::sqrt(std::numbers::pi) * term.c / term.a * std::exp(-e);
   }
   return sum;
+}
+
+// Moves a line sideways (in units of `size`) and turns it by ever smaller steps as long as it gets
+// deeper.
+Line deepest_nearby(const Medium& medium, Line line, double size) {
+  double step = 0.25;
+  for (int evaluations = 0; evaluations < 300 && step > 1e-3;) {
+    const glm::dvec3& w = line.direction;
+    const glm::dvec3 u = glm::normalize(
+        glm::cross(w, std::abs(w.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+    const glm::dvec3 v = glm::cross(w, u);
+    Line best = line;
+    for (const glm::dvec3& d : {u, -u, v, -v}) {
+      for (const Line& next : {Line{line.point + step * size * d, w},
+                               Line{line.point, glm::normalize(w + 0.3 * step * d)}}) {
+        const double depth = optical_depth_of_line(medium, next.point, next.direction);
+        ++evaluations;
+        if (depth > best.depth) best = {next.point, next.direction, depth};
+      }
+    }
+    if (best.depth > line.depth) {
+      line = best;
+    } else {
+      step *= 0.5;
+    }
+  }
+  return line;
 }
 
 double density_at(const Medium& medium, const glm::dvec3& point) {
@@ -102,11 +137,18 @@ MediumSummary summarize(const Medium& medium) {
   summary.peak_density = std::max(summary.peak_density, greatest_of(centers.size(), [&](auto i) {
                                     return density_at(medium, medium.centers()[centers[i]]);
                                   }));
-  summary.greatest_optical_depth =
-      greatest_of(centers.size() * direction_count, [&](std::size_t i) {
-        return optical_depth_of_line(medium, medium.centers()[centers[i / direction_count]],
-                                     direction(i % direction_count));
-      });
+
+  std::vector<Line> lines(centers.size() * direction_count);
+  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
+    lines[i] = {medium.centers()[centers[i / direction_count]], direction(i % direction_count)};
+    lines[i].depth = optical_depth_of_line(medium, lines[i].point, lines[i].direction);
+  });
+  const std::size_t starts = std::min<std::size_t>(lines.size(), size > 20'000 ? 2 : 24);
+  std::partial_sort(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(starts), lines.end(),
+                    [](const Line& a, const Line& b) { return a.depth > b.depth; });
+  summary.greatest_optical_depth = greatest_of(starts, [&](std::size_t i) {
+    return deepest_nearby(medium, lines[i], summary.greatest_radius).depth;
+  });
   return summary;
 }
 

@@ -18,8 +18,9 @@ struct MediumSummary {
   double greatest_optical_depth = 0.0;  // of the Gaussians alone, along a whole line
 };
 
-// The last two are sampled, so they are lower bounds: the density at the centres, and the optical
-// depth along lines through the centres in 64 directions spread evenly over the half sphere. Where
+// The last two are found by search, so they are lower bounds: the density at the centres, and the
+// optical depth along lines through the centres in 64 directions spread evenly over the half
+// sphere, the best of which are moved and turned until no small step makes them deeper. Where
 // there are so many Gaussians that this would take long, only the centres of the greatest
 // radius * density (the optical depth of one Gaussian) are tried, at least one. Deterministic.
 MediumSummary summarize(const Medium& medium);
