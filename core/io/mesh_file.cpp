@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/error.h"
@@ -51,6 +53,36 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   return scaled / glm::length(scaled);
 }
 
+// Vertices at one place are the seam of a smooth surface if their normals differ by less than 60
+// degrees (patches tessellated one by one), else an edge that is meant to be seen.
+constexpr double cos_seam = 0.5;
+
+// Adds to every vertex's sum those of the vertices at the same place that it forms a seam with.
+void smooth_seams(const RawMesh& raw, std::vector<glm::dvec3>& sums) {
+  std::vector<std::uint32_t> order(sums.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto place = [&](std::uint32_t i) {
+    return std::tie(raw.points[i].x, raw.points[i].y, raw.points[i].z);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+  const std::vector<glm::dvec3> own = sums;
+  // A place where very many vertices meet is no seam, and pairs would take long.
+  constexpr std::ptrdiff_t most = 64;
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last = std::find_if(first, order.end(),
+                                   [&](std::uint32_t i) { return place(i) != place(*first); });
+    for (auto i = first; last - first <= most && i != last; ++i) {
+      for (auto j = first; j != last; ++j) {
+        if (i == j) continue;
+        const double cosine = glm::dot(unit_or_zero(own[*i]), unit_or_zero(own[*j]));
+        if (cosine > cos_seam) sums[*i] += own[*j];
+      }
+    }
+    first = last;
+  }
+}
+
 // Unit normals: the file's, else the sum of the adjacent triangles' normals weighted by area.
 std::vector<glm::dvec3> unit_normals(const RawMesh& raw) {
   std::vector<glm::dvec3> smooth(raw.points.size(), glm::dvec3(0.0));
@@ -59,6 +91,7 @@ std::vector<glm::dvec3> unit_normals(const RawMesh& raw) {
         glm::cross(raw.points[b] - raw.points[a], raw.points[c] - raw.points[a]);
     for (const std::uint32_t vertex : {a, b, c}) smooth[vertex] += area;
   }
+  if (raw.normals.empty()) smooth_seams(raw, smooth);
   for (std::size_t i = 0; i < smooth.size(); ++i) {
     glm::dvec3 normal = raw.normals.empty() ? glm::dvec3(0.0) : unit_or_zero(raw.normals[i]);
     if (normal == glm::dvec3(0.0)) normal = unit_or_zero(smooth[i]);

@@ -8,8 +8,9 @@
 namespace brume {
 
 // Reads OBJ, PLY, STL or OFF by extension; polygons become triangles. Normals in the file are
-// used, smooth ones (area-weighted) computed where it has none; all are unit. Throws InputError:
-// unreadable, no faces, coordinates that are not finite.
+// used, smooth ones (area-weighted, across seams of vertices at one place that are no edge of 60
+// degrees or more) computed where it has none; all are unit. Throws InputError: unreadable, no
+// faces, coordinates that are not finite.
 std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file);
 
 }  // namespace brume

@@ -30,9 +30,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
       const double distance = glm::length(q);
       if (!(distance > 0.0)) continue;
       const double c = glm::dot(hit.normal, q) / distance;
-      // A light behind the triangle itself does not shine through it.
-      if (c <= 0.0 || glm::dot(hit.geometric_normal, q) <= 0.0) continue;
-      if (visibility.blocked(visibility.shadow_origin(hit), light.position)) continue;
+      if (c <= 0.0 || visibility.blocked(hit.shadow_origin, light.position)) continue;
       lit.push_back(k);
       cosine.push_back(c);
       points.push_back(hit.position);

@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -158,25 +159,33 @@ std::optional<SurfaceHit> Visibility::first_hit(const glm::dvec3& origin,
   hit.surface = &surfaces[query.hit.geomID];
   const Surface& surface = *hit.surface;
   const glm::uvec3 corner = impl_->triangles[query.hit.geomID][query.hit.primID];
+  const std::array<double, 3> weight = {
+      1.0 - static_cast<double>(query.hit.u) - static_cast<double>(query.hit.v), query.hit.u,
+      query.hit.v};
   const auto normal = [&](unsigned v) {
     const auto& n = surface.mesh->normal(OpenMesh::VertexHandle(static_cast<int>(v)));
-    return glm::dvec3(n[0], n[1], n[2]);
+    return surface.rotate * glm::dvec3(n[0], n[1], n[2]);
   };
-  const double u = query.hit.u;
-  const double v = query.hit.v;
   hit.geometric_normal = glm::normalize(glm::dvec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
-  const glm::dvec3 smooth = surface.rotate * ((1.0 - u - v) * normal(corner.x) +
-                                              u * normal(corner.y) + v * normal(corner.z));
+  glm::dvec3 smooth(0.0);
+  for (int k = 0; k < 3; ++k) smooth += weight[static_cast<std::size_t>(k)] * normal(corner[k]);
   const double length = glm::length(smooth);
   hit.normal = length > 0.0 ? smooth / length : hit.geometric_normal;
   // Both sides of a surface are seen and lit alike.
   if (glm::dot(hit.geometric_normal, direction) > 0.0) hit.geometric_normal *= -1.0;
-  if (glm::dot(hit.normal, hit.geometric_normal) < 0.0) hit.normal *= -1.0;
-  return hit;
-}
+  double side = 1.0;
+  if (glm::dot(hit.normal, hit.geometric_normal) < 0.0) side = -1.0;
+  hit.normal *= side;
 
-glm::dvec3 Visibility::shadow_origin(const SurfaceHit& hit) const {
-  return hit.position + self_hit_margin * impl_->radius * hit.geometric_normal;
+  hit.shadow_origin = hit.position + self_hit_margin * impl_->radius * hit.geometric_normal;
+  for (int k = 0; k < 3; ++k) {
+    // How far the point lies below the tangent plane of a corner.
+    const glm::dvec3 n = side * normal(corner[k]);
+    const glm::dvec3 p = to_world(surface, point(*surface.mesh, static_cast<int>(corner[k])));
+    const double below = std::min(glm::dot(hit.position - p, n), 0.0);
+    hit.shadow_origin -= weight[static_cast<std::size_t>(k)] * below * n;
+  }
+  return hit;
 }
 
 bool Visibility::blocked(const glm::dvec3& from, const glm::dvec3& to) const {

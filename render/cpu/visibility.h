@@ -16,6 +16,10 @@ struct SurfaceHit {
   glm::dvec3 position{0.0};
   glm::dvec3 normal{0.0};            // unit, interpolated, on the side the ray comes from
   glm::dvec3 geometric_normal{0.0};  // unit, of the triangle, on the side the ray comes from
+  // Where shadow rays start: off the triangle by a few roundings of float, and out to the smooth
+  // surface that the normals describe, so that coarse triangles cast no shadow on themselves
+  // (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021).
+  glm::dvec3 shadow_origin{0.0};
   const Surface* surface = nullptr;
 };
 
@@ -37,9 +41,6 @@ class Visibility {
   [[nodiscard]] std::optional<SurfaceHit> first_hit(const glm::dvec3& origin,
                                                     const glm::dvec3& direction,
                                                     std::span<const Surface> surfaces) const;
-
-  // Where shadow rays from a hit start: off the surface by a few roundings of float.
-  [[nodiscard]] glm::dvec3 shadow_origin(const SurfaceHit& hit) const;
 
   // Whether a surface stands between two points, ends excluded. Thread-safe.
   [[nodiscard]] bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;

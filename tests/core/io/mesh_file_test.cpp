@@ -90,6 +90,21 @@ TEST(MeshFile, WeighsSmoothNormalsByArea) {
   EXPECT_NEAR(normal[2], 8.0f / std::hypot(8.0f, 0.5f), 1e-6f);
 }
 
+TEST(MeshFile, SmoothsSeamsAndKeepsEdges) {
+  const TemporaryFolder folder;
+  // Two squares meet along x = 1 with vertices of their own; the second is bent up by `rise`.
+  const auto normal_at_seam = [&](const char* rise) {
+    const std::string right = std::string("v 2 0 ") + rise + "\nv 2 1 " + rise + "\n";
+    const auto mesh =
+        read_mesh(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\n" + right +
+                                            "v 1 1 0\nf 1 2 3 4\nf 5 6 7 8\n"));
+    return mesh->normal(OpenMesh::VertexHandle(1));
+  };
+  // 45 degrees: one surface, its normal between the two. 80 degrees: an edge.
+  EXPECT_LT(normal_at_seam("1")[0], -0.3f);
+  EXPECT_EQ(normal_at_seam("5.67")[0], 0.0f);
+}
+
 TEST(MeshFile, UsesNormalsOfTheFileAndKeepsCreases) {
   const TemporaryFolder folder;
   const auto mesh =
