@@ -97,7 +97,7 @@ struct Renderer::Impl {
     CameraRays rays;
     Tiles tiles;
     Frame frame;
-    std::vector<std::optional<SurfaceHit>> hits;
+    std::vector<SurfaceHit> hits;
     std::vector<glm::dvec3> surface_radiance;
     std::vector<double> depths;  // T(v, p)
 
@@ -235,9 +235,9 @@ const CenterDepths& Renderer::Impl::light_depths(const glm::dvec3& position,
 void Renderer::Impl::find_surfaces(Work& work) const {
   each_tile(work, false, [&](std::size_t tile) {
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
-      work.hits[i] = prepared.visibility->first_hit(
-          work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
-      if (work.hits[i]) work.frame.depth[i] = static_cast<float>(work.hits[i]->distance);
+      work.hits[i] =
+          prepared.visibility->first_hit(work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5));
+      work.frame.depth[i] = static_cast<float>(work.hits[i].distance);
     });
   });
 }
@@ -301,8 +301,7 @@ void Renderer::Impl::paper(Work& work, StageClock& clock) {
     std::size_t count = 0;
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
       directions[count] = work.rays.direction(x + 0.5, y + 0.5);
-      lengths[count++] =
-          work.hits[i] ? work.hits[i]->distance : std::numeric_limits<double>::infinity();
+      lengths[count++] = work.hits[i].distance;
     });
     const TileRays rays{work.rays.eye(), std::span(directions).first(count),
                         std::span(lengths).first(count)};
@@ -333,11 +332,10 @@ void Renderer::Impl::reference(Work& work) const {
   each_tile(work, true, [&](std::size_t tile) {
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
       if (work.stop.stop_requested()) return;
-      const double length =
-          work.hits[i] ? work.hits[i]->distance : std::numeric_limits<double>::infinity();
-      const ReferenceRay ray = reference_airlight(
-          *prepared.index, *prepared.visibility, lights, work.rays.eye(),
-          work.rays.direction(x + 0.5, y + 0.5), length, work.settings.reference_tolerance);
+      const ReferenceRay ray =
+          reference_airlight(*prepared.index, *prepared.visibility, lights, work.rays.eye(),
+                             work.rays.direction(x + 0.5, y + 0.5), work.hits[i].distance,
+                             work.settings.reference_tolerance);
       work.depths[i] = ray.depth;
       for (int k = 0; k < 3; ++k) {
         work.frame.airlight[3 * i + static_cast<std::size_t>(k)] = finite(ray.airlight[k]);
@@ -357,16 +355,21 @@ void Renderer::Impl::shade_surfaces(Work& work) const {
                                               : work.settings.arithmetic;
   std::atomic<std::uint64_t> pairs = 0;
   each_tile(work, false, [&](std::size_t tile) {
-    std::array<std::optional<SurfaceHit>, Tiles::pixels> hits;
+    std::array<SurfacePoint, Tiles::pixels> points;
+    std::array<std::size_t, Tiles::pixels> pixels;
     std::array<glm::dvec3, Tiles::pixels> radiance;
     std::size_t count = 0;
-    each_pixel(work, tile, [&](std::size_t i, int, int) { hits[count++] = work.hits[i]; });
+    each_pixel(work, tile, [&](std::size_t i, int x, int y) {
+      if (!work.hits[i]) return;
+      pixels[count] = i;
+      points[count++] =
+          prepared.visibility->point(work.hits[i], work.rays.eye(),
+                                     work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
+    });
     pairs += surface_radiance(*prepared.index, *prepared.visibility, work.plan.lights,
-                              std::span(hits).first(count), arithmetic,
+                              std::span(points).first(count), arithmetic,
                               std::span(radiance).first(count));
-    count = 0;
-    each_pixel(work, tile,
-               [&](std::size_t i, int, int) { work.surface_radiance[i] = radiance[count++]; });
+    for (std::size_t k = 0; k < count; ++k) work.surface_radiance[pixels[k]] = radiance[k];
   });
   work.frame.statistics.light_pairs += pairs;
 }

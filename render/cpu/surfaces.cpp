@@ -11,39 +11,38 @@ namespace brume {
 
 std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visibility,
                                std::span<const PointLight> lights,
-                               std::span<const std::optional<SurfaceHit>> hits,
+                               std::span<const SurfacePoint> points,
                                Settings::Arithmetic arithmetic, std::span<glm::dvec3> radiance) {
   std::fill(radiance.begin(), radiance.end(), glm::dvec3(0.0));
   std::uint64_t pairs = 0;
-  std::vector<std::size_t> lit;  // hits that face the light and see it
+  std::vector<std::size_t> lit;  // points that face the light and see it
   std::vector<double> cosine;
-  std::vector<glm::dvec3> points;
+  std::vector<glm::dvec3> ends;
   std::vector<double> depths;
   for (const PointLight& light : lights) {
     lit.clear();
     cosine.clear();
-    points.clear();
-    for (std::size_t k = 0; k < hits.size(); ++k) {
-      if (!hits[k]) continue;
-      const SurfaceHit& hit = *hits[k];
-      const glm::dvec3 q = light.position - hit.position;
+    ends.clear();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const SurfacePoint& point = points[k];
+      const glm::dvec3 q = light.position - point.position;
       const double distance = glm::length(q);
       if (!(distance > 0.0)) continue;
-      const double c = glm::dot(hit.normal, q) / distance;
-      if (c <= 0.0 || visibility.blocked(hit.shadow_origin, light.position)) continue;
+      const double c = glm::dot(point.normal, q) / distance;
+      if (c <= 0.0 || visibility.blocked(point.shadow_origin, light.position)) continue;
       lit.push_back(k);
       cosine.push_back(c);
-      points.push_back(hit.position);
+      ends.push_back(point.position);
     }
     if (lit.empty()) continue;
     depths.resize(lit.size());
     const std::vector<std::int32_t> none(lit.size(), -1);
-    pairs += bundle_depths(medium, light.position, points, none, arithmetic, depths);
+    pairs += bundle_depths(medium, light.position, ends, none, arithmetic, depths);
     for (std::size_t k = 0; k < lit.size(); ++k) {
-      const double distance = glm::length(light.position - points[k]);
+      const double distance = glm::length(light.position - ends[k]);
       const double depth = depths[k] + medium.homogeneous_density() * distance;
       const double irradiance = cosine[k] * std::exp(-depth) / (distance * distance);
-      radiance[lit[k]] += hits[lit[k]]->surface->material.reflectance * std::numbers::inv_pi *
+      radiance[lit[k]] += points[lit[k]].surface->material.reflectance * std::numbers::inv_pi *
                           light.intensity * irradiance;
     }
   }

@@ -21,7 +21,7 @@ namespace {
 // is a few roundings of float.
 constexpr double self_hit_margin = 1e-5;
 
-glm::dvec3 point(const TriangleMesh& mesh, int vertex) {
+glm::dvec3 mesh_point(const TriangleMesh& mesh, int vertex) {
   const auto& p = mesh.point(OpenMesh::VertexHandle(vertex));
   return {p[0], p[1], p[2]};
 }
@@ -57,7 +57,7 @@ struct Visibility::Impl {
     glm::dvec3 high(-std::numeric_limits<double>::infinity());
     for (const Surface& surface : surfaces) {
       for (int v = 0; v < static_cast<int>(surface.mesh->n_vertices()); ++v) {
-        const glm::dvec3 p = to_world(surface, point(*surface.mesh, v));
+        const glm::dvec3 p = to_world(surface, mesh_point(*surface.mesh, v));
         low = glm::min(low, p);
         high = glm::max(high, p);
       }
@@ -84,7 +84,7 @@ struct Visibility::Impl {
                                                                RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                                                mesh.n_vertices()));
     for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) {
-      const glm::dvec3 p = to_world(surface, point(mesh, v)) - middle;
+      const glm::dvec3 p = to_world(surface, mesh_point(mesh, v)) - middle;
       radius = std::max(radius, glm::length(p));
       for (int k = 0; k < 3; ++k) *vertex++ = static_cast<float>(p[k]);
     }
@@ -136,13 +136,10 @@ bool Visibility::shows(std::span<const Surface> surfaces) const {
                     [](const Surface& s, const Placement& p) { return Placement(s) == p; });
 }
 
-std::optional<SurfaceHit> Visibility::first_hit(const glm::dvec3& origin,
-                                                const glm::dvec3& direction,
-                                                std::span<const Surface> surfaces) const {
-  if (empty()) return std::nullopt;
+SurfaceHit Visibility::first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  if (empty()) return {};
   // A ray from far away starts at the ball around the surfaces, where float has digits for it.
-  const glm::dvec3 to_middle = impl_->middle - origin;
-  const double along = glm::dot(to_middle, direction);
+  const double along = glm::dot(impl_->middle - origin, direction);
   const double skip = std::max(0.0, along - 1.01 * impl_->radius);
   RTCRayHit query{};
   query.ray = impl_->ray(origin + skip * direction, direction, 0.0,
@@ -151,41 +148,50 @@ std::optional<SurfaceHit> Visibility::first_hit(const glm::dvec3& origin,
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(impl_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {skip + static_cast<double>(query.ray.tfar), static_cast<std::int32_t>(query.hit.geomID),
+          query.hit.primID, query.hit.u, query.hit.v};
+}
 
-  SurfaceHit hit;
-  hit.distance = skip + static_cast<double>(query.ray.tfar);
-  hit.position = origin + hit.distance * direction;
-  hit.surface = &surfaces[query.hit.geomID];
-  const Surface& surface = *hit.surface;
-  const glm::uvec3 corner = impl_->triangles[query.hit.geomID][query.hit.primID];
-  const std::array<double, 3> weight = {
-      1.0 - static_cast<double>(query.hit.u) - static_cast<double>(query.hit.v), query.hit.u,
-      query.hit.v};
-  const auto normal = [&](unsigned v) {
-    const auto& n = surface.mesh->normal(OpenMesh::VertexHandle(static_cast<int>(v)));
-    return surface.rotate * glm::dvec3(n[0], n[1], n[2]);
-  };
-  hit.geometric_normal = glm::normalize(glm::dvec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
+SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
+                               const glm::dvec3& direction,
+                               std::span<const Surface> surfaces) const {
+  SurfacePoint result;
+  result.position = origin + hit.distance * direction;
+  result.surface = &surfaces[static_cast<std::size_t>(hit.surface)];
+  const Surface& surface = *result.surface;
+  const glm::uvec3 corners = impl_->triangles[static_cast<std::size_t>(hit.surface)][hit.triangle];
+  const double u = static_cast<double>(hit.u);
+  const double v = static_cast<double>(hit.v);
+  const glm::dvec3 weights(1.0 - u - v, u, v);
+  std::array<glm::dvec3, 3> positions;
+  std::array<glm::dvec3, 3> normals;
   glm::dvec3 smooth(0.0);
-  for (int k = 0; k < 3; ++k) smooth += weight[static_cast<std::size_t>(k)] * normal(corner[k]);
+  for (int k = 0; k < 3; ++k) {
+    const auto vertex = static_cast<int>(corners[k]);
+    const auto& n = surface.mesh->normal(OpenMesh::VertexHandle(vertex));
+    positions[static_cast<std::size_t>(k)] = to_world(surface, mesh_point(*surface.mesh, vertex));
+    normals[static_cast<std::size_t>(k)] = surface.rotate * glm::dvec3(n[0], n[1], n[2]);
+    smooth += weights[k] * normals[static_cast<std::size_t>(k)];
+  }
+  glm::dvec3 geometric = glm::cross(positions[1] - positions[0], positions[2] - positions[0]);
+  geometric /= std::max(glm::length(geometric), std::numeric_limits<double>::min());
   const double length = glm::length(smooth);
-  hit.normal = length > 0.0 ? smooth / length : hit.geometric_normal;
+  result.normal = length > 0.0 ? smooth / length : geometric;
   // Both sides of a surface are seen and lit alike.
-  if (glm::dot(hit.geometric_normal, direction) > 0.0) hit.geometric_normal *= -1.0;
-  double side = 1.0;
-  if (glm::dot(hit.normal, hit.geometric_normal) < 0.0) side = -1.0;
-  hit.normal *= side;
+  if (glm::dot(geometric, direction) > 0.0) geometric *= -1.0;
+  const double side = glm::dot(result.normal, geometric) < 0.0 ? -1.0 : 1.0;
+  result.normal *= side;
 
-  hit.shadow_origin = hit.position + self_hit_margin * impl_->radius * hit.geometric_normal;
+  result.shadow_origin = result.position + self_hit_margin * impl_->radius * geometric;
   for (int k = 0; k < 3; ++k) {
     // How far the point lies below the tangent plane of a corner.
-    const glm::dvec3 n = side * normal(corner[k]);
-    const glm::dvec3 p = to_world(surface, point(*surface.mesh, static_cast<int>(corner[k])));
-    const double below = std::min(glm::dot(hit.position - p, n), 0.0);
-    hit.shadow_origin -= weight[static_cast<std::size_t>(k)] * below * n;
+    const glm::dvec3 n = side * normals[static_cast<std::size_t>(k)];
+    const double below =
+        std::min(glm::dot(result.position - positions[static_cast<std::size_t>(k)], n), 0.0);
+    result.shadow_origin -= weights[k] * below * n;
   }
-  return hit;
+  return result;
 }
 
 bool Visibility::blocked(const glm::dvec3& from, const glm::dvec3& to) const {

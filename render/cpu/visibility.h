@@ -1,21 +1,29 @@
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include "core/scene/scene.h"
 
 namespace brume {
 
-// Where a ray meets the first surface.
+// The nearest surface on a ray, as little as is kept per pixel.
 struct SurfaceHit {
-  double distance = 0.0;
+  double distance = std::numeric_limits<double>::infinity();
+  std::int32_t surface = -1;  // index, or -1 for none
+  std::uint32_t triangle = 0;
+  float u = 0.0f, v = 0.0f;  // barycentric, of the triangle's second and third corner
+
+  explicit operator bool() const { return surface >= 0; }
+};
+
+// All that shading needs of a hit.
+struct SurfacePoint {
   glm::dvec3 position{0.0};
-  glm::dvec3 normal{0.0};            // unit, interpolated, on the side the ray comes from
-  glm::dvec3 geometric_normal{0.0};  // unit, of the triangle, on the side the ray comes from
+  glm::dvec3 normal{0.0};  // unit, interpolated, on the side that is seen
   // Where shadow rays start: off the triangle by a few roundings of float, and out to the smooth
   // surface that the normals describe, so that coarse triangles cast no shadow on themselves
   // (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021).
@@ -38,9 +46,12 @@ class Visibility {
   [[nodiscard]] bool shows(std::span<const Surface> surfaces) const;
 
   // The nearest hit of a ray (unit direction). Thread-safe.
-  [[nodiscard]] std::optional<SurfaceHit> first_hit(const glm::dvec3& origin,
-                                                    const glm::dvec3& direction,
-                                                    std::span<const Surface> surfaces) const;
+  [[nodiscard]] SurfaceHit first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const;
+
+  // The point where that ray hit. Thread-safe.
+  [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,
+                                   const glm::dvec3& direction,
+                                   std::span<const Surface> surfaces) const;
 
   // Whether a surface stands between two points, ends excluded. Thread-safe.
   [[nodiscard]] bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
