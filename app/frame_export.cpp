@@ -28,18 +28,18 @@ void write(const Frame& frame, double exposure, const std::filesystem::path& fil
 
 }  // namespace
 
-FrameExport::FrameExport(QWidget* parent) : QWidget(parent), label_(new QLabel(this)) {
-  auto* bar = new QProgressBar(this);
-  bar->setRange(0, 0);  // how far a frame is cannot be told
-  bar->setFixedWidth(90);
-  bar->setTextVisible(false);
+FrameExport::FrameExport(QWidget* parent)
+    : QWidget(parent), label_(new QLabel(this)), bar_(new QProgressBar(this)) {
+  bar_->setRange(0, 100);
+  bar_->setFixedWidth(90);
+  bar_->setTextVisible(false);
   auto* stop = new QToolButton(this);
   stop->setText(tr("Cancel"));
   connect(stop, &QToolButton::clicked, this, &FrameExport::cancel);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(label_);
-  layout->addWidget(bar);
+  layout->addWidget(bar_);
   layout->addWidget(stop);
   hide();
 }
@@ -51,13 +51,22 @@ void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera
   if (running_) return;
   running_ = true;
   label_->setText(tr("Exporting %1").arg(to_qstring(file.filename())));
+  bar_->setValue(0);
   show();
   thread_ = std::jthread([=, this](const std::stop_token& stop) {
     Outcome outcome = Outcome::cancelled;
     QString text = to_qstring(file);
     try {
+      int told = 0;  // per cent
+      const auto progress = [this, &told](double done) {
+        const int percent = static_cast<int>(100.0 * done);
+        if (percent == told) return;
+        told = percent;
+        QMetaObject::invokeMethod(
+            bar_, [this, percent] { bar_->setValue(percent); }, Qt::QueuedConnection);
+      };
       Renderer renderer;
-      const auto frame = renderer.render(*scene, camera, scene->film, {}, stop);
+      const auto frame = renderer.render(*scene, camera, scene->film, {}, stop, progress);
       if (frame && !stop.stop_requested()) {
         write(*frame, exposure, file);
         outcome = Outcome::written;

@@ -8,6 +8,7 @@
 #include "core/scene/scene.h"
 
 class QLabel;
+class QProgressBar;
 
 namespace brume {
 
@@ -35,6 +36,7 @@ class FrameExport : public QWidget {
   void end(Outcome outcome, const QString& text);
 
   QLabel* label_;
+  QProgressBar* bar_;
   bool running_ = false;
   std::jthread thread_;
 };

@@ -147,8 +147,8 @@ void MainWindow::update_status() {
   }
   numbers_->setText(text);
   hint_->setText(count == 0 ? tr("No fog yet. Shift+A adds a Gaussian where the view looks.")
-                            : tr("Click selects, drag moves or frames. Middle button orbits, with "
-                                 "Shift pans, wheel zooms."));
+                            : tr("Click selects, drag moves the selection. Middle button orbits, "
+                                 "with Shift pans, wheel zooms."));
 }
 
 void MainWindow::say(const QString& message) {

@@ -11,8 +11,14 @@ namespace brume {
 namespace {
 
 constexpr double pick_radius = 8.0;  // logical pixels
-// Outlines of more Gaussians than this would only hide the fog.
 constexpr std::size_t max_outlines = 2000;
+
+// Alpha for each of `count` shapes: the more there are, the fainter, or they would hide the fog.
+int crowd_alpha(std::size_t count, int few, int many) {
+  constexpr double crowd = 100.0;
+  return std::clamp(static_cast<int>(few * crowd / std::max(1.0, static_cast<double>(count))), many,
+                    few);
+}
 
 QRgb with_alpha(QRgb color, int alpha) {
   return qRgba(qRed(color), qGreen(color), qBlue(color), alpha);
@@ -102,6 +108,8 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
   const QRgb plain = qRgb(235, 238, 242);
   auto next_selected = selected.begin();
   std::size_t outlines = 0;
+  const int outline_alpha = crowd_alpha(selected.size(), 220, 28);
+  const int dot_alpha = crowd_alpha(positions_.size() / 4, 190, 90);
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const GaussianId id = medium.ids()[i];
     while (next_selected != selected.end() && *next_selected < id) ++next_selected;
@@ -110,7 +118,7 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     const bool hidden = i < hidden_.size() && hidden_[i];
     if (is_selected && outlines < max_outlines) {
       add_outline(overlay, rays, medium.centers()[i], medium.radii()[i],
-                  with_alpha(accent, hidden ? 90 : 220));
+                  with_alpha(accent, hidden ? outline_alpha / 2 : outline_alpha));
       ++outlines;
     }
     if (p.z <= 0.0) continue;
@@ -119,7 +127,7 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     if (is_selected) {
       overlay.marks.push_back({x, y, with_alpha(accent, hidden ? 110 : 255)});
     } else {
-      overlay.dots.push_back({x, y, with_alpha(plain, hidden ? 60 : 170)});
+      overlay.dots.push_back({x, y, with_alpha(plain, hidden ? dot_alpha / 3 : dot_alpha)});
     }
     if (hovered == id) overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));
   }

@@ -23,8 +23,8 @@ struct Overlay {
   std::vector<Vertex> marks;  // larger ones
   std::vector<Vertex> lines;  // two per segment
 
-  static constexpr float dot_size = 4.0F;
-  static constexpr float mark_size = 6.0F;
+  static constexpr float dot_size = 3.0F;
+  static constexpr float mark_size = 5.0F;
   static constexpr float line_width = 1.25F;
 
   void add_circle(double x, double y, double radius, QRgb color);
