@@ -12,6 +12,7 @@ namespace {
 
 constexpr double pick_radius = 8.0;  // logical pixels
 constexpr std::size_t max_outlines = 2000;
+constexpr std::size_t max_marks = 500;
 
 // Alpha for each of `count` shapes: the more there are, the fainter, or they would hide the fog.
 int crowd_alpha(std::size_t count, int few, int many) {
@@ -109,6 +110,7 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
   auto next_selected = selected.begin();
   std::size_t outlines = 0;
   const int outline_alpha = crowd_alpha(selected.size(), 220, 28);
+  const int mark_alpha = crowd_alpha(selected.size() / 4, 255, 120);
   const int dot_alpha = crowd_alpha(positions_.size() / 4, 190, 90);
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const GaussianId id = medium.ids()[i];
@@ -125,7 +127,9 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     const auto x = static_cast<float>(p.x);
     const auto y = static_cast<float>(p.y);
     if (is_selected) {
-      overlay.marks.push_back({x, y, with_alpha(accent, hidden ? 110 : 255)});
+      // Small ones in a crowd, for the same reason.
+      auto& shapes = selected.size() > max_marks ? overlay.dots : overlay.marks;
+      shapes.push_back({x, y, with_alpha(accent, hidden ? mark_alpha / 2 : mark_alpha)});
     } else {
       overlay.dots.push_back({x, y, with_alpha(plain, hidden ? dot_alpha / 3 : dot_alpha)});
     }
