@@ -7,7 +7,7 @@
 namespace brume {
 
 MediumIndex::MediumIndex(const Medium& medium, double tolerance)
-    : b0_(medium.homogeneous_density()) {
+    : b0_(medium.homogeneous_density()), tolerance_(tolerance) {
   gaussians_.reserve(medium.size());
   reach_.reserve(medium.size());
   for (std::size_t i = 0; i < medium.size(); ++i) {

@@ -20,6 +20,7 @@ class MediumIndex {
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_; }
   [[nodiscard]] std::span<const double> reach() const { return reach_; }
   [[nodiscard]] const SphereHierarchy& hierarchy() const { return hierarchy_; }
+  [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] double homogeneous_density() const { return b0_; }
 
   // T(a, b) of Gaussians and b0, exact up to the tolerance; +inf is allowed as length.
@@ -30,6 +31,7 @@ class MediumIndex {
   std::vector<double> reach_;
   SphereHierarchy hierarchy_;
   double b0_;
+  double tolerance_;
 };
 
 // The tolerance per Gaussian that leaves the depth of a ray within `error` of the exact one, as

@@ -13,6 +13,7 @@
 
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/path_depths.h"
+#include "render/cpu/sliced_airlight.h"
 #include "render/cpu/surfaces.h"
 #include "render/cpu/visibility.h"
 #include "render/light_limits.h"
@@ -84,6 +85,12 @@ struct Renderer::Impl {
       CenterDepths depths;
     };
     std::vector<LightDepths> lights;
+    struct Table {
+      LightTableSize size;
+      std::unique_ptr<LightTable> table;  // stays where it is when the vector grows
+    };
+    std::vector<Table> tables;
+    std::vector<std::unique_ptr<ShadowMap>> shadows;
   } prepared;
 
   // One frame's state, stage by stage.
@@ -112,7 +119,12 @@ struct Renderer::Impl {
   const CenterDepths& light_depths(const glm::dvec3& position, Settings::Arithmetic arithmetic);
   void find_surfaces(Work& work) const;
   std::vector<PaperLight> paper_lights(Work& work, StageClock& clock);
+  const LightTable& light_table(Work& work, const glm::dvec3& position);
+  const ShadowMap& shadow_map(const glm::dvec3& position, const DirectionMap& map);
   void paper(Work& work, StageClock& clock);
+  void sliced(Work& work, StageClock& clock);
+  template <class Method>
+  void tile_airlight(Work& work, Method method) const;
   void reference(Work& work) const;
   void shade_surfaces(Work& work) const;
   static void composite(Work& work);
@@ -181,11 +193,19 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
     find_surfaces(work);
     clock.finish("visibility");
   }
-  if (work.settings.airlight == AirlightMethod::reference) {
-    reference(work);
+  if (work.plan.gaussians || work.plan.homogeneous) {
+    switch (work.settings.airlight) {
+      case AirlightMethod::paper:
+        paper(work, clock);
+        break;
+      case AirlightMethod::sliced:
+        sliced(work, clock);
+        break;
+      case AirlightMethod::reference:
+        reference(work);
+        break;
+    }
     clock.finish("airlight");
-  } else {
-    paper(work, clock);
   }
   if (work.plan.lit_surfaces) {
     shade_surfaces(work);
@@ -211,15 +231,32 @@ void Renderer::Impl::prepare(const Work& work) {
     prepared.index =
         std::make_unique<MediumIndex>(scene.medium, depth_tolerance(scene.medium, depth_error));
     prepared.lights.clear();
+    prepared.tables.clear();
   }
   if (!prepared.visibility || !prepared.visibility->shows(scene.surfaces)) {
     prepared.visibility = std::make_unique<Visibility>(scene.surfaces);
+    prepared.shadows.clear();
   }
-  // Depths of lights that are gone or have moved.
-  std::erase_if(prepared.lights, [&](const Prepared::LightDepths& known) {
+  // What belongs to lights that are gone or have moved.
+  const auto gone = [&](const glm::dvec3& position) {
     return std::none_of(work.plan.lights.begin(), work.plan.lights.end(),
-                        [&](const PointLight& light) { return light.position == known.position; });
+                        [&](const PointLight& light) { return light.position == position; });
+  };
+  std::erase_if(prepared.lights, [&](const auto& known) { return gone(known.position); });
+  std::erase_if(prepared.tables, [&](const auto& known) {
+    return gone(known.table->light()) || !(known.size == work.settings.light_table);
   });
+  std::erase_if(prepared.shadows, [&](const auto& known) { return gone(known->light()); });
+}
+
+const LightTable& Renderer::Impl::light_table(Work& work, const glm::dvec3& position) {
+  for (const Prepared::Table& known : prepared.tables) {
+    if (known.table->light() == position) return *known.table;
+  }
+  const LightTableSize& size = work.settings.light_table;
+  prepared.tables.push_back({size, std::make_unique<LightTable>(*prepared.index, position, size)});
+  work.frame.statistics.light_pairs += prepared.tables.back().table->pairs;
+  return *prepared.tables.back().table;
 }
 
 const CenterDepths& Renderer::Impl::light_depths(const glm::dvec3& position,
@@ -286,12 +323,20 @@ std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clo
   return lights;
 }
 
-void Renderer::Impl::paper(Work& work, StageClock& clock) {
-  const std::vector<PaperLight> lights = paper_lights(work, clock);
-  const MediumIndex& medium = *prepared.index;
-  const Tiles::Lists lists = work.tiles.lists(medium, work.rays);
+const ShadowMap& Renderer::Impl::shadow_map(const glm::dvec3& position, const DirectionMap& map) {
+  for (const auto& known : prepared.shadows) {
+    if (known->light() == position && known->map() == map) return *known;
+  }
+  std::erase_if(prepared.shadows, [&](const auto& known) { return known->light() == position; });
+  prepared.shadows.push_back(std::make_unique<ShadowMap>(*prepared.visibility, position, map));
+  return *prepared.shadows.back();
+}
+
+// Runs method(list of Gaussians, rays, out) -> pairs on every tile.
+template <class Method>
+void Renderer::Impl::tile_airlight(Work& work, Method method) const {
+  const Tiles::Lists lists = work.tiles.lists(*prepared.index, work.rays);
   work.frame.statistics.gaussians_used = lists.used;
-  if (!work.plan.gaussians && !work.plan.homogeneous) return;
   std::atomic<std::uint64_t> pairs = 0;
   each_tile(work, true, [&](std::size_t tile) {
     std::array<glm::dvec3, Tiles::pixels> directions;
@@ -305,8 +350,8 @@ void Renderer::Impl::paper(Work& work, StageClock& clock) {
     });
     const TileRays rays{work.rays.eye(), std::span(directions).first(count),
                         std::span(lengths).first(count)};
-    pairs += paper_airlight(medium, lists.of(tile), lights, rays, work.settings.arithmetic,
-                            {std::span(airlight).first(count), std::span(depths).first(count)});
+    pairs += method(lists.of(tile), rays,
+                    TileAirlight{std::span(airlight).first(count), std::span(depths).first(count)});
     count = 0;
     each_pixel(work, tile, [&](std::size_t i, int, int) {
       work.depths[i] = depths[count];
@@ -317,11 +362,43 @@ void Renderer::Impl::paper(Work& work, StageClock& clock) {
     });
   });
   work.frame.statistics.view_pairs += pairs;
-  clock.finish("airlight");
+}
+
+void Renderer::Impl::paper(Work& work, StageClock& clock) {
+  const std::vector<PaperLight> lights = paper_lights(work, clock);
+  tile_airlight(work, [&](auto gaussians, const TileRays& rays, const TileAirlight& out) {
+    return paper_airlight(*prepared.index, gaussians, lights, rays, work.settings.arithmetic, out);
+  });
+}
+
+void Renderer::Impl::sliced(Work& work, StageClock& clock) {
+  std::vector<SlicedLight> lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light.position, light.intensity,
+                      least_light_distance(work.rays, work.camera, light.position)});
+  }
+  if (work.plan.gaussians) {
+    for (SlicedLight& light : lights) light.table = &light_table(work, light.position);
+    clock.finish("light_table");
+  }
+  if (work.plan.surfaces) {
+    for (SlicedLight& light : lights) {
+      // Fog scatters in every direction, Gaussians only where they are.
+      DirectionMap map = DirectionMap::all(work.settings.shadow_cells);
+      if (!work.plan.homogeneous) {
+        map = light.table->map();
+        map.cells = work.settings.shadow_cells;
+      }
+      light.shadows = &shadow_map(light.position, map);
+    }
+    clock.finish("shadow_map");
+  }
+  tile_airlight(work, [&](auto gaussians, const TileRays& rays, const TileAirlight& out) {
+    return sliced_airlight(*prepared.index, gaussians, lights, rays, work.settings.slices, out);
+  });
 }
 
 void Renderer::Impl::reference(Work& work) const {
-  if (!work.plan.gaussians && !work.plan.homogeneous) return;
   std::vector<ReferenceLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,

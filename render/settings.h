@@ -4,7 +4,16 @@ namespace brume {
 
 enum class AirlightMethod {
   paper,      // the paper's approximation, as published
+  sliced,     // exact optical depths per slice of the ray, light from a table
   reference,  // the integral itself, converged
+};
+
+// How fine the table of a light's optical depths is.
+struct LightTableSize {
+  int directions = 32;  // per axis of the map of directions
+  int radii = 16;
+
+  bool operator==(const LightTableSize&) const = default;
 };
 
 // How a frame is rendered; what is rendered is the Scene's.
@@ -13,6 +22,12 @@ struct Settings {
 
   // Worker threads; 0 takes all.
   int threads = 0;
+
+  // `sliced`: slices per ray, and how fine the table of each light is.
+  int slices = 16;
+  LightTableSize light_table;
+  // `sliced`: cells per axis of the map of surfaces around a light.
+  int shadow_cells = 256;
 
   // `reference`: the relative tolerance of each ray's quadrature.
   double reference_tolerance = 1e-4;
@@ -25,5 +40,8 @@ struct Settings {
 };
 
 const char* to_string(AirlightMethod method);
+
+// The table that goes with a number of slices: neither's error dominates.
+LightTableSize light_table_for(int slices);
 
 }  // namespace brume

@@ -9,9 +9,9 @@
 #include "core/io/number_domain.h"
 #include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
+#include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
 #include "tools/brume/command.h"
-#include "core/medium/medium_summary.h"
 
 namespace brume {
 namespace {

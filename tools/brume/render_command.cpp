@@ -30,11 +30,11 @@ std::string lower_case(std::string text) {
 
 AirlightMethod parse_airlight(const std::string& name) {
   if (name == "paper") return AirlightMethod::paper;
+  if (name == "sliced") return AirlightMethod::sliced;
   if (name == "reference") return AirlightMethod::reference;
-  const bool is_planned = name == "auto" || name == "sliced";
   throw UsageError("--airlight: found " + shown(name) + "; " +
-                   (is_planned ? "it is not available in this version; " : "") +
-                   "allowed: paper, reference");
+                   (name == "auto" ? "it is not available in this version; " : "") +
+                   "allowed: paper, sliced, reference");
 }
 
 void check_backend(const std::string& name) {
@@ -66,7 +66,10 @@ class RenderCommand final : public Command {
     app.add_option("-o,--output", output_, "the image: .exr (linear, all layers) or .png")
         ->required();
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
-    app.add_option("--airlight", airlight_, "paper or reference")->capture_default_str();
+    app.add_option("--airlight", airlight_, "paper, sliced or reference")->capture_default_str();
+    app.add_option("--slices", slices_, "of sliced, per ray through the medium")
+        ->check(CLI::Range(4, 256))
+        ->capture_default_str();
     app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
         ->check(CLI::Range(1e-12, 1.0))
         ->capture_default_str();
@@ -86,6 +89,8 @@ class RenderCommand final : public Command {
     Settings settings;
     settings.airlight = parse_airlight(airlight_);
     settings.reference_tolerance = tolerance_;
+    settings.slices = slices_;
+    settings.light_table = light_table_for(slices_);
     settings.threads = threads_;
     check_backend(backend_);
     const std::optional<Film> size =
@@ -113,7 +118,7 @@ class RenderCommand final : public Command {
     }
     write_output(frame);
     if (!stats_file_.empty()) {
-      const RenderRun run{scene_file_, film, airlight_, threads_, repeat_, first.count()};
+      const RenderRun run{scene_file_, film, settings, repeat_, first.count()};
       write_atomically(stats_file_, statistics_json(run, frame.statistics, frames));
     }
     return done;
@@ -175,6 +180,7 @@ class RenderCommand final : public Command {
   std::string output_;
   std::string size_;
   std::string airlight_ = "paper";
+  int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
   std::string backend_ = "auto";
   int threads_ = 0;

@@ -78,10 +78,12 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["size"] = Json::array({run.film.width, run.film.height});
   json["backend"] = "cpu";
   json["device"] = device_name();
-  json["airlight"] = run.airlight;
-  json["slices"] = nullptr;
-  json["threads"] =
-      run.threads > 0 ? run.threads : static_cast<int>(std::thread::hardware_concurrency());
+  json["airlight"] = to_string(run.settings.airlight);
+  json["slices"] =
+      run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
+  json["threads"] = run.settings.threads > 0
+                        ? run.settings.threads
+                        : static_cast<int>(std::thread::hardware_concurrency());
   json["repeat"] = run.repeat;
   json["frame_ms"] = Json{{"median", median(times)}, {"min", *least}, {"max", *greatest}};
   json["first_frame_ms"] = run.first_frame_milliseconds;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "render/frame.h"
+#include "render/settings.h"
 
 namespace brume {
 
@@ -11,8 +12,7 @@ namespace brume {
 struct RenderRun {
   std::string scene;
   Film film;
-  std::string airlight;
-  int threads = 0;  // 0: all
+  Settings settings;
   int repeat = 1;
   double first_frame_milliseconds = 0.0;  // with loading and building everything once
 };

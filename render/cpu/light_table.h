@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/cpu/direction_map.h"
+#include "render/medium_index.h"
+#include "render/settings.h"
+
+namespace brume {
+
+// T(s, x) of the Gaussians around one light, tabulated over directions and radii and interpolated
+// linearly in all three. The map of directions is a perspective one towards the medium when the
+// light is outside it, octahedral (all directions) when it is inside or close. b0 is not part of
+// it: its share is known exactly.
+class LightTable {
+ public:
+  // In parallel. Cost: directions^2 * (Gaussians that a direction meets) line integrals.
+  LightTable(const MediumIndex& medium, const glm::dvec3& light, const LightTableSize& size);
+
+  [[nodiscard]] const glm::dvec3& light() const { return light_; }
+  [[nodiscard]] const DirectionMap& map() const { return map_; }
+  // No Gaussian reaches anything.
+  [[nodiscard]] bool empty() const { return depths_.empty(); }
+
+  // What a look-up needs; see slice_kernels.cpp. Depths of one direction lie together, directions
+  // in rows of map.row().
+  struct View {
+    const float* depths = nullptr;
+    DirectionMap map;
+    int radii = 0;
+    float first_radius = 0.0f;
+    float radii_per_unit = 0.0f;
+  };
+  [[nodiscard]] View view() const;
+
+  std::uint64_t pairs = 0;  // Gaussian x ray pairs evaluated to build it
+
+ private:
+  glm::dvec3 light_;
+  DirectionMap map_;
+  int radii_ = 0;
+  double first_radius_ = 0.0;
+  double last_radius_ = 0.0;
+  std::vector<float> depths_;
+};
+
+}  // namespace brume

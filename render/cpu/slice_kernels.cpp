@@ -1,0 +1,280 @@
+#include "render/cpu/slice_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/slice_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using Vector = V3<V>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+
+// erf(x), absolute error 3e-7 (Abramowitz and Stegun 7.1.28): no exponential, one division.
+HWY_INLINE V FastErf(V x) {
+  constexpr float coefficient[] = {0.0000430638f, 0.0002765672f, 0.0001520143f, 0.0092705272f,
+                                   0.0422820123f, 0.0705230784f, 1.0f};
+  const D d;
+  // Past 4 nothing changes, and the sixteenth power would overflow.
+  V p = Horner(d, hn::Min(hn::Abs(x), set(4.0f)), coefficient);
+  p = hn::Mul(p, p);
+  p = hn::Mul(p, p);
+  p = hn::Mul(p, p);
+  p = hn::Mul(p, p);
+  return hn::CopySign(hn::Sub(set(1.0f), hn::Div(set(1.0f), p)), x);
+}
+
+std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
+                                   std::span<const float> boundaries, float* increments) {
+  const D d;
+  const std::size_t stride = rays.padded_size();
+  const std::size_t last = boundaries.size() - 1;
+  std::uint64_t pairs = 0;
+  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
+                   hn::LoadU(d, rays.z.data() + i)};
+    const V length = hn::LoadU(d, rays.length.data() + i);
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const V a = set(g.a[j]);
+      const Crossing<D> crossing({set(g.x[j]), set(g.y[j]), set(g.z[j])}, w, a);
+      const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
+      if (hn::AllFalse(d, reached)) continue;
+      pairs += hn::CountTrue(d, reached);
+      // The slices that any of the rays meets the Gaussian in.
+      const float reach = std::sqrt(g.cutoff[j]) / g.a[j];
+      const float from = hn::GetLane(hn::MinOfLanes(d, crossing.t0)) - reach;
+      const float to = hn::GetLane(hn::MaxOfLanes(d, crossing.t0)) + reach;
+      const auto begin = boundaries.begin();
+      const auto after = std::upper_bound(begin, boundaries.end(), from) - begin;
+      std::size_t k = after > 0 ? static_cast<std::size_t>(after - 1) : 0;
+      if (k >= last || boundaries[0] >= to) continue;
+      const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(crossing.e)));
+      const auto at = [&](std::size_t boundary) HWY_ATTR {
+        return FastErf(
+            hn::Mul(a, hn::Sub(hn::Min(set(boundaries[boundary]), length), crossing.t0)));
+      };
+      V before = at(k);
+      for (; k < last && boundaries[k] < to; ++k) {
+        const V now = at(k + 1);
+        float* increment = increments + k * stride + i;
+        hn::StoreU(hn::MulAdd(scale, hn::Sub(now, before), hn::LoadU(d, increment)), d, increment);
+        before = now;
+      }
+    }
+  }
+  return pairs;
+}
+
+// Where a direction lies in a table over a map: the lower of the cells to mix, and by how much.
+struct MapPosition {
+  hn::Vec<hn::RebindToSigned<D>> cell;  // row by row, border included
+  V fx, fy;
+
+  // `q` need not be unit; `distance` is its length.
+  HWY_INLINE MapPosition(const DirectionMap& map, const Vector& q, V distance) {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const V one = set(1.0f);
+    V u;
+    V v;
+    if (map.octahedral) {
+      const V sum = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
+      const V inverse = hn::Div(one, hn::Max(sum, set(1e-30f)));
+      const V x = hn::Mul(q.x, inverse);
+      const V y = hn::Mul(q.y, inverse);
+      const auto below = hn::Lt(q.z, hn::Zero(d));
+      u = hn::IfThenElse(below, hn::CopySign(hn::Sub(one, hn::Abs(y)), x), x);
+      v = hn::IfThenElse(below, hn::CopySign(hn::Sub(one, hn::Abs(x)), y), y);
+    } else {
+      const auto along = [&](const glm::vec3& axis) HWY_ATTR {
+        return dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)});
+      };
+      // Behind the light there is nothing of interest; the border of the map answers.
+      const V depth = hn::Max(along(map.axis), hn::Mul(set(1e-3f), distance));
+      const V scale = hn::Div(set(map.scale), hn::Max(depth, set(1e-30f)));
+      u = hn::Mul(along(map.right), scale);
+      v = hn::Mul(along(map.up), scale);
+    }
+    // In cells, counted from the middle of the border cell.
+    const auto cells = static_cast<float>(map.cells);
+    const V most = set(cells + 0.999f);
+    const V half = set(0.5f * cells);
+    const V offset = set(0.5f * cells + 0.5f);
+    const V x = hn::Min(hn::Max(hn::MulAdd(u, half, offset), hn::Zero(d)), most);
+    const V y = hn::Min(hn::Max(hn::MulAdd(v, half, offset), hn::Zero(d)), most);
+    const auto xi = hn::ConvertTo(di, x);
+    const auto yi = hn::ConvertTo(di, y);
+    fx = hn::Sub(x, hn::ConvertTo(d, xi));
+    fy = hn::Sub(y, hn::ConvertTo(d, yi));
+    cell = hn::Add(hn::Mul(yi, hn::Set(di, map.row())), xi);
+  }
+
+  // The mix of value(cell offset) over the four cells.
+  template <class Value>
+  HWY_INLINE V Mix(int row, Value value) const {
+    const auto mix = [](V low, V high, V f)
+                         HWY_ATTR { return hn::MulAdd(f, hn::Sub(high, low), low); };
+    return mix(mix(value(0), value(1), fx), mix(value(row), value(row + 1), fx), fy);
+  }
+};
+
+// The depth of a table at a point relative to its light, `distance` from it.
+HWY_INLINE V LookUp(const LightTable::View& table, const Vector& q, V distance) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const MapPosition position(table.map, q, distance);
+  const V r = hn::Min(
+      hn::Max(hn::Mul(hn::Sub(distance, set(table.first_radius)), set(table.radii_per_unit)),
+              hn::Zero(d)),
+      set(static_cast<float>(table.radii) - 1.001f));
+  const auto ri = hn::ConvertTo(di, r);
+  const V fr = hn::Sub(r, hn::ConvertTo(d, ri));
+  const auto first = hn::Add(hn::Mul(position.cell, hn::Set(di, table.radii)), ri);
+  return position.Mix(table.map.row(), [&](int cell) HWY_ATTR {
+    const auto index = hn::Add(first, hn::Set(di, cell * table.radii));
+    const V near = hn::GatherIndex(d, table.depths, index);
+    const V far = hn::GatherIndex(d, table.depths + 1, index);
+    return hn::MulAdd(fr, hn::Sub(far, near), near);
+  });
+}
+
+// The share of the light that no surface stops, mixed over four cells.
+HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const MapPosition position(shadows.map(), q, distance);
+  // A cell stands for its neighbourhood: what is about as far as the surface is lit.
+  const V near = hn::Mul(distance, set(0.998f));
+  return position.Mix(shadows.map().row(), [&](int cell) HWY_ATTR {
+    const V reach =
+        hn::GatherIndex(d, shadows.distances(), hn::Add(position.cell, hn::Set(di, cell)));
+    return hn::IfThenElseZero(hn::Le(near, reach), set(1.0f));
+  });
+}
+
+// The mean of 1 / r^2 over t in [ts + a, ts + b], b > a, for a light at distance h from the ray:
+// the angle that the slice spans at the light, divided by h (b - a).
+HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
+  const D d;
+  const V width = hn::Sub(b, a);
+  const V dots = hn::MulAdd(a, b, h2);
+  const V h = hn::Sqrt(h2);
+  const V crosses = hn::Mul(h, width);
+  const V ratio = hn::Div(crosses, dots);
+  const auto small = hn::And(hn::Gt(dots, hn::Zero(d)), hn::Lt(ratio, set(0.4f)));
+  // atan(x) / x to 2e-6 for x below 0.4.
+  constexpr float coefficient[] = {-0.09090909f, 0.11111111f,  -0.14285714f,
+                                   0.2f,         -0.33333333f, 1.0f};
+  const V near_one = Horner(d, hn::Mul(ratio, ratio), coefficient);
+  const V direct = hn::Div(near_one, hn::Max(dots, set(1e-30f)));
+  if (hn::AllTrue(d, small)) return direct;
+  const V acute = hn::Atan(d, hn::Div(crosses, hn::Max(hn::Abs(dots), set(1e-30f))));
+  const V angle =
+      hn::IfThenElse(hn::Ge(dots, hn::Zero(d)), acute, hn::Sub(set(3.14159265f), acute));
+  const V wide = hn::Div(angle, hn::Max(crosses, set(1e-30f)));
+  return hn::IfThenElse(small, direct, wide);
+}
+
+void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
+               float b0, float negligible, std::span<const SliceLight> lights, float* depths,
+               const std::array<float*, light_pack>& radiance) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const std::size_t stride = rays.padded_size();
+  std::array<LightTable::View, light_pack> tables{};
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    if (lights[l].table && !lights[l].table->empty()) tables[l] = lights[l].table->view();
+  }
+  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
+                   hn::LoadU(d, rays.z.data() + i)};
+    const V length = hn::LoadU(d, rays.length.data() + i);
+    V ts[light_pack];
+    V h2[light_pack];
+    V sum[light_pack];
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      const Vector s{set(lights[l].position.x), set(lights[l].position.y),
+                     set(lights[l].position.z)};
+      ts[l] = dot(s, w);
+      const Vector gap = minus(s, ts[l], w);
+      h2[l] = hn::Max(dot(gap, gap), set(std::max(lights[l].h_min * lights[l].h_min, 1e-30f)));
+      sum[l] = zero;
+    }
+    V depth = zero;
+    V begin = hn::Min(set(boundaries[0]), length);
+    for (std::size_t k = 0; k + 1 < boundaries.size(); ++k) {
+      const V end = hn::Min(set(boundaries[k + 1]), length);
+      const V width = hn::Sub(end, begin);
+      const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), zero);
+      const V increment = hn::MulAdd(set(b0), width, gaussians);
+      const V next_depth = hn::Add(depth, increment);
+      const auto matters = hn::And(hn::Gt(increment, set(negligible)), hn::Lt(depth, set(20.0f)));
+      if (!hn::AllFalse(d, matters)) {
+        // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
+        const V lost = hn::Mul(
+            hn::Exp(d, hn::Neg(depth)),
+            hn::IfThenElse(hn::Lt(increment, set(1e-3f)),
+                           hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
+                           hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
+        const V middle = hn::Mul(set(0.5f), hn::Add(begin, end));
+        for (std::size_t l = 0; l < lights.size(); ++l) {
+          const V falloff = MeanInverseSquare(hn::Sub(begin, ts[l]), hn::Sub(end, ts[l]), h2[l]);
+          const V along = hn::Sub(middle, ts[l]);
+          const V distance = hn::Sqrt(hn::MulAdd(along, along, h2[l]));
+          V light_depth = hn::Mul(set(b0), distance);
+          const Vector q{hn::MulSub(middle, w.x, set(lights[l].position.x)),
+                         hn::MulSub(middle, w.y, set(lights[l].position.y)),
+                         hn::MulSub(middle, w.z, set(lights[l].position.z))};
+          if (tables[l].depths) {
+            light_depth = hn::Add(light_depth, LookUp(tables[l], q, distance));
+          }
+          V light = hn::Mul(falloff, hn::Exp(d, hn::Neg(light_depth)));
+          if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
+          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(lost, light)));
+        }
+      }
+      depth = next_depth;
+      begin = end;
+    }
+    hn::StoreU(depth, d, depths + i);
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
+      hn::StoreU(hn::MulAdd(set(phase), sum[l], hn::LoadU(d, radiance[l] + i)), d, radiance[l] + i);
+    }
+  }
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(AccumulateIncrements);
+HWY_EXPORT(SumSlices);
+
+std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
+                                    std::span<const float> boundaries, float* increments) {
+  return HWY_DYNAMIC_DISPATCH(AccumulateIncrements)(gaussians, rays, boundaries, increments);
+}
+
+void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
+                float b0, float negligible, std::span<const SliceLight> lights, float* depths,
+                const std::array<float*, light_pack>& radiance) {
+  HWY_DYNAMIC_DISPATCH(SumSlices)
+  (rays, boundaries, increments, b0, negligible, lights, depths, radiance);
+}
+
+}  // namespace brume
+#endif

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "render/cpu/kernels.h"
+#include "render/cpu/light_table.h"
+#include "render/cpu/shadow_map.h"
+
+namespace brume {
+
+// The inner loops of the sliced airlight in single precision (Highway). Rays are cut at ascending
+// boundaries t_0 < t_1 < ... < t_K, the same for all rays of a batch; a ray's slice ends where the
+// ray ends.
+
+// increments[k * rays.padded_size() + i] += the optical depth of the Gaussians on slice k of ray i.
+// What lies before t_0 or after t_K is left out. Returns the Gaussian x ray pairs evaluated.
+std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
+                                    std::span<const float> boundaries, float* increments);
+
+struct SliceLight {
+  glm::vec3 position{0.0f};            // relative to the rays' origin [u]
+  float h_min = 0.0f;                  // see LightPath [u]
+  const LightTable* table = nullptr;   // null: no Gaussian takes light on its way
+  const ShadowMap* shadows = nullptr;  // null: no surface does
+};
+
+// Single scattering summed front to back over the slices (K = boundaries.size() - 1):
+//   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
+// radiance[l][i] += that per unit of the light's intensity [1/u^2]; depths[i] = T(v, p) of
+// Gaussians and b0 up to t_K. A slice whose depth is below `negligible` gives no light. At most
+// light_pack lights.
+void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
+                float b0, float negligible, std::span<const SliceLight> lights, float* depths,
+                const std::array<float*, light_pack>& radiance);
+
+}  // namespace brume
