@@ -84,7 +84,9 @@ std::vector<std::uint8_t> to_display(const Frame& frame, double exposure) {
     }
     return bytes;
   }();
-  const float gain = static_cast<float>(std::exp2(exposure));
+  // Sixty stops make anything black or white; more would overflow, and NaN is no exposure.
+  const double stops = std::isfinite(exposure) ? std::clamp(exposure, -60.0, 60.0) : 0.0;
+  const float gain = static_cast<float>(std::exp2(stops));
   const std::size_t pixels = frame.beauty.size() / 4;
   std::vector<std::uint8_t> rgb(3 * pixels);
   for (std::size_t i = 0; i < pixels; ++i) {

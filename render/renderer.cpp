@@ -65,9 +65,10 @@ class StageClock {
 };
 
 float finite(double x) {
-  // Radiance beyond float, or a broken sum: the frame promises finite values.
+  // The frame promises finite values: radiance beyond float is as bright as can be, and a broken
+  // sum black.
   constexpr double most = 1e30;
-  return std::isfinite(x) ? static_cast<float>(std::clamp(x, 0.0, most)) : 0.0f;
+  return std::isnan(x) ? 0.0f : static_cast<float>(std::clamp(x, 0.0, most));
 }
 
 }  // namespace
@@ -79,6 +80,7 @@ struct Renderer::Impl {
     double depth_error = 0.0;
     std::unique_ptr<MediumIndex> index;
     std::unique_ptr<Visibility> visibility;
+    std::unique_ptr<Occluders> occluders;  // of the reference only
     struct LightDepths {
       glm::dvec3 position;
       Settings::Arithmetic arithmetic;
@@ -234,8 +236,13 @@ void Renderer::Impl::prepare(const Work& work) {
     prepared.tables.clear();
   }
   if (!prepared.visibility || !prepared.visibility->shows(scene.surfaces)) {
-    prepared.visibility = std::make_unique<Visibility>(scene.surfaces);
+    prepared.occluders.reset();
     prepared.shadows.clear();
+    prepared.visibility.reset();
+    prepared.visibility = std::make_unique<Visibility>(scene.surfaces);
+  }
+  if (!prepared.occluders && work.settings.airlight == AirlightMethod::reference) {
+    prepared.occluders = std::make_unique<Occluders>(scene.surfaces);
   }
   // What belongs to lights that are gone or have moved.
   const auto gone = [&](const glm::dvec3& position) {
@@ -410,7 +417,7 @@ void Renderer::Impl::reference(Work& work) const {
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
       if (work.stop.stop_requested()) return;
       const ReferenceRay ray =
-          reference_airlight(*prepared.index, *prepared.visibility, lights, work.rays.eye(),
+          reference_airlight(*prepared.index, *prepared.occluders, lights, work.rays.eye(),
                              work.rays.direction(x + 0.5, y + 0.5), work.hits[i].distance,
                              work.settings.reference_tolerance);
       work.depths[i] = ray.depth;

@@ -18,7 +18,8 @@ CameraRays::PixelRectangle Tiles::rectangle(std::size_t tile) const {
   return {x, y, std::min(x + width, film_.width), std::min(y + height, film_.height)};
 }
 
-Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays) const {
+Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays,
+                          std::size_t most) const {
   // In tiles: [x0, x1) x [y0, y1) per Gaussian.
   std::vector<CameraRays::PixelRectangle> bounds(medium.size());
   tbb::parallel_for(std::size_t{0}, medium.size(), [&](std::size_t i) {
@@ -29,6 +30,15 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays) con
   });
 
   Lists lists;
+  std::size_t entries = 0;
+  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+    const auto& b = bounds[i];
+    if (b.empty()) continue;
+    ++lists.used;
+    entries += static_cast<std::size_t>(b.x1 - b.x0) * static_cast<std::size_t>(b.y1 - b.y0);
+    lists.gaussians.push_back(i);
+  }
+  if (entries > most) return lists;
   lists.offsets.assign(count() + 1, 0);
   const auto each_tile = [&](const CameraRays::PixelRectangle& b, auto visit) {
     for (int y = b.y0; y < b.y1; ++y) {
@@ -39,12 +49,11 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays) con
     }
   };
   for (const auto& b : bounds) {
-    lists.used += b.empty() ? 0 : 1;
     each_tile(b, [&](std::size_t tile) { ++lists.offsets[tile + 1]; });
   }
   std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
   lists.gaussians.resize(lists.offsets.back());
-  std::vector<std::uint32_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
+  std::vector<std::size_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
   for (std::uint32_t i = 0; i < bounds.size(); ++i) {
     each_tile(bounds[i], [&](std::size_t tile) { lists.gaussians[next[tile]++] = i; });
   }

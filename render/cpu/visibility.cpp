@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/scene/mesh.h"
-#include "render/sphere_hierarchy.h"
 
 namespace brume {
 namespace {
@@ -83,6 +82,7 @@ struct Visibility::Impl {
     auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                                RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                                                mesh.n_vertices()));
+    if (!vertex) throw std::bad_alloc();
     for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) {
       const glm::dvec3 p = to_world(surface, mesh_point(mesh, v)) - middle;
       radius = std::max(radius, glm::length(p));
@@ -91,6 +91,7 @@ struct Visibility::Impl {
     auto* index = static_cast<unsigned*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                 3 * sizeof(unsigned), mesh.n_faces()));
+    if (!index) throw std::bad_alloc();
     auto& own = triangles.emplace_back();
     for (const auto face : mesh.faces()) {
       glm::uvec3 corners(0);
@@ -211,11 +212,6 @@ bool Visibility::blocked(const glm::dvec3& from, const glm::dvec3& to) const {
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcOccluded1(impl_->scene, &context, &ray);
   return ray.tfar < 0.0f;
-}
-
-bool Visibility::may_block(const glm::dvec3& light, const glm::dvec3& a,
-                           const glm::dvec3& b) const {
-  return !empty() && TriangleShape{light, a, b}.touches(impl_->middle, impl_->radius);
 }
 
 }  // namespace brume

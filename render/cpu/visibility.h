@@ -56,11 +56,6 @@ class Visibility {
   // Whether a surface stands between two points, ends excluded. Thread-safe.
   [[nodiscard]] bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
 
-  // Whether any surface could stand between the light and the segment from a to b: false only if
-  // all surfaces are away from that triangle.
-  [[nodiscard]] bool may_block(const glm::dvec3& light, const glm::dvec3& a,
-                               const glm::dvec3& b) const;
-
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

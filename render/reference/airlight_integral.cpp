@@ -139,42 +139,6 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
                       std::numeric_limits<Real>::infinity(), interval_radii<Real> * width});
 }
 
-// The intervals of [0, end] from which the light is seen: probed at even angles, their ends found
-// by bisection. A blocker narrower than the probes' distance between two probes is missed.
-template <class Real>
-std::vector<std::pair<Real, Real>> lit_intervals(const LightSource<Real>& light,
-                                                 const EquiAngular<Real>& angular, Real end,
-                                                 Real tolerance) {
-  if (!light.unblocked) return {{Real(0), end}};
-  const auto lit = [&](Real phi) { return light.unblocked(angular.t(phi)); };
-  const int probes = std::clamp(static_cast<int>(Real(0.64) / std::sqrt(tolerance)), 32, 1024);
-  std::vector<std::pair<Real, Real>> intervals;
-  Real last = 0;
-  bool was_lit = lit(Real(0));
-  Real begin = 0;
-  for (int i = 1; i <= probes; ++i) {
-    const Real phi = end * Real(i) / Real(probes);
-    const bool is_lit = lit(phi);
-    if (is_lit != was_lit) {
-      Real lo = last;
-      Real hi = phi;
-      for (int k = 0; k < 24; ++k) {
-        const Real middle = Real(0.5) * (lo + hi);
-        (lit(middle) == was_lit ? lo : hi) = middle;
-      }
-      if (is_lit) {
-        begin = hi;
-      } else {
-        intervals.emplace_back(begin, lo);
-      }
-    }
-    was_lit = is_lit;
-    last = phi;
-  }
-  if (was_lit) intervals.emplace_back(begin, end);
-  return intervals;
-}
-
 }  // namespace
 
 template <class Real>
@@ -228,7 +192,11 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
   }
 
   Integral<Real> sum;
-  for (const auto& [begin, end] : lit_intervals(light, angular, angular.span, tolerance)) {
+  const std::vector<std::pair<Real, Real>> whole{{Real(0), end_t}};
+  for (const auto& [begin_t, stop_t] : light.lit ? *light.lit : whole) {
+    const Real begin = angular.angle(begin_t);
+    const Real end = std::min(angular.angle(stop_t), angular.span);
+    if (!(begin < end)) continue;
     std::vector<Real> breakpoints{begin};
     Subdivision<Real> subdivision(angular, breakpoints);
     for (const Real level : levels) {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/transport/light_path.h"
@@ -53,8 +54,8 @@ struct LightSource {
   Real h_min;  // least distance of the light from a ray, see LightPath
   // All that reach the triangle between the light and the ray.
   std::span<const GaussianTerm<Real>> gaussians;
-  // Whether the ray's point at t sees the light past the surfaces; empty: always.
-  std::function<bool(Real t)> unblocked;
+  // The parts [t0, t1] of the ray that see the light past the surfaces; nullopt: all of it.
+  std::optional<std::vector<std::pair<Real, Real>>> lit;
 };
 
 // Radiance scattered once towards the eye, per unit of the light's radiant intensity [1/u^2]:

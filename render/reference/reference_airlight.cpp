@@ -8,7 +8,7 @@
 
 namespace brume {
 
-ReferenceRay reference_airlight(const MediumIndex& medium, const Visibility& visibility,
+ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occluders,
                                 std::span<const ReferenceLight> lights, const glm::dvec3& eye,
                                 const glm::dvec3& w, double length, double tolerance) {
   ReferenceRay result;
@@ -28,7 +28,7 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Visibility& vis
   double end = ray.parameter_at_depth(50.0);
   if (!(b0 > 0.0)) end = std::min(end, last);
   for (const ReferenceLight& light : lights) {
-    LightSource<double> source{light.position, light.h_min, {}, {}};
+    LightSource<double> source{light.position, light.h_min, {}, std::nullopt};
     std::vector<GaussianTerm<double>> toward_light;
     // An endless ray in fog: whatever is farther than its medium is dense lies in the dark.
     const glm::dvec3 far = eye + std::min(end, 1e15) * w;
@@ -37,10 +37,8 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Visibility& vis
     });
     source.gaussians = toward_light;
     result.light_pairs += toward_light.size();
-    if (visibility.may_block(light.position, eye, far)) {
-      source.unblocked = [&](double t) {
-        return !visibility.blocked(light.position, eye + std::min(t, 1e15) * w);
-      };
+    if (!occluders.empty()) {
+      source.lit = occluders.lit(light.position, eye, w, std::min(end, 1e15));
     }
     const ViewRayMedium<double> lit(along, b0, eye, w, end);
     result.airlight += light.intensity * airlight_integral(lit, source, tolerance);

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "core/scene/scene.h"
-#include "render/cpu/visibility.h"
 #include "render/medium_index.h"
+#include "render/reference/occluders.h"
 
 namespace brume {
 
@@ -26,7 +26,7 @@ struct ReferenceRay {
 
 // `length` is the distance to the first surface or +inf; `tolerance` the relative one of
 // airlight_integral(). Thread-safe.
-ReferenceRay reference_airlight(const MediumIndex& medium, const Visibility& visibility,
+ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occluders,
                                 std::span<const ReferenceLight> lights, const glm::dvec3& eye,
                                 const glm::dvec3& w, double length, double tolerance);
 

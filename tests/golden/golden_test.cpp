@@ -64,7 +64,7 @@ Real exact_airlight(const Json& in, ScatteredBy part) {
   const Ray<Real> ray(in);
   const auto all = gaussians<Real>(in);
   const ViewRayMedium<Real> medium(all, real<Real>(in.at("b0")), ray.v, ray.w, ray.d);
-  const LightSource<Real> light{vec<Real>(in.at("s")), 0, all, {}};
+  const LightSource<Real> light{vec<Real>(in.at("s")), 0, all, std::nullopt};
   const Real tolerance = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-10);
   return real<Real>(in.at("I0")) * airlight_integral(medium, light, tolerance, part);
 }
@@ -187,6 +187,7 @@ int run(const char* file) {
   const Json golden = Json::parse(stream);
   const auto known = quantities<double>();
   std::set<std::string> skipped;
+  std::set<std::string> seen;
   Score score;
   for (const Json& test : golden.at("cases")) {
     const std::string quantity = test.at("quantity");
@@ -194,8 +195,16 @@ int run(const char* file) {
       skipped.insert(quantity);
       continue;
     }
+    seen.insert(quantity);
     evaluate<double>(test, "tol64", score);
     evaluate<float>(test, "tol32", score);
+  }
+  // A quantity that Brume has must not get lost in a file that lacks or misspells it.
+  for (const auto& [quantity, evaluate_it] : known) {
+    if (!seen.contains(quantity)) {
+      std::printf("FAILED: no case of %s in the file\n", quantity.c_str());
+      ++score.failed;
+    }
   }
   for (const std::string& quantity : skipped) {
     std::printf("skipped: %s is not implemented yet\n", quantity.c_str());

@@ -15,7 +15,8 @@ namespace {
 // closed form, no culling. Slow, and as simple as the integral itself.
 class Marching {
  public:
-  explicit Marching(const Scene& scene) : scene_(scene) {}
+  explicit Marching(const Scene& scene, int light_steps = 300)
+      : scene_(scene), light_steps_(light_steps) {}
 
   // Whether the straight way between two points is free; for scenes with surfaces.
   std::function<bool(const glm::dvec3&, const glm::dvec3&)> free = [](auto&, auto&) {
@@ -50,7 +51,7 @@ class Marching {
       view_depth += 0.5 * b * dt;
       if (free(light, x)) {
         const glm::dvec3 q = light - x;
-        sum += b * std::exp(-view_depth - depth(light, x, 300)) / glm::dot(q, q);
+        sum += b * std::exp(-view_depth - depth(light, x, light_steps_)) / glm::dot(q, q);
       }
       view_depth += 0.5 * b * dt;
     }
@@ -59,6 +60,7 @@ class Marching {
 
  private:
   const Scene& scene_;
+  int light_steps_;
 };
 
 Settings reference(double tolerance = 1e-4) {
@@ -102,7 +104,7 @@ TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
   scene.lights[0].position = {0.35, 0.2, 0.3};
   scene.camera.eye = {0.1, 0.1, 2.0};
   scene.film = {6, 6};
-  // Marching stops at 60 u, where exp(-6) is left; the reference goes on to infinity.
+  // Every ray ends at a wall: marching cannot go to infinity.
   scene.surfaces.push_back(wall(-8.0, 100.0));
   EXPECT_LT(error_against_marching(scene, Marching(scene), 12.0, 3000), 5e-4);
 }
@@ -110,10 +112,10 @@ TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
 // Light shafts: a wall between the light and half of the medium.
 TEST(Reference, SurfacesBlockLightOnItsWayThroughTheMedium) {
   Scene scene = cloud_scene(10, 1.5, 7);
-  scene.film = {7, 7};
+  scene.film = {5, 5};
   scene.lights[0].position = {0.2, 0.1, -4.0};
   scene.surfaces.push_back(wall(-2.0, 0.3));
-  Marching marching(scene);
+  Marching marching(scene, 100);
   const double open = error_against_marching(scene, marching, 7.0, 700);
   marching.free = [](const glm::dvec3& a, const glm::dvec3& b) {
     const double t = (-2.0 - a.z) / (b.z - a.z);
@@ -121,8 +123,8 @@ TEST(Reference, SurfacesBlockLightOnItsWayThroughTheMedium) {
     const glm::dvec3 x = a + t * (b - a);
     return std::max(std::abs(x.x), std::abs(x.y)) > 0.3;
   };
-  // The midpoint rule is off by half a step at each edge of the shadow.
-  EXPECT_LT(error_against_marching(scene, marching, 7.0, 2000), 2e-3);
+  // The midpoint rule is off by up to half a step at each edge of the shadow.
+  EXPECT_LT(error_against_marching(scene, marching, 7.0, 6000), 1e-3);
   EXPECT_GT(open, 0.1) << "the wall must matter in this scene";
 }
 
@@ -136,6 +138,33 @@ TEST(Reference, HalvingTheToleranceChangesNothing) {
   EXPECT_LT(difference(coarse.beauty, fine.beauty).relative_rmse, 1e-4);
 }
 
+// Forty thin slats between light and medium: no probe of shadow rays would find all their edges.
+TEST(Reference, HalvingTheToleranceChangesNothingBehindAFence) {
+  Scene scene = cloud_scene(20, 1.0, 9);
+  scene.film = {9, 9};
+  scene.lights[0].position = {0.0, 4.0, 0.5};
+  for (int i = 0; i < 40; ++i) {
+    Surface slat = wall(0.0, 1.0);
+    slat.scale = 0.02;
+    slat.rotate = glm::dquat(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
+    slat.translate = {-1.2 + 0.06 * i, 2.0, 0.0};
+    scene.surfaces.push_back(slat);
+  }
+  const Frame coarse = render_frame(scene, reference(1e-4));
+  const Frame fine = render_frame(scene, reference(0.5e-4));
+  EXPECT_LT(difference(coarse.beauty, fine.beauty).relative_rmse, 1e-4);
+  // And the shafts are right: marching with the fence's own formula.
+  Marching marching(scene, 100);
+  marching.free = [](const glm::dvec3& a, const glm::dvec3& b) {
+    const double t = (2.0 - a.y) / (b.y - a.y);
+    const glm::dvec3 x = a + t * (b - a);
+    if (!(t > 0.0 && t < 1.0) || std::abs(x.z) > 0.02) return true;
+    const double slat = (x.x + 1.2) / 0.06;
+    return std::abs(slat - std::clamp(std::round(slat), 0.0, 39.0)) * 0.06 > 0.02;
+  };
+  EXPECT_LT(error_against_marching(scene, marching, 7.0, 2000), 2e-3);
+}
+
 // A needle in a haystack: a tiny dense Gaussian in broad haze, and the sharp shadow it casts.
 TEST(Reference, FindsASmallGaussianAndItsShadow) {
   Scene scene;
@@ -144,13 +173,13 @@ TEST(Reference, FindsASmallGaussianAndItsShadow) {
   scene.lights.push_back({{0, 6, 0}, {1, 1, 1}, {}});
   scene.medium.append({{0, 0, 0}, 3.0, 0.05});
   scene.medium.append({{0, 1.5, 0.01}, 0.02, 200.0});
-  const Marching marching(scene);
+  const Marching marching(scene, 3000);
   const Frame frame = render_frame(scene, reference());
   const CameraRays rays(scene.camera, scene.film);
   for (const int y : {2, 10, 20, 30}) {
     const auto pixel = static_cast<std::size_t>(y * scene.film.width + 2);
     const double truth = marching.airlight(rays.eye(), rays.direction(2.5, y + 0.5), 15.0, 6000);
-    EXPECT_NEAR(static_cast<double>(frame.airlight[3 * pixel]), truth, 3e-3 * truth) << y;
+    EXPECT_NEAR(static_cast<double>(frame.airlight[3 * pixel]), truth, 1e-3 * truth) << y;
   }
 }
 

@@ -157,5 +157,20 @@ TEST(Tiles, ListsMissNothing) {
   }
 }
 
+// Where lists would fill the memory, all tiles share one.
+TEST(Tiles, ManyGaussiansThatFillTheViewShareAList) {
+  Medium medium;
+  for (int i = 0; i < 50; ++i) medium.append({{0, 0, 0}, 10.0, 1.0});
+  medium.append({{0, 0, 1000}, 1.0, 1.0});  // behind the eye
+  const MediumIndex index(medium, 1e-4);
+  const Film film{256, 128};
+  const CameraRays rays({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 40.0}, film);
+  const Tiles tiles(film);
+  const Tiles::Lists lists = tiles.lists(index, rays, 100);
+  EXPECT_EQ(lists.used, 50u);
+  EXPECT_EQ(lists.of(0).size(), 50u);
+  EXPECT_EQ(lists.of(tiles.count() - 1).size(), 50u);
+}
+
 }  // namespace
 }  // namespace brume

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "render/frame.h"
+
+namespace brume {
+
+// What a file of a frame says about how it came to be. An empty text is left out.
+struct FrameInfo {
+  std::string scene;  // its file
+  std::string airlight;
+  std::string backend;
+  double exposure = 0.0;  // [stops], of a PNG; an EXR is linear
+};
+
+// ".png" of "a/B.PNG".
+std::string lower_case_extension(const std::filesystem::path& file);
+
+// Throws InputError unless write_frame knows the extension, .exr or .png in any case.
+void check_frame_extension(const std::filesystem::path& file);
+
+// Writes a frame to .exr (all layers) or .png (exposure and view transform applied), with `info`
+// and the version as metadata under the prefix "brume:", since OpenEXR reserves names such as
+// "version". Throws InputError.
+void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameInfo& info);
+
+}  // namespace brume
