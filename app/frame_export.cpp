@@ -7,26 +7,10 @@
 #include <exception>
 
 #include "app/document/paths.h"
-#include "core/error.h"
-#include "core/io/image_file.h"
+#include "render/frame_file.h"
 #include "render/renderer.h"
 
 namespace brume {
-namespace {
-
-void write(const Frame& frame, double exposure, const std::filesystem::path& file) {
-  const QString extension = to_qstring(file.extension()).toLower();
-  if (extension == ".exr") {
-    write_exr(file, to_layers(frame));
-  } else if (extension == ".png") {
-    write_png(file, frame.film.width, frame.film.height, to_display(frame, exposure),
-              {{"Software", "Brume"}});
-  } else {
-    throw InputError(file, "", "a frame is exported as .exr or .png");
-  }
-}
-
-}  // namespace
 
 FrameExport::FrameExport(QWidget* parent)
     : QWidget(parent), label_(new QLabel(this)), bar_(new QProgressBar(this)) {
@@ -65,10 +49,11 @@ void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera
         QMetaObject::invokeMethod(
             bar_, [this, percent] { bar_->setValue(percent); }, Qt::QueuedConnection);
       };
+      const Settings settings;
       Renderer renderer;
-      const auto frame = renderer.render(*scene, camera, scene->film, {}, stop, progress);
+      const auto frame = renderer.render(*scene, camera, scene->film, settings, stop, progress);
       if (frame && !stop.stop_requested()) {
-        write(*frame, exposure, file);
+        write_frame(file, *frame, {"", to_string(settings.airlight), "cpu", exposure});
         outcome = Outcome::written;
       }
     } catch (const std::exception& error) {

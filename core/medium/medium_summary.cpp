@@ -17,13 +17,35 @@
 namespace brume {
 namespace {
 
-constexpr std::size_t direction_count = 64;
-constexpr std::size_t most_evaluations = 100'000'000;  // Gaussians x lines: some seconds
-constexpr std::size_t most_centers = 1024;
+// What the whole search may cost, in evaluations of one Gaussian at a point or along a line: a
+// few seconds of one thread, however many Gaussians there are.
+constexpr std::size_t most_evaluations = 200'000'000;
+
+// How many sums over all Gaussians each part of the search takes: first all `directions` through
+// each of `centers`, then `steps` from each of the `starts` best lines. The two share the budget.
+struct SearchSize {
+  std::size_t centers;
+  std::size_t directions;
+  std::size_t starts;
+  std::size_t steps;
+};
+
+SearchSize search_size(std::size_t gaussians) {
+  const std::size_t half = most_evaluations / gaussians / 2;
+  SearchSize size{};
+  // A centre also takes its density.
+  size.centers =
+      std::clamp<std::size_t>(half / (64 + 1), 1, std::min<std::size_t>(gaussians, 1024));
+  size.directions = std::clamp<std::size_t>(half / size.centers, 2, 64 + 1) - 1;
+  const std::size_t lines = size.centers * size.directions;
+  size.starts = std::clamp<std::size_t>(half / 300, 1, std::min<std::size_t>(lines, 24));
+  size.steps = std::min<std::size_t>(half / size.starts, 300);
+  return size;
+}
 
 // Points of a Fibonacci lattice on the half sphere z > 0; a line has no orientation.
-glm::dvec3 direction(std::size_t index) {
-  const double z = (static_cast<double>(index) + 0.5) / direction_count;
+glm::dvec3 direction(std::size_t index, std::size_t count) {
+  const double z = (static_cast<double>(index) + 0.5) / static_cast<double>(count);
   const double angle = static_cast<double>(index) * std::numbers::pi * (3.0 - std::sqrt(5.0));
   const double r = std::sqrt(1.0 - z * z);
   return {r * std::cos(angle), r * std::sin(angle), z};
@@ -46,11 +68,12 @@ double optical_depth_of_line(const Medium& medium, const glm::dvec3& point, cons
   return sum;
 }
 
-// Moves a line sideways (in units of `size`) and turns it by ever smaller steps as long as it gets
-// deeper.
-Line deepest_nearby(const Medium& medium, Line line, double size) {
+// Moves a line sideways (in units of `size`) and turns it as long as it gets deeper, by ever
+// smaller steps, of which it tries `most_steps` at most.
+Line deepest_nearby(const Medium& medium, Line line, double size, std::size_t most_steps) {
+  constexpr std::size_t moves = 8;  // tried in each round
   double step = 0.25;
-  for (int evaluations = 0; evaluations < 300 && step > 1e-3;) {
+  for (std::size_t tried = 0; tried + moves <= most_steps && step > 1e-3; tried += moves) {
     const glm::dvec3& w = line.direction;
     const glm::dvec3 u = glm::normalize(
         glm::cross(w, std::abs(w.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
@@ -60,7 +83,6 @@ Line deepest_nearby(const Medium& medium, Line line, double size) {
       for (const Line& next : {Line{line.point + step * size * d, w},
                                Line{line.point, glm::normalize(w + 0.3 * step * d)}}) {
         const double depth = optical_depth_of_line(medium, next.point, next.direction);
-        ++evaluations;
         if (depth > best.depth) best = {next.point, next.direction, depth};
       }
     }
@@ -131,23 +153,22 @@ MediumSummary summarize(const Medium& medium) {
     summary.greatest_radius = std::max(summary.greatest_radius, radius);
   }
 
-  const std::vector<std::size_t> centers = thickest(
-      medium,
-      std::clamp<std::size_t>(most_evaluations / (size * direction_count), 1, most_centers));
+  const SearchSize search = search_size(size);
+  const std::vector<std::size_t> centers = thickest(medium, search.centers);
   summary.peak_density = std::max(summary.peak_density, greatest_of(centers.size(), [&](auto i) {
                                     return density_at(medium, medium.centers()[centers[i]]);
                                   }));
 
-  std::vector<Line> lines(centers.size() * direction_count);
+  std::vector<Line> lines(search.centers * search.directions);
   tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) {
-    lines[i] = {medium.centers()[centers[i / direction_count]], direction(i % direction_count)};
+    lines[i] = {medium.centers()[centers[i / search.directions]],
+                direction(i % search.directions, search.directions)};
     lines[i].depth = optical_depth_of_line(medium, lines[i].point, lines[i].direction);
   });
-  const std::size_t starts = std::min<std::size_t>(lines.size(), size > 20'000 ? 2 : 24);
-  std::partial_sort(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(starts), lines.end(),
-                    [](const Line& a, const Line& b) { return a.depth > b.depth; });
-  summary.greatest_optical_depth = greatest_of(starts, [&](std::size_t i) {
-    return deepest_nearby(medium, lines[i], summary.greatest_radius).depth;
+  std::partial_sort(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(search.starts),
+                    lines.end(), [](const Line& a, const Line& b) { return a.depth > b.depth; });
+  summary.greatest_optical_depth = greatest_of(search.starts, [&](std::size_t i) {
+    return deepest_nearby(medium, lines[i], summary.greatest_radius, search.steps).depth;
   });
   return summary;
 }

@@ -20,9 +20,10 @@ struct MediumSummary {
 
 // The last two are found by search, so they are lower bounds: the density at the centres, and the
 // optical depth along lines through the centres in 64 directions spread evenly over the half
-// sphere, the best of which are moved and turned until no small step makes them deeper. Where
-// there are so many Gaussians that this would take long, only the centres of the greatest
-// radius * density (the optical depth of one Gaussian) are tried, at least one. Deterministic.
+// sphere, the best of which are moved and turned until no small step makes them deeper. The search
+// evaluates at most 2e8 Gaussians in all. Where there are many, only the centres of the greatest
+// radius * density (the optical depth of one Gaussian) are tried, and fewer directions and steps:
+// of ten million Gaussians, one centre, nine directions and one round of steps. Deterministic.
 MediumSummary summarize(const Medium& medium);
 
 }  // namespace brume

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,11 +90,30 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
   }
   expect_refused({"render", scene_, "-o", out, "--airlight", "papr"}, {"allowed: paper"});
   expect_refused({"render", scene_, "-o", out, "--airlight", "auto"}, {"not available"});
-  expect_refused({"render", scene_, "-o", out, "--airlight", "sliced"}, {"not available"});
   expect_refused({"render", scene_, "-o", out, "--backend", "gl"}, {"not available"});
   expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "not supported in this version"});
   expect_refused({"info", file("a.txt")}, {"allowed: .brume, .ply"});
   expect_refused({"line one\nline two"}, {"unknown subcommand"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(CommandLine, RefusesNumbersThatAreNotFiniteOrOutOfRange) {
+  const std::string out = file("o.png");
+  const std::map<std::string, std::string> ranges{{"--exposure", "from -100 to 100"},
+                                                  {"--tolerance", "from 1e-12 to 1"},
+                                                  {"--slices", "from 4 to 256"},
+                                                  {"--threads", "from 1 to 1024"},
+                                                  {"--repeat", "from 1 to 1e+06"}};
+  for (const auto& [option, range] : ranges) {
+    for (const char* value : {"nan", "-nan", "inf", "-inf", "1e300", "-200", "x"}) {
+      expect_refused({"render", scene_, "-o", out, option + "=" + value},
+                     {option + ": found " + value, "allowed: a number " + range});
+    }
+  }
+  for (const char* value : {"nan", "inf", "-1", "none"}) {
+    expect_refused({"compare", "a.exr", "b.exr", std::string("--max-rel-rmse=") + value},
+                   {std::string("--max-rel-rmse: found ") + value, "a number from 0 to 1e+12"});
+  }
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
@@ -111,7 +131,7 @@ TEST_F(CommandLine, RefusesOutputsBeforeItRenders) {
 }
 
 TEST_F(CommandLine, RendersAllLayersToExr) {
-  for (const char* airlight : {"paper", "reference"}) {
+  for (const char* airlight : {"paper", "sliced", "reference"}) {
     SCOPED_TRACE(airlight);
     const ProgramResult result =
         run_brume({"render", scene_, "-o", file("o.exr"), "--airlight", airlight});
@@ -127,10 +147,12 @@ TEST_F(CommandLine, RendersAllLayersToExr) {
                                                "transmittance.R"}));
     EXPECT_GT(*std::max_element(image.channels.at("R").begin(), image.channels.at("R").end()),
               0.0f);
-    EXPECT_EQ(image.metadata.at("scene"), scene_);
-    EXPECT_EQ(image.metadata.at("version"), BRUME_VERSION);
-    EXPECT_EQ(image.metadata.at("airlight"), airlight);
-    EXPECT_EQ(image.metadata.at("backend"), "cpu");
+    EXPECT_EQ(image.metadata.at("brume:scene"), scene_);
+    EXPECT_EQ(image.metadata.at("brume:version"), BRUME_VERSION);
+    EXPECT_EQ(image.metadata.at("brume:airlight"), airlight);
+    EXPECT_EQ(image.metadata.at("brume:backend"), "cpu");
+    // OpenEXR reserves this name for an int.
+    EXPECT_FALSE(image.metadata.contains("version"));
   }
 }
 
@@ -140,7 +162,9 @@ TEST_F(CommandLine, RendersToPng) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string png = content_of(folder_ / "o.PNG");
   EXPECT_TRUE(png.starts_with("\x89PNG"));
-  for (const char* text : {"exposure", "-1.5", "view transform", "airlight", "paper"}) {
+  for (const char* text :
+       {"Software", "Brume " BRUME_VERSION, "brume:scene", "brume:version", "brume:airlight",
+        "paper", "brume:backend", "brume:exposure", "-1.5", "brume:view_transform"}) {
     EXPECT_NE(png.find(text), std::string::npos) << text;
   }
 }
@@ -180,6 +204,51 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   EXPECT_EQ(stats["gaussians"]["total"], 2);
   EXPECT_TRUE(stats["pairs"]["light"].is_number());
   EXPECT_TRUE(stats["pairs"]["view"].is_number());
+}
+
+// The cost of building is the first frame's only, also where just one frame is asked for.
+TEST_F(CommandLine, TimesAFrameWithEverythingBuilt) {
+  const ProgramResult result =
+      run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "2x2",
+                 "--airlight", "sliced", "--slices", "32"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json stats = Json::parse(content_of(folder_ / "s.json"));
+  EXPECT_EQ(stats["repeat"], 1);
+  EXPECT_EQ(stats["frame_ms"]["min"], stats["frame_ms"]["max"]);
+  // Four pixels cost nothing; the table of the light and the map of shadows do.
+  EXPECT_LT(stats["frame_ms"]["median"], 0.25 * stats["first_frame_ms"].get<double>());
+  const auto table = std::find_if(stats["stages"].begin(), stats["stages"].end(),
+                                  [](const Json& s) { return s["name"] == "light_table"; });
+  ASSERT_NE(table, stats["stages"].end());
+  EXPECT_LT((*table)["ms"], 0.02 * stats["first_frame_ms"].get<double>());
+}
+
+TEST_F(CommandLine, TellsTheThreadsThatRun) {
+  const auto threads = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render",  scene_,         "-o",     file("o.exr"),
+                                       "--stats", file("s.json"), "--size", "2x2"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(result.err, "");
+    return Json::parse(content_of(folder_ / "s.json"))["threads"].get<int>();
+  };
+  cpu_set_t allowed;
+  ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+  EXPECT_EQ(threads({"--threads", "1024"}), threads({}));
+  EXPECT_LE(threads({}), CPU_COUNT(&allowed));
+  EXPECT_EQ(threads({"--threads", "1"}), 1);
+
+  // The program inherits what this thread may use.
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  for (int cpu = 0; CPU_COUNT(&one) == 0; ++cpu) {
+    if (CPU_ISSET(cpu, &allowed)) CPU_SET(cpu, &one);
+  }
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(threads({}), 1);
+  EXPECT_EQ(threads({"--threads", "2"}), 1);
+  EXPECT_EQ(sched_setaffinity(0, sizeof allowed, &allowed), 0);
 }
 
 TEST_F(CommandLine, WarnsOnStandardError) {
@@ -277,6 +346,13 @@ TEST_F(CommandLine, TellsWhatAMediumHolds) {
   const Json medium = Json::parse(result.out)["medium"];
   EXPECT_EQ(medium["gaussians"], 1);
   EXPECT_DOUBLE_EQ(medium["greatest_optical_depth"], std::sqrt(std::acos(-1.0)) * 0.5);
+}
+
+TEST_F(CommandLine, TakesExtensionsInAnyCase) {
+  write_gaussians(folder_ / "M.PLY", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
+  EXPECT_EQ(run_brume({"info", file("M.PLY")}).exit_code, 0);
+  EXPECT_EQ(run_brume({"info", folder_.write("A.Brume", scene_text).string()}).exit_code, 0);
+  expect_refused({"info", file("smoke.VDB")}, {"not supported in this version"});
 }
 
 }  // namespace

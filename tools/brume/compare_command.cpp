@@ -1,5 +1,4 @@
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "core/io/image_file.h"
 #include "render/compare.h"
 #include "tools/brume/command.h"
+#include "tools/brume/finite_in.h"
 
 namespace brume {
 namespace {
@@ -24,7 +24,7 @@ class CompareCommand final : public Command {
     app.add_option("B", b_, "the reference, .exr")->required();
     app.add_option("--layer", layer_, "compare this layer, such as airlight or Z, not the beauty");
     app.add_option("--max-rel-rmse", max_rel_rmse_, "exit with 1 if rel_rmse is above this")
-        ->check(CLI::NonNegativeNumber);
+        ->check(finite_in(0.0, 1e12));
   }
 
   ExitCode run() override {

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -11,6 +9,7 @@
 #include "core/io/text_scanner.h"
 #include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
+#include "render/frame_file.h"
 #include "tools/brume/command.h"
 
 namespace brume {
@@ -104,14 +103,16 @@ class InfoCommand final : public Command {
     app.add_option("FILE", file_, "a scene, .brume, or Gaussians, .ply")->required();
     app.add_flag("--json", as_json_, "print JSON");
     app.footer(
-        "Peak density and greatest optical depth are sampled at and through the centres of the\n"
-        "Gaussians (the thickest ones if there are many), in 64 directions: lower bounds.");
+        "Peak density and greatest optical depth are searched for, so they are lower bounds: the\n"
+        "density at the centres of the Gaussians, the depth along lines through them, the best of\n"
+        "which are moved and turned until no step makes them deeper. Where Gaussians are so many\n"
+        "that this would take long, only the thickest are tried, and fewer steps are made.");
   }
 
   ExitCode run() override {
     Json json;
     json["file"] = file_;
-    const std::string extension = std::filesystem::path(file_).extension().string();
+    const std::string extension = lower_case_extension(file_);
     if (extension == ".vdb") {
       throw InputError(file_, "", "volumes are not supported in this version");
     }

@@ -1,32 +1,25 @@
+#include <tbb/info.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <iostream>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/limits.h"
-#include "core/io/number_domain.h"
 #include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
+#include "render/frame_file.h"
 #include "render/renderer.h"
 #include "tools/brume/command.h"
+#include "tools/brume/finite_in.h"
 #include "tools/brume/render_statistics.h"
 
 namespace brume {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr const char* view_transform_name = "Khronos PBR Neutral, sRGB";  // to_display()
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 AirlightMethod parse_airlight(const std::string& name) {
   if (name == "paper") return AirlightMethod::paper;
@@ -68,21 +61,22 @@ class RenderCommand final : public Command {
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
     app.add_option("--airlight", airlight_, "paper, sliced or reference")->capture_default_str();
     app.add_option("--slices", slices_, "of sliced, per ray through the medium")
-        ->check(CLI::Range(4, 256))
+        ->check(finite_in(4, 256))
         ->capture_default_str();
     app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
-        ->check(CLI::Range(1e-12, 1.0))
+        ->check(finite_in(1e-12, 1.0))
         ->capture_default_str();
     app.add_option("--backend", backend_, "auto or cpu")->capture_default_str();
-    app.add_option("--threads", threads_, "worker threads, all if not given")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--repeat", repeat_, "render so many times, report medians")
-        ->check(CLI::Range(1, 1'000'000))
+    app.add_option("--threads", threads_, "worker threads, at most and by default all there are")
+        ->check(finite_in(1, 1024));
+    app.add_option("--repeat", repeat_, "moved frames to render after the first, for --stats")
+        ->check(finite_in(1, 1e6))
         ->capture_default_str();
     app.add_option("--exposure", exposure_, "of a .png, in stops")
-        ->check(CLI::Range(-100.0, 100.0))
+        ->check(finite_in(-100.0, 100.0))
         ->capture_default_str();
-    app.add_option("--stats", stats_file_, "write what the frame cost, as JSON");
+    app.add_option("--stats", stats_file_,
+                   "write what a frame costs, as JSON; times are those of the moved frames");
   }
 
   ExitCode run() override {
@@ -91,35 +85,33 @@ class RenderCommand final : public Command {
     settings.reference_tolerance = tolerance_;
     settings.slices = slices_;
     settings.light_table = light_table_for(slices_);
-    settings.threads = threads_;
+    // What can really run: TBB warns of more, and --stats is to tell the truth.
+    const int hardware_threads = tbb::info::default_concurrency();
+    settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
     check_backend(backend_);
-    const std::optional<Film> size =
-        size_.empty() ? std::nullopt : std::optional(parse_size(size_));
+    const Film wanted = size_.empty() ? Film{} : parse_size(size_);
     check_outputs();
 
     const Clock::time_point start = Clock::now();
     std::vector<std::string> warnings;
     const Scene scene = load_scene(scene_file_, &warnings);
     print_warnings(warnings);
-    const Film film = size.value_or(scene.film);
+    const Film film = size_.empty() ? scene.film : wanted;
     Renderer renderer;
     const Frame frame = render(renderer, scene, scene.camera, film, settings, 1);
     const std::chrono::duration<double, std::milli> first = Clock::now() - start;
 
-    std::vector<FrameStatistics> frames{frame.statistics};
-    for (int i = 1; i < repeat_; ++i) {
+    std::vector<FrameStatistics> moved;
+    for (int i = 1; i <= moved_frames(); ++i) {
       // A step so small that it changes no cost, but nothing of the last view can be used again.
       Camera camera = scene.camera;
-      camera.eye += (i % 1000) * 1e-6 * (camera.target - camera.eye);
-      FrameStatistics next = render(renderer, scene, camera, film, settings, i + 1).statistics;
-      // What is reported is the cost of frames with everything built.
-      if (i == 1) frames.clear();
-      frames.push_back(std::move(next));
+      camera.eye += (1 + i % 1000) * 1e-6 * (camera.target - camera.eye);
+      moved.push_back(render(renderer, scene, camera, film, settings, i + 1).statistics);
     }
-    write_output(frame);
+    write_frame(output_, frame, {scene_file_, to_string(settings.airlight), "cpu", exposure_});
     if (!stats_file_.empty()) {
       const RenderRun run{scene_file_, film, settings, repeat_, first.count()};
-      write_atomically(stats_file_, statistics_json(run, frame.statistics, frames));
+      write_atomically(stats_file_, statistics_json(run, frame.statistics, moved));
     }
     return done;
   }
@@ -127,11 +119,7 @@ class RenderCommand final : public Command {
  private:
   // Whatever would fail after the work fails before it.
   void check_outputs() const {
-    const std::string extension = lower_case(std::filesystem::path(output_).extension().string());
-    if (extension != ".exr" && extension != ".png") {
-      throw InputError(output_, "",
-                       "found the extension " + shown(extension) + "; allowed: .exr, .png");
-    }
+    check_frame_extension(output_);
     check_writable(output_);
     if (stats_file_.empty()) return;
     check_writable(stats_file_);
@@ -142,24 +130,12 @@ class RenderCommand final : public Command {
     }
   }
 
-  void write_output(const Frame& frame) const {
-    std::map<std::string, std::string> metadata{{"scene", scene_file_},
-                                                {"version", BRUME_VERSION},
-                                                {"airlight", airlight_},
-                                                {"backend", "cpu"}};
-    if (lower_case(std::filesystem::path(output_).extension().string()) == ".exr") {
-      ImageLayers layers = to_layers(frame);
-      layers.metadata = std::move(metadata);
-      write_exr(output_, layers);
-    } else {
-      metadata["exposure"] = shown(exposure_);
-      metadata["view transform"] = view_transform_name;
-      write_png(output_, frame.film.width, frame.film.height, to_display(frame, exposure_),
-                metadata);
-    }
+  // Frames rendered after the first, whose times are reported: in them everything is built.
+  [[nodiscard]] int moved_frames() const {
+    return stats_file_.empty() && repeat_ == 1 ? 0 : repeat_;
   }
 
-  // Renders frame `number` of `repeat_`; says how far it is if somebody watches.
+  // Renders frame `number` of all; says how far it is if somebody watches.
   Frame render(Renderer& renderer, const Scene& scene, const Camera& camera, const Film& film,
                const Settings& settings, int number) const {
     if (::isatty(STDERR_FILENO) == 0) return *renderer.render(scene, camera, film, settings);
@@ -168,8 +144,8 @@ class RenderCommand final : public Command {
       const int percent = static_cast<int>(100.0 * share);
       if (percent == shown_percent) return;
       shown_percent = percent;
-      std::cerr << "\rframe " << number << " of " << repeat_ << ": " << percent << "%\033[K"
-                << std::flush;
+      std::cerr << "\rframe " << number << " of " << 1 + moved_frames() << ": " << percent
+                << "%\033[K" << std::flush;
     };
     Frame frame = *renderer.render(scene, camera, film, settings, {}, progress);
     std::cerr << "\r\033[K" << std::flush;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <thread>
 #include <vector>
 
 namespace brume {
@@ -60,9 +59,9 @@ Json stage_medians(std::span<const FrameStatistics> frames) {
 }  // namespace
 
 std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
-                            std::span<const FrameStatistics> frames) {
+                            std::span<const FrameStatistics> moved) {
   std::vector<double> times;
-  for (const FrameStatistics& frame : frames) times.push_back(frame.frame_milliseconds);
+  for (const FrameStatistics& frame : moved) times.push_back(frame.frame_milliseconds);
   const auto [least, greatest] = std::minmax_element(times.begin(), times.end());
   Json skipped = Json::array();
   for (const SkippedStage& stage : first.skipped) {
@@ -81,13 +80,11 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["airlight"] = to_string(run.settings.airlight);
   json["slices"] =
       run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
-  json["threads"] = run.settings.threads > 0
-                        ? run.settings.threads
-                        : static_cast<int>(std::thread::hardware_concurrency());
+  json["threads"] = run.settings.threads;
   json["repeat"] = run.repeat;
   json["frame_ms"] = Json{{"median", median(times)}, {"min", *least}, {"max", *greatest}};
   json["first_frame_ms"] = run.first_frame_milliseconds;
-  json["stages"] = stage_medians(frames);
+  json["stages"] = stage_medians(moved);
   json["skipped"] = std::move(skipped);
   json["gaussians"] = Json{{"total", first.gaussians_total}, {"used", first.gaussians_used}};
   json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};

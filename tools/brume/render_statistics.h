@@ -12,14 +12,14 @@ namespace brume {
 struct RenderRun {
   std::string scene;
   Film film;
-  Settings settings;
+  Settings settings;  // `threads` as they ran
   int repeat = 1;
   double first_frame_milliseconds = 0.0;  // with loading and building everything once
 };
 
-// The JSON of --stats. Counts are the first frame's; times are the medians over `frames`, which
-// are the ones after the first if there are more.
+// The JSON of --stats. Counts are those of the first frame; frame_ms and stages are over `moved`,
+// the frames after it, at least one.
 std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
-                            std::span<const FrameStatistics> frames);
+                            std::span<const FrameStatistics> moved);
 
 }  // namespace brume

@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include "tests/tools/run_program.h"
+
+namespace brume {
+namespace {
+
+// The script that keeps the floors apart, run on a tree of four small files.
+class Floors : public ::testing::Test {
+ protected:
+  Floors() {
+    std::filesystem::create_directory(folder_ / "tests");
+    std::filesystem::copy_file(BRUME_FLOORS_SCRIPT, folder_ / "tests/check_floors.sh");
+    write("core/a.h", "#include <vector>\n");
+    write("render/a.h", "#include \"core/a.h\"\n#include <GL/gl.h>\n");
+    write("tools/a.cpp", "#include \"render/a.h\"\n");
+    write("app/a.cpp", "#include <QWidget>\n#include \"app/tools/select.h\"\n");
+  }
+
+  void write(const char* file, const char* text) const {
+    std::filesystem::create_directories((folder_ / file).parent_path());
+    folder_.write(file, text);
+  }
+
+  [[nodiscard]] bool passes() const {
+    const std::string script = quoted((folder_ / "tests/check_floors.sh").string());
+    return std::system(("bash " + script + " >/dev/null 2>&1").c_str()) == 0;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Floors, PassWhereArrowsPointDown) {
+  EXPECT_TRUE(passes());
+}
+
+TEST_F(Floors, FailWhereAnArrowPointsUp) {
+  for (const auto& [file, text] : std::vector<std::pair<const char*, const char*>>{
+           {"core/b.cpp", "#include \"render/a.h\"\n"},
+           {"core/b.hpp", "#include \"render/a.h\"\n"},
+           {"core/b.cpp", "#include \"../render/a.h\"\n"},
+           {"core/io/b.cpp", "  #  include \"../../render/a.h\"\n"},
+           {"render/b.cpp", "#include \"core/../app/a.h\"\n"},
+           {"tools/b.h", "#include <QWidget>\n"},
+           {"tools/b.h", "#include <vtkNew.h>\n"},
+           {"app/b.h", "#include \"tools/a.h\"\n"}}) {
+    SCOPED_TRACE(std::string(file) + ": " + text);
+    write(file, text);
+    EXPECT_FALSE(passes());
+    std::filesystem::remove(folder_ / file);
+  }
+  EXPECT_TRUE(passes());
+}
+
+TEST_F(Floors, FailWhereAFolderIsMissing) {
+  for (const char* name : {"core", "render", "tools", "app"}) {
+    std::filesystem::rename(folder_ / name, folder_ / "elsewhere");
+    EXPECT_FALSE(passes()) << name;
+    std::filesystem::rename(folder_ / "elsewhere", folder_ / name);
+  }
+}
+
+}  // namespace
+}  // namespace brume

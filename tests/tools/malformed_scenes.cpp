@@ -1,0 +1,338 @@
+#include "tests/tools/malformed_scenes.h"
+
+#include <utility>
+
+namespace brume {
+namespace {
+
+// A scene whose parts can be replaced one at a time by something bad.
+struct Parts {
+  std::string head = R"("format": "brume-scene", "version": 1)";
+  std::string camera = R"({"eye": [0, 0, 5], "target": [0, 0, 0]})";
+  std::string film = R"({"width": 4, "height": 3})";
+  std::string medium = R"({"gaussians": [{"center": [0, 0, 0], "radius": 1, "density": 1}]})";
+  std::string lights = R"([{"type": "point", "position": [1, 1, 1]}])";
+  std::string surfaces = R"([{"mesh": "good.obj"}])";
+  std::string more = R"("x": 0)";
+
+  [[nodiscard]] std::string text() const {
+    std::string text = "{\n" + head;
+    text += ",\n\"camera\": " + camera + ",\n\"film\": " + film + ",\n\"medium\": " + medium;
+    text += ",\n\"lights\": " + lights + ",\n\"surfaces\": " + surfaces + ",\n" + more + "\n}\n";
+    return text;
+  }
+};
+
+std::string with(std::string Parts::*part, std::string value) {
+  Parts parts;
+  parts.*part = std::move(value);
+  return parts.text();
+}
+std::string camera(const std::string& members) {
+  return with(&Parts::camera, "{" + members + "}");
+}
+std::string film(const std::string& members) {
+  return with(&Parts::film, "{" + members + "}");
+}
+std::string medium(const std::string& members) {
+  return with(&Parts::medium, "{" + members + "}");
+}
+std::string gaussian(const std::string& members) {
+  return medium(R"("gaussians": [{"center": [0, 0, 0], "radius": 1, "density": 1}, {)" + members +
+                "}]");
+}
+std::string light(const std::string& members) {
+  return with(&Parts::lights, "[{" + members + "}]");
+}
+std::string surface(const std::string& members) {
+  return with(&Parts::surfaces, R"([{"mesh": "good.obj"}, {)" + members + "}]");
+}
+std::string mesh(const std::string& file) {
+  return surface("\"mesh\": \"" + file + "\"");
+}
+std::string medium_file(const std::string& file) {
+  return medium("\"file\": \"" + file + "\"");
+}
+std::string material(const std::string& members) {
+  return surface(R"("mesh": "good.obj", "material": {)" + members + "}");
+}
+std::string environment(const std::string& members) {
+  return with(&Parts::more, "\"environment\": {" + members + "}");
+}
+std::string more(const std::string& text) {
+  return with(&Parts::more, text);
+}
+std::string repeated(const std::string& text, std::size_t count) {
+  std::string all;
+  all.reserve(text.size() * count);
+  for (std::size_t i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+std::string elements(const std::string& element, std::size_t count) {
+  std::string text = "[";
+  text += repeated(element + ",", count - 1);
+  return text + element + "]";
+}
+
+}  // namespace
+
+std::string good_scene() {
+  return Parts{}.text();
+}
+
+std::vector<MalformedCase> malformed_cases() {
+  const std::string good = good_scene();
+  return {
+      // The text itself.
+      {"empty", "", "line 1, column 1"},
+      {"only blanks", " \n\n ", "line 3"},
+      {"truncated", good.substr(0, good.size() / 2), "line 5, column"},
+      {"truncated in a string", good.substr(0, good.find("scene")), "line 2, column"},
+      {"text behind the end", good + "}", "column 1", {"syntax error"}},
+      {"a zero byte behind the end", good + std::string("\0junk", 5), "byte", {"zero byte"}},
+      {"no JSON", "brume-scene 1", "line 1, column 1"},
+      {"binary", std::string("\x7f\x45LF\x02\x01\x01\n\xff", 9), "line 1, column 1"},
+      {"UTF-16", std::string("\xff\xfe{\0}\0", 6), "byte 3"},
+      {"a string that is not UTF-8", more("\"x\": \"\xc3(\""), "line 8", {"UTF-8"}},
+      {"a comment", "// scene\n" + good, "line 1"},
+      {"a trailing comma", more(R"("x": [1,])"), "line 8, column 9"},
+      {"single quotes", more("'x': 1"), "line 8, column 1"},
+      {"NaN", gaussian(R"("center": [0, 0, 0], "radius": NaN)"), "line 5", {"literal"}},
+      {"Infinity", medium(R"("density": Infinity)"), "line 5", {"literal"}},
+      {"-Infinity", medium(R"("density": -Infinity)"), "line 5"},
+      {"a number beyond double", medium(R"("density": 1e999)"), "line 5", {"1e999"}},
+      {"a hexadecimal number", film(R"("width": 0x10)"), "line 4"},
+      {"a control character in a string", more("\"x\": \"a\nb\""), "line 8"},
+      {"a key twice", medium(R"("density": 1, "density": 2)"), "medium.density", {"twice"}},
+      {"an unknown key twice", more(R"("a": {"b": [0, {"c": 1, "c": 2}]})"), "a.b[1].c", {"twice"}},
+      {"nesting too deep",
+       more("\"x\": " + repeated("[", 100) + repeated("]", 100)),
+       "x[0][0]",
+       {"nesting", "64"}},
+      {"nesting far too deep", more("\"x\": " + repeated("{\"a\":", 200'000)), "x.a.a", {"64"}},
+      {"too many keys",
+       more([] {
+         std::string keys = R"("x": {"k": 0)";
+         for (int i = 0; i < 1100; ++i) (((keys += ",\"k") += std::to_string(i)) += "\": 0");
+         return keys + "}";
+       }()),
+       "x.k1022",
+       {"1024 keys"}},
+
+      // The head.
+      {"an array", "[]", "scene.brume", {"found an array of 0 elements", "an object"}},
+      {"a number", "1", "scene.brume", {"found 1", "an object"}},
+      {"no format", with(&Parts::head, R"("version": 1)"), "format", {"missing"}},
+      {"another format",
+       with(&Parts::head, R"("format": "usd", "version": 1)"),
+       "format",
+       {"\"usd\"", "brume-scene"}},
+      {"format of another type",
+       with(&Parts::head, R"("format": 3, "version": 1)"),
+       "format",
+       {"found 3"}},
+      {"no version", with(&Parts::head, R"("format": "brume-scene")"), "version", {"missing"}},
+      {"a newer version",
+       with(&Parts::head, R"("format": "brume-scene", "version": 2)"),
+       "version",
+       {"found 2", "newer"}},
+      {"version 0", with(&Parts::head, R"("format": "brume-scene", "version": 0)"), "version"},
+      {"version as text",
+       with(&Parts::head, R"("format": "brume-scene", "version": "1")"),
+       "version",
+       {"found \"1\""}},
+
+      // Camera and film.
+      {"camera of another type", with(&Parts::camera, "[]"), "camera", {"an object"}},
+      {"camera null", with(&Parts::camera, "null"), "camera", {"found null"}},
+      {"eye of two", camera(R"("eye": [0, 0])"), "camera.eye", {"2 elements", "3 numbers"}},
+      {"eye of texts", camera(R"("eye": [0, "1", 0])"), "camera.eye[1]", {"found \"1\""}},
+      {"eye too far", camera(R"("eye": [0, 0, 1e13])"), "camera.eye[2]", {"1e12"}},
+      {"eye at the target",
+       camera(R"("eye": [1, 2, 3], "target": [1, 2, 3])"),
+       "camera.target",
+       {"another point"}},
+      {"up of length 0", camera(R"("up": [0, 0, 0])"), "camera.up", {"length 0"}},
+      {"field of view 0", camera(R"("vertical_fov": 0)"), "camera.vertical_fov", {"(0, 180)"}},
+      {"field of view 180", camera(R"("vertical_fov": 180)"), "camera.vertical_fov", {"found 180"}},
+      {"width 0", film(R"("width": 0)"), "film.width", {"found 0", "1 to 16384"}},
+      {"negative height", film(R"("height": -3)"), "film.height", {"found -3"}},
+      {"width too great", film(R"("width": 16385)"), "film.width", {"16384"}},
+      {"width beyond 64 bits", film(R"("width": 18446744073709551617)"), "film.width"},
+      {"half a pixel", film(R"("width": 4.5)"), "film.width", {"found 4.5", "whole number"}},
+      {"width as text", film(R"("width": "4")"), "film.width", {"found \"4\""}},
+
+      // The medium.
+      {"medium of another type", with(&Parts::medium, "7"), "medium", {"found 7"}},
+      {"negative b0", medium(R"("density": -1e-9)"), "medium.density", {">= 0"}},
+      {"b0 true", medium(R"("density": true)"), "medium.density", {"found true"}},
+      {"gaussians as an object", medium(R"("gaussians": {})"), "medium.gaussians", {"an array"}},
+      {"a gaussian that is none", medium(R"("gaussians": [1])"), "medium.gaussians[0]"},
+      {"no center",
+       gaussian(R"("radius": 1, "density": 1)"),
+       "medium.gaussians[1].center",
+       {"missing"}},
+      {"no radius",
+       gaussian(R"("center": [0, 0, 0], "density": 1)"),
+       "medium.gaussians[1].radius",
+       {"missing"}},
+      {"no density",
+       gaussian(R"("center": [0, 0, 0], "radius": 1)"),
+       "medium.gaussians[1].density",
+       {"missing"}},
+      {"radius 0",
+       gaussian(R"("center": [0, 0, 0], "radius": 0, "density": 1)"),
+       "medium.gaussians[1].radius",
+       {"found 0", "a number > 0"}},
+      {"negative radius",
+       gaussian(R"("center": [0, 0, 0], "radius": -0.5, "density": 1)"),
+       "medium.gaussians[1].radius",
+       {"found -0.5", "allowed: a number > 0"}},
+      {"radius null",
+       gaussian(R"("center": [0, 0, 0], "radius": null, "density": 1)"),
+       "medium.gaussians[1].radius",
+       {"found null"}},
+      {"negative density",
+       gaussian(R"("center": [0, 0, 0], "radius": 1, "density": -1)"),
+       "medium.gaussians[1].density",
+       {"found -1", ">= 0"}},
+      {"center of four",
+       gaussian(R"("center": [0, 0, 0, 0], "radius": 1, "density": 1)"),
+       "medium.gaussians[1].center",
+       {"4 elements"}},
+      {"center too far", gaussian(R"("center": [0, -1e300, 0], "radius": 1, "density": 1)"),
+       "medium.gaussians[1].center[1]"},
+      {"too many gaussians",
+       medium("\"gaussians\": [" + repeated("0,", 10'000'000) + "0]"),
+       "medium.gaussians",
+       {"10000000"}},
+      {"albedo 0", medium(R"("albedo": [0, 1, 1])"), "medium.albedo[0]", {"(0, 1]"}},
+      {"albedo above 1", medium(R"("albedo": [1, 1, 1.01])"), "medium.albedo[2]"},
+      {"anisotropy 1", medium(R"("anisotropy": 1)"), "medium.anisotropy", {"0.95"}},
+      {"noise of another type", medium(R"("noise": 1)"), "medium.noise", {"an object"}},
+      {"noise with a fraction for seed", medium(R"("noise": {"seed": 0.5})"), "medium.noise.seed"},
+      {"negative noise", medium(R"("noise": {"amplitude": -1})"), "medium.noise.amplitude"},
+
+      // The medium's file.
+      {"medium file missing", medium_file("none.ply"), "medium.file", {"none.ply", "no such file"}},
+      {"medium file a folder", medium_file("folder"), "medium.file", {"folder", "not a file"}},
+      {"medium file empty", medium_file("empty"), "medium.file", {"empty", "PLY"}},
+      {"medium file the scene itself", medium_file("scene.brume"), "medium.file", {"itself"}},
+      {"medium file a mesh", medium_file("mesh.ply"), "medium.file", {"mesh.ply", "radius"}},
+      {"medium file with NaN", medium_file("nan.ply"), "medium.file", {"nan.ply", "vertex 1"}},
+      {"medium file truncated", medium_file("short.ply"), "medium.file", {"short.ply"}},
+      {"medium file of a huge count", medium_file("huge.ply"), "medium.file", {"huge.ply"}},
+      {"medium file a number", medium(R"("file": 1)"), "medium.file", {"found 1", "a text"}},
+      {"medium file without a name", medium_file(""), "medium.file", {"a file name"}},
+      {"medium file with a zero byte", medium_file("a\\u0000b"), "medium.file", {"a file name"}},
+      {"medium file with a long name", medium_file(std::string(5000, 'a')), "medium.file"},
+
+      // Lights.
+      {"lights as an object", with(&Parts::lights, "{}"), "lights", {"an array"}},
+      {"a light without type", light(R"("position": [0, 0, 0])"), "lights[0].type", {"missing"}},
+      {"an unknown light",
+       light(R"("type": "laser", "position": [0, 0, 0])"),
+       "lights[0].type",
+       {"\"laser\"", "\"point\""}},
+      {"a light nowhere", light(R"("type": "point")"), "lights[0].position", {"missing"}},
+      {"negative light",
+       light(R"("type": "point", "position": [0, 0, 0], "intensity": [1, -1, 1])"),
+       "lights[0].intensity[1]",
+       {"found -1"}},
+      {"too many lights",
+       with(&Parts::lights, elements(R"({"type": "point", "position": [0, 0, 0]})", 1025)),
+       "lights",
+       {"1025", "1024"}},
+
+      // Surfaces.
+      {"surfaces as a text", with(&Parts::surfaces, "\"x\""), "surfaces", {"an array"}},
+      {"no mesh", surface("\"scale\": 1"), "surfaces[1].mesh", {"missing"}},
+      {"mesh missing", mesh("none.obj"), "surfaces[1].mesh", {"none.obj", "no such file"}},
+      {"mesh a folder", mesh("folder"), "surfaces[1].mesh", {"folder", "not a file"}},
+      {"mesh in a file", mesh("good.obj/a.obj"), "surfaces[1].mesh", {"good.obj/a.obj"}},
+      {"mesh a circle of links", mesh("loop.obj"), "surfaces[1].mesh", {"loop.obj"}},
+      {"mesh the scene itself", mesh("../scene/scene.brume"), "surfaces[1].mesh", {"itself"}},
+      {"mesh a link to the scene", mesh("self.obj"), "surfaces[1].mesh", {"itself"}},
+      {"mesh a device", mesh("/dev/zero"), "surfaces[1].mesh", {"/dev/zero", "regular"}},
+      {"mesh of an unknown format", mesh("empty"), "surfaces[1].mesh", {"format", ".obj"}},
+      {"mesh with no faces", mesh("points.obj"), "surfaces[1].mesh", {"points.obj", "no faces"}},
+      {"mesh with a wrong index", mesh("index.obj"), "surfaces[1].mesh", {"index.obj", "line 4"}},
+      {"mesh with NaN", mesh("nan.off"), "surfaces[1].mesh", {"nan.off", "line 4"}},
+      {"mesh with a huge count", mesh("huge.stl"), "surfaces[1].mesh", {"huge.stl"}},
+      {"mesh of Gaussians", mesh("nan.ply"), "surfaces[1].mesh", {"nan.ply", "no faces"}},
+      {"scale 0", surface(R"("mesh": "good.obj", "scale": 0)"), "surfaces[1].scale", {"> 0"}},
+      {"negative scale", surface(R"("mesh": "good.obj", "scale": -1)"), "surfaces[1].scale"},
+      {"rotation of three",
+       surface(R"("mesh": "good.obj", "rotate": [1, 0, 0])"),
+       "surfaces[1].rotate",
+       {"4 numbers"}},
+      {"rotation not unit",
+       surface(R"("mesh": "good.obj", "rotate": [1, 1, 0, 0])"),
+       "surfaces[1].rotate",
+       {"length 1.41421356"}},
+      {"rotation 0",
+       surface(R"("mesh": "good.obj", "rotate": [0, 0, 0, 0])"),
+       "surfaces[1].rotate",
+       {"length 0"}},
+      {"unknown transfer",
+       surface(R"("mesh": "good.obj", "transfer": "all")"),
+       "surfaces[1].transfer",
+       {"interreflection"}},
+      {"too many surfaces",
+       with(&Parts::surfaces, elements(R"({"mesh": "good.obj"})", 4097)),
+       "surfaces",
+       {"4097", "4096"}},
+
+      // Materials and the environment.
+      {"unknown material",
+       material(R"("type": "glass")"),
+       "surfaces[1].material.type",
+       {"\"glass\"", "\"diffuse\", \"phong\", \"measured\""}},
+      {"reflectance above 1",
+       material(R"("reflectance": [0, 2, 0])"),
+       "surfaces[1].material.reflectance[1]",
+       {"[0, 1]"}},
+      {"negative exponent", material(R"("type": "phong", "exponent": -1)"),
+       "surfaces[1].material.exponent"},
+      {"measured without file",
+       material(R"("type": "measured")"),
+       "surfaces[1].material.file",
+       {"missing"}},
+      {"measured with another file",
+       material(R"("type": "measured", "file": "good.obj")"),
+       "surfaces[1].material.file",
+       {"good.obj", "90 x 90 x 180"}},
+      {"measured truncated",
+       material(R"("type": "measured", "file": "short.binary")"),
+       "surfaces[1].material.file",
+       {"short.binary", "bytes"}},
+      {"environment without file", environment("\"rotation\": 0"), "environment.file", {"missing"}},
+      {"environment missing",
+       environment(R"("file": "none.exr")"),
+       "environment.file",
+       {"none.exr", "no such file"}},
+      {"environment that is no image",
+       environment(R"("file": "not.exr")"),
+       "environment.file",
+       {"not.exr", "OpenEXR"}},
+      {"environment with a magic number only",
+       environment(R"("file": "magic.exr")"),
+       "environment.file",
+       {"magic.exr", "OpenEXR"}},
+      {"environment without colours",
+       environment(R"("file": "depth.exr")"),
+       "environment.file",
+       {"depth.exr", "channel R"}},
+      {"environment rotated by a text",
+       environment(R"("file": "sky.hdr", "rotation": "90")"),
+       "environment.rotation",
+       {"found \"90\""}},
+      {"negative environment",
+       environment(R"("file": "sky.hdr", "intensity": -1)"),
+       "environment.intensity",
+       {"found -1"}},
+  };
+}
+
+}  // namespace brume

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace brume {
+
+// A scene with one mistake. It refers to files that the test writes beside it.
+struct MalformedCase {
+  const char* name;
+  std::string text;
+  const char* place;                // where the mistake is: a JSON path, a line and column
+  std::vector<std::string> said{};  // what was found, what is allowed, the file referred to
+};
+
+std::vector<MalformedCase> malformed_cases();
+
+// The scene they are made from; it needs good.obj.
+std::string good_scene();
+
+}  // namespace brume
