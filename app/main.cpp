@@ -42,6 +42,10 @@ int main(int argc, char* argv[]) {
   if (parser.isSet("screenshot")) window.quit_with_screenshot(parser.value("screenshot"));
   window.show();
   const QStringList scenes = parser.positionalArguments();
-  if (!scenes.isEmpty()) window.files().open_file(brume::to_path(scenes.first()));
+  if (!scenes.isEmpty()) {
+    const bool opened = window.files().open_file(brume::to_path(scenes.first()));
+    // The window has said why. A user may go on from here, a picture of nothing helps nobody.
+    if (!opened && parser.isSet("screenshot")) return 2;
+  }
   return QApplication::exec();
 }

@@ -28,11 +28,20 @@
 namespace brume {
 namespace {
 
-constexpr int message_time = 6000;  // milliseconds
+constexpr int message_time = 6000;     // milliseconds
+constexpr double max_exposure = 20.0;  // stops, either way
 
 // To three digits: numbers that a user meets should be short.
 double rounded(double value) {
   return QString::number(value, 'g', 3).toDouble();
+}
+
+// "sliced 16"
+QString airlight_text(const Settings& settings) {
+  const QString name = to_string(settings.airlight);
+  return settings.airlight == AirlightMethod::sliced
+             ? QString("%1 %2").arg(name).arg(settings.slices)
+             : name;
 }
 
 // The first dropped file that could be a scene.
@@ -143,6 +152,7 @@ void MainWindow::update_status() {
       count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(locale.toString(qulonglong{count}));
   if (selected > 0) text += tr(", %1 selected").arg(locale.toString(qulonglong{selected}));
   if (const RenderedFrame* frame = viewport_->shown()) {
+    text += " · " + airlight_text(frame->request.settings);
     text += tr(" · %1 ms").arg(frame->milliseconds, 0, 'f', 1);
   }
   numbers_->setText(text);
@@ -164,7 +174,7 @@ void MainWindow::add_gaussian_in_view() {
 }
 
 void MainWindow::change_exposure(double stops) {
-  viewport_->set_exposure(viewport_->exposure() + stops);
+  viewport_->set_exposure(std::clamp(viewport_->exposure() + stops, -max_exposure, max_exposure));
   say(tr("Exposure %1 stops").arg(viewport_->exposure(), 0, 'f', 1));
 }
 

@@ -6,6 +6,7 @@
 #include "app/document/document.h"
 
 class QLabel;
+class QMenu;
 
 namespace brume {
 
@@ -40,6 +41,7 @@ class MainWindow : public QMainWindow {
   void create_docks();
   void create_status_bar();
   void create_actions();  // main_window_actions.cpp
+  void fill_airlight_menu(QMenu* menu);
   void connect_document();
 
   void update_title();

@@ -1,9 +1,11 @@
 // The menus, and with them every key.
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSettings>
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/set_camera_command.h"
@@ -14,6 +16,11 @@
 #include "app/viewport/viewport.h"
 
 namespace brume {
+namespace {
+
+constexpr const char* airlight_key = "view/airlight";
+
+}  // namespace
 
 void MainWindow::create_actions() {
   const auto add = [this](QMenu* menu, const QString& text, const QList<QKeySequence>& keys,
@@ -76,6 +83,7 @@ void MainWindow::create_actions() {
   add(view, tr("Exposure &Up"), {QKeySequence("+"), QKeySequence("=")},
       [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), {QKeySequence("-")}, [this] { change_exposure(-0.5); });
+  fill_airlight_menu(view->addMenu(tr("Air&light")));
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
@@ -84,6 +92,28 @@ void MainWindow::create_actions() {
     show_keys(this, file->actions() + edit->actions() + view->actions());
   });
   add(help, tr("&About Brume"), {}, [this] { show_about(this); });
+}
+
+void MainWindow::fill_airlight_menu(QMenu* menu) {
+  const QString remembered = QSettings().value(airlight_key).toString();
+  auto* group = new QActionGroup(this);
+  for (const auto& [method, text] : {std::pair(AirlightMethod::paper, tr("&Paper")),
+                                     std::pair(AirlightMethod::sliced, tr("&Sliced"))}) {
+    if (remembered == to_string(method)) viewport_->set_airlight(method);
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setData(static_cast<int>(method));
+    action->setObjectName(QString("airlight_") + to_string(method));
+  }
+  for (QAction* action : group->actions()) {
+    action->setChecked(action->data().toInt() == static_cast<int>(viewport_->airlight()));
+  }
+  menu->addActions(group->actions());
+  connect(group, &QActionGroup::triggered, this, [this](const QAction* action) {
+    const auto method = static_cast<AirlightMethod>(action->data().toInt());
+    viewport_->set_airlight(method);
+    QSettings().setValue(airlight_key, to_string(method));
+  });
 }
 
 }  // namespace brume

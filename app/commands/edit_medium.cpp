@@ -20,7 +20,8 @@ void push(Document& document, MediumEdit edit, const QString& text, MergeId merg
 }  // namespace
 
 void add_gaussian(Document& document, const Gaussian& gaussian) {
-  push(document, MediumEdit::add(document.medium(), {&gaussian, 1}), tr("Add Gaussian"));
+  const Gaussian added = within_domains(gaussian);
+  push(document, MediumEdit::add(document.medium(), {&added, 1}), tr("Add Gaussian"));
 }
 
 void delete_selection(Document& document) {
@@ -53,6 +54,7 @@ void move_gaussians(Document& document, std::span<const GaussianId> ids,
   for (std::size_t k = 0; k < ids.size(); ++k) {
     after.push_back(medium.gaussian(*medium.index_of(ids[k])));
     after.back().center = centers[k];
+    after.back() = within_domains(after.back());
   }
   push(document, MediumEdit::change(medium, ids, after),
        tr("Move %1").arg(gaussians_text(ids.size())), merge_id);

@@ -12,6 +12,7 @@ class Document;
 
 // What users do to Gaussians, each one undo step.
 
+// Numbers outside the domains of their fields are brought to their limits.
 void add_gaussian(Document& document, const Gaussian& gaussian);
 void delete_selection(Document& document);
 
@@ -20,7 +21,7 @@ void delete_selection(Document& document);
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
                   double value);
 
-// Puts Gaussians at centers[k], as one move of a gesture.
+// Puts Gaussians at centers[k], as one move of a gesture; no further out than files may hold.
 void move_gaussians(Document& document, std::span<const GaussianId> ids,
                     std::span<const glm::dvec3> centers, MergeId merge_id);
 

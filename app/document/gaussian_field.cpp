@@ -2,14 +2,29 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/io/number_domain.h"
 
 namespace brume {
 namespace {
 
 QString tr(const char* text) {
   return QCoreApplication::translate("GaussianField", text);
+}
+
+// What files may hold, so that everything that was edited can be loaded again.
+const NumberDomain& field_domain(GaussianField field) {
+  switch (field) {
+    case GaussianField::radius:
+      return domain::length;
+    case GaussianField::density:
+      return domain::density;
+    default:
+      return domain::coordinate;
+  }
 }
 
 }  // namespace
@@ -70,15 +85,23 @@ void set_field_value(Gaussian& gaussian, GaussianField field, double value) {
   }
 }
 
+Gaussian within_domains(const Gaussian& gaussian) {
+  Gaussian result = gaussian;
+  for (const GaussianField field : gaussian_fields) {
+    const NumberDomain& domain = field_domain(field);
+    const double value = field_value(gaussian, field);
+    set_field_value(result, field, std::clamp(value, domain.least, domain.greatest));
+  }
+  return result;
+}
+
 QString field_problem(GaussianField field, double value) {
-  if (!std::isfinite(value)) return tr("%1 must be a finite number.").arg(field_title(field));
-  if (field == GaussianField::radius && !(value > 0.0)) {
-    return tr("Radius must be greater than 0, not %1.").arg(number_text(value));
-  }
-  if (field == GaussianField::density && value < 0.0) {
-    return tr("Density must not be negative, not %1.").arg(number_text(value));
-  }
-  return {};
+  const NumberDomain& domain = field_domain(field);
+  if (domain.contains(value)) return {};
+  const QString rule = tr("%1 must be %2").arg(field_title(field), domain.allowed);
+  // What is no number at all was text that only the user knows.
+  if (std::isnan(value)) return rule + '.';
+  return tr("%1, not %2.").arg(rule, number_text(value));
 }
 
 double parse_number(const QString& text) {

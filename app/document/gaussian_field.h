@@ -20,6 +20,9 @@ QString field_name(GaussianField field);   // "center x", for use inside a sente
 double field_value(const Gaussian& gaussian, GaussianField field);
 void set_field_value(Gaussian& gaussian, GaussianField field, double value);
 
+// The Gaussian with every number brought into the domain of its field.
+Gaussian within_domains(const Gaussian& gaussian);
+
 // Why `value` is outside the field's domain, in the user's words; empty if it is fine.
 QString field_problem(GaussianField field, double value);
 

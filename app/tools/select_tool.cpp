@@ -66,14 +66,24 @@ void SelectTool::release(QPointF position) {
   } else if (gesture_ == Gesture::undecided && mode_ == Mode::replace) {
     select(pressed_ ? std::vector{*pressed_} : std::vector<GaussianId>{}, Mode::replace);
   }
-  viewport_.show_band({});
-  gesture_ = Gesture::none;
+  abandon();
 }
 
 void SelectTool::cancel() {
   if (gesture_ == Gesture::moving) move_selection(start_);
+  abandon();
+}
+
+void SelectTool::abandon() {
   viewport_.show_band({});
   gesture_ = Gesture::none;
+  pressed_.reset();
+}
+
+void SelectTool::medium_changed() {
+  // Undo works during a drag too, and may take from the medium what is being dragged.
+  const bool pressed_is_gone = pressed_ && !document_.medium().index_of(*pressed_);
+  if (pressed_is_gone || (gesture_ == Gesture::moving && !moved_are_there())) abandon();
 }
 
 void SelectTool::select(const std::vector<GaussianId>& ids, Mode mode) {
@@ -101,16 +111,15 @@ void SelectTool::begin_move() {
 }
 
 void SelectTool::move_selection(QPointF position) {
-  // Undo works during a drag too, and may take from the medium what is being dragged.
-  const Medium& medium = document_.medium();
-  if (!std::all_of(ids_.begin(), ids_.end(), [&](GaussianId id) { return medium.index_of(id); })) {
-    gesture_ = Gesture::none;
-    return;
-  }
   const glm::dvec3 shift = on_drag_plane(position) - on_drag_plane(start_);
   std::vector<glm::dvec3> centers = centers_;
   for (glm::dvec3& center : centers) center += shift;
   move_gaussians(document_, ids_, centers, merge_id_);
+}
+
+bool SelectTool::moved_are_there() const {
+  return std::all_of(ids_.begin(), ids_.end(),
+                     [this](GaussianId id) { return document_.medium().index_of(id); });
 }
 
 glm::dvec3 SelectTool::on_drag_plane(QPointF position) const {

@@ -25,6 +25,10 @@ class SelectTool {
   void move(QPointF position);
   void release(QPointF position);
   void cancel();  // as if the gesture had not begun
+  // Ends the gesture and leaves everything as it is: for another scene, whose ids are not these.
+  void abandon();
+  // After an edit: a gesture whose Gaussians are gone is over, even if they come back.
+  void medium_changed();
 
  private:
   enum class Mode { replace, add, toggle };
@@ -33,6 +37,7 @@ class SelectTool {
   void select(const std::vector<GaussianId>& ids, Mode mode);
   void begin_move();
   void move_selection(QPointF position);
+  [[nodiscard]] bool moved_are_there() const;
   [[nodiscard]] glm::dvec3 on_drag_plane(QPointF position) const;
 
   Document& document_;

@@ -44,8 +44,9 @@ FrameService::~FrameService() {
 void FrameService::request(FrameRequest request) {
   const std::scoped_lock lock(mutex_);
   if (running_) {
-    // The same state at full resolution is already on its way.
-    if (running_->serial == request.serial && running_->divisor == 1) {
+    // The same state at full quality is already on its way.
+    if (running_->serial == request.serial && running_->divisor == 1 &&
+        running_->settings == request.settings) {
       pending_.reset();
       return;
     }
@@ -77,7 +78,7 @@ void FrameService::work(const std::stop_token& quit) {
       request = std::move(*pending_);
       pending_.reset();
       if (request.moving) divisor = motion_divisor(request.film);
-      running_ = Running{request.serial, divisor, request.moving};
+      running_ = Running{request.serial, request.settings, divisor, request.moving};
       stop_frame_ = std::stop_source();
       if (quit.stop_requested()) return;
       stop = stop_frame_.get_token();

@@ -60,6 +60,7 @@ class FrameService : public QObject {
   std::optional<FrameRequest> pending_;
   struct Running {
     std::uint64_t serial = 0;
+    Settings settings;
     int divisor = 1;
     bool moving = false;
   };

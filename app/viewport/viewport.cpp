@@ -11,11 +11,22 @@
 #include "app/viewport/bounds.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport_surface.h"
+#include "core/io/number_domain.h"
+#include "render/settings.h"
 
 namespace brume {
 namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
+constexpr int motion_slices = 8;
+
+bool can_be_stored(const Camera& camera) {
+  for (int k = 0; k < 3; ++k) {
+    if (!domain::coordinate.contains(camera.eye[k])) return false;
+    if (!domain::coordinate.contains(camera.target[k])) return false;
+  }
+  return camera.eye != camera.target;
+}
 
 }  // namespace
 
@@ -42,11 +53,14 @@ Viewport::Viewport(Document& document, QWidget* parent)
   connect(&frames_, &FrameService::frame_ready, this, &Viewport::take_frame);
   connect(&frames_, &FrameService::failed, this, &Viewport::failed);
   connect(&document_, &Document::scene_replaced, this, [this] {
+    tool_->abandon();
+    if (drag_ == Drag::tool) drag_ = Drag::none;
     hovered_.reset();
     oldest_serial_ = serial_ + 1;
     set_camera(document_.scene().camera);
   });
   connect(&document_, &Document::medium_changed, this, [this] {
+    tool_->medium_changed();
     refresh_handles();
     request_frame();
   });
@@ -56,6 +70,7 @@ Viewport::Viewport(Document& document, QWidget* parent)
 Viewport::~Viewport() = default;
 
 void Viewport::set_camera(const Camera& camera) {
+  if (!can_be_stored(camera)) return;
   camera_ = camera;
   refresh_handles();
   request_frame();
@@ -80,6 +95,19 @@ void Viewport::set_exposure(double stops) {
   if (shown_) surface_->show_picture(to_picture(shown_->frame, exposure_));
 }
 
+void Viewport::set_airlight(AirlightMethod method) {
+  if (method == airlight_) return;
+  airlight_ = method;
+  request_frame();
+}
+
+Settings Viewport::settings() const {
+  Settings settings;
+  settings.airlight = airlight_;
+  settings.light_table = light_table_for(settings.slices);
+  return settings;
+}
+
 Film Viewport::film() const {
   return {std::max(1, width()), std::max(1, height())};
 }
@@ -96,7 +124,8 @@ void Viewport::show_band(const QRect& rectangle) {
 }
 
 bool Viewport::is_settled() const {
-  return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1;
+  return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
+         shown_->request.settings == settings();
 }
 
 QString Viewport::gl_problem() const {
@@ -104,11 +133,14 @@ QString Viewport::gl_problem() const {
 }
 
 FrameRequest Viewport::frame_request(bool moving) const {
+  Settings settings = this->settings();
+  // Not the table of depths as well: going back and forth between two would build it each time.
+  if (moving) settings.slices = motion_slices;
   const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
   return {.scene = document_.snapshot(),
           .camera = camera_,
           .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
-          .settings = {},
+          .settings = settings,
           .exposure = exposure_,
           .serial = serial_,
           .moving = moving};

@@ -23,12 +23,17 @@ class Viewport : public QWidget {
   ~Viewport() override;
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
+  // A camera that no scene file may hold (further out than its limits, say) is not taken.
   void set_camera(const Camera& camera);
   void frame_all();
   void frame_selection();  // all, if nothing is selected
 
   [[nodiscard]] double exposure() const { return exposure_; }
   void set_exposure(double stops);
+
+  [[nodiscard]] AirlightMethod airlight() const { return airlight_; }
+  void set_airlight(AirlightMethod method);
+  [[nodiscard]] Settings settings() const;  // of frames at rest
 
   // The view in widget coordinates.
   [[nodiscard]] Film film() const;
@@ -76,6 +81,7 @@ class Viewport : public QWidget {
 
   Camera camera_;
   double exposure_ = 0.0;
+  AirlightMethod airlight_ = AirlightMethod::sliced;
   Drag drag_ = Drag::none;
   QPointF last_position_;
 

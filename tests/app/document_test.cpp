@@ -157,6 +157,40 @@ class DocumentTest : public QObject {
     QCOMPARE(parse_number(" 0,25 "), 0.25);
   }
 
+  // Whatever the editor takes, files can hold.
+  void what_is_accepted_can_be_saved_and_loaded() {
+    const QTemporaryDir folder;
+    const auto file = std::filesystem::path(folder.path().toStdString()) / "edited.brume";
+    Document document;
+    const auto comes_back = [&] {
+      document.save(file);
+      const Medium medium = load_scene(file).medium;
+      return std::ranges::equal(medium.centers(), document.medium().centers()) &&
+             std::ranges::equal(medium.radii(), document.medium().radii()) &&
+             std::ranges::equal(medium.densities(), document.medium().densities());
+    };
+    add_gaussian(document, {{}, 1.0, 1.0});
+    const std::vector<GaussianId> ids = document.selection();
+    for (const GaussianField field : gaussian_fields) {
+      int taken = 0;
+      for (const double value : {-1e300, -1.1e12, -1e12, -1.0, 0.0, 1e-300, 0.9e-12, 1e-12, 1.0,
+                                 1e12, 1.1e12, 1e20, 1e300}) {
+        if (set_field(document, ids, field, value).isEmpty()) ++taken;
+        QVERIFY2(comes_back(), qPrintable(field_name(field) + number_text(value)));
+      }
+      QVERIFY(taken >= 3);
+      QVERIFY(!set_field(document, ids, field, 1.1e12).isEmpty());
+    }
+    const glm::dvec3 far_out(3e12, -4e15, 1.0);
+    move_gaussians(document, ids, {&far_out, 1}, new_merge_id());
+    QVERIFY(document.medium().centers()[0] == glm::dvec3(1e12, -1e12, 1.0));
+    QVERIFY(comes_back());
+    add_gaussian(document, {far_out, 1e-30, 1e30});
+    QCOMPARE(document.medium().radii()[1], 1e-12);
+    QCOMPARE(document.medium().densities()[1], 1e12);
+    QVERIFY(comes_back());
+  }
+
   void the_scene_camera_is_an_edit() {
     Document document;
     const Camera before = document.scene().camera;

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProcess>
 #include <QStatusBar>
 #include <QUndoView>
 #include <random>
@@ -250,6 +251,22 @@ class EditorTest : public QObject {
     QCOMPARE(window->document().medium().size(), std::size_t{5});
     QVERIFY(window->files().open_file(window.file("scene.brume")));
     QVERIFY(!bar->isVisible());
+  }
+
+  void a_screenshot_of_a_missing_scene_is_an_error() {
+    const QTemporaryDir folder;
+    const QString picture = folder.filePath("s.png");
+    QProcess editor;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("QT_LOGGING_RULES", "*=false");  // Qt has its own to say about platforms
+    editor.setProcessEnvironment(environment);
+    editor.start(BRUME_EDITOR, {folder.filePath("nosuch.brume"), "--screenshot", picture});
+    QVERIFY(editor.waitForFinished(60000));
+    QCOMPARE(editor.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(editor.exitCode(), 2);
+    QVERIFY(!QFile::exists(picture));
+    const QByteArray said = editor.readAllStandardError();
+    QVERIFY2(said.contains("nosuch.brume") && said.count('\n') == 1, said);
   }
 
   void a_dropped_scene_opens() {

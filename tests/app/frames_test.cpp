@@ -1,5 +1,8 @@
 // Frames come, are right for what is shown, and never hold up the interface.
 
+#include <QAction>
+#include <QLabel>
+#include <QStatusBar>
 #include <cmath>
 
 #include "app/commands/edit_medium.h"
@@ -18,6 +21,12 @@ bool all_finite(const Frame& frame) {
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
   };
   return finite(frame.beauty) && finite(frame.airlight) && finite(frame.transmittance);
+}
+
+QString status_of(MainWindow& window) {
+  QString text;
+  for (const QLabel* label : window.statusBar()->findChildren<QLabel*>()) text += label->text();
+  return text;
 }
 
 // A frame that takes far longer than a test would wait.
@@ -65,6 +74,78 @@ class FramesTest : public QObject {
     window.key(Qt::Key_Plus);
     QCOMPARE(window->viewport().exposure(), 0.5);
     QCOMPARE(window->viewport().shown(), frame);
+  }
+
+  void exposure_has_bounds() {
+    TestWindow window;
+    for (int k = 0; k < 50; ++k) window.key(Qt::Key_Plus);
+    QCOMPARE(window->viewport().exposure(), 20.0);
+    for (int k = 0; k < 100; ++k) window.key(Qt::Key_Minus);
+    QCOMPARE(window->viewport().exposure(), -20.0);
+  }
+
+  void the_airlight_is_chosen_in_the_menu_and_remembered() {
+    {
+      TestWindow window;
+      auto* paper = window->findChild<QAction*>("airlight_paper");
+      auto* sliced = window->findChild<QAction*>("airlight_sliced");
+      QVERIFY(sliced->isChecked() && !paper->isChecked());
+      const QImage before = window->viewport().shown()->picture;
+      QVERIFY(status_of(*window).contains("sliced 16"));
+      paper->trigger();
+      QVERIFY(!sliced->isChecked());
+      QVERIFY(window.settle());
+      QVERIFY(window->viewport().shown()->picture != before);
+      QVERIFY(status_of(*window).contains("paper"));
+      QVERIFY(!window->document().is_modified());
+    }
+    TestWindow window;
+    QCOMPARE(window->viewport().airlight(), AirlightMethod::paper);
+    window->findChild<QAction*>("airlight_sliced")->trigger();
+    QVERIFY(window.settle());
+    QVERIFY(status_of(*window).contains("sliced 16"));
+  }
+
+  // Or the table of depths from each light would be built anew at every start and stop.
+  void motion_keeps_the_tables_of_rest() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    const Settings rest = view.shown()->request.settings;
+    const RenderedFrame* in_motion = nullptr;
+    connect(&view, &Viewport::frame_shown, this, [&] {
+      if (view.shown()->request.moving) {
+        in_motion = view.shown();
+        QCOMPARE(in_motion->request.settings.light_table, rest.light_table);
+        QVERIFY(in_motion->request.settings.slices < rest.slices);
+        QCOMPARE(in_motion->frame.statistics.light_pairs, std::uint64_t{0});
+      }
+    });
+    Camera camera = view.camera();
+    camera.eye.x += 0.1;
+    view.set_camera(camera);
+    QVERIFY(window.settle());
+    QVERIFY(in_motion);
+    QVERIFY(view.shown()->request.settings == rest);
+    QCOMPARE(view.shown()->frame.statistics.light_pairs, std::uint64_t{0});
+  }
+
+  void slow_frames_in_motion_do_not_queue_up() {
+    FrameService service;
+    std::vector<std::uint64_t> came;
+    connect(&service, &FrameService::frame_ready, this,
+            [&](const std::shared_ptr<const RenderedFrame>& frame) {
+              came.push_back(frame->request.serial);
+            });
+    FrameRequest request = endless_request(1);
+    request.settings.reference_tolerance = 1e-3;
+    request.film = {200, 150};
+    request.moving = true;
+    for (; request.serial <= 50; ++request.serial) {
+      service.request(request);
+      QTest::qWait(1);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!came.empty() && came.back() == 50, 60000);
+    QVERIFY2(came.size() < 25, qPrintable(QString::number(came.size())));
   }
 
   void a_long_frame_does_not_block_and_gives_way() {

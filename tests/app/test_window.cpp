@@ -50,16 +50,19 @@ QPoint TestWindow::handle(std::size_t index) {
   return QPointF(at.x, at.y).toPoint();
 }
 
+void TestWindow::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+  Viewport& view = window_->viewport();
+  QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, button, modifiers);
+  QApplication::sendEvent(&view, &event);
+}
+
 void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,
                       Qt::KeyboardModifiers modifiers) {
   Viewport& view = window_->viewport();
   QTest::mousePress(&view, button, modifiers, from);
   constexpr int steps = 5;
   for (int k = 1; k <= steps; ++k) {
-    // Moves with the buttons down: QTest::mouseMove knows of none.
-    const QPointF at = QPointF(from) + QPointF(to - from) * k / steps;
-    QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, modifiers);
-    QApplication::sendEvent(&view, &move);
+    move(QPointF(from) + QPointF(to - from) * k / steps, button, modifiers);
   }
   QTest::mouseRelease(&view, button, modifiers, to);
 }

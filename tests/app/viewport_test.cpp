@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/panels/gaussian_panel.h"
+#include "app/scene_files.h"
 #include "app/viewport/viewport.h"
 #include "tests/app/test_window.h"
 
@@ -75,26 +76,76 @@ class ViewportTest : public QObject {
     const Scene before = document.scene();
     Viewport& view = window->viewport();
     const QPoint from = window.handle(1);
-    const auto move = [&](QPointF at) {
-      QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                        Qt::NoModifier);
-      QApplication::sendEvent(&view, &event);
-    };
     QTest::mousePress(&view, Qt::LeftButton, {}, from);
-    move(from + QPoint(30, 0));
+    window.move(from + QPoint(30, 0));
     QVERIFY(document.is_modified());
-    move(from);
+    window.move(from);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, from);
     QCOMPARE(document.undo_stack().count(), 0);
     QVERIFY(document.scene() == before);
 
     QTest::mousePress(&view, Qt::LeftButton, {}, from);
-    move(from + QPoint(30, 0));
+    window.move(from + QPoint(30, 0));
     QTest::keyClick(&view, Qt::Key_Escape);
-    move(from + QPoint(60, 0));
+    window.move(from + QPoint(60, 0));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(60, 0));
     QCOMPARE(document.undo_stack().count(), 0);
     QVERIFY(document.scene() == before);
+  }
+
+  void a_drag_ends_with_its_scene() {
+    TestWindow window;
+    Document& document = window->document();
+    Viewport& view = window->viewport();
+    const QPoint from = window.handle(1);
+    for (const int steps_before : {0, 1}) {
+      QTest::mousePress(&view, Qt::LeftButton, {}, from);
+      for (int k = 0; k < steps_before; ++k) window.move(from + QPoint(30, 0));
+      document.load(document.file());  // as a dropped file does, and without a question
+      const Scene fresh = document.scene();
+      window.move(from + QPoint(40, 0));
+      window.move(from + QPoint(60, 10));
+      QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(60, 10));
+      QVERIFY(document.scene() == fresh);
+      QCOMPARE(document.undo_stack().count(), 0);
+      QVERIFY(document.selection().empty());
+      QTest::mousePress(&view, Qt::LeftButton, {}, from);
+      window.move(from + QPoint(30, 0));
+      QTest::keyClick(&view, Qt::Key_Escape);
+      QTest::mouseRelease(&view, Qt::LeftButton, {}, from);
+    }
+  }
+
+  void a_drag_ends_with_its_gaussians() {
+    TestWindow window;
+    Document& document = window->document();
+    Viewport& view = window->viewport();
+    window.key(Qt::Key_A, Qt::ShiftModifier);
+    const QPoint from = window.handle(5);
+    const glm::dvec3 start = document.medium().centers()[5];
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    window.move(from + QPoint(30, 0));
+    document.undo_stack().setIndex(0);
+    document.undo_stack().setIndex(1);  // there again, but let go
+    window.move(from + QPoint(60, 0));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, from + QPoint(60, 0));
+    QVERIFY(document.medium().centers()[5] == start);
+    QCOMPARE(document.undo_stack().index(), 1);
+  }
+
+  void the_view_stays_where_files_can_follow() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    for (const int delta : {-12000, 12000}) {
+      for (int k = 0; k < 20; ++k) {
+        QWheelEvent wheel(QPointF(9, 9), view.mapToGlobal(QPointF(9, 9)), {}, {0, delta},
+                          Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&view, &wheel);
+      }
+      window.key(Qt::Key_0, Qt::ControlModifier);
+      QVERIFY(window->files().save());
+      QVERIFY(window->files().open_file(window.file("scene.brume")));
+    }
   }
 
   void navigation_is_no_edit() {
