@@ -12,14 +12,15 @@ Real homogeneous_airlight(Real b0, const LightPath<Real>& path, Real d) {
   if (!(b0 > 0) || !(d > 0)) return 0;
   // Past `reach` the path eye -> point -> light is so much longer than the shortest one that
   // nothing is left: exp(-40) in double, exp(-20) in float.
-  const Real start = std::sqrt(path.distance2(0));
+  const Real start = path.travelled(0);
   const Real longest = start + (sizeof(Real) == 4 ? Real(20) : Real(40)) / b0;
-  const Real reach = (longest - start) * (longest + start) / (2 * (longest - path.ts));
+  const Real reach =
+      (longest - start) * (longest + start) / (2 * std::max(longest - path.ts, longest - start));
   const EquiAngular<Real> angular(path, std::min(d, reach));
 
   const auto transmittance = [&](Real x) {
     const Real t = angular.t(angular.span * x);
-    return std::exp(-b0 * (t + std::sqrt(path.distance2(t)) - start));
+    return std::exp(-b0 * (t + path.travelled(t) - start));
   };
   const std::array<Real, 2> all = {0, 1};
   const Real tolerance = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-11);

@@ -12,20 +12,25 @@ namespace brume {
 //
 // Radiance scattered along a ray grows like 1/h and is infinite through the light itself, so a
 // light has a least distance: h is never below h_min (the size of the source, or a fraction of
-// the pixel's footprint there), and everything on the ray sees the light from hypot(t - ts, h).
+// the pixel's footprint there), and the light falls off with 1 / ((t - ts)^2 + h^2).
 template <class Real>
 struct LightPath {
-  Real ts;  // [u]
-  Real h;   // [u], > 0
+  Real ts;   // [u]
+  Real h;    // [u], > 0
+  Real gap;  // what h would be without the least distance [u]
 
   LightPath(const Vec3<Real>& light, const Vec3<Real>& eye, const Vec3<Real>& w, Real h_min) {
     const Vec3<Real> q = light - eye;
     ts = glm::dot(q, w);
-    h = std::max({glm::length(q - ts * w), h_min, floor(std::abs(ts))});
+    gap = glm::length(q - ts * w);
+    h = std::max({gap, h_min, floor(std::abs(ts))});
   }
 
   // The squared distance of the light from the ray's point at t.
   [[nodiscard]] Real distance2(Real t) const { return (t - ts) * (t - ts) + h * h; }
+
+  // How far light travels to that point: only the falloff has a least distance.
+  [[nodiscard]] Real travelled(Real t) const { return std::hypot(t - ts, gap); }
 
  private:
   // A light exactly on the ray needs some h > 0; what is seen short of the light depends on h

@@ -176,7 +176,9 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     const V floor = hn::Max(hn::Mul(hn::Abs(ts), set(1e-6f)), set(1e-15f));
     const V h = hn::Max(hn::Max(hn::Sqrt(dot(gap, gap)), set(h_min)), floor);
     const V start2 = hn::MulAdd(ts, ts, hn::Mul(h, h));
-    const V start = hn::Sqrt(start2);
+    // Light travels the true distance; only its falloff has a least one.
+    const V gap2 = dot(gap, gap);
+    const V start = hn::Sqrt(hn::MulAdd(ts, ts, gap2));
     // Past this point the path is longer than the shortest one by a depth of 10.
     const V longer = set(10.0f / b0);
     const V longest = hn::Add(start, longer);
@@ -195,7 +197,7 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
       const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
       const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
       const V along = hn::Sub(t, ts);
-      const V distance = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(h, h)));
+      const V distance = hn::Sqrt(hn::MulAdd(along, along, gap2));
       sum = hn::MulAdd(set(wx[i]), hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance))), sum);
     }
     const V mean = hn::Mul(sum, hn::Div(span, h));
@@ -257,6 +259,17 @@ void PathBatch::resize(std::size_t size) {
   z.assign(padded(size), 1.0f);
   length.assign(padded(size), 0.0f);
   self.assign(padded(size), -1);
+}
+
+void PathBatch::assign(std::span<const glm::dvec3> directions, std::span<const double> lengths) {
+  resize(directions.size());
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const glm::vec3 w(directions[k]);
+    x[k] = w.x;
+    y[k] = w.y;
+    z[k] = w.z;
+    length[k] = static_cast<float>(lengths[k]);
+  }
 }
 
 void PathBatch::assign(const glm::dvec3& origin, std::span<const glm::dvec3> ends,

@@ -42,6 +42,8 @@ struct PathBatch {
 
   void assign(const glm::dvec3& origin, std::span<const glm::dvec3> ends,
               std::span<const std::int32_t> self_of);
+  // Rays of unit directions; lengths may be +inf.
+  void assign(std::span<const glm::dvec3> directions, std::span<const double> lengths);
   void resize(std::size_t size);
   [[nodiscard]] std::size_t padded_size() const { return x.size(); }
 };

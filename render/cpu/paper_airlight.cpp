@@ -63,14 +63,7 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
   thread_local Scratch s;
   const std::size_t count = rays.directions.size();
   s.batch.assign(medium, rays.eye, gaussians);
-  s.rays.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const glm::vec3 w(rays.directions[k]);
-    s.rays.x[k] = w.x;
-    s.rays.y[k] = w.y;
-    s.rays.z[k] = w.z;
-    s.rays.length[k] = static_cast<float>(rays.lengths[k]);
-  }
+  s.rays.assign(rays.directions, rays.lengths);
   s.depths.assign(s.rays.padded_size(), 0.0f);
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
 

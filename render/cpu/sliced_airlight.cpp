@@ -127,14 +127,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   s.boundaries.assign(s.exact_boundaries.begin(), s.exact_boundaries.end());
 
   s.batch.assign(medium, rays.eye, gaussians);
-  s.rays.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const glm::vec3 w(rays.directions[k]);
-    s.rays.x[k] = w.x;
-    s.rays.y[k] = w.y;
-    s.rays.z[k] = w.z;
-    s.rays.length[k] = static_cast<float>(rays.lengths[k]);
-  }
+  s.rays.assign(rays.directions, rays.lengths);
   const std::size_t stride = s.rays.padded_size();
   s.increments.assign((s.boundaries.size() - 1) * stride, 0.0f);
   const std::uint64_t pairs =

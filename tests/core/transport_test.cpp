@@ -7,33 +7,18 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
-#include <random>
 
 #include "core/math/quadrature.h"
 #include "core/math/special_functions.h"
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
 #include "core/transport/optical_depth.h"
+#include "tests/random.h"
 
 namespace brume {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  double power(double low, double high) { return std::pow(10.0, uniform(low, high)); }
-  glm::dvec3 point(double size) {
-    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 TEST(Quadrature, IsExactForPolynomials) {
   // Kronrod 15 is exact up to degree 22.

@@ -7,30 +7,15 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <random>
 
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/path_depths.h"
+#include "tests/random.h"
 
 namespace brume {
 namespace {
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  double power(double low, double high) { return std::pow(10.0, uniform(low, high)); }
-  glm::dvec3 point(double size) {
-    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 // Runs the body once for each instruction set that was compiled and that this machine has.
 template <class Body>

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "render/tiles.h"
+#include "tests/random.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -15,20 +15,6 @@ namespace {
 struct Spheres {
   std::vector<glm::dvec3> centers;
   std::vector<double> radii;
-};
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  glm::dvec3 point(double size) {
-    return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
-  }
-
- private:
-  std::mt19937 engine_;
 };
 
 Spheres random_spheres(Random& random, int count) {

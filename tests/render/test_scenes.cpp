@@ -5,22 +5,20 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <random>
 
 #include "core/scene/mesh.h"
 #include "core/transport/optical_depth.h"
 #include "render/renderer.h"
+#include "tests/random.h"
 
 namespace brume {
 
 Scene cloud_scene(int count, double depth, unsigned seed) {
-  // Only the raw generator: distributions differ between standard libraries.
-  std::mt19937 random(seed);
-  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  Random random(seed);
   std::vector<Gaussian> gaussians;
   while (static_cast<int>(gaussians.size()) < count) {
-    const glm::dvec3 p(2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0);
-    const double density = 0.5 + uniform();
+    const glm::dvec3 p = random.point(1.0);
+    const double density = random.uniform(0.5, 1.5);
     if (glm::dot(p, p) <= 1.0) gaussians.push_back({p, 0.3, density});
   }
   double along_axis = 0.0;
