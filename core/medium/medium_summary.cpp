@@ -17,8 +17,8 @@
 namespace brume {
 namespace {
 
-// What the whole search may cost, in evaluations of one Gaussian at a point or along a line: a
-// few seconds of one thread, however many Gaussians there are.
+// What the whole search may cost, in evaluations of one Gaussian at a point or along a line: some
+// seven seconds of one thread, however many Gaussians there are.
 constexpr std::size_t most_evaluations = 200'000'000;
 
 // How many sums over all Gaussians each part of the search takes: first all `directions` through
