@@ -121,7 +121,7 @@ const HardCase cases[] = {
        s.medium.set_homogeneous_density(1e4);
        return s;
      }},
-    {"light in the wall", 0.3,
+    {"light in the wall", far_off,
      [] {
        Scene s = base();
        s.lights[0].position = {0.1, 0.1, -0.5};
@@ -133,7 +133,7 @@ const HardCase cases[] = {
        s.lights[0].intensity = glm::dvec3(1e20);  // the most that a scene file may say
        return s;
      }},
-    {"a pinprick of a view", 0.04,
+    {"a pinprick of a view", 0.12,
      [] {
        Scene s = base();
        s.camera.vertical_fov = 1e-3;
