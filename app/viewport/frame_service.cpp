@@ -11,7 +11,8 @@ namespace brume {
 namespace {
 
 constexpr double motion_budget = 33.0;  // milliseconds: about 30 frames a second
-constexpr int max_divisor = 4;
+constexpr int first_divisor = 4;        // while the cost of a pixel is unknown
+constexpr int max_divisor = 6;          // coarser than this shows nothing any more
 
 Film divided(const Film& film, int divisor) {
   return {std::max(1, film.width / divisor), std::max(1, film.height / divisor)};
@@ -57,7 +58,7 @@ void FrameService::request(FrameRequest request) {
 }
 
 int FrameService::motion_divisor(const Film& film) const {
-  if (milliseconds_per_pixel_ == 0.0) return max_divisor;  // a first picture soon
+  if (milliseconds_per_pixel_ == 0.0) return first_divisor;
   for (int divisor = 1; divisor < max_divisor; ++divisor) {
     const Film part = divided(film, divisor);
     if (milliseconds_per_pixel_ * part.width * part.height <= motion_budget) return divisor;
@@ -95,7 +96,9 @@ void FrameService::work(const std::stop_token& quit) {
       rendered->divisor = divisor;
       rendered->frame = std::move(*frame);
       rendered->request = std::move(request);
-      milliseconds_per_pixel_ = rendered->milliseconds / (film.width * film.height);
+      if (rendered->request.moving) {  // at rest pixels may cost more
+        milliseconds_per_pixel_ = rendered->milliseconds / (film.width * film.height);
+      }
       QMetaObject::invokeMethod(
           this, [this, rendered] { Q_EMIT frame_ready(rendered); }, Qt::QueuedConnection);
     } catch (const std::exception& error) {

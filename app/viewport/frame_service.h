@@ -66,7 +66,7 @@ class FrameService : public QObject {
   };
   std::optional<Running> running_;
   std::stop_source stop_frame_;
-  double milliseconds_per_pixel_ = 0.0;  // of the last frame; 0 before the first
+  double milliseconds_per_pixel_ = 0.0;  // of the last frame in motion; 0 before the first
   std::jthread thread_;
 };
 
