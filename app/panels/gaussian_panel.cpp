@@ -23,6 +23,14 @@ class RowDelegate : public QStyledItemDelegate {
   RowDelegate(const Document& document, const GaussianTableModel& model, QObject* parent)
       : QStyledItemDelegate(parent), document_(document), model_(model) {}
 
+  // Digits stay where they were.
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const override {
+    QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+    if (auto* line = qobject_cast<QLineEdit*>(editor)) line->setAlignment(Qt::AlignRight);
+    return editor;
+  }
+
   // Opening a cell and leaving it must not write its value into the whole selection.
   void setModelData(QWidget* editor, QAbstractItemModel* model,
                     const QModelIndex& index) const override {
