@@ -30,7 +30,8 @@ FrameExport::FrameExport(QWidget* parent)
 
 FrameExport::~FrameExport() = default;
 
-void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera, double exposure,
+void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera,
+                        const Settings& settings, const FrameInfo& info,
                         const std::filesystem::path& file) {
   if (running_) return;
   running_ = true;
@@ -49,11 +50,10 @@ void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera
         QMetaObject::invokeMethod(
             bar_, [this, percent] { bar_->setValue(percent); }, Qt::QueuedConnection);
       };
-      const Settings settings;
       Renderer renderer;
       const auto frame = renderer.render(*scene, camera, scene->film, settings, stop, progress);
       if (frame && !stop.stop_requested()) {
-        write_frame(file, *frame, {"", to_string(settings.airlight), "cpu", exposure});
+        write_frame(file, *frame, info);
         outcome = Outcome::written;
       }
     } catch (const std::exception& error) {

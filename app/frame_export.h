@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "core/scene/scene.h"
+#include "render/frame_file.h"
+#include "render/settings.h"
 
 class QLabel;
 class QProgressBar;
@@ -21,9 +23,9 @@ class FrameExport : public QWidget {
   ~FrameExport() override;  // gives up
 
   [[nodiscard]] bool is_running() const { return running_; }
-  // One at a time. The extension decides the format; `exposure` (stops) is for PNG only.
-  void start(std::shared_ptr<const Scene> scene, const Camera& camera, double exposure,
-             const std::filesystem::path& file);
+  // One at a time. The extension decides the format.
+  void start(std::shared_ptr<const Scene> scene, const Camera& camera, const Settings& settings,
+             const FrameInfo& info, const std::filesystem::path& file);
   void cancel();
 
  Q_SIGNALS:

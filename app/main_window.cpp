@@ -190,7 +190,10 @@ void MainWindow::export_frame() {
 }
 
 void MainWindow::export_frame_to(const std::filesystem::path& file) {
-  frame_export_->start(document_.snapshot(), viewport_->camera(), viewport_->exposure(), file);
+  const Settings settings = viewport_->settings();
+  const FrameInfo info{document_.file().string(), to_string(settings.airlight), "cpu",
+                       viewport_->exposure()};
+  frame_export_->start(document_.snapshot(), viewport_->camera(), settings, info, file);
 }
 
 void MainWindow::quit_with_screenshot(const QString& file) {

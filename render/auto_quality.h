@@ -16,7 +16,24 @@ std::optional<Settings> choose_settings(Renderer& renderer, const Scene& scene,
                                         const Settings& settings, double max_error,
                                         std::stop_token stop = {});
 
-// The settings that auto would try after these, if there are any better.
-std::optional<Settings> better_settings(const Settings& settings);
+// A frame with the settings that made it and its measured error.
+struct MeasuredFrame {
+  Frame frame;
+  Settings settings;
+  ErrorEstimate error;
+};
+
+// The error of a frame of a view, measured on pixels of its own; how many depends on the number of
+// Gaussians, so that it takes seconds at most.
+std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
+                                           const Frame& frame, std::stop_token stop = {});
+
+// Chooses settings, renders with them and measures the frame; if its own pixels break the bound,
+// goes on with better settings until they hold it or there are none.
+std::optional<MeasuredFrame> render_auto(Renderer& renderer, const Scene& scene,
+                                         const Camera& camera, const Film& film,
+                                         const Settings& settings, double max_error,
+                                         std::stop_token stop = {},
+                                         const std::function<void(double)>& progress = {});
 
 }  // namespace brume

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "render/settings.h"
-
 namespace brume {
 namespace {
 
@@ -33,24 +31,6 @@ std::uint8_t srgb_byte(float x) {
 }
 
 }  // namespace
-
-const char* to_string(AirlightMethod method) {
-  switch (method) {
-    case AirlightMethod::paper:
-      return "paper";
-    case AirlightMethod::sliced:
-      return "sliced";
-    case AirlightMethod::reference:
-      return "reference";
-  }
-  return "";
-}
-
-LightTableSize light_table_for(int slices) {
-  if (slices < 16) return {32, 16};
-  if (slices < 32) return {64, 32};
-  return {128, 64};
-}
 
 ImageLayers to_layers(const Frame& frame) {
   ImageLayers image;

@@ -41,7 +41,8 @@ struct Settings {
 
 const char* to_string(AirlightMethod method);
 
-// The table that goes with a number of slices: neither's error dominates.
-LightTableSize light_table_for(int slices);
+// `sliced` with a number of slices, and the tables that go with it so that neither's error
+// dominates.
+Settings sliced_settings(Settings settings, int slices);
 
 }  // namespace brume

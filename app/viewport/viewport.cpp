@@ -102,9 +102,8 @@ void Viewport::set_airlight(AirlightMethod method) {
 }
 
 Settings Viewport::settings() const {
-  Settings settings;
+  Settings settings = sliced_settings({}, Settings{}.slices);
   settings.airlight = airlight_;
-  settings.light_table = light_table_for(settings.slices);
   return settings;
 }
 

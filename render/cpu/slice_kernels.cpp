@@ -154,8 +154,9 @@ HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
   const D d;
   const hn::RebindToSigned<D> di;
   const MapPosition position(shadows.map(), q, distance);
-  // A cell stands for its neighbourhood: what is about as far as the surface is lit.
-  const V near = hn::Mul(distance, set(0.998f));
+  // A cell stands for its neighbourhood, where a slanting surface is nearer and farther by about
+  // the cell's width: so much behind the surface is still lit, or all surfaces would be darkened.
+  const V near = hn::Mul(distance, set(1.0f - 4.0f / static_cast<float>(shadows.map().cells)));
   return position.Mix(shadows.map().row(), [&](int cell) HWY_ATTR {
     const V reach =
         hn::GatherIndex(d, shadows.distances(), hn::Add(position.cell, hn::Set(di, cell)));

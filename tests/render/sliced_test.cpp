@@ -9,11 +9,7 @@ namespace brume {
 namespace {
 
 Settings sliced(int slices) {
-  Settings settings;
-  settings.airlight = AirlightMethod::sliced;
-  settings.slices = slices;
-  settings.light_table = light_table_for(slices);
-  return settings;
+  return sliced_settings({}, slices);
 }
 
 Settings reference() {

@@ -10,6 +10,7 @@
 #include "core/io/limits.h"
 #include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
+#include "render/auto_quality.h"
 #include "render/frame_file.h"
 #include "render/renderer.h"
 #include "tools/brume/command.h"
@@ -21,13 +22,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-AirlightMethod parse_airlight(const std::string& name) {
+// nullopt: auto.
+std::optional<AirlightMethod> parse_airlight(const std::string& name) {
+  if (name == "auto") return std::nullopt;
   if (name == "paper") return AirlightMethod::paper;
   if (name == "sliced") return AirlightMethod::sliced;
   if (name == "reference") return AirlightMethod::reference;
-  throw UsageError("--airlight: found " + shown(name) + "; " +
-                   (name == "auto" ? "it is not available in this version; " : "") +
-                   "allowed: paper, sliced, reference");
+  throw UsageError("--airlight: found " + shown(name) +
+                   "; allowed: auto, paper, sliced, reference");
 }
 
 void check_backend(const std::string& name) {
@@ -59,9 +61,13 @@ class RenderCommand final : public Command {
     app.add_option("-o,--output", output_, "the image: .exr (linear, all layers) or .png")
         ->required();
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
-    app.add_option("--airlight", airlight_, "paper, sliced or reference")->capture_default_str();
+    app.add_option("--airlight", airlight_, "auto, paper, sliced or reference")
+        ->capture_default_str();
     app.add_option("--slices", slices_, "of sliced, per ray through the medium")
         ->check(finite_in(4, 256))
+        ->capture_default_str();
+    app.add_option("--max-error", max_error_, "the relative RMSE of the airlight that auto keeps")
+        ->check(finite_in(1e-4, 10.0))
         ->capture_default_str();
     app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
         ->check(finite_in(1e-12, 1.0))
@@ -81,10 +87,10 @@ class RenderCommand final : public Command {
 
   ExitCode run() override {
     Settings settings;
-    settings.airlight = parse_airlight(airlight_);
+    const std::optional<AirlightMethod> method = parse_airlight(airlight_);
+    settings = sliced_settings(settings, slices_);
+    settings.airlight = method.value_or(AirlightMethod::sliced);
     settings.reference_tolerance = tolerance_;
-    settings.slices = slices_;
-    settings.light_table = light_table_for(slices_);
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
     settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
@@ -98,8 +104,22 @@ class RenderCommand final : public Command {
     print_warnings(warnings);
     const Film film = size_.empty() ? scene.film : wanted;
     Renderer renderer;
-    const Frame frame = render(renderer, scene, scene.camera, film, settings, 1);
+    Frame frame;
+    std::optional<ErrorEstimate> error;
+    if (method) {
+      frame = render(renderer, scene, scene.camera, film, settings, 1);
+    } else {
+      MeasuredFrame measured =
+          *render_auto(renderer, scene, scene.camera, film, settings, max_error_);
+      frame = std::move(measured.frame);
+      settings = measured.settings;
+      error = measured.error;
+    }
     const std::chrono::duration<double, std::milli> first = Clock::now() - start;
+    if (error && error->high > max_error_) {
+      std::cerr << "brume: warning: no setting keeps --max-error " << max_error_
+                << "; the best one has a relative RMSE of " << error->rel_rmse << '\n';
+    }
 
     std::vector<FrameStatistics> moved;
     for (int i = 1; i <= moved_frames(); ++i) {
@@ -110,7 +130,10 @@ class RenderCommand final : public Command {
     }
     write_frame(output_, frame, {scene_file_, to_string(settings.airlight), "cpu", exposure_});
     if (!stats_file_.empty()) {
-      const RenderRun run{scene_file_, film, settings, repeat_, first.count()};
+      if (!error && settings.airlight != AirlightMethod::reference) {
+        error = measure_error(scene, scene.camera, frame);
+      }
+      const RenderRun run{scene_file_, film, settings, repeat_, first.count(), error};
       write_atomically(stats_file_, statistics_json(run, frame.statistics, moved));
     }
     return done;
@@ -155,7 +178,8 @@ class RenderCommand final : public Command {
   std::string scene_file_;
   std::string output_;
   std::string size_;
-  std::string airlight_ = "paper";
+  std::string airlight_ = "auto";
+  double max_error_ = 0.02;
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
   std::string backend_ = "auto";

@@ -89,6 +89,13 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["gaussians"] = Json{{"total", first.gaussians_total}, {"used", first.gaussians_used}};
   json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};
   json["error"] = nullptr;
+  if (run.error) {
+    // `low` and `high`: the interval that holds the whole frame's error in 95% of cases.
+    json["error"] = Json{{"rel_rmse", run.error->rel_rmse},
+                         {"pixels", run.error->pixels},
+                         {"low", run.error->low},
+                         {"high", run.error->high}};
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

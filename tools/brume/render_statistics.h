@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
+#include "render/error_estimate.h"
 #include "render/frame.h"
 #include "render/settings.h"
 
@@ -15,6 +17,7 @@ struct RenderRun {
   Settings settings;  // `threads` as they ran
   int repeat = 1;
   double first_frame_milliseconds = 0.0;  // with loading and building everything once
+  std::optional<ErrorEstimate> error;     // of the first frame
 };
 
 // The JSON of --stats. Counts are those of the first frame; frame_ms and stages are over `moved`,

@@ -1,0 +1,30 @@
+#include "render/settings.h"
+
+#include <algorithm>
+
+namespace brume {
+
+const char* to_string(AirlightMethod method) {
+  switch (method) {
+    case AirlightMethod::paper:
+      return "paper";
+    case AirlightMethod::sliced:
+      return "sliced";
+    case AirlightMethod::reference:
+      return "reference";
+  }
+  return "";
+}
+
+Settings sliced_settings(Settings settings, int slices) {
+  settings.airlight = AirlightMethod::sliced;
+  settings.slices = slices;
+  settings.light_table = slices < 16   ? LightTableSize{32, 16}
+                         : slices < 32 ? LightTableSize{64, 32}
+                         : slices < 64 ? LightTableSize{128, 64}
+                                       : LightTableSize{256, 128};
+  settings.shadow_cells = std::clamp(16 * slices, 256, 1024);
+  return settings;
+}
+
+}  // namespace brume
