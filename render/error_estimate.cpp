@@ -55,7 +55,7 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
     }
   }
 
-  const RenderPlan plan(scene);
+  const RenderPlan plan(scene, AirlightMethod::reference);
   const CameraRays rays(camera, guide.film);
   const MediumIndex medium(scene.medium, depth_tolerance(scene.medium, depth_error));
   const Visibility visibility(scene.surfaces);

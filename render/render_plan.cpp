@@ -4,7 +4,7 @@
 
 namespace brume {
 
-RenderPlan::RenderPlan(const Scene& scene) {
+RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   const auto skip = [this](const char* stage, const std::string& why) {
     skipped.push_back({stage, why});
   };
@@ -20,16 +20,24 @@ RenderPlan::RenderPlan(const Scene& scene) {
 
   if (!surfaces) skip("visibility", "the scene has no surfaces");
   if (surfaces && !lit_surfaces) skip("surfaces", "no light shines");
-  if (!gaussians) {
-    skip("light_depth", "the medium has no Gaussians");
-    skip("eye_depth", "the medium has no Gaussians");
-  } else if (lights.empty()) {
-    skip("light_depth", "no light shines");
-    skip("eye_depth", "no light shines");
+  // What goes before the airlight is the method's own.
+  const char* const no_airlight = lights.empty() ? "no light shines" : "the medium is empty";
+  const char* const no_gaussians =
+      lights.empty() ? "no light shines" : "the medium has no Gaussians";
+  if (!gaussians || lights.empty()) {
+    if (method == AirlightMethod::paper) {
+      skip("light_depth", no_gaussians);
+      skip("eye_depth", no_gaussians);
+    } else if (method == AirlightMethod::sliced) {
+      skip("light_table", no_gaussians);
+    }
+  }
+  if (method == AirlightMethod::sliced && !(surfaces && airlight)) {
+    skip("shadow_map", surfaces ? no_airlight : "the scene has no surfaces");
   }
   if (!homogeneous) skip("homogeneous", "the medium's homogeneous density is 0");
   if (!airlight) {
-    skip("airlight", lights.empty() ? "no light shines" : "the medium is empty");
+    skip("airlight", no_airlight);
   }
   if (lights.size() < scene.lights.size()) {
     skip("lights", std::to_string(scene.lights.size() - lights.size()) + " lights of intensity 0");

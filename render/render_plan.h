@@ -4,6 +4,7 @@
 
 #include "core/scene/scene.h"
 #include "render/frame.h"
+#include "render/settings.h"
 
 namespace brume {
 
@@ -17,7 +18,7 @@ struct RenderPlan {
   std::vector<PointLight> lights;  // those that give light
   std::vector<SkippedStage> skipped;
 
-  explicit RenderPlan(const Scene& scene);
+  RenderPlan(const Scene& scene, AirlightMethod method);
 };
 
 }  // namespace brume

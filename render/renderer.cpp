@@ -164,9 +164,18 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, const Film& film,
                                       const Settings& settings, std::stop_token stop,
                                       const std::function<void(double)>& progress) {
-  Impl::Work work{
-      scene,       camera, settings, stop, progress, RenderPlan(scene), CameraRays(camera, film),
-      Tiles(film), {},     {},       {},   {}};
+  Impl::Work work{scene,
+                  camera,
+                  settings,
+                  stop,
+                  progress,
+                  RenderPlan(scene, settings.airlight),
+                  CameraRays(camera, film),
+                  Tiles(film),
+                  {},
+                  {},
+                  {},
+                  {}};
   work.frame.film = film;
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
   const FlushDenormals observer(arena);
@@ -207,7 +216,8 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
         reference(work);
         break;
     }
-    clock.finish("airlight");
+    // Without light there is still what the medium takes away.
+    clock.finish(work.plan.airlight ? "airlight" : "transmittance");
   }
   if (work.plan.lit_surfaces) {
     shade_surfaces(work);
@@ -386,9 +396,9 @@ void Renderer::Impl::sliced(Work& work, StageClock& clock) {
   }
   if (work.plan.gaussians) {
     for (SlicedLight& light : lights) light.table = &light_table(work, light.position);
-    clock.finish("light_table");
+    if (!lights.empty()) clock.finish("light_table");
   }
-  if (work.plan.surfaces) {
+  if (work.plan.surfaces && !lights.empty()) {
     for (SlicedLight& light : lights) {
       // Fog scatters in every direction, Gaussians only where they are.
       DirectionMap map = DirectionMap::all(work.settings.shadow_cells);

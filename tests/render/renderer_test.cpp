@@ -151,6 +151,33 @@ TEST(Renderer, SaysWhatItSkippedAndWhy) {
   EXPECT_LT(frame.transmittance[3 * center_pixel(frame)], 0.5f);
 }
 
+// A stage ran or was skipped, whatever the scene and the method.
+TEST(Renderer, NoStageIsBothRunAndSkipped) {
+  std::vector<Scene> scenes{Scene{}, cloud_scene(5, 1.0), busy_scene()};
+  scenes.push_back(busy_scene());
+  scenes.back().lights.clear();
+  scenes.push_back(busy_scene());
+  scenes.back().medium = Medium();
+  scenes.push_back(scenes.back());
+  scenes.back().medium.set_homogeneous_density(0.1);
+  scenes.push_back(cloud_scene(5, 1.0));
+  scenes.back().lights.clear();
+  for (Scene& scene : scenes) {
+    scene.film = {8, 8};
+    for (const AirlightMethod method :
+         {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::reference}) {
+      Settings settings;
+      settings.airlight = method;
+      const FrameStatistics statistics = render_frame(scene, settings).statistics;
+      for (const StageTime& ran : statistics.stages) {
+        for (const SkippedStage& skipped : statistics.skipped) {
+          EXPECT_NE(ran.name, skipped.stage) << to_string(method);
+        }
+      }
+    }
+  }
+}
+
 TEST(Renderer, CountsPairs) {
   const Frame frame = render_frame(busy_scene(), {});
   EXPECT_EQ(frame.statistics.gaussians_total, 80u);
