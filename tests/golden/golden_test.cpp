@@ -1,6 +1,8 @@
-// Evaluates every quantity of the golden file that Brume has, in double at tol64 and in float at
-// tol32, and prints "N passed, N failed". Quantities that Brume does not have yet are named.
+// Evaluates every quantity of the golden file that Brume has, in double at tol64, in float at
+// tol32, and at tol32 again by the SIMD kernels that frames are made with; prints "N passed,
+// N failed". Quantities that Brume does not have yet are named.
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -10,12 +12,15 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
+#include "render/cpu/kernels.h"
+#include "render/cpu/paper_airlight.h"
 #include "render/reference/airlight_integral.h"
 
 namespace brume {
@@ -69,6 +74,21 @@ Real exact_airlight(const Json& in, ScatteredBy part) {
   return real<Real>(in.at("I0")) * airlight_integral(medium, light, tolerance, part);
 }
 
+// Tbar_i(s, b_i) + Tbar_i(v, b_i), b0 included.
+template <class Real>
+std::vector<Real> frozen_depths(const std::vector<GaussianTerm<Real>>& all, Real b0,
+                                const Vec3<Real>& s, const Vec3<Real>& v) {
+  std::vector<Real> frozen;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    frozen.push_back(b0 * (glm::length(all[i].b - s) + glm::length(all[i].b - v)));
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (j == i) continue;
+      frozen[i] += optical_depth(all[j], s, all[i].b) + optical_depth(all[j], v, all[i].b);
+    }
+  }
+  return frozen;
+}
+
 template <class Real>
 Real paper_gaussians(const Json& in) {
   const Ray<Real> ray(in);
@@ -77,13 +97,9 @@ Real paper_gaussians(const Json& in) {
   const Vec3<Real> s = vec<Real>(in.at("s"));
   const LightPath<Real> path(s, ray.v, ray.w, Real(0));
   Real sum = 0;
+  const std::vector<Real> frozen = frozen_depths(all, b0, s, ray.v);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    Real frozen = b0 * (glm::length(all[i].b - s) + glm::length(all[i].b - ray.v));
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      if (j == i) continue;
-      frozen += optical_depth(all[j], s, all[i].b) + optical_depth(all[j], ray.v, all[i].b);
-    }
-    sum += gaussian_airlight(all[i], ray.v, ray.w, ray.d, s, path, frozen);
+    sum += gaussian_airlight(all[i], ray.v, ray.w, ray.d, s, path, frozen[i]);
   }
   return real<Real>(in.at("I0")) * sum;
 }
@@ -145,6 +161,71 @@ std::map<std::string, Quantity<Real>> quantities() {
   };
 }
 
+// The kernels, with a single path or ray.
+std::map<std::string, Quantity<float>> kernels() {
+  using R = std::vector<float>;
+  const auto medium_of = [](const Json& gaussians) {
+    Medium medium;
+    for (const Json& in : gaussians) {
+      medium.append({vec<double>(in.at("b")), 1.0 / in.at("a").get<double>(), in.at("c")});
+    }
+    return medium;
+  };
+  const auto depth = [medium_of](const Json& in, const glm::dvec3& w, double length) {
+    const MediumIndex medium(medium_of(Json::array({in})), 1e-300);
+    GaussianBatch batch;
+    batch.assign(medium, vec<double>(in.at("A")), std::array{0u});
+    PathBatch path;
+    path.assign(std::array{w}, std::array{length});
+    std::vector<float> depths(path.padded_size(), 0.0f);
+    accumulate_path_depths(batch, path, depths.data());
+    return R{depths[0]};
+  };
+  return {
+      {"tau_segment",
+       [depth](const Json& in) {
+         const glm::dvec3 q = vec<double>(in.at("B")) - vec<double>(in.at("A"));
+         return depth(in, glm::normalize(q), glm::length(q));
+       }},
+      {"tau_ray_inf",
+       [depth](const Json& in) {
+         return depth(in, glm::normalize(vec<double>(in.at("dir"))),
+                      std::numeric_limits<double>::infinity());
+       }},
+      {"airlight_homog",
+       [](const Json& in) {
+         const Ray<double> ray(in);
+         PathBatch path;
+         path.assign(std::array{ray.w}, std::array{ray.d});
+         std::vector<float> radiance(path.padded_size(), 0.0f);
+         accumulate_homogeneous_airlight(real<float>(in.at("b0")), 1.0f,
+                                         glm::vec3(vec<double>(in.at("s")) - ray.v), 0.0f, path,
+                                         radiance.data());
+         return R{real<float>(in.at("I0")) * radiance[0]};
+       }},
+      {"airlight_gauss_paper",
+       [medium_of](const Json& in) {
+         const Ray<double> ray(in);
+         const auto all = gaussians<double>(in);
+         // b0 has its own term; here it is only in the way of the light.
+         const MediumIndex medium(medium_of(in.at("gaussians")), 1e-300);
+         PaperLight light;
+         light.position = vec<double>(in.at("s"));
+         light.intensity = glm::dvec3(in.at("I0").get<double>());
+         light.frozen = frozen_depths(all, in.at("b0").get<double>(), light.position, ray.v);
+         std::vector<std::uint32_t> indices(all.size());
+         std::iota(indices.begin(), indices.end(), 0u);
+         glm::vec3 airlight;
+         double depth_to_end = 0.0;
+         paper_airlight(medium, indices, std::array{light},
+                        {ray.v, std::array{ray.w}, std::array{ray.d}},
+                        Settings::Arithmetic::simd_float,
+                        {std::span(&airlight, 1), std::span(&depth_to_end, 1)});
+         return R{airlight.x};
+       }},
+  };
+}
+
 std::vector<double> expected(const Json& value) {
   if (value.is_array()) return value.get<std::vector<double>>();
   return {value.get<double>()};
@@ -156,9 +237,9 @@ struct Score {
 };
 
 template <class Real>
-void evaluate(const Json& test, const char* tolerance, Score& score) {
-  static const auto known = quantities<Real>();
-  const std::vector<Real> got = known.at(test.at("quantity"))(test.at("inputs"));
+void evaluate(const Json& test, const std::map<std::string, Quantity<Real>>& how,
+              const char* tolerance, Score& score) {
+  const std::vector<Real> got = how.at(test.at("quantity"))(test.at("inputs"));
   const std::vector<double> want = expected(test.at("value"));
   const double relative = test.at(tolerance).at("rel");
   const double absolute = test.at(tolerance).at("abs");
@@ -186,6 +267,8 @@ int run(const char* file) {
   }
   const Json golden = Json::parse(stream);
   const auto known = quantities<double>();
+  const auto known32 = quantities<float>();
+  const auto by_kernel = kernels();
   std::set<std::string> skipped;
   std::set<std::string> seen;
   Score score;
@@ -196,8 +279,9 @@ int run(const char* file) {
       continue;
     }
     seen.insert(quantity);
-    evaluate<double>(test, "tol64", score);
-    evaluate<float>(test, "tol32", score);
+    evaluate<double>(test, known, "tol64", score);
+    evaluate<float>(test, known32, "tol32", score);
+    if (by_kernel.contains(quantity)) evaluate<float>(test, by_kernel, "tol32", score);
   }
   // A quantity that Brume has must not get lost in a file that lacks or misspells it.
   for (const auto& [quantity, evaluate_it] : known) {
