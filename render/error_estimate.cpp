@@ -57,7 +57,8 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
 
   const RenderPlan plan(scene, AirlightMethod::reference);
   const CameraRays rays(camera, guide.film);
-  const MediumIndex medium(scene.medium, depth_tolerance(scene.medium, depth_error));
+  const MediumIndex medium(scene.medium, depth_tolerance(scene.medium, depth_error),
+                           scene.optics.anisotropy);
   const Visibility visibility(scene.surfaces);
   const Occluders occluders(scene.surfaces);
   std::vector<ReferenceLight> lights;

@@ -6,8 +6,8 @@
 
 namespace brume {
 
-MediumIndex::MediumIndex(const Medium& medium, double tolerance)
-    : b0_(medium.homogeneous_density()), tolerance_(tolerance) {
+MediumIndex::MediumIndex(const Medium& medium, double tolerance, double anisotropy)
+    : b0_(medium.homogeneous_density()), tolerance_(tolerance), anisotropy_(anisotropy) {
   gaussians_.reserve(medium.size());
   reach_.reserve(medium.size());
   for (std::size_t i = 0; i < medium.size(); ++i) {

@@ -14,12 +14,14 @@ namespace brume {
 class MediumIndex {
  public:
   // `tolerance`: the optical depth below which one Gaussian may be left out of a path.
-  MediumIndex(const Medium& medium, double tolerance);
+  MediumIndex(const Medium& medium, double tolerance, double anisotropy = 0.0);
 
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_; }
   [[nodiscard]] std::span<const double> reach() const { return reach_; }
   [[nodiscard]] const SphereHierarchy& hierarchy() const { return hierarchy_; }
+  // g of its phase function, see henyey_greenstein().
+  [[nodiscard]] double anisotropy() const { return anisotropy_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] double homogeneous_density() const { return b0_; }
 
@@ -32,6 +34,7 @@ class MediumIndex {
   SphereHierarchy hierarchy_;
   double b0_;
   double tolerance_;
+  double anisotropy_;
 };
 
 // The tolerance per Gaussian that leaves the depth of a ray within `error` of the exact one, as

@@ -237,11 +237,12 @@ void Renderer::Impl::prepare(const Work& work) {
                                  ? reference_depth_error
                                  : paper_depth_error;
   if (!prepared.index || prepared.depth_error != depth_error ||
+      prepared.index->anisotropy() != scene.optics.anisotropy ||
       !(prepared.medium == scene.medium)) {
     prepared.medium = scene.medium;
     prepared.depth_error = depth_error;
-    prepared.index =
-        std::make_unique<MediumIndex>(scene.medium, depth_tolerance(scene.medium, depth_error));
+    prepared.index = std::make_unique<MediumIndex>(
+        scene.medium, depth_tolerance(scene.medium, depth_error), scene.optics.anisotropy);
     prepared.lights.clear();
     prepared.tables.clear();
   }

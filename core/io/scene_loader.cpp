@@ -95,7 +95,6 @@ class SceneLoader {
     optics.albedo = object.vector("albedo", domain::albedo, optics.albedo);
     if (optics.albedo != glm::dvec3(1.0)) context_.warn(object.place("albedo"), no_effect);
     optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
-    if (optics.anisotropy != 0.0) context_.warn(object.place("anisotropy"), no_effect);
     if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
     scene_.unknown_medium = object.unknown();
   }

@@ -14,15 +14,18 @@ namespace brume {
 // Tbar_i(s, b_i) + Tbar_i(v, b_i). The paper's factors f0 and f1 multiply exp(+T) by exp(-T);
 // here all depths meet in one exponent, which cannot overflow.
 //
+// With an anisotropy, henyey_greenstein() at x_i is a factor.
+//
 // eye, light and g.b in one frame [u]; w unit; d >= 0 or +inf.
 template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
-                       Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen);
+                       Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen,
+                       Real anisotropy = 0);
 
 #define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                  \
   extern template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&, \
                                          const Vec3<Real>&, Real, const Vec3<Real>&,   \
-                                         const LightPath<Real>&, Real);
+                                         const LightPath<Real>&, Real, Real);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)
 #undef BRUME_GAUSSIAN_AIRLIGHT

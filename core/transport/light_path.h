@@ -29,6 +29,12 @@ struct LightPath {
   // The squared distance of the light from the ray's point at t.
   [[nodiscard]] Real distance2(Real t) const { return (t - ts) * (t - ts) + h * h; }
 
+  // The cosine of the angle by which light turns at that point, from the light towards the eye.
+  [[nodiscard]] Real cos_turn(Real t) const {
+    const Real r = travelled(t);
+    return r > 0 ? (ts - t) / r : Real(0);
+  }
+
   // How far light travels to that point: only the falloff has a least distance.
   [[nodiscard]] Real travelled(Real t) const { return std::hypot(t - ts, gap); }
 

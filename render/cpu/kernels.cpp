@@ -119,7 +119,12 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
         const V light_depth = hn::Mul(scale, Crossing<D>(q, wl, a).Depth(d, a, distance));
         const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(own, light_depth));
         const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
-        sum[l] = hn::MulAdd(depth, falloff, sum[l]);
+        V scattered = depth;
+        if (lights.anisotropy != 0.0f) {
+          scattered =
+              hn::Mul(depth, HenyeyGreenstein(d, CosTurn(d, along, distance), lights.anisotropy));
+        }
+        sum[l] = hn::MulAdd(scattered, falloff, sum[l]);
       }
     }
     if (depths) hn::StoreU(hn::Add(depth_sum, hn::LoadU(d, depths + k)), d, depths + k);
@@ -150,7 +155,7 @@ std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& r
 }
 
 void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
-                                   const PathBatch& rays, float* radiance) {
+                                   float anisotropy, const PathBatch& rays, float* radiance) {
   // 8-point Gauss-Legendre on [0, 1], clustered at the far end by x -> 1 - (1 - x)^2.
   constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                               0.9602898564975363};
@@ -198,7 +203,11 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
       const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
       const V along = hn::Sub(t, ts);
       const V distance = hn::Sqrt(hn::MulAdd(along, along, gap2));
-      sum = hn::MulAdd(set(wx[i]), hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance))), sum);
+      V value = hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance)));
+      if (anisotropy != 0.0f) {
+        value = hn::Mul(value, HenyeyGreenstein(d, CosTurn(d, along, distance), anisotropy));
+      }
+      sum = hn::MulAdd(set(wx[i]), value, sum);
     }
     const V mean = hn::Mul(sum, hn::Div(span, h));
     const V gain = set(b0 * attenuation * 0.0795774715459476679f);
@@ -227,9 +236,10 @@ std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const Pa
 }
 
 void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,
-                                     float h_min, const PathBatch& rays, float* radiance) {
+                                     float h_min, float anisotropy, const PathBatch& rays,
+                                     float* radiance) {
   HWY_DYNAMIC_DISPATCH(AccumulateHomogeneousAirlight)
-  (b0, attenuation, light, h_min, rays, radiance);
+  (b0, attenuation, light, h_min, anisotropy, rays, radiance);
 }
 
 void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,

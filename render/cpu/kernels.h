@@ -56,6 +56,7 @@ constexpr std::size_t light_pack = 4;
 
 struct LightBatch {
   std::size_t count = 0;
+  float anisotropy = 0.0f;                      // of the medium
   std::array<float, light_pack> x{}, y{}, z{};  // relative to the eye [u]
   std::array<float, light_pack> h_min{};        // see LightPath [u]
   // Per light and Gaussian of the batch: Tbar_i(s, b_i) + Tbar_i(v, b_i).
@@ -73,6 +74,7 @@ std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const Pa
 // Airlight of the homogeneous part (eqs. 17 to 19): radiance[k] += for every ray
 // attenuation * b0/(4 pi) * integral, per unit of radiant intensity; relative error at most 5e-4.
 void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,
-                                     float h_min, const PathBatch& rays, float* radiance);
+                                     float h_min, float anisotropy, const PathBatch& rays,
+                                     float* radiance);
 
 }  // namespace brume

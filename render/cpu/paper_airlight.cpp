@@ -27,8 +27,8 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
     glm::dvec3 radiance(0.0);
     for (const PaperLight& light : lights) {
       const LightPath<double> path(light.position, rays.eye, w, light.h_min);
-      radiance +=
-          light.intensity * std::exp(-light.depth_to_eye) * homogeneous_airlight(b0, path, length);
+      radiance += light.intensity * std::exp(-light.depth_to_eye) *
+                  homogeneous_airlight(b0, path, length, medium.anisotropy());
     }
     for (const std::uint32_t i : gaussians) {
       const GaussianTerm<double>& g = medium.gaussians()[i];
@@ -40,7 +40,7 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
       for (const PaperLight& light : lights) {
         const LightPath<double> path(light.position, rays.eye, w, light.h_min);
         radiance += light.intensity * gaussian_airlight(g, rays.eye, w, length, light.position,
-                                                        path, light.frozen[i]);
+                                                        path, light.frozen[i], medium.anisotropy());
       }
     }
     out.airlight[k] = radiance;
@@ -71,6 +71,7 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
   std::uint64_t pairs = 0;
   // Without lights there is still the depth to sum.
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
+    s.pack.anisotropy = static_cast<float>(medium.anisotropy());
     s.pack.count = std::min(light_pack, lights.size() - first);
     std::array<float*, light_pack> radiance{};
     for (std::size_t l = 0; l < s.pack.count; ++l) {
@@ -93,9 +94,10 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
     for (std::size_t l = 0; l < s.pack.count; ++l) {
       const PaperLight& light = lights[first + l];
       if (b0 > 0.0) {
-        accumulate_homogeneous_airlight(
-            static_cast<float>(b0), static_cast<float>(std::exp(-light.depth_to_eye)),
-            glm::vec3(s.pack.x[l], s.pack.y[l], s.pack.z[l]), s.pack.h_min[l], s.rays, radiance[l]);
+        accumulate_homogeneous_airlight(static_cast<float>(b0),
+                                        static_cast<float>(std::exp(-light.depth_to_eye)),
+                                        glm::vec3(s.pack.x[l], s.pack.y[l], s.pack.z[l]),
+                                        s.pack.h_min[l], s.pack.anisotropy, s.rays, radiance[l]);
       }
       const glm::vec3 intensity(light.intensity);
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];

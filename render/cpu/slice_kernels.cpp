@@ -188,8 +188,8 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
 }
 
 void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
-               float b0, float negligible, std::span<const SliceLight> lights, float* depths,
-               const std::array<float*, light_pack>& radiance) {
+               float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
+               float* depths, const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
@@ -241,6 +241,9 @@ void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const f
             light_depth = hn::Add(light_depth, LookUp(tables[l], q, distance));
           }
           V light = hn::Mul(falloff, hn::Exp(d, hn::Neg(light_depth)));
+          if (anisotropy != 0.0f) {
+            light = hn::Mul(light, HenyeyGreenstein(d, CosTurn(d, along, distance), anisotropy));
+          }
           if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
           sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(lost, light)));
         }
@@ -271,10 +274,10 @@ std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBa
 }
 
 void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
-                float b0, float negligible, std::span<const SliceLight> lights, float* depths,
-                const std::array<float*, light_pack>& radiance) {
+                float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
+                float* depths, const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, boundaries, increments, b0, negligible, lights, depths, radiance);
+  (rays, boundaries, increments, b0, anisotropy, negligible, lights, depths, radiance);
 }
 
 }  // namespace brume

@@ -28,11 +28,12 @@ struct SliceLight {
 
 // Single scattering summed front to back over the slices (K = boundaries.size() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
+//   (times henyey_greenstein() at x_k, the middle of the slice)
 // radiance[l][i] += that per unit of the light's intensity [1/u^2]; depths[i] = T(v, p) of
 // Gaussians and b0 up to t_K. A slice whose depth is below `negligible` gives no light. At most
 // light_pack lights.
 void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
-                float b0, float negligible, std::span<const SliceLight> lights, float* depths,
-                const std::array<float*, light_pack>& radiance);
+                float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
+                float* depths, const std::array<float*, light_pack>& radiance);
 
 }  // namespace brume

@@ -147,8 +147,9 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       s.radiance[l].assign(stride, 0.0f);
       radiance[l] = s.radiance[l].data();
     }
-    sum_slices(s.rays, s.boundaries, s.increments.data(), static_cast<float>(b0), negligible,
-               std::span(pack).first(size), s.depths.data(), radiance);
+    sum_slices(s.rays, s.boundaries, s.increments.data(), static_cast<float>(b0),
+               static_cast<float>(medium.anisotropy()), negligible, std::span(pack).first(size),
+               s.depths.data(), radiance);
     for (std::size_t l = 0; l < size; ++l) {
       const glm::vec3 intensity(lights[first + l].intensity);
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];

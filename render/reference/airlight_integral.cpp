@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/math/quadrature.h"
+#include "core/transport/phase_function.h"
 
 namespace brume {
 namespace {
@@ -169,7 +170,9 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     const Vec3<Real> q = medium.eye + t * medium.w - light.position;
     const Real r = glm::length(q);
     const Real light_depth = r > 0 ? around_light.depth(q / r, r) + medium.b0 * r : Real(0);
-    return density * std::exp(-(view_depth + light_depth));
+    const Real phase =
+        light.anisotropy != 0 ? henyey_greenstein(path.cos_turn(t), light.anisotropy) : Real(1);
+    return phase * density * std::exp(-(view_depth + light_depth));
   };
 
   std::vector<AngularFeature<Real>> features;

@@ -54,6 +54,7 @@ struct LightSource {
   Real h_min;  // least distance of the light from a ray, see LightPath
   // All that reach the triangle between the light and the ray.
   std::span<const GaussianTerm<Real>> gaussians;
+  Real anisotropy;  // of the medium, see henyey_greenstein()
   // The parts [t0, t1] of the ray that see the light past the surfaces; nullopt: all of it.
   std::optional<std::vector<std::pair<Real, Real>>> lit;
 };

@@ -28,7 +28,7 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occl
   double end = ray.parameter_at_depth(50.0);
   if (!(b0 > 0.0)) end = std::min(end, last);
   for (const ReferenceLight& light : lights) {
-    LightSource<double> source{light.position, light.h_min, {}, std::nullopt};
+    LightSource<double> source{light.position, light.h_min, {}, medium.anisotropy(), std::nullopt};
     std::vector<GaussianTerm<double>> toward_light;
     // An endless ray in fog: whatever is farther than its medium is dense lies in the dark.
     const glm::dvec3 far = eye + std::min(end, 1e15) * w;

@@ -125,6 +125,21 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
   return sum;
 }
 
+// The cosine of the angle by which light turns towards the eye at a point that is `along` past the
+// light on the ray and `distance` from it.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V CosTurn(D d, V along, V distance) {
+  const V least = hn::Set(d, hn::TFromD<D>(1e-30));
+  return hn::Neg(hn::Div(along, hn::Max(distance, least)));
+}
+
+// See henyey_greenstein() in core/transport/phase_function.h.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V HenyeyGreenstein(D d, V cos_turn, hn::TFromD<D> g) {
+  const V s = hn::NegMulAdd(hn::Set(d, 2 * g), cos_turn, hn::Set(d, 1 + g * g));
+  return hn::Div(hn::Set(d, 1 - g * g), hn::Mul(s, hn::Sqrt(s)));
+}
+
 // A Gaussian as a ray from the origin of `b` sees it.
 template <class D, class V = hn::Vec<D>>
 struct Crossing {

@@ -69,7 +69,7 @@ Real exact_airlight(const Json& in, ScatteredBy part) {
   const Ray<Real> ray(in);
   const auto all = gaussians<Real>(in);
   const ViewRayMedium<Real> medium(all, real<Real>(in.at("b0")), ray.v, ray.w, ray.d);
-  const LightSource<Real> light{vec<Real>(in.at("s")), 0, all, std::nullopt};
+  const LightSource<Real> light{vec<Real>(in.at("s")), 0, all, 0, std::nullopt};
   const Real tolerance = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-10);
   return real<Real>(in.at("I0")) * airlight_integral(medium, light, tolerance, part);
 }
@@ -199,8 +199,8 @@ std::map<std::string, Quantity<float>> kernels() {
          path.assign(std::array{ray.w}, std::array{ray.d});
          std::vector<float> radiance(path.padded_size(), 0.0f);
          accumulate_homogeneous_airlight(real<float>(in.at("b0")), 1.0f,
-                                         glm::vec3(vec<double>(in.at("s")) - ray.v), 0.0f, path,
-                                         radiance.data());
+                                         glm::vec3(vec<double>(in.at("s")) - ray.v), 0.0f, 0.0f,
+                                         path, radiance.data());
          return R{real<float>(in.at("I0")) * radiance[0]};
        }},
       {"airlight_gauss_paper",

@@ -97,7 +97,7 @@ TEST(Kernels, PaperAirlightAgreesWithDouble) {
       for (int round = 0; round < 30; ++round) {
         const Medium medium =
             random_medium(random, 30, r.radius_low, r.radius_high, r.density_low, r.density_high);
-        const MediumIndex index(medium, 1e-9);
+        const MediumIndex index(medium, 1e-9, 0.4 * (round % 3));
         std::vector<std::uint32_t> all;
         for (std::uint32_t i = 0; i < medium.size(); ++i) all.push_back(i);
         const glm::dvec3 eye = round % 5 == 0 ? medium.centers()[0] : random.point(4.0);
@@ -155,7 +155,7 @@ TEST(Kernels, HomogeneousAirlightAgreesWithDouble) {
       if (round % 2 == 0) std::fill(rays.length.begin(), rays.length.end(), INFINITY);
       std::vector<float> fast(rays.padded_size(), 0.0f);
       accumulate_homogeneous_airlight(static_cast<float>(b0), 1.0f, glm::vec3(light),
-                                      static_cast<float>(h_min), rays, fast.data());
+                                      static_cast<float>(h_min), 0.0f, rays, fast.data());
       for (std::size_t k = 0; k < ends.size(); ++k) {
         const glm::dvec3 w = glm::normalize(ends[k]);
         const LightPath<double> path(light, glm::dvec3(0.0), w, h_min);

@@ -51,7 +51,12 @@ class Marching {
       view_depth += 0.5 * b * dt;
       if (free(light, x)) {
         const glm::dvec3 q = light - x;
-        sum += b * std::exp(-view_depth - depth(light, x, light_steps_)) / glm::dot(q, q);
+        // Henyey and Greenstein's formula as they wrote it, with the angle between the way of the
+        // light and the way to the eye.
+        const double g = scene_.optics.anisotropy;
+        const double cosine = glm::dot(glm::normalize(-q), -w);
+        const double phase = (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
+        sum += phase * b * std::exp(-view_depth - depth(light, x, light_steps_)) / glm::dot(q, q);
       }
       view_depth += 0.5 * b * dt;
     }
@@ -107,6 +112,18 @@ TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
   // Every ray ends at a wall: marching cannot go to infinity.
   scene.surfaces.push_back(wall(-8.0, 100.0));
   EXPECT_LT(error_against_marching(scene, Marching(scene), 12.0, 3000), 5e-4);
+}
+
+TEST(Reference, AgreesWithMarchingWhenScatteringIsAnisotropic) {
+  for (const double g : {0.7, -0.4}) {
+    Scene scene = cloud_scene(8, 1.5, 4);
+    scene.medium.set_homogeneous_density(0.05);
+    scene.optics.anisotropy = g;
+    scene.lights[0].position = {0.7, 0.5, -1.5};
+    scene.surfaces.push_back(wall(-2.5, 100.0));
+    scene.film = {6, 6};
+    EXPECT_LT(error_against_marching(scene, Marching(scene), 10.0, 2000), 5e-4) << g;
+  }
 }
 
 // Light shafts: a wall between the light and half of the medium.

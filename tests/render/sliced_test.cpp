@@ -34,6 +34,11 @@ Scene in_fog(Scene scene, double b0) {
   return scene;
 }
 
+Scene scattering(Scene scene, double anisotropy) {
+  scene.optics.anisotropy = anisotropy;
+  return scene;
+}
+
 Scene shaft() {
   Scene scene = in_fog(cloud_scene(20, 0.5), 0.02);
   scene.lights[0].position = {0.2, 0.1, -4.0};
@@ -67,6 +72,8 @@ std::vector<Row> rows() {
       {"cloud in fog", in_fog(cloud_scene(300, 1.0), 0.02), 0.01, 0.002},
       {"light inside fog", in_fog(with_light_at(cloud_scene(30, 0.5), {0.2, 0.3, 0.1}), 0.1), 0.04,
        0.004},
+      {"forward scattering", scattering(in_fog(cloud_scene(100, 1.0), 0.02), 0.7), 0.02, 0.004},
+      {"backward scattering", scattering(cloud_scene(100, 1.0), -0.5), 0.01, 0.002},
       {"shaft", shaft(), 0.05, 0.02},
   };
 }
