@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "render/albedo.h"
 #include "render/cpu/visibility.h"
 #include "render/light_limits.h"
 #include "render/medium_index.h"
@@ -57,8 +58,6 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
 
   const RenderPlan plan(scene, AirlightMethod::reference);
   const CameraRays rays(camera, guide.film);
-  const MediumIndex medium(scene.medium, depth_tolerance(scene.medium, depth_error),
-                           scene.optics.anisotropy);
   const Visibility visibility(scene.surfaces);
   const Occluders occluders(scene.surfaces);
   std::vector<ReferenceLight> lights;
@@ -66,16 +65,24 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
     lights.push_back(
         {light.position, light.intensity, least_light_distance(rays, camera, light.position)});
   }
-  tbb::parallel_for(std::size_t{0}, sample.pixels_.size(), [&](std::size_t k) {
-    if (stop.stop_requested()) return;
-    Pixel& pixel = sample.pixels_[k];
-    const auto width = static_cast<std::size_t>(guide.film.width);
-    const glm::dvec3 w = rays.direction(static_cast<double>(pixel.index % width) + 0.5,
-                                        static_cast<double>(pixel.index / width) + 0.5);
-    const double length = visibility.first_hit(rays.eye(), w).distance;
-    pixel.airlight =
-        reference_airlight(medium, occluders, lights, rays.eye(), w, length, tolerance).airlight;
-  });
+  for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
+    const Medium extinction = extinction_medium(scene.medium, group.albedo);
+    const MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
+                             scene.optics.anisotropy);
+    tbb::parallel_for(std::size_t{0}, sample.pixels_.size(), [&](std::size_t k) {
+      if (stop.stop_requested()) return;
+      Pixel& pixel = sample.pixels_[k];
+      const auto width = static_cast<std::size_t>(guide.film.width);
+      const glm::dvec3 w = rays.direction(static_cast<double>(pixel.index % width) + 0.5,
+                                          static_cast<double>(pixel.index / width) + 0.5);
+      const double length = visibility.first_hit(rays.eye(), w).distance;
+      const glm::dvec3 airlight =
+          reference_airlight(medium, occluders, lights, rays.eye(), w, length, tolerance).airlight;
+      for (const std::size_t c : group.channels) {
+        pixel.airlight[static_cast<int>(c)] = group.albedo * airlight[static_cast<int>(c)];
+      }
+    });
+  }
   if (stop.stop_requested()) return std::nullopt;
   return sample;
 }

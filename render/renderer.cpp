@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
 #include <xmmintrin.h>
 
 #include <atomic>
@@ -11,6 +10,7 @@
 #include <limits>
 #include <mutex>
 
+#include "render/albedo.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/path_depths.h"
 #include "render/cpu/sliced_airlight.h"
@@ -29,25 +29,17 @@ namespace {
 constexpr double paper_depth_error = 1e-3;
 constexpr double reference_depth_error = 1e-8;
 
-// Threads of the arena flush denormals: they are far below every tolerance, slow, and Embree
-// expects it.
-class FlushDenormals : public tbb::task_scheduler_observer {
+// While one lives, its thread flushes denormals: they are far below every tolerance, slow, and
+// Embree expects it.
+class FlushDenormals {
  public:
-  explicit FlushDenormals(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
-    observe(true);
-  }
-  ~FlushDenormals() override { observe(false); }
-  void on_scheduler_entry(bool) override {
-    saved() = _mm_getcsr();
-    _mm_setcsr(saved() | 0x8040u);
-  }
-  void on_scheduler_exit(bool) override { _mm_setcsr(saved()); }
+  FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040u); }
+  ~FlushDenormals() { _mm_setcsr(saved_); }
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
 
  private:
-  static unsigned& saved() {
-    thread_local unsigned csr = 0;
-    return csr;
-  }
+  unsigned saved_;
 };
 
 class StageClock {
@@ -138,6 +130,7 @@ struct Renderer::Impl {
     std::mutex mutex;
     tbb::parallel_for(std::size_t{0}, work.tiles.count(), [&](std::size_t tile) {
       if (work.stop.stop_requested()) return;
+      const FlushDenormals flush;
       body(tile);
       if (!report || !work.progress) return;
       ++done;
@@ -156,30 +149,85 @@ struct Renderer::Impl {
   }
 };
 
-Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
+Renderer::Renderer() = default;
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+namespace {
+
+// Takes the channels of a group from `part`, a frame of its extinction_medium(), into `frame`.
+void take_channels(const AlbedoGroup& group, const Frame& part, Frame& frame) {
+  const auto albedo = static_cast<float>(group.albedo);
+  for (std::size_t i = 0; i < part.depth.size(); ++i) {
+    for (const std::size_t c : group.channels) {
+      const float airlight = part.airlight[3 * i + c];
+      const float surface = std::max(part.beauty[4 * i + c] - airlight, 0.0f);
+      frame.airlight[3 * i + c] = albedo * airlight;
+      frame.transmittance[3 * i + c] = part.transmittance[3 * i + c];
+      frame.beauty[4 * i + c] = albedo * airlight + surface;
+    }
+  }
+}
+
+// Adds what another part of a frame cost.
+void add_cost(const FrameStatistics& part, FrameStatistics& sum) {
+  sum.frame_milliseconds += part.frame_milliseconds;
+  sum.light_pairs += part.light_pairs;
+  sum.view_pairs += part.view_pairs;
+  for (std::size_t i = 0; i < std::min(part.stages.size(), sum.stages.size()); ++i) {
+    sum.stages[i].milliseconds += part.stages[i].milliseconds;
+  }
+}
+
+}  // namespace
+
 std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, const Film& film,
                                       const Settings& settings, std::stop_token stop,
                                       const std::function<void(double)>& progress) {
-  Impl::Work work{scene,
-                  camera,
-                  settings,
-                  stop,
-                  progress,
-                  RenderPlan(scene, settings.airlight),
-                  CameraRays(camera, film),
-                  Tiles(film),
-                  {},
-                  {},
-                  {},
-                  {}};
-  work.frame.film = film;
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-  const FlushDenormals observer(arena);
-  return arena.execute([&] { return impl_->render(work); });
+  const auto render_one = [&](const Scene& of, std::size_t which) {
+    Impl::Work work{of,
+                    camera,
+                    settings,
+                    stop,
+                    progress,
+                    RenderPlan(of, settings.airlight),
+                    CameraRays(camera, film),
+                    Tiles(film),
+                    {},
+                    {},
+                    {},
+                    {}};
+    work.frame.film = film;
+    return arena.execute([&] { return impls_[which]->render(work); });
+  };
+
+  const std::vector<AlbedoGroup> groups = albedo_groups(scene.optics.albedo);
+  while (impls_.size() < groups.size()) impls_.push_back(std::make_unique<Impl>());
+  impls_.resize(groups.size());
+  if (groups.size() == 1 && groups[0].albedo == 1.0) return render_one(scene, 0);
+
+  std::optional<Frame> frame;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Scene absorbing = scene;
+    absorbing.medium = extinction_medium(scene.medium, groups[i].albedo);
+    std::optional<Frame> part = render_one(absorbing, i);
+    if (!part) return std::nullopt;
+    if (!frame) {
+      frame = *part;
+    } else {
+      add_cost(part->statistics, frame->statistics);
+    }
+    take_channels(groups[i], *part, *frame);
+  }
+  for (std::size_t i = 0; i < frame->depth.size(); ++i) {
+    if (std::isfinite(frame->depth[i])) continue;  // a surface covers its pixel
+    const float* transmittance = frame->transmittance.data() + 3 * i;
+    frame->beauty[4 * i + 3] =
+        1.0f - (transmittance[0] + transmittance[1] + transmittance[2]) / 3.0f;
+  }
+  return frame;
 }
 
 std::optional<Frame> Renderer::Impl::render(Work& work) {

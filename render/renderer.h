@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/scene/scene.h"
 #include "render/frame.h"
@@ -30,7 +31,8 @@ class Renderer {
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  // One for each albedo among the colour channels; see albedo.h.
+  std::vector<std::unique_ptr<Impl>> impls_;
 };
 
 }  // namespace brume

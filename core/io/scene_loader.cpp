@@ -93,7 +93,6 @@ class SceneLoader {
 
     MediumOptics& optics = scene_.optics;
     optics.albedo = object.vector("albedo", domain::albedo, optics.albedo);
-    if (optics.albedo != glm::dvec3(1.0)) context_.warn(object.place("albedo"), no_effect);
     optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
     if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
     scene_.unknown_medium = object.unknown();

@@ -114,6 +114,36 @@ TEST(Reference, AgreesWithMarchingInFogWithTheLightInView) {
   EXPECT_LT(error_against_marching(scene, Marching(scene), 12.0, 3000), 5e-4);
 }
 
+// Extinction is scattering / albedo, per colour channel.
+TEST(Reference, AgreesWithMarchingWhenTheMediumAbsorbs) {
+  Scene scene = cloud_scene(8, 1.5, 4);
+  scene.film = {6, 6};
+  scene.optics.albedo = {0.5, 1.0, 0.8};
+  const Frame frame = render_frame(scene, reference());
+  const CameraRays rays(scene.camera, scene.film);
+  for (const int c : {0, 1, 2}) {
+    // Marching knows no albedo: it sees the extinction, of which the albedo is scattered.
+    const double albedo = scene.optics.albedo[c];
+    Scene extinction = scene;
+    extinction.medium = Medium();
+    for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+      Gaussian g = scene.medium.gaussian(i);
+      g.density /= albedo;
+      extinction.medium.append(g);
+    }
+    const Marching marching(extinction);
+    for (const int i : {7, 14, 15, 20, 28}) {
+      const glm::dvec3 w = rays.direction(i % 6 + 0.5, i / 6 + 0.5);
+      const double truth =
+          albedo * scene.lights[0].intensity[c] * marching.airlight(rays.eye(), w, 7.0, 700);
+      const auto at = static_cast<std::size_t>(3 * i + c);
+      EXPECT_NEAR(frame.airlight[at], truth, 1e-3 * truth);
+      EXPECT_NEAR(frame.transmittance[at],
+                  std::exp(-marching.depth(rays.eye(), rays.eye() + 8.0 * w, 2000)), 1e-4);
+    }
+  }
+}
+
 TEST(Reference, AgreesWithMarchingWhenScatteringIsAnisotropic) {
   for (const double g : {0.7, -0.4}) {
     Scene scene = cloud_scene(8, 1.5, 4);

@@ -39,6 +39,11 @@ Scene scattering(Scene scene, double anisotropy) {
   return scene;
 }
 
+Scene absorbing(Scene scene) {
+  scene.optics.albedo = {0.4, 0.7, 0.7};
+  return scene;
+}
+
 Scene shaft() {
   Scene scene = in_fog(cloud_scene(20, 0.5), 0.02);
   scene.lights[0].position = {0.2, 0.1, -4.0};
@@ -74,6 +79,7 @@ std::vector<Row> rows() {
        0.004},
       {"forward scattering", scattering(in_fog(cloud_scene(100, 1.0), 0.02), 0.7), 0.02, 0.004},
       {"backward scattering", scattering(cloud_scene(100, 1.0), -0.5), 0.01, 0.002},
+      {"absorbing", absorbing(cloud_scene(100, 1.0)), 0.01, 0.002},
       {"shaft", shaft(), 0.05, 0.02},
   };
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// A single-scattering albedo w below 1 means extinction = scattering / w. Every airlight method
+// knows media that only scatter; a medium with albedo w is one of them with densities divided by w
+// (what it takes away), whose airlight is then multiplied by w (what of it is scattered). That is
+// exact. Colour channels of the same albedo share the work.
+
+struct AlbedoGroup {
+  double albedo = 1.0;
+  std::vector<std::size_t> channels;  // of R, G, B
+};
+
+// One to three groups that together hold every channel once.
+std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo);
+
+// The medium of the extinction coefficient.
+Medium extinction_medium(const Medium& scattering, double albedo);
+
+}  // namespace brume
