@@ -32,4 +32,26 @@ Medium extinction_medium(const Medium& scattering, double albedo) {
   return medium;
 }
 
+void take_channels(const AlbedoGroup& group, const Frame& part, Frame& frame) {
+  const auto albedo = static_cast<float>(group.albedo);
+  for (std::size_t i = 0; i < part.depth.size(); ++i) {
+    for (const std::size_t c : group.channels) {
+      const float airlight = part.airlight[3 * i + c];
+      const float surface = std::max(part.beauty[4 * i + c] - airlight, 0.0f);
+      frame.airlight[3 * i + c] = albedo * airlight;
+      frame.transmittance[3 * i + c] = part.transmittance[3 * i + c];
+      frame.beauty[4 * i + c] = albedo * airlight + surface;
+    }
+  }
+}
+
+void add_cost(const FrameStatistics& part, FrameStatistics& sum) {
+  sum.frame_milliseconds += part.frame_milliseconds;
+  sum.light_pairs += part.light_pairs;
+  sum.view_pairs += part.view_pairs;
+  for (std::size_t i = 0; i < std::min(part.stages.size(), sum.stages.size()); ++i) {
+    sum.stages[i].milliseconds += part.stages[i].milliseconds;
+  }
+}
+
 }  // namespace brume

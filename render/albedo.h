@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "render/frame.h"
 
 namespace brume {
 
@@ -22,5 +22,11 @@ std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo);
 
 // The medium of the extinction coefficient.
 Medium extinction_medium(const Medium& scattering, double albedo);
+
+// Takes the channels of a group from `part`, a frame of its extinction_medium(), into `frame`.
+void take_channels(const AlbedoGroup& group, const Frame& part, Frame& frame);
+
+// Adds what another part of a frame cost.
+void add_cost(const FrameStatistics& part, FrameStatistics& sum);
 
 }  // namespace brume
