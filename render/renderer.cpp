@@ -18,16 +18,13 @@
 #include "render/cpu/visibility.h"
 #include "render/light_limits.h"
 #include "render/medium_index.h"
+#include "render/prepared_scene.h"
 #include "render/reference/reference_airlight.h"
 #include "render/render_plan.h"
 #include "render/tiles.h"
 
 namespace brume {
 namespace {
-
-// How far the optical depth of a ray may be off because Gaussians far from it are left out.
-constexpr double paper_depth_error = 1e-3;
-constexpr double reference_depth_error = 1e-8;
 
 // While one lives, its thread flushes denormals: they are far below every tolerance, slow, and
 // Embree expects it.
@@ -66,26 +63,7 @@ float finite(double x) {
 }  // namespace
 
 struct Renderer::Impl {
-  // What is kept between frames, with what it was made from.
-  struct Prepared {
-    Medium medium;
-    double depth_error = 0.0;
-    std::unique_ptr<MediumIndex> index;
-    std::unique_ptr<Visibility> visibility;
-    std::unique_ptr<Occluders> occluders;  // of the reference only
-    struct LightDepths {
-      glm::dvec3 position;
-      Settings::Arithmetic arithmetic;
-      CenterDepths depths;
-    };
-    std::vector<LightDepths> lights;
-    struct Table {
-      LightTableSize size;
-      std::unique_ptr<LightTable> table;  // stays where it is when the vector grows
-    };
-    std::vector<Table> tables;
-    std::vector<std::unique_ptr<ShadowMap>> shadows;
-  } prepared;
+  PreparedScene prepared;
 
   // One frame's state, stage by stage.
   struct Work {
@@ -109,12 +87,8 @@ struct Renderer::Impl {
   };
 
   std::optional<Frame> render(Work& work);
-  void prepare(const Work& work);
-  const CenterDepths& light_depths(const glm::dvec3& position, Settings::Arithmetic arithmetic);
   void find_surfaces(Work& work) const;
   std::vector<PaperLight> paper_lights(Work& work, StageClock& clock);
-  const LightTable& light_table(Work& work, const glm::dvec3& position);
-  const ShadowMap& shadow_map(const glm::dvec3& position, const DirectionMap& map);
   void paper(Work& work, StageClock& clock);
   void sliced(Work& work, StageClock& clock);
   template <class Method>
@@ -218,7 +192,7 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   statistics.skipped = work.plan.skipped;
   statistics.gaussians_total = work.scene.medium.size();
 
-  prepare(work);
+  prepared.update(work.scene, work.plan.lights, work.settings);
   clock.finish("prepare");
   if (work.plan.surfaces) {
     find_surfaces(work);
@@ -251,74 +225,18 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   return std::move(work.frame);
 }
 
-void Renderer::Impl::prepare(const Work& work) {
-  const Scene& scene = work.scene;
-  const double depth_error = work.settings.airlight == AirlightMethod::reference
-                                 ? reference_depth_error
-                                 : paper_depth_error;
-  if (!prepared.index || prepared.depth_error != depth_error ||
-      prepared.index->anisotropy() != scene.optics.anisotropy ||
-      !(prepared.medium == scene.medium)) {
-    prepared.medium = scene.medium;
-    prepared.depth_error = depth_error;
-    prepared.index = std::make_unique<MediumIndex>(
-        scene.medium, depth_tolerance(scene.medium, depth_error), scene.optics.anisotropy);
-    prepared.lights.clear();
-    prepared.tables.clear();
-  }
-  if (!prepared.visibility || !prepared.visibility->shows(scene.surfaces)) {
-    prepared.occluders.reset();
-    prepared.shadows.clear();
-    prepared.visibility.reset();
-    prepared.visibility = std::make_unique<Visibility>(scene.surfaces);
-  }
-  if (!prepared.occluders && work.settings.airlight == AirlightMethod::reference) {
-    prepared.occluders = std::make_unique<Occluders>(scene.surfaces);
-  }
-  // What belongs to lights that are gone or have moved.
-  const auto gone = [&](const glm::dvec3& position) {
-    return std::none_of(work.plan.lights.begin(), work.plan.lights.end(),
-                        [&](const PointLight& light) { return light.position == position; });
-  };
-  std::erase_if(prepared.lights, [&](const auto& known) { return gone(known.position); });
-  std::erase_if(prepared.tables, [&](const auto& known) {
-    return gone(known.table->light()) || !(known.size == work.settings.light_table);
-  });
-  std::erase_if(prepared.shadows, [&](const auto& known) { return gone(known->light()); });
-}
-
-const LightTable& Renderer::Impl::light_table(Work& work, const glm::dvec3& position) {
-  for (const Prepared::Table& known : prepared.tables) {
-    if (known.table->light() == position) return *known.table;
-  }
-  const LightTableSize& size = work.settings.light_table;
-  prepared.tables.push_back({size, std::make_unique<LightTable>(*prepared.index, position, size)});
-  work.frame.statistics.light_pairs += prepared.tables.back().table->pairs;
-  return *prepared.tables.back().table;
-}
-
-const CenterDepths& Renderer::Impl::light_depths(const glm::dvec3& position,
-                                                 Settings::Arithmetic arithmetic) {
-  for (const Prepared::LightDepths& known : prepared.lights) {
-    if (known.position == position && known.arithmetic == arithmetic) return known.depths;
-  }
-  prepared.lights.push_back(
-      {position, arithmetic, center_depths(*prepared.index, position, arithmetic)});
-  return prepared.lights.back().depths;
-}
-
 void Renderer::Impl::find_surfaces(Work& work) const {
   each_tile(work, false, [&](std::size_t tile) {
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
       work.hits[i] =
-          prepared.visibility->first_hit(work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5));
+          prepared.visibility().first_hit(work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5));
       work.frame.depth[i] = static_cast<float>(work.hits[i].distance);
     });
   });
 }
 
 std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clock) {
-  const MediumIndex& medium = *prepared.index;
+  const MediumIndex& medium = prepared.medium();
   const Settings::Arithmetic arithmetic = work.settings.arithmetic;
   const glm::dvec3& eye = work.rays.eye();
   std::vector<PaperLight> lights;
@@ -331,9 +249,9 @@ std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clo
   }
   if (!work.plan.gaussians) return lights;
 
-  const std::size_t known = prepared.lights.size();
   for (PaperLight& light : lights) {
-    const CenterDepths& from_light = light_depths(light.position, arithmetic);
+    const CenterDepths& from_light =
+        prepared.light_depths(light.position, arithmetic, work.frame.statistics.light_pairs);
     light.frozen = from_light.depths;
     const glm::dvec3 q = eye - light.position;
     const double distance = glm::length(q);
@@ -341,9 +259,6 @@ std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clo
       light.depth_to_eye = medium.depth({light.position, q / distance, distance}) -
                            medium.homogeneous_density() * distance;
     }
-  }
-  for (std::size_t l = known; l < prepared.lights.size(); ++l) {
-    work.frame.statistics.light_pairs += prepared.lights[l].depths.pairs;
   }
   clock.finish("light_depth");
 
@@ -361,19 +276,10 @@ std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clo
   return lights;
 }
 
-const ShadowMap& Renderer::Impl::shadow_map(const glm::dvec3& position, const DirectionMap& map) {
-  for (const auto& known : prepared.shadows) {
-    if (known->light() == position && known->map() == map) return *known;
-  }
-  std::erase_if(prepared.shadows, [&](const auto& known) { return known->light() == position; });
-  prepared.shadows.push_back(std::make_unique<ShadowMap>(*prepared.visibility, position, map));
-  return *prepared.shadows.back();
-}
-
 // Runs method(list of Gaussians, rays, out) -> pairs on every tile.
 template <class Method>
 void Renderer::Impl::tile_airlight(Work& work, Method method) const {
-  const Tiles::Lists lists = work.tiles.lists(*prepared.index, work.rays);
+  const Tiles::Lists lists = work.tiles.lists(prepared.medium(), work.rays);
   work.frame.statistics.gaussians_used = lists.used;
   std::atomic<std::uint64_t> pairs = 0;
   each_tile(work, true, [&](std::size_t tile) {
@@ -405,7 +311,8 @@ void Renderer::Impl::tile_airlight(Work& work, Method method) const {
 void Renderer::Impl::paper(Work& work, StageClock& clock) {
   const std::vector<PaperLight> lights = paper_lights(work, clock);
   tile_airlight(work, [&](auto gaussians, const TileRays& rays, const TileAirlight& out) {
-    return paper_airlight(*prepared.index, gaussians, lights, rays, work.settings.arithmetic, out);
+    return paper_airlight(prepared.medium(), gaussians, lights, rays, work.settings.arithmetic,
+                          out);
   });
 }
 
@@ -416,7 +323,10 @@ void Renderer::Impl::sliced(Work& work, StageClock& clock) {
                       least_light_distance(work.rays, work.camera, light.position)});
   }
   if (work.plan.gaussians) {
-    for (SlicedLight& light : lights) light.table = &light_table(work, light.position);
+    for (SlicedLight& light : lights) {
+      light.table = &prepared.light_table(light.position, work.settings.light_table,
+                                          work.frame.statistics.light_pairs);
+    }
     if (!lights.empty()) clock.finish("light_table");
   }
   if (work.plan.surfaces && !lights.empty()) {
@@ -427,12 +337,12 @@ void Renderer::Impl::sliced(Work& work, StageClock& clock) {
         map = light.table->map();
         map.cells = work.settings.shadow_cells;
       }
-      light.shadows = &shadow_map(light.position, map);
+      light.shadows = &prepared.shadow_map(light.position, map);
     }
     clock.finish("shadow_map");
   }
   tile_airlight(work, [&](auto gaussians, const TileRays& rays, const TileAirlight& out) {
-    return sliced_airlight(*prepared.index, gaussians, lights, rays, work.settings.slices, out);
+    return sliced_airlight(prepared.medium(), gaussians, lights, rays, work.settings.slices, out);
   });
 }
 
@@ -448,7 +358,7 @@ void Renderer::Impl::reference(Work& work) const {
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
       if (work.stop.stop_requested()) return;
       const ReferenceRay ray =
-          reference_airlight(*prepared.index, *prepared.occluders, lights, work.rays.eye(),
+          reference_airlight(prepared.medium(), prepared.occluders(), lights, work.rays.eye(),
                              work.rays.direction(x + 0.5, y + 0.5), work.hits[i].distance,
                              work.settings.reference_tolerance);
       work.depths[i] = ray.depth;
@@ -459,9 +369,9 @@ void Renderer::Impl::reference(Work& work) const {
       light_pairs += ray.light_pairs;
     });
   });
-  work.frame.statistics.gaussians_used = prepared.index->size();
+  work.frame.statistics.gaussians_used = prepared.medium().size();
   work.frame.statistics.view_pairs = view_pairs;
-  work.frame.statistics.light_pairs = light_pairs;
+  work.frame.statistics.light_pairs += light_pairs;
 }
 
 void Renderer::Impl::shade_surfaces(Work& work) const {
@@ -478,10 +388,10 @@ void Renderer::Impl::shade_surfaces(Work& work) const {
       if (!work.hits[i]) return;
       pixels[count] = i;
       points[count++] =
-          prepared.visibility->point(work.hits[i], work.rays.eye(),
-                                     work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
+          prepared.visibility().point(work.hits[i], work.rays.eye(),
+                                      work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
     });
-    pairs += surface_radiance(*prepared.index, *prepared.visibility, work.plan.lights,
+    pairs += surface_radiance(prepared.medium(), prepared.visibility(), work.plan.lights,
                               std::span(points).first(count), arithmetic,
                               std::span(radiance).first(count));
     for (std::size_t k = 0; k < count; ++k) work.surface_radiance[pixels[k]] = radiance[k];
