@@ -62,7 +62,7 @@ struct LightSource {
 // Radiance scattered once towards the eye, per unit of the light's radiant intensity [1/u^2]:
 //   1 / (4 pi) * integral over [0, d] of b(t) / r(t)^2 exp(-T(v, x) - T(s, x)) dt,
 // with b only from the part of the medium that is asked for. `tolerance` is the relative error
-// at which the quadrature stops by its own estimate, which is far above the true error.
+// at which the quadrature stops by its own estimate.
 template <class Real>
 Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real>& light,
                        Real tolerance, ScatteredBy part = ScatteredBy::everything);
