@@ -5,8 +5,7 @@
 namespace brume {
 namespace {
 
-// How far the optical depth of a ray may be off because Gaussians far from it are left out.
-constexpr double frame_depth_error = 1e-3;
+// See Settings::depth_error.
 constexpr double reference_depth_error = 1e-8;
 
 }  // namespace
@@ -14,7 +13,7 @@ constexpr double reference_depth_error = 1e-8;
 void PreparedScene::update(const Scene& scene, std::span<const PointLight> lights,
                            const Settings& settings) {
   const bool is_reference = settings.airlight == AirlightMethod::reference;
-  const double depth_error = is_reference ? reference_depth_error : frame_depth_error;
+  const double depth_error = is_reference ? reference_depth_error : settings.depth_error;
   if (!index_ || depth_error_ != depth_error || index_->anisotropy() != scene.optics.anisotropy ||
       !(medium_ == scene.medium)) {
     index_.reset();

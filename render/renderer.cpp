@@ -334,12 +334,10 @@ void Renderer::Impl::sliced(Work& work, StageClock& clock) {
   if (work.plan.surfaces && !lights.empty()) {
     for (SlicedLight& light : lights) {
       // Fog scatters in every direction, Gaussians only where they are.
-      DirectionMap map = DirectionMap::all(work.settings.shadow_cells);
-      if (!work.plan.homogeneous) {
-        map = light.table->map();
-        map.cells = work.settings.shadow_cells;
-      }
-      light.shadows = &prepared.shadow_map(light.position, map);
+      const int cells = work.settings.shadow_cells;
+      light.shadows = &prepared.shadow_map(
+          light.position, work.plan.homogeneous ? DirectionMap::all(cells)
+                                                : light.table->map().resized(cells));
     }
     clock.finish("shadow_map");
   }

@@ -19,10 +19,10 @@ const char* to_string(AirlightMethod method) {
 Settings sliced_settings(Settings settings, int slices) {
   settings.airlight = AirlightMethod::sliced;
   settings.slices = slices;
-  settings.light_table = slices < 16   ? LightTableSize{32, 16}
-                         : slices < 32 ? LightTableSize{64, 32}
-                         : slices < 64 ? LightTableSize{128, 64}
+  settings.light_table = slices < 12   ? LightTableSize{64, 32}
+                         : slices < 48 ? LightTableSize{128, 64}
                                        : LightTableSize{256, 128};
+  settings.depth_error = slices < 48 ? 1e-3 : 1e-4;
   settings.shadow_cells = std::clamp(16 * slices, 256, 1024);
   return settings;
 }

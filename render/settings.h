@@ -10,8 +10,8 @@ enum class AirlightMethod {
 
 // How fine the table of a light's optical depths is.
 struct LightTableSize {
-  int directions = 32;  // per axis of the map of directions
-  int radii = 16;
+  int directions = 128;  // squared: cells of the map of directions
+  int radii = 64;
 
   bool operator==(const LightTableSize&) const = default;
 };
@@ -24,10 +24,14 @@ struct Settings {
   int threads = 0;
 
   // `sliced`: slices per ray, and how fine the table of each light is.
-  int slices = 16;
+  int slices = 24;
   LightTableSize light_table;
-  // `sliced`: cells per axis of the map of surfaces around a light.
-  int shadow_cells = 256;
+  // `sliced`: squared: cells of the map of surfaces around a light.
+  int shadow_cells = 384;
+
+  // How far the optical depth of a ray may be off because Gaussians far from it are left out; the
+  // reference has its own.
+  double depth_error = 1e-3;
 
   // `reference`: the relative tolerance of each ray's quadrature.
   double reference_tolerance = 1e-4;

@@ -1,64 +1,50 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace brume {
 
-// A map of directions around a point onto [-1, 1]^2: perspective towards a ball, or octahedral
-// (all directions) when the point is inside the ball or close to it. Tables over it have `cells`
-// cells per axis and a border of one cell on all sides for linear interpolation.
+// A ball that a map is to show.
+struct Ball {
+  glm::dvec3 center{0.0};
+  double radius = 0.0;
+};
+
+// A map of directions around a point onto [-1, 1]^2: perspective through a window that just holds
+// what is to be seen, or octahedral (all directions) where that spans too wide an angle. Tables
+// over it have columns x rows cells and a border of one cell on all sides for linear interpolation.
 struct DirectionMap {
-  int cells = 0;
+  int columns = 0;
+  int rows = 0;
   bool octahedral = true;
-  glm::vec3 right{1, 0, 0}, up{0, 1, 0}, axis{0, 0, 1};  // of the perspective map
-  float scale = 1.0f;                                    // 1 / tan(half angle of the cone)
+  // Of the perspective map: a direction q stands at scale * (q.right, q.up) / q.axis + offset.
+  glm::vec3 right{1, 0, 0}, up{0, 1, 0}, axis{0, 0, 1};
+  glm::vec2 scale{1.0f};
+  glm::vec2 offset{0.0f};
 
-  static DirectionMap all(int cells) { return {.cells = cells}; }
+  // All directions; `size` columns and rows.
+  static DirectionMap all(int size);
 
-  static DirectionMap towards(const glm::dvec3& origin, const glm::dvec3& middle, double radius,
-                              int cells) {
-    DirectionMap map = all(cells);
-    const double distance = glm::length(middle - origin);
-    // Up to 53 degrees to each side a perspective map wastes less than an octahedral one.
-    map.octahedral = distance < 1.25 * radius;
-    if (map.octahedral) return map;
-    map.axis = glm::vec3((middle - origin) / distance);
-    const glm::vec3 other = std::abs(map.axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    map.right = glm::normalize(glm::cross(map.axis, other));
-    map.up = glm::cross(map.right, map.axis);
-    map.scale = static_cast<float>(std::sqrt(distance * distance - radius * radius) / radius);
-    return map;
+  // The directions that meet any of the balls (those of radius <= 0 do not count), with about
+  // size * size cells, nearly square.
+  static DirectionMap towards(const glm::dvec3& origin, std::span<const Ball> balls, int size);
+
+  // The same directions with about size * size cells.
+  [[nodiscard]] DirectionMap resized(int size) const;
+
+  // Cells of one row and of all rows, the border included.
+  [[nodiscard]] int stride() const { return columns + 2; }
+  [[nodiscard]] std::size_t cells() const {
+    return static_cast<std::size_t>(stride()) * static_cast<std::size_t>(rows + 2);
   }
 
-  [[nodiscard]] int row() const { return cells + 2; }
+  // The unit direction of the middle of a cell; -1, `columns` and `rows` are the border.
+  [[nodiscard]] glm::dvec3 direction(int x, int y) const;
 
-  // The unit direction of the middle of a cell; -1 and `cells` are the border.
-  [[nodiscard]] glm::dvec3 direction(int x, int y) const {
-    double u = (2.0 * x + 1.0) / cells - 1.0;
-    double v = (2.0 * y + 1.0) / cells - 1.0;
-    if (!octahedral) {
-      return glm::normalize(static_cast<double>(scale) * glm::dvec3(axis) + u * glm::dvec3(right) +
-                            v * glm::dvec3(up));
-    }
-    // Over the border of the map the octahedron folds back.
-    if (std::abs(u) > 1.0) {
-      u = std::copysign(2.0, u) - u;
-      v = -v;
-    }
-    if (std::abs(v) > 1.0) {
-      v = std::copysign(2.0, v) - v;
-      u = -u;
-    }
-    glm::dvec3 d(u, v, 1.0 - std::abs(u) - std::abs(v));
-    if (d.z < 0.0) {
-      d.x = std::copysign(1.0 - std::abs(v), u);
-      d.y = std::copysign(1.0 - std::abs(u), v);
-    }
-    return glm::normalize(d);
-  }
+  // The greatest angle between neighbouring cells [radians], about.
+  [[nodiscard]] double cell_angle() const;
 
   bool operator==(const DirectionMap&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -10,11 +11,15 @@
 namespace brume {
 
 // T(s, x) of the Gaussians around one light, tabulated over directions and radii and interpolated
-// linearly in all three. The map of directions is a perspective one towards the medium when the
-// light is outside it, octahedral (all directions) when it is inside or close. b0 is not part of
-// it: its share is known exactly.
+// linearly in all three. Depths are stored in 16 bits, in even steps up to the greatest one or to
+// `opaque`, so that exp(-T) is off by 2.3e-4 at most. The map of directions is a perspective one
+// towards the medium when the light is outside it, octahedral (all directions) when it is inside or
+// close. b0 is not part of it: its share is known exactly.
 class LightTable {
  public:
+  // Nothing comes through more than this: exp(-30) = 1e-13.
+  static constexpr float opaque = 30.0f;
+
   // In parallel. Cost: directions^2 * (Gaussians that a direction meets) line integrals.
   LightTable(const MediumIndex& medium, const glm::dvec3& light, const LightTableSize& size);
 
@@ -24,9 +29,10 @@ class LightTable {
   [[nodiscard]] bool empty() const { return depths_.empty(); }
 
   // What a look-up needs; see slice_kernels.cpp. Depths of one direction lie together, directions
-  // in rows of map.row().
+  // in rows of map.stride().
   struct View {
-    const float* depths = nullptr;
+    const std::uint16_t* depths = nullptr;
+    float unit = 0.0f;  // the depth that 1 stands for
     DirectionMap map;
     int radii = 0;
     float first_radius = 0.0f;
@@ -42,7 +48,8 @@ class LightTable {
   int radii_ = 0;
   double first_radius_ = 0.0;
   double last_radius_ = 0.0;
-  std::vector<float> depths_;
+  float unit_ = 0.0f;
+  std::vector<std::uint16_t> depths_;
 };
 
 }  // namespace brume
