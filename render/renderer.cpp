@@ -13,6 +13,7 @@
 #include <mutex>
 
 #include "render/albedo.h"
+#include "render/cpu/marched_airlight.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/path_depths.h"
 #include "render/cpu/sliced_airlight.h"
@@ -93,6 +94,7 @@ struct Renderer::Impl {
   std::vector<PaperLight> paper_lights(Work& work, StageClock& clock);
   void paper(Work& work, StageClock& clock);
   void sliced(Work& work, StageClock& clock);
+  void march(Work& work) const;
   template <class Method>
   void tile_airlight(Work& work, Method method) const;
   void reference(Work& work) const;
@@ -207,6 +209,9 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
         break;
       case AirlightMethod::sliced:
         sliced(work, clock);
+        break;
+      case AirlightMethod::march:
+        march(work);
         break;
       case AirlightMethod::reference:
         reference(work);
@@ -343,6 +348,18 @@ void Renderer::Impl::sliced(Work& work, StageClock& clock) {
   }
   tile_airlight(work, [&](auto gaussians, const TileRays& rays, const TileAirlight& out) {
     return sliced_airlight(prepared.medium(), gaussians, lights, rays, work.settings.slices, out);
+  });
+}
+
+void Renderer::Impl::march(Work& work) const {
+  std::vector<MarchedLight> lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light.position, light.intensity,
+                      least_light_distance(work.rays, work.camera, light.position)});
+  }
+  tile_airlight(work, [&](auto gaussians, const TileRays& rays, const TileAirlight& out) {
+    return marched_airlight(prepared.medium(), gaussians, prepared.visibility(), lights, rays,
+                            work.settings.march_steps, out);
   });
 }
 

@@ -10,10 +10,19 @@ const char* to_string(AirlightMethod method) {
       return "paper";
     case AirlightMethod::sliced:
       return "sliced";
+    case AirlightMethod::march:
+      return "march";
     case AirlightMethod::reference:
       return "reference";
   }
   return "";
+}
+
+std::string airlight_name(const Settings& settings) {
+  std::string name = to_string(settings.airlight);
+  if (settings.airlight == AirlightMethod::march)
+    name += ':' + std::to_string(settings.march_steps);
+  return name;
 }
 
 Settings sliced_settings(Settings settings, int slices) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <string>
+
 namespace brume {
 
 enum class AirlightMethod {
   paper,      // the paper's approximation, as published
   sliced,     // exact optical depths per slice of the ray, light from a table
+  march,      // the midpoint rule with exact optical depths: what the others are measured against
   reference,  // the integral itself, converged
 };
 
@@ -33,6 +36,9 @@ struct Settings {
   // reference has its own.
   double depth_error = 1e-3;
 
+  // `march`: steps per ray through the medium, >= 1.
+  int march_steps = 64;
+
   // `reference`: the relative tolerance of each ray's quadrature.
   double reference_tolerance = 1e-4;
 
@@ -44,6 +50,9 @@ struct Settings {
 };
 
 const char* to_string(AirlightMethod method);
+
+// The method as the command line takes it, with the number that belongs to it: "march:64".
+std::string airlight_name(const Settings& settings);
 
 // `sliced` with a number of slices, and the tables that go with it so that neither's error
 // dominates.

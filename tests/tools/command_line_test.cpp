@@ -89,7 +89,12 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
     expect_refused({"render", scene_, "-o", out, "--size", size}, {"--size", "WIDTHxHEIGHT"});
   }
   expect_refused({"render", scene_, "-o", out, "--airlight", "papr"},
-                 {"allowed: auto, paper, sliced, reference"});
+                 {"allowed: auto, paper, sliced, reference, march:N"});
+  for (const char* march : {"march", "march:", "march:0", "march:-3", "march:65537", "march:1e3",
+                            "march:8x", "march:nan", "march:99999999999999999999", "March:8"}) {
+    expect_refused({"render", scene_, "-o", out, "--airlight", march},
+                   {march, "march:N with N from 1 to 65536"});
+  }
   expect_refused({"render", scene_, "-o", out, "--backend", "gl"}, {"not available"});
   expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "not supported in this version"});
   expect_refused({"info", file("a.txt")}, {"allowed: .brume, .ply"});
@@ -131,7 +136,7 @@ TEST_F(CommandLine, RefusesOutputsBeforeItRenders) {
 }
 
 TEST_F(CommandLine, RendersAllLayersToExr) {
-  for (const char* airlight : {"paper", "sliced", "reference"}) {
+  for (const char* airlight : {"paper", "sliced", "reference", "march:24", "march:1"}) {
     SCOPED_TRACE(airlight);
     const ProgramResult result =
         run_brume({"render", scene_, "-o", file("o.exr"), "--airlight", airlight});

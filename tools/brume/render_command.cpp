@@ -22,14 +22,29 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// nullopt: auto.
-std::optional<AirlightMethod> parse_airlight(const std::string& name) {
-  if (name == "auto") return std::nullopt;
-  if (name == "paper") return AirlightMethod::paper;
-  if (name == "sliced") return AirlightMethod::sliced;
-  if (name == "reference") return AirlightMethod::reference;
+constexpr int most_march_steps = 65'536;
+
+// Sets the method and what belongs to it; false: auto.
+bool take_airlight(const std::string& name, Settings& settings) {
+  constexpr std::string_view march = "march:";
+  if (name == "auto") return false;
+  for (const auto method :
+       {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::reference}) {
+    if (name != to_string(method)) continue;
+    settings.airlight = method;
+    return true;
+  }
+  if (name.starts_with(march)) {
+    const auto steps = parse_integer(std::string_view(name).substr(march.size()));
+    if (steps && *steps >= 1 && *steps <= most_march_steps) {
+      settings.airlight = AirlightMethod::march;
+      settings.march_steps = static_cast<int>(*steps);
+      return true;
+    }
+  }
   throw UsageError("--airlight: found " + shown(name) +
-                   "; allowed: auto, paper, sliced, reference");
+                   "; allowed: auto, paper, sliced, reference, march:N with N from 1 to " +
+                   std::to_string(most_march_steps));
 }
 
 void check_backend(const std::string& name) {
@@ -61,7 +76,7 @@ class RenderCommand final : public Command {
     app.add_option("-o,--output", output_, "the image: .exr (linear, all layers) or .png")
         ->required();
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
-    app.add_option("--airlight", airlight_, "auto, paper, sliced or reference")
+    app.add_option("--airlight", airlight_, "auto, paper, sliced, reference or march:STEPS")
         ->capture_default_str();
     app.add_option("--slices", slices_, "of sliced, per ray through the medium")
         ->check(finite_in(4, 256))
@@ -86,10 +101,8 @@ class RenderCommand final : public Command {
   }
 
   ExitCode run() override {
-    Settings settings;
-    const std::optional<AirlightMethod> method = parse_airlight(airlight_);
-    settings = sliced_settings(settings, slices_);
-    settings.airlight = method.value_or(AirlightMethod::sliced);
+    Settings settings = sliced_settings({}, slices_);
+    const bool is_chosen = take_airlight(airlight_, settings);
     settings.reference_tolerance = tolerance_;
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
@@ -106,7 +119,7 @@ class RenderCommand final : public Command {
     Renderer renderer;
     Frame frame;
     std::optional<ErrorEstimate> error;
-    if (method) {
+    if (is_chosen) {
       frame = render(renderer, scene, scene.camera, film, settings, 1);
     } else {
       MeasuredFrame measured =
@@ -128,7 +141,7 @@ class RenderCommand final : public Command {
       camera.eye += (1 + i % 1000) * 1e-6 * (camera.target - camera.eye);
       moved.push_back(render(renderer, scene, camera, film, settings, i + 1).statistics);
     }
-    write_frame(output_, frame, {scene_file_, to_string(settings.airlight), "cpu", exposure_});
+    write_frame(output_, frame, {scene_file_, airlight_name(settings), "cpu", exposure_});
     if (!stats_file_.empty()) {
       if (!error && settings.airlight != AirlightMethod::reference) {
         error = measure_error(scene, scene.camera, frame);

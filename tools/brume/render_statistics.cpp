@@ -77,7 +77,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["size"] = Json::array({run.film.width, run.film.height});
   json["backend"] = "cpu";
   json["device"] = device_name();
-  json["airlight"] = to_string(run.settings.airlight);
+  json["airlight"] = airlight_name(run.settings);
   json["slices"] =
       run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
   json["threads"] = run.settings.threads;

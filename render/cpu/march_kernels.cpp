@@ -1,0 +1,105 @@
+#include "render/cpu/march_kernels.h"
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/march_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using Vector = V3<V>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+
+HWY_INLINE Vector LoadDirection(const PathBatch& rays, std::size_t k) {
+  const D d;
+  return {hn::LoadU(d, rays.x.data() + k), hn::LoadU(d, rays.y.data() + k),
+          hn::LoadU(d, rays.z.data() + k)};
+}
+
+std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const float* t,
+                           float* densities, float* depths) {
+  const D d;
+  std::uint64_t pairs = 0;
+  for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
+    const Vector w = LoadDirection(rays, k);
+    const V at = hn::LoadU(d, t + k);
+    V density = hn::Zero(d);
+    V depth = hn::Zero(d);
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const V a = set(g.a[j]);
+      const Crossing<D> crossing({set(g.x[j]), set(g.y[j]), set(g.z[j])}, w, a);
+      const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
+      if (hn::AllFalse(d, reached)) continue;
+      pairs += hn::CountTrue(d, reached);
+      depth = hn::MulAdd(set(g.scale[j]), crossing.Depth(d, a, at), depth);
+      const V u = hn::Mul(a, hn::Sub(at, crossing.t0));
+      constexpr float two_over_sqrt_pi = 1.12837916709551257f;
+      const V peak = set(g.scale[j] * g.a[j] * two_over_sqrt_pi);
+      density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, crossing.e))), density);
+    }
+    hn::StoreU(density, d, densities + k);
+    hn::StoreU(depth, d, depths + k);
+  }
+  return pairs;
+}
+
+void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,
+                  float h_min, float b0, float anisotropy, float* radiance) {
+  const D d;
+  const Vector s{set(light.x), set(light.y), set(light.z)};
+  const V least2 = set(h_min * h_min);
+  for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
+    const V weight = hn::LoadU(d, samples.weights + k);
+    const auto is_lit = hn::Gt(weight, hn::Zero(d));
+    if (hn::AllFalse(d, is_lit)) continue;
+    const Vector w = LoadDirection(rays, k);
+    const V ts = dot(s, w);
+    const Vector gap = minus(s, ts, w);
+    const V gap2 = dot(gap, gap);
+    const V along = hn::Sub(hn::LoadU(d, samples.t + k), ts);
+    // The path is as long as it is; only the falloff has a least distance (LightPath).
+    const V tiny = set(1e-30f);
+    const V distance2 = hn::Max(hn::MulAdd(along, along, hn::Max(gap2, least2)), tiny);
+    const V travelled = hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2), tiny));
+    const V depth = hn::Add(hn::LoadU(d, samples.depths + k),
+                            hn::MulAdd(set(b0), travelled, hn::LoadU(d, samples.light_depths + k)));
+    V value = hn::Div(hn::Mul(weight, hn::Exp(d, hn::Neg(depth))), distance2);
+    if (anisotropy != 0.0f) {
+      value = hn::Mul(value, HenyeyGreenstein(d, CosTurn(d, along, travelled), anisotropy));
+    }
+    constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
+    const V sum =
+        hn::MulAdd(set(phase), hn::IfThenElseZero(is_lit, value), hn::LoadU(d, radiance + k));
+    hn::StoreU(sum, d, radiance + k);
+  }
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(SampleMedium);
+HWY_EXPORT(AddScattered);
+
+std::uint64_t sample_medium(const GaussianBatch& gaussians, const PathBatch& rays, const float* t,
+                            float* densities, float* depths) {
+  return HWY_DYNAMIC_DISPATCH(SampleMedium)(gaussians, rays, t, densities, depths);
+}
+
+void add_scattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,
+                   float h_min, float b0, float anisotropy, float* radiance) {
+  HWY_DYNAMIC_DISPATCH(AddScattered)(rays, samples, light, h_min, b0, anisotropy, radiance);
+}
+
+}  // namespace brume
+#endif

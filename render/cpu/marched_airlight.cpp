@@ -1,0 +1,153 @@
+#include "render/cpu/marched_airlight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "render/cpu/march_kernels.h"
+#include "render/cpu/path_depths.h"
+
+namespace brume {
+namespace {
+
+// Optical depth of homogeneous fog past which its light is left out: exp(-12) = 6e-6.
+constexpr double fog_end = 12.0;
+
+struct Range {
+  double begin = std::numeric_limits<double>::infinity();
+  double end = 0.0;
+};
+
+// The part of a ray that lies in the medium; empty (0, 0) if none does.
+Range medium_range(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                   const glm::dvec3& eye, const glm::dvec3& w, double length) {
+  Range range;
+  for (const std::uint32_t i : gaussians) {
+    const glm::dvec3 q = medium.gaussians()[i].b - eye;
+    const double t = glm::dot(q, w);
+    const glm::dvec3 gap = q - t * w;
+    const double chord2 = medium.reach()[i] * medium.reach()[i] - glm::dot(gap, gap);
+    if (!(chord2 > 0.0)) continue;
+    range.begin = std::min(range.begin, t - std::sqrt(chord2));
+    range.end = std::max(range.end, t + std::sqrt(chord2));
+  }
+  if (const double b0 = medium.homogeneous_density(); b0 > 0.0) {
+    range.begin = 0.0;
+    range.end = std::max(range.end, fog_end / b0);
+  }
+  range.begin = std::max(range.begin, 0.0);
+  range.end = std::min(range.end, length);
+  return range.begin < range.end ? range : Range{0.0, 0.0};
+}
+
+struct Scratch {
+  GaussianBatch batch;
+  PathBatch rays;
+  std::vector<double> begin, step;  // per ray [u]
+  std::vector<float> t, weights, depths, light_depths, lit_weights;
+  std::vector<std::vector<float>> radiance;  // per light
+  // Samples that matter, towards a light.
+  std::vector<std::size_t> kept;
+  std::vector<glm::dvec3> points;
+  std::vector<std::int32_t> no_self;
+  std::vector<double> exact;
+};
+
+// Sets up the steps of every ray and clears what is summed over them.
+void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+             std::size_t lights, const TileRays& rays, int steps, Scratch& s) {
+  s.batch.assign(medium, rays.eye, gaussians);
+  s.rays.assign(rays.directions, rays.lengths);
+  const std::size_t count = rays.directions.size();
+  s.begin.resize(count);
+  s.step.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Range range =
+        medium_range(medium, gaussians, rays.eye, rays.directions[k], rays.lengths[k]);
+    s.begin[k] = range.begin;
+    s.step[k] = (range.end - range.begin) / steps;
+  }
+  for (auto* array : {&s.t, &s.weights, &s.depths, &s.light_depths, &s.lit_weights}) {
+    array->assign(s.rays.padded_size(), 0.0f);
+  }
+  s.radiance.resize(lights);
+  for (auto& radiance : s.radiance) radiance.assign(s.rays.padded_size(), 0.0f);
+}
+
+// The sample of every ray at one step: where it is, what it scatters, and which samples of the
+// tile are worth asking the lights for.
+std::uint64_t take_samples(const MediumIndex& medium, const TileRays& rays, int index, int steps,
+                           Scratch& s) {
+  for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+    s.t[k] = static_cast<float>(s.begin[k] + (index + 0.5) * s.step[k]);
+  }
+  const std::uint64_t pairs =
+      sample_medium(s.batch, s.rays, s.t.data(), s.weights.data(), s.depths.data());
+  const auto b0 = static_cast<float>(medium.homogeneous_density());
+  // A ray whose every step is as thin as this lies below what other methods leave out.
+  const auto negligible = static_cast<float>(0.1 * medium.tolerance() / steps);
+  constexpr float opaque = 45.0f;
+  s.kept.clear();
+  s.points.clear();
+  for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+    s.weights[k] = (s.weights[k] + b0) * static_cast<float>(s.step[k]);
+    s.depths[k] += b0 * s.t[k];
+    if (!(s.weights[k] > negligible) || s.depths[k] > opaque) continue;
+    s.kept.push_back(k);
+    s.points.push_back(rays.eye + static_cast<double>(s.t[k]) * rays.directions[k]);
+  }
+  return pairs;
+}
+
+// Adds what the samples scatter of one light.
+std::uint64_t add_light(const MediumIndex& medium, const Visibility& visibility,
+                        const MarchedLight& light, const glm::dvec3& eye, Scratch& s,
+                        std::vector<float>& radiance) {
+  s.no_self.assign(s.kept.size(), -1);
+  s.exact.resize(s.kept.size());
+  const std::uint64_t pairs = bundle_depths(medium, light.position, s.points, s.no_self,
+                                            Settings::Arithmetic::simd_float, s.exact);
+  std::fill(s.lit_weights.begin(), s.lit_weights.end(), 0.0f);
+  for (std::size_t i = 0; i < s.kept.size(); ++i) {
+    const std::size_t k = s.kept[i];
+    s.light_depths[k] = static_cast<float>(s.exact[i]);
+    if (!visibility.blocked(s.points[i], light.position)) s.lit_weights[k] = s.weights[k];
+  }
+  add_scattered(s.rays, {s.t.data(), s.lit_weights.data(), s.depths.data(), s.light_depths.data()},
+                glm::vec3(light.position - eye), static_cast<float>(light.h_min),
+                static_cast<float>(medium.homogeneous_density()),
+                static_cast<float>(medium.anisotropy()), radiance.data());
+  return pairs;
+}
+
+}  // namespace
+
+std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                               const Visibility& visibility, std::span<const MarchedLight> lights,
+                               const TileRays& rays, int steps, const TileAirlight& out) {
+  thread_local Scratch s;
+  prepare(medium, gaussians, lights.size(), rays, steps, s);
+  std::uint64_t pairs = 0;
+  for (int index = 0; index < steps && !lights.empty(); ++index) {
+    pairs += take_samples(medium, rays, index, steps, s);
+    if (s.kept.empty()) continue;
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      pairs += add_light(medium, visibility, lights[l], rays.eye, s, s.radiance[l]);
+    }
+  }
+
+  std::fill(s.depths.begin(), s.depths.end(), 0.0f);
+  accumulate_path_depths(s.batch, s.rays, s.depths.data());
+  const double b0 = medium.homogeneous_density();
+  for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+    out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rays.lengths[k] : 0.0);
+    out.airlight[k] = glm::vec3(0.0f);
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      out.airlight[k] += glm::vec3(lights[l].intensity) * s.radiance[l][k];
+    }
+  }
+  return pairs;
+}
+
+}  // namespace brume
