@@ -8,8 +8,16 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   const auto skip = [this](const char* stage, const std::string& why) {
     skipped.push_back({stage, why});
   };
+  std::size_t off = 0;
+  std::size_t black = 0;
   for (const PointLight& light : scene.lights) {
-    if (light.intensity != glm::dvec3(0.0)) lights.push_back(light);
+    if (!light.on) {
+      ++off;
+    } else if (light.intensity == glm::dvec3(0.0)) {
+      ++black;
+    } else {
+      lights.push_back(light);
+    }
   }
   surfaces = !scene.surfaces.empty();
   lit_surfaces = surfaces && !lights.empty();
@@ -39,9 +47,8 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   if (!airlight) {
     skip("airlight", no_airlight);
   }
-  if (lights.size() < scene.lights.size()) {
-    skip("lights", std::to_string(scene.lights.size() - lights.size()) + " lights of intensity 0");
-  }
+  if (off > 0) skip("lights", "switched off: " + std::to_string(off));
+  if (black > 0) skip("lights", std::to_string(black) + " lights of intensity 0");
 }
 
 }  // namespace brume

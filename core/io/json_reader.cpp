@@ -91,6 +91,13 @@ glm::dvec3 JsonObject::vector(std::string_view key, const NumberDomain& domain,
   return {v[0], v[1], v[2]};
 }
 
+bool JsonObject::boolean(std::string_view key, bool fallback) {
+  const Json* value = find(key);
+  if (value == nullptr) return fallback;
+  if (!value->is_boolean()) fail(key, found(*value, "true or false"));
+  return value->get<bool>();
+}
+
 std::string JsonObject::text(std::string_view key, std::optional<std::string> fallback) {
   const Json* value = fallback ? find(key) : &required(key);
   if (value == nullptr) return *fallback;

@@ -68,6 +68,7 @@ class JsonObject {
                        std::int64_t fallback);
   glm::dvec3 vector(std::string_view key, const NumberDomain& domain,
                     std::optional<glm::dvec3> fallback);
+  bool boolean(std::string_view key, bool fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
   // The index of the text in `allowed`.
   std::size_t choice(std::string_view key, const std::vector<std::string>& allowed,

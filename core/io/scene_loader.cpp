@@ -145,6 +145,7 @@ class SceneLoader {
     PointLight light;
     light.position = object.vector("position", domain::coordinate, {});
     light.intensity = object.vector("intensity", domain::intensity, light.intensity);
+    light.on = object.boolean("on", light.on);
     light.unknown = object.unknown();
     scene_.lights.push_back(std::move(light));
   }

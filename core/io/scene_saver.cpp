@@ -115,6 +115,7 @@ Json to_json(const Scene& scene, const fs::path& directory) {
     Json entry{{"type", "point"},
                {"position", to_json(light.position)},
                {"intensity", to_json(light.intensity)}};
+    if (!light.on) entry["on"] = false;
     add_unknown(entry, light.unknown);
     lights.push_back(std::move(entry));
   }

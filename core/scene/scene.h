@@ -25,6 +25,7 @@ struct PointLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{1.0};
   UnknownKeys unknown;
+  bool on = true;
 
   bool operator==(const PointLight&) const = default;
 };

@@ -151,6 +151,24 @@ TEST(Renderer, SaysWhatItSkippedAndWhy) {
   EXPECT_LT(frame.transmittance[3 * center_pixel(frame)], 0.5f);
 }
 
+TEST(Renderer, LightsSwitchedOffAreAsIfNotThere) {
+  Scene scene = busy_scene();
+  scene.film = {16, 16};
+  scene.lights = {{{2, 3, 2}, {10, 10, 10}, {}}, {{-2, 1, 3}, {1, 5, 9}, {}}};
+  Scene one = scene;
+  scene.lights[1].on = false;
+  one.lights.pop_back();
+  const Frame frame = render_frame(scene, {});
+  EXPECT_EQ(frame.beauty, render_frame(one, {}).beauty);
+  bool found = false;
+  for (const SkippedStage& s : frame.statistics.skipped) {
+    found = found || (s.stage == "lights" && s.why == "switched off: 1");
+  }
+  EXPECT_TRUE(found);
+  scene.lights[1].on = true;
+  EXPECT_NE(frame.beauty, render_frame(scene, {}).beauty);
+}
+
 // A stage ran or was skipped, whatever the scene and the method.
 TEST(Renderer, NoStageIsBothRunAndSkipped) {
   std::vector<Scene> scenes{Scene{}, cloud_scene(5, 1.0), busy_scene()};
@@ -164,8 +182,8 @@ TEST(Renderer, NoStageIsBothRunAndSkipped) {
   scenes.back().lights.clear();
   for (Scene& scene : scenes) {
     scene.film = {8, 8};
-    for (const AirlightMethod method :
-         {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::reference}) {
+    for (const AirlightMethod method : {AirlightMethod::paper, AirlightMethod::sliced,
+                                        AirlightMethod::march, AirlightMethod::reference}) {
       Settings settings;
       settings.airlight = method;
       const FrameStatistics statistics = render_frame(scene, settings).statistics;

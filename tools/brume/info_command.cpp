@@ -51,6 +51,7 @@ Json scene_json(const Scene& scene) {
     entry["type"] = "point";
     entry["position"] = to_json(light.position);
     entry["intensity"] = to_json(light.intensity);
+    if (!light.on) entry["on"] = false;
     json["lights"].push_back(std::move(entry));
   }
   if (scene.environment) json["environment"] = scene.environment->file.string();

@@ -104,10 +104,25 @@ TEST(SceneFile, HasTheDefaultsOfTheContract) {
   EXPECT_EQ(scene.medium, Medium{});
   EXPECT_EQ(scene.optics, MediumOptics{});
   EXPECT_EQ(scene.lights[0].intensity, glm::dvec3(1));
+  EXPECT_TRUE(scene.lights[0].on);
   EXPECT_EQ(scene.surfaces[0].material, Material{});
   EXPECT_EQ(scene.surfaces[0].material.reflectance, glm::dvec3(0.5));
   EXPECT_EQ(scene.surfaces[0].rotate, glm::dquat(1, 0, 0, 0));
   EXPECT_FALSE(scene.environment);
+}
+
+// `on` came later than other programs that read scenes: it is written only where it says something.
+TEST(SceneFile, WritesWhichLightsAreOff) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, {}, true}, {{1, 2, 3}, {4, 5, 6}, {}, false}};
+  save_scene(scene, folder / "a.brume");
+  const Scene loaded = load_scene(folder / "a.brume");
+  EXPECT_TRUE(loaded.lights[0].on);
+  EXPECT_FALSE(loaded.lights[1].on);
+  const std::string text = content_of(folder / "a.brume");
+  EXPECT_TRUE(contains(text, R"("on": false)"));
+  EXPECT_FALSE(contains(text, R"("on": true)"));
 }
 
 TEST(SceneFile, SavesTheSameSceneInAnyFolder) {
@@ -290,7 +305,7 @@ class RandomScene {
       scene.optics.noise = {number(0, 1), number(0, 9), point(), whole(-1000, 1000), unknown()};
     }
     for (int i = whole(0, 5); i > 0; --i) {
-      scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, unknown()});
+      scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, unknown(), maybe()});
     }
     if (maybe())
       scene.environment = {folder_ / "dawn.exr", number(0, 3), number(-720, 720), unknown()};
