@@ -91,7 +91,7 @@ struct Renderer::Impl {
 
   std::optional<Frame> render(Work& work);
   void find_surfaces(Work& work) const;
-  std::vector<PaperLight> paper_lights(Work& work, StageClock& clock);
+  PaperLights paper_lights(Work& work, StageClock& clock);
   void paper(Work& work, StageClock& clock);
   void sliced(Work& work, StageClock& clock);
   void march(Work& work) const;
@@ -242,21 +242,25 @@ void Renderer::Impl::find_surfaces(Work& work) const {
   });
 }
 
-std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clock) {
+PaperLights Renderer::Impl::paper_lights(Work& work, StageClock& clock) {
   const MediumIndex& medium = prepared.medium();
   const Settings::Arithmetic arithmetic = work.settings.arithmetic;
   const glm::dvec3& eye = work.rays.eye();
-  std::vector<PaperLight> lights;
-  if (!work.plan.airlight) return lights;
+  PaperLights paper;
+  paper.at_mean = work.settings.paper.at_mean;
+  if (!work.plan.airlight) return paper;
   for (const PointLight& light : work.plan.lights) {
-    PaperLight& l = lights.emplace_back();
+    PaperLight& l = paper.lights.emplace_back();
     l.position = light.position;
     l.intensity = light.intensity;
     l.h_min = least_light_distance(work.rays, work.camera, light.position);
   }
-  if (!work.plan.gaussians) return lights;
+  if (!work.plan.gaussians) return paper;
 
-  for (PaperLight& light : lights) {
+  const bool conserve_energy =
+      work.settings.paper.conserve_energy && !is_in_dense_gaussian(medium, eye);
+  for (PaperLight& light : paper.lights) {
+    light.conserve_energy = conserve_energy && !is_in_dense_gaussian(medium, light.position);
     const CenterDepths& from_light =
         prepared.light_depths(light.position, arithmetic, work.frame.statistics.light_pairs);
     light.frozen = from_light.depths;
@@ -269,18 +273,19 @@ std::vector<PaperLight> Renderer::Impl::paper_lights(Work& work, StageClock& clo
   }
   clock.finish("light_depth");
 
-  const CenterDepths from_eye = center_depths(medium, eye, arithmetic);
+  CenterDepths from_eye = center_depths(medium, eye, arithmetic);
+  work.frame.statistics.view_pairs += from_eye.pairs;
+  paper.from_eye = std::move(from_eye.depths);
   const double b0 = medium.homogeneous_density();
-  for (PaperLight& light : lights) {
-    for (std::size_t i = 0; i < medium.size(); ++i) {
-      const glm::dvec3& b = medium.gaussians()[i].b;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const glm::dvec3& b = medium.gaussians()[i].b;
+    for (PaperLight& light : paper.lights) {
       light.frozen[i] +=
-          from_eye.depths[i] + b0 * (glm::length(b - light.position) + glm::length(b - eye));
+          paper.from_eye[i] + b0 * (glm::length(b - light.position) + glm::length(b - eye));
     }
   }
-  work.frame.statistics.view_pairs += from_eye.pairs;
   clock.finish("eye_depth");
-  return lights;
+  return paper;
 }
 
 // Runs method(list of Gaussians, rays, out) -> pairs on every tile.
@@ -316,7 +321,7 @@ void Renderer::Impl::tile_airlight(Work& work, Method method) const {
 }
 
 void Renderer::Impl::paper(Work& work, StageClock& clock) {
-  const std::vector<PaperLight> lights = paper_lights(work, clock);
+  const PaperLights lights = paper_lights(work, clock);
   tile_airlight(work, [&](auto gaussians, const TileRays& rays, const TileAirlight& out) {
     return paper_airlight(prepared.medium(), gaussians, lights, rays, work.settings.arithmetic,
                           out);

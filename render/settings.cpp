@@ -20,6 +20,10 @@ const char* to_string(AirlightMethod method) {
 
 std::string airlight_name(const Settings& settings) {
   std::string name = to_string(settings.airlight);
+  if (settings.airlight == AirlightMethod::paper) {
+    if (settings.paper.at_mean) name += "+mean";
+    if (settings.paper.conserve_energy) name += "+energy";
+  }
   if (settings.airlight == AirlightMethod::march)
     name += ':' + std::to_string(settings.march_steps);
   return name;

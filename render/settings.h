@@ -19,12 +19,26 @@ struct LightTableSize {
   bool operator==(const LightTableSize&) const = default;
 };
 
+// Departures of `paper` from what was published.
+struct PaperOptions {
+  // The light of a Gaussian is taken at its mean on the ray, not at the projection of its centre:
+  // right where a surface or the eye cuts it.
+  bool at_mean = false;
+  // The airlight of the Gaussians on a ray is scaled so that they scatter as much as they take
+  // away, 1 - exp(-T(v, p)); not where the eye or the light stands in a dense Gaussian.
+  bool conserve_energy = false;
+
+  bool operator==(const PaperOptions&) const = default;
+};
+
 // How a frame is rendered; what is rendered is the Scene's.
 struct Settings {
   AirlightMethod airlight = AirlightMethod::paper;
 
   // Worker threads; 0 takes all.
   int threads = 0;
+
+  PaperOptions paper;
 
   // `sliced`: slices per ray, and how fine the table of each light is.
   int slices = 24;

@@ -1,5 +1,7 @@
 #include "core/transport/gaussian_airlight.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "core/transport/phase_function.h"
@@ -7,22 +9,31 @@
 namespace brume {
 
 template <class Real>
+PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LineProfile<Real>& line,
+                                       Real d, ScatterPoint point) {
+  const Real t =
+      point == ScatterPoint::mean ? truncated_mean(g, line, d) : std::clamp(line.t0, Real(0), d);
+  return {t, optical_depth(g, line, d), optical_depth(g, line, t)};
+}
+
+template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
                        Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen,
-                       Real anisotropy) {
-  const LineProfile<Real> line = line_profile(g, eye, w);
-  const Real depth = optical_depth(g, line, d);
+                       Real anisotropy, ScatterPoint point) {
+  const auto [t, depth, before] = point_scattering(g, line_profile(g, eye, w), d, point);
   if (!(depth > 0)) return 0;
-  const Real t = std::clamp(line.t0, Real(0), d);
-  const Real own = optical_depth(g, line, t) + optical_depth(g, light, eye + t * w);
+  const Real own = before + optical_depth(g, light, eye + t * w);
   const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_turn(t), anisotropy) : Real(1);
   return phase * depth * std::exp(-(frozen + own)) /
          (4 * std::numbers::pi_v<Real> * path.distance2(t));
 }
 
 #define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                              \
+  template PointScattering<Real> point_scattering(const GaussianTerm<Real>&,                       \
+                                                  const LineProfile<Real>&, Real, ScatterPoint);   \
   template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&, const Vec3<Real>&, \
-                                  Real, const Vec3<Real>&, const LightPath<Real>&, Real, Real);
+                                  Real, const Vec3<Real>&, const LightPath<Real>&, Real, Real,     \
+                                  ScatterPoint);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)
 #undef BRUME_GAUSSIAN_AIRLIGHT

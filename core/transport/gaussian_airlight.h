@@ -4,15 +4,32 @@
 
 namespace brume {
 
+// Where on the view ray the light of a Gaussian is taken.
+enum class ScatterPoint {
+  projection,  // the projection of its centre, clamped to the segment: the paper's
+  mean,        // its mean on the segment, weighted by density: right where a surface cuts it
+};
+
+// A Gaussian on the view ray as one point x_i = v + t w.
+template <class Real>
+struct PointScattering {
+  Real t;       // [u]
+  Real depth;   // T_i(v, p)
+  Real before;  // T_i(v, x_i)
+};
+template <class Real>
+PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LineProfile<Real>& line,
+                                       Real d, ScatterPoint point = ScatterPoint::projection);
+
 // The paper's airlight of one Gaussian i along a view ray (eq. 16), per unit of radiant
 // intensity [1/u^2]:
 //
 //   L_i = exp(-(frozen + T_i(s, x_i) + T_i(v, x_i))) / (4 pi |x_i - s|^2) * T_i(v, p)
 //
-// x_i is the projection of the centre on the ray, clamped to the segment [0, d]; `frozen` is what
-// the other Gaussians and b0 take along the fixed path s -> b_i -> v, that is
-// Tbar_i(s, b_i) + Tbar_i(v, b_i). The paper's factors f0 and f1 multiply exp(+T) by exp(-T);
-// here all depths meet in one exponent, which cannot overflow.
+// x_i is where point_scattering() says on the segment [0, d]; `frozen` is what the other Gaussians
+// and b0 take along the fixed path s -> b_i -> v, that is Tbar_i(s, b_i) + Tbar_i(v, b_i). The
+// paper's factors f0 and f1 multiply exp(+T) by exp(-T); here all depths meet in one exponent,
+// which cannot overflow.
 //
 // With an anisotropy, henyey_greenstein() at x_i is a factor.
 //
@@ -20,12 +37,14 @@ namespace brume {
 template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
                        Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen,
-                       Real anisotropy = 0);
+                       Real anisotropy = 0, ScatterPoint point = ScatterPoint::projection);
 
 #define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                  \
+  extern template PointScattering<Real> point_scattering(                              \
+      const GaussianTerm<Real>&, const LineProfile<Real>&, Real, ScatterPoint);        \
   extern template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&, \
                                          const Vec3<Real>&, Real, const Vec3<Real>&,   \
-                                         const LightPath<Real>&, Real, Real);
+                                         const LightPath<Real>&, Real, Real, ScatterPoint);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)
 #undef BRUME_GAUSSIAN_AIRLIGHT

@@ -58,10 +58,25 @@ void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float*
   }
 }
 
+// The own depth of a Gaussian up to the projection of its centre on the ray, clamped to the ray:
+// nothing if the centre is behind the eye, all of `depth` if it is behind the surface, else half
+// a line less the part behind the eye.
+HWY_INLINE V DepthToProjection(const Crossing<D>& view, V a, V scale, V length, V depth) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const V u = hn::Mul(a, view.t0);
+  const V before = hn::IfThenElse(
+      hn::Lt(u, set(1.0f)), hn::Mul(hn::Exp(d, hn::Neg(view.e)), ErfSmall(hn::Min(u, set(1.0f)))),
+      hn::Sub(hn::Exp(d, hn::Neg(view.e)), ScaledErfc(d, view.e, u)));
+  return hn::IfThenElse(
+      hn::Le(view.t0, zero), zero,
+      hn::IfThenElse(hn::Ge(view.t0, length), depth, hn::Mul(scale, hn::Max(before, zero))));
+}
+
 // One pack of `kLights` lights; the number is a constant so that sums stay in registers.
 template <std::size_t kLights>
 HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& rays,
-                                       const LightBatch& lights, float* depths,
+                                       const LightBatch& lights, float* depths, float* scattered,
                                        const std::array<float*, light_pack>& radiance) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
@@ -81,6 +96,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
       sum[l] = zero;
     }
     V depth_sum = zero;
+    V scattered_sum = zero;
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
       const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
@@ -89,22 +105,24 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
       const V scale = set(g.scale[j]);
-      const V depth = hn::Mul(scale, view.Depth(d, a, length));
+      const V unit_depth = view.Depth(d, a, length);
+      const V depth = hn::Mul(scale, unit_depth);
       depth_sum = hn::Add(depth_sum, depth);
 
-      // The projection of the centre on the ray, and the own depth up to it: nothing if the
-      // centre is behind the eye, all if it is behind the surface, else half a line less the
-      // part behind the eye.
-      const V t = hn::Min(hn::Max(view.t0, zero), length);
-      const V u = hn::Mul(a, view.t0);
-      const V before =
-          hn::IfThenElse(hn::Lt(u, set(1.0f)),
-                         hn::Mul(hn::Exp(d, hn::Neg(view.e)), ErfSmall(hn::Min(u, set(1.0f)))),
-                         hn::Sub(hn::Exp(d, hn::Neg(view.e)), ScaledErfc(d, view.e, u)));
-      const V own = hn::IfThenElse(
-          hn::Le(view.t0, zero), zero,
-          hn::IfThenElse(hn::Ge(view.t0, length), depth, hn::Mul(scale, hn::Max(before, zero))));
-      const Vector q = minus(b, t, w);  // centre relative to the projection
+      V t;
+      V own;
+      if (lights.at_mean) {
+        t = view.Mean(d, a, length, unit_depth);
+        own = hn::Mul(scale, view.Depth(d, a, t));
+      } else {
+        t = hn::Min(hn::Max(view.t0, zero), length);
+        own = DepthToProjection(view, a, scale, length, depth);
+      }
+      if (scattered) {
+        const V exponent = hn::Add(set(lights.from_eye[j]), own);
+        scattered_sum = hn::MulAdd(depth, hn::Exp(d, hn::Neg(exponent)), scattered_sum);
+      }
+      const Vector q = minus(b, t, w);  // centre relative to that point
       for (std::size_t l = 0; l < kLights; ++l) {
         const V along = hn::Sub(t, ts[l]);
         // The path is as long as it is; only the falloff has a least distance (LightPath).
@@ -119,13 +137,16 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
         const V light_depth = hn::Mul(scale, Crossing<D>(q, wl, a).Depth(d, a, distance));
         const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(own, light_depth));
         const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
-        V scattered = depth;
+        V towards_eye = depth;
         if (lights.anisotropy != 0.0f) {
-          scattered =
+          towards_eye =
               hn::Mul(depth, HenyeyGreenstein(d, CosTurn(d, along, distance), lights.anisotropy));
         }
-        sum[l] = hn::MulAdd(scattered, falloff, sum[l]);
+        sum[l] = hn::MulAdd(towards_eye, falloff, sum[l]);
       }
+    }
+    if (scattered) {
+      hn::StoreU(hn::Add(scattered_sum, hn::LoadU(d, scattered + k)), d, scattered + k);
     }
     if (depths) hn::StoreU(hn::Add(depth_sum, hn::LoadU(d, depths + k)), d, depths + k);
     for (std::size_t l = 0; l < kLights; ++l) {
@@ -138,19 +159,19 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
 }
 
 std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& rays,
-                                      const LightBatch& lights, float* depths,
+                                      const LightBatch& lights, float* depths, float* scattered,
                                       const std::array<float*, light_pack>& radiance) {
   switch (lights.count) {
     case 0:
-      return PaperAirlight<0>(g, rays, lights, depths, radiance);
+      return PaperAirlight<0>(g, rays, lights, depths, scattered, radiance);
     case 1:
-      return PaperAirlight<1>(g, rays, lights, depths, radiance);
+      return PaperAirlight<1>(g, rays, lights, depths, scattered, radiance);
     case 2:
-      return PaperAirlight<2>(g, rays, lights, depths, radiance);
+      return PaperAirlight<2>(g, rays, lights, depths, scattered, radiance);
     case 3:
-      return PaperAirlight<3>(g, rays, lights, depths, radiance);
+      return PaperAirlight<3>(g, rays, lights, depths, scattered, radiance);
     default:
-      return PaperAirlight<4>(g, rays, lights, depths, radiance);
+      return PaperAirlight<4>(g, rays, lights, depths, scattered, radiance);
   }
 }
 
@@ -230,9 +251,10 @@ void accumulate_path_depths(const GaussianBatch& gaussians, const PathBatch& pat
 }
 
 std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const PathBatch& rays,
-                                        const LightBatch& lights, float* depths,
+                                        const LightBatch& lights, float* depths, float* scattered,
                                         const std::array<float*, light_pack>& radiance) {
-  return HWY_DYNAMIC_DISPATCH(AccumulatePaperAirlight)(gaussians, rays, lights, depths, radiance);
+  return HWY_DYNAMIC_DISPATCH(AccumulatePaperAirlight)(gaussians, rays, lights, depths, scattered,
+                                                       radiance);
 }
 
 void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,

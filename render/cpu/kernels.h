@@ -57,18 +57,22 @@ constexpr std::size_t light_pack = 4;
 struct LightBatch {
   std::size_t count = 0;
   float anisotropy = 0.0f;                      // of the medium
+  bool at_mean = false;                         // see PaperOptions
   std::array<float, light_pack> x{}, y{}, z{};  // relative to the eye [u]
   std::array<float, light_pack> h_min{};        // see LightPath [u]
   // Per light and Gaussian of the batch: Tbar_i(s, b_i) + Tbar_i(v, b_i).
   std::array<std::vector<float>, light_pack> frozen;
+  // Per Gaussian of the batch: Tbar_i(v, b_i). Only where `scattered` is asked for.
+  std::vector<float> from_eye;
 };
 
 // The paper's airlight (eq. 16) of all Gaussians of the batch: for every ray k,
 // depths[k] += T(v, p), radiance[l][k] += sum_i L_i per unit of radiant intensity [1/u^2].
-// `depths` may be null where a former pack of lights has summed it. Returns the number of
-// Gaussian x ray pairs that passed the cutoff.
+// `depths` may be null where a former pack of lights has summed it. Unless null,
+// scattered[k] += sum_i T_i(v, p) exp(-Tbar_i(v, b_i) - T_i(v, x_i)): what reaches the eye of a
+// light that is 1 everywhere. Returns the number of Gaussian x ray pairs that passed the cutoff.
 std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const PathBatch& rays,
-                                        const LightBatch& lights, float* depths,
+                                        const LightBatch& lights, float* depths, float* scattered,
                                         const std::array<float*, light_pack>& radiance);
 
 // Airlight of the homogeneous part (eqs. 17 to 19): radiance[k] += for every ray

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
@@ -14,37 +15,59 @@ double homogeneous_depth(double b0, double length) {
   return b0 > 0.0 ? b0 * length : 0.0;
 }
 
+bool any_conserves_energy(const PaperLights& paper) {
+  return std::any_of(paper.lights.begin(), paper.lights.end(),
+                     [](const PaperLight& light) { return light.conserve_energy; });
+}
+
+// What Gaussians of depth T scatter along a ray in all is 1 - exp(-T) (the integral of
+// b exp(-T(v, x))); `scattered` is what theirs sums up to. Fog is a matter of its own: it dims both
+// alike, and its airlight is exact.
+double energy_gain(double scattered, double depth) {
+  constexpr double nothing = 1e-30;
+  return scattered > nothing ? -std::expm1(-depth) / scattered : 1.0;
+}
+
 // Stage by stage as the formulas stand, in double: what the SIMD path is held against.
 std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                    std::span<const PaperLight> lights, const TileRays& rays,
-                    const TileAirlight& out) {
+                    const PaperLights& paper, const TileRays& rays, const TileAirlight& out) {
   const double b0 = medium.homogeneous_density();
+  const bool conserve = any_conserves_energy(paper);
+  const ScatterPoint point = paper.at_mean ? ScatterPoint::mean : ScatterPoint::projection;
   std::uint64_t pairs = 0;
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     const glm::dvec3& w = rays.directions[k];
     const double length = rays.lengths[k];
-    double depth = homogeneous_depth(b0, length);
-    glm::dvec3 radiance(0.0);
-    for (const PaperLight& light : lights) {
-      const LightPath<double> path(light.position, rays.eye, w, light.h_min);
-      radiance += light.intensity * std::exp(-light.depth_to_eye) *
-                  homogeneous_airlight(b0, path, length, medium.anisotropy());
-    }
+    double depth = 0.0;
+    double scattered = 0.0;
+    std::vector<double> radiance(paper.lights.size());
     for (const std::uint32_t i : gaussians) {
       const GaussianTerm<double>& g = medium.gaussians()[i];
       const LineProfile<double> line = line_profile(g, rays.eye, w);
       const double reach = g.a * medium.reach()[i];
       if (line.e > reach * reach) continue;
       ++pairs;
-      depth += optical_depth(g, line, length);
-      for (const PaperLight& light : lights) {
+      const PointScattering<double> own = point_scattering(g, line, length, point);
+      depth += own.depth;
+      if (conserve) scattered += own.depth * std::exp(-(paper.from_eye[i] + own.before));
+      for (std::size_t l = 0; l < paper.lights.size(); ++l) {
+        const PaperLight& light = paper.lights[l];
         const LightPath<double> path(light.position, rays.eye, w, light.h_min);
-        radiance += light.intensity * gaussian_airlight(g, rays.eye, w, length, light.position,
-                                                        path, light.frozen[i], medium.anisotropy());
+        radiance[l] += gaussian_airlight(g, rays.eye, w, length, light.position, path,
+                                         light.frozen[i], medium.anisotropy(), point);
       }
     }
-    out.airlight[k] = radiance;
-    out.depths[k] = depth;
+    const double gain = energy_gain(scattered, depth);
+    glm::dvec3 airlight(0.0);
+    for (std::size_t l = 0; l < paper.lights.size(); ++l) {
+      const PaperLight& light = paper.lights[l];
+      const LightPath<double> path(light.position, rays.eye, w, light.h_min);
+      const double fog = homogeneous_airlight(b0, path, length, medium.anisotropy());
+      airlight += light.intensity * ((light.conserve_energy ? gain : 1.0) * radiance[l] +
+                                     std::exp(-light.depth_to_eye) * fog);
+    }
+    out.airlight[k] = airlight;
+    out.depths[k] = depth + homogeneous_depth(b0, length);
   }
   return pairs;
 }
@@ -53,14 +76,23 @@ struct Scratch {
   GaussianBatch batch;
   PathBatch rays;
   LightBatch pack;
-  std::vector<float> depths;
+  std::vector<float> depths, scattered;
   std::array<std::vector<float>, light_pack> radiance;
 };
 
+// The values of the Gaussians of a batch, in its order.
+void gather(std::span<const double> values, std::span<const std::uint32_t> gaussians,
+            std::vector<float>& out) {
+  out.resize(gaussians.size());
+  for (std::size_t j = 0; j < gaussians.size(); ++j) {
+    out[j] = static_cast<float>(values[gaussians[j]]);
+  }
+}
+
 std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                   std::span<const PaperLight> lights, const TileRays& rays,
-                   const TileAirlight& out) {
+                   const PaperLights& paper, const TileRays& rays, const TileAirlight& out) {
   thread_local Scratch s;
+  const std::vector<PaperLight>& lights = paper.lights;
   const std::size_t count = rays.directions.size();
   s.batch.assign(medium, rays.eye, gaussians);
   s.rays.assign(rays.directions, rays.lengths);
@@ -69,9 +101,13 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
 
   const double b0 = medium.homogeneous_density();
   std::uint64_t pairs = 0;
+  const bool conserve = any_conserves_energy(paper);
+  s.pack.at_mean = paper.at_mean;
+  s.pack.anisotropy = static_cast<float>(medium.anisotropy());
+  if (conserve) gather(paper.from_eye, gaussians, s.pack.from_eye);
+  s.scattered.assign(conserve ? s.rays.padded_size() : 0, 0.0f);
   // Without lights there is still the depth to sum.
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
-    s.pack.anisotropy = static_cast<float>(medium.anisotropy());
     s.pack.count = std::min(light_pack, lights.size() - first);
     std::array<float*, light_pack> radiance{};
     for (std::size_t l = 0; l < s.pack.count; ++l) {
@@ -81,18 +117,21 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
       s.pack.y[l] = position.y;
       s.pack.z[l] = position.z;
       s.pack.h_min[l] = static_cast<float>(light.h_min);
-      s.pack.frozen[l].resize(gaussians.size());
-      for (std::size_t j = 0; j < gaussians.size(); ++j) {
-        s.pack.frozen[l][j] = static_cast<float>(light.frozen[gaussians[j]]);
-      }
+      gather(light.frozen, gaussians, s.pack.frozen[l]);
       s.radiance[l].assign(s.rays.padded_size(), 0.0f);
       radiance[l] = s.radiance[l].data();
     }
-    const std::uint64_t pack_pairs = accumulate_paper_airlight(
-        s.batch, s.rays, s.pack, first == 0 ? s.depths.data() : nullptr, radiance);
+    // The first pack sums what is the same for all of them.
+    const std::uint64_t pack_pairs =
+        accumulate_paper_airlight(s.batch, s.rays, s.pack, first == 0 ? s.depths.data() : nullptr,
+                                  first == 0 && conserve ? s.scattered.data() : nullptr, radiance);
     if (first == 0) pairs = pack_pairs;
     for (std::size_t l = 0; l < s.pack.count; ++l) {
       const PaperLight& light = lights[first + l];
+      for (std::size_t k = 0; light.conserve_energy && k < count; ++k) {
+        radiance[l][k] *= static_cast<float>(
+            energy_gain(static_cast<double>(s.scattered[k]), static_cast<double>(s.depths[k])));
+      }
       if (b0 > 0.0) {
         accumulate_homogeneous_airlight(static_cast<float>(b0),
                                         static_cast<float>(std::exp(-light.depth_to_eye)),
@@ -111,12 +150,21 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
 
 }  // namespace
 
+bool is_in_dense_gaussian(const MediumIndex& medium, const glm::dvec3& point) {
+  constexpr double radii = 2.0;
+  constexpr double dense = 3.0;  // optical depth of a line through the centre
+  return std::any_of(medium.gaussians().begin(), medium.gaussians().end(), [&](const auto& g) {
+    return g.c / g.a * std::sqrt(std::numbers::pi) > dense &&
+           g.a * glm::length(g.b - point) < radii;
+  });
+}
+
 std::uint64_t paper_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                             std::span<const PaperLight> lights, const TileRays& rays,
+                             const PaperLights& paper, const TileRays& rays,
                              Settings::Arithmetic arithmetic, const TileAirlight& out) {
   return arithmetic == Settings::Arithmetic::plain_double
-             ? plain(medium, gaussians, lights, rays, out)
-             : simd(medium, gaussians, lights, rays, out);
+             ? plain(medium, gaussians, paper, rays, out)
+             : simd(medium, gaussians, paper, rays, out);
 }
 
 }  // namespace brume

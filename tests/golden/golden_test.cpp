@@ -209,7 +209,8 @@ std::map<std::string, Quantity<float>> kernels() {
          const auto all = gaussians<double>(in);
          // b0 has its own term; here it is only in the way of the light.
          const MediumIndex medium(medium_of(in.at("gaussians")), 1e-300);
-         PaperLight light;
+         PaperLights paper;
+         PaperLight& light = paper.lights.emplace_back();
          light.position = vec<double>(in.at("s"));
          light.intensity = glm::dvec3(in.at("I0").get<double>());
          light.frozen = frozen_depths(all, in.at("b0").get<double>(), light.position, ray.v);
@@ -217,8 +218,7 @@ std::map<std::string, Quantity<float>> kernels() {
          std::iota(indices.begin(), indices.end(), 0u);
          glm::vec3 airlight;
          double depth_to_end = 0.0;
-         paper_airlight(medium, indices, std::array{light},
-                        {ray.v, std::array{ray.w}, std::array{ray.d}},
+         paper_airlight(medium, indices, paper, {ray.v, std::array{ray.w}, std::array{ray.d}},
                         Settings::Arithmetic::simd_float,
                         {std::span(&airlight, 1), std::span(&depth_to_end, 1)});
          return R{airlight.x};

@@ -101,8 +101,13 @@ TEST(Kernels, PaperAirlightAgreesWithDouble) {
         std::vector<std::uint32_t> all;
         for (std::uint32_t i = 0; i < medium.size(); ++i) all.push_back(i);
         const glm::dvec3 eye = round % 5 == 0 ? medium.centers()[0] : random.point(4.0);
-        std::vector<PaperLight> lights(static_cast<std::size_t>(1 + round % 6));
-        for (PaperLight& light : lights) {
+        PaperLights paper;
+        paper.at_mean = round % 2 == 1;
+        paper.from_eye.resize(medium.size());
+        for (double& f : paper.from_eye) f = random.uniform(0.0, 3.0);
+        paper.lights.resize(static_cast<std::size_t>(1 + round % 6));
+        for (PaperLight& light : paper.lights) {
+          light.conserve_energy = round % 4 > 1 && &light != &paper.lights[0];
           light.position = random.point(4.0);
           light.intensity = glm::dvec3(1.0, 2.0, 0.5);
           light.h_min = 1e-3;
@@ -118,9 +123,9 @@ TEST(Kernels, PaperAirlightAgreesWithDouble) {
         const TileRays rays{eye, directions, lengths};
         std::vector<glm::vec3> fast(50), plain(50);
         std::vector<double> fast_depth(50), plain_depth(50);
-        paper_airlight(index, all, lights, rays, Settings::Arithmetic::simd_float,
+        paper_airlight(index, all, paper, rays, Settings::Arithmetic::simd_float,
                        {fast, fast_depth});
-        paper_airlight(index, all, lights, rays, Settings::Arithmetic::plain_double,
+        paper_airlight(index, all, paper, rays, Settings::Arithmetic::plain_double,
                        {plain, plain_depth});
         for (std::size_t k = 0; k < 50; ++k) {
           ASSERT_NEAR(fast_depth[k], plain_depth[k], r.tolerance * plain_depth[k] + 1e-6);

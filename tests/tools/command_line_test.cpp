@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/io/gaussian_file.h"
 #include "core/io/image_file.h"
@@ -158,6 +159,25 @@ TEST_F(CommandLine, RendersAllLayersToExr) {
     EXPECT_EQ(image.metadata.at("brume:backend"), "cpu");
     // OpenEXR reserves this name for an int.
     EXPECT_FALSE(image.metadata.contains("version"));
+  }
+}
+
+TEST_F(CommandLine, TakesTheOptionsOfPaper) {
+  const std::map<std::string, std::vector<std::string>> cases{
+      {"paper", {}},
+      {"paper+mean", {"--paper-mean"}},
+      {"paper+energy", {"--paper-energy"}},
+      {"paper+mean+energy", {"--paper-energy", "--paper-mean"}}};
+  std::set<std::vector<float>> pictures;
+  for (const auto& [name, options] : cases) {
+    std::vector<std::string> arguments{"render",      scene_,       "-o",
+                                       file("o.exr"), "--airlight", "paper"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramResult result = run_brume(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const ImageLayers image = read_exr(folder_ / "o.exr");
+    EXPECT_EQ(image.metadata.at("brume:airlight"), name);
+    EXPECT_TRUE(pictures.insert(image.channels.at("airlight.R")).second) << name;
   }
 }
 

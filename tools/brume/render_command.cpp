@@ -81,6 +81,10 @@ class RenderCommand final : public Command {
     app.add_option("--slices", slices_, "of sliced, per ray through the medium")
         ->check(finite_in(4, 256))
         ->capture_default_str();
+    app.add_flag("--paper-mean", paper_.at_mean,
+                 "paper: takes light at the mean of a Gaussian on the ray");
+    app.add_flag("--paper-energy", paper_.conserve_energy,
+                 "paper: scales a ray's airlight to what the ray takes away");
     app.add_option("--max-error", max_error_, "the relative RMSE of the airlight that auto keeps")
         ->check(finite_in(1e-4, 10.0))
         ->capture_default_str();
@@ -103,6 +107,7 @@ class RenderCommand final : public Command {
   ExitCode run() override {
     Settings settings = sliced_settings({}, slices_);
     const bool is_chosen = take_airlight(airlight_, settings);
+    settings.paper = paper_;
     settings.reference_tolerance = tolerance_;
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
@@ -192,6 +197,7 @@ class RenderCommand final : public Command {
   std::string output_;
   std::string size_;
   std::string airlight_ = "auto";
+  PaperOptions paper_;
   double max_error_ = 0.02;
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
