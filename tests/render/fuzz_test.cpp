@@ -1,0 +1,121 @@
+// Ten thousand random scenes: whatever the scene and the method, every value of every layer keeps
+// the frame's promise. A failure names its seed; BRUME_FUZZ_SEED=n runs that scene alone.
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <bit>
+#include <cstdlib>
+#include <mutex>
+
+#include "tests/render/random_scene.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+// By its bits, whatever the compiler makes of comparisons with NaN.
+bool is_finite(float x) {
+  return (std::bit_cast<std::uint32_t>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+bool is_distance(float x) {
+  return std::bit_cast<std::uint32_t>(x) == 0x7f800000u || (is_finite(x) && x >= 0.0f);
+}
+
+std::string value_at(const char* layer, std::size_t i, float x) {
+  return std::string(layer) + "[" + std::to_string(i) + "] = " + std::to_string(x);
+}
+
+// What breaks the frame's promise first, or nothing.
+std::string broken_promise(const Frame& frame) {
+  for (std::size_t i = 0; i < frame.beauty.size(); ++i) {
+    const float x = frame.beauty[i];
+    const float most = i % 4 == 3 ? 1.0f : std::numeric_limits<float>::max();
+    if (!is_finite(x) || !(x >= 0.0f && x <= most)) return value_at("beauty", i, x);
+  }
+  for (std::size_t i = 0; i < frame.airlight.size(); ++i) {
+    const float x = frame.airlight[i];
+    if (!is_finite(x) || !(x >= 0.0f)) return value_at("airlight", i, x);
+  }
+  for (std::size_t i = 0; i < frame.transmittance.size(); ++i) {
+    const float x = frame.transmittance[i];
+    if (!is_finite(x) || !(x >= 0.0f && x <= 1.0f)) return value_at("transmittance", i, x);
+  }
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (!is_distance(frame.depth[i])) return value_at("depth", i, frame.depth[i]);
+  }
+  return {};
+}
+
+Settings on_one_thread(AirlightMethod method) {
+  Settings settings;
+  settings.airlight = method;
+  settings.threads = 1;  // scenes run side by side
+  return settings;
+}
+
+// What takes a fraction of a millisecond on a scene of a few pixels.
+std::vector<Settings> fast_methods(unsigned seed) {
+  const Settings paper = on_one_thread(AirlightMethod::paper);
+  Settings improved = paper;
+  improved.paper = {.at_mean = true, .conserve_energy = true};
+  Settings sliced = on_one_thread(AirlightMethod::sliced);
+  sliced.slices = 4 + static_cast<int>(seed % 13);
+  sliced.light_table = {8, 4};
+  sliced.shadow_cells = 16;
+  Settings march = on_one_thread(AirlightMethod::march);
+  march.march_steps = 1 + static_cast<int>(seed % 7);
+  return {paper, improved, sliced, march};
+}
+
+// What takes adaptive quadrature.
+std::vector<Settings> slow_methods(unsigned) {
+  Settings plain = on_one_thread(AirlightMethod::paper);
+  plain.arithmetic = Settings::Arithmetic::plain_double;
+  Settings improved = plain;
+  improved.paper = {.at_mean = true, .conserve_energy = true};
+  return {plain, improved, on_one_thread(AirlightMethod::reference)};
+}
+
+std::string broken_promise(unsigned seed, std::span<const Settings> methods) {
+  const Scene scene = random_scene(seed);
+  for (const Settings& settings : methods) {
+    const std::string broken = broken_promise(render_frame(scene, settings));
+    if (!broken.empty()) {
+      return "BRUME_FUZZ_SEED=" + std::to_string(seed) + " " + airlight_name(settings) +
+             (settings.arithmetic == Settings::Arithmetic::plain_double ? " in double" : "") +
+             ": " + broken;
+    }
+  }
+  return {};
+}
+
+template <class MethodsOf>
+void run_scenes(unsigned first, unsigned count, MethodsOf methods_of) {
+  if (const char* one = std::getenv("BRUME_FUZZ_SEED")) {
+    first = static_cast<unsigned>(std::stoul(one));
+    count = 1;
+  }
+  std::mutex mutex;
+  std::vector<std::string> failures;
+  tbb::parallel_for(first, first + count, [&](unsigned seed) {
+    const std::string broken = broken_promise(seed, methods_of(seed));
+    if (broken.empty()) return;
+    const std::scoped_lock lock(mutex);
+    failures.push_back(broken);
+  });
+  std::sort(failures.begin(), failures.end());
+  for (const std::string& failure : failures) ADD_FAILURE() << failure;
+}
+
+TEST(Fuzz, FramesAreFiniteAndInTheirBounds) {
+  run_scenes(1, 10'000, fast_methods);
+}
+
+TEST(Fuzz, FramesInDoubleAreFiniteAndInTheirBounds) {
+  run_scenes(10'001, 250, slow_methods);
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,136 @@
+#include "tests/render/random_scene.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/scene/mesh.h"
+#include "tests/random.h"
+
+namespace brume {
+namespace {
+
+class RandomScene {
+ public:
+  explicit RandomScene(unsigned seed) : random_(seed) {}
+
+  Scene make() {
+    if (one_in(3)) origin_ = random_.point(1.0) * random_.power(2, one_in(10) ? 12 : 6);
+    spread_ = one_in(4) ? random_.power(-3, 4) : 1.0;
+    scene_.film = {whole(1, 12), whole(1, 8)};
+    add_camera();
+    for (int i = whole(0, 3); i > 0; --i) add_surface();
+    for (int i = whole(0, one_in(3) ? 40 : 5); i > 0; --i) add_gaussian();
+    for (int i = whole(0, 6); i > 0; --i) add_light();
+    if (one_in(3)) scene_.medium.set_homogeneous_density(spread(random_.power(-3, 1), -9, 9));
+    if (one_in(3)) scene_.optics.anisotropy = random_.uniform(-0.95, 0.95);
+    if (one_in(8)) scene_.optics.anisotropy = one_in(2) ? 0.95 : -0.95;
+    if (one_in(4)) scene_.optics.albedo = {albedo(), albedo(), albedo()};
+    if (one_in(8)) scene_.optics.albedo = glm::dvec3(albedo());
+    return std::move(scene_);
+  }
+
+ private:
+  int whole(int least, int greatest) {
+    return least + static_cast<int>(random_.uniform(0.0, greatest - least + 1));
+  }
+  bool one_in(int n) { return whole(1, n) == 1; }
+  // Mostly `ordinary`, at times any power of ten in the range.
+  double spread(double ordinary, double low, double high) {
+    return one_in(4) ? random_.power(low, high) : ordinary;
+  }
+  double albedo() { return one_in(6) ? 1e-6 : one_in(4) ? 1.0 : random_.uniform(0.01, 1.0); }
+
+  glm::dvec3 point() {
+    const glm::dvec3 p = random_.point(2.0 * spread_);
+    return origin_ + (one_in(20) ? p * random_.power(0, 6) : p);
+  }
+
+  // A point where something else is, or any.
+  glm::dvec3 place() {
+    const Medium& medium = scene_.medium;
+    if (one_in(8)) return scene_.camera.eye;
+    if (one_in(8)) return scene_.camera.target;  // a view ray goes through it if sides are odd
+    if (one_in(6) && !medium.empty()) {
+      return medium
+          .centers()[static_cast<std::size_t>(whole(0, static_cast<int>(medium.size()) - 1))];
+    }
+    if (one_in(6) && !scene_.lights.empty()) return scene_.lights.back().position;
+    if (one_in(6) && !corners_.empty()) {
+      return corners_[static_cast<std::size_t>(whole(0, static_cast<int>(corners_.size()) - 1))];
+    }
+    if (one_in(8) && corners_.size() > 2) return (corners_[0] + corners_[1] + corners_[2]) / 3.0;
+    return point();
+  }
+
+  void add_camera() {
+    Camera& camera = scene_.camera;
+    camera.eye = point();
+    do camera.target = point();
+    while (!(glm::length(camera.target - camera.eye) > 0.0));
+    if (one_in(3)) camera.up = random_.point(1.0) + glm::dvec3(0, 1e-3, 0);
+    if (one_in(8)) camera.up = camera.target - camera.eye;
+    camera.vertical_fov = one_in(8) ? 179.9 : one_in(8) ? 1e-3 : random_.uniform(1.0, 120.0);
+  }
+
+  void add_gaussian() {
+    Gaussian g;
+    g.center = place();
+    g.radius = spread_ * spread(random_.power(-1, 0.5), -9, 9);
+    g.density = one_in(10) ? 0.0 : spread(random_.power(-1, 1) / g.radius, -6, 6);
+    scene_.medium.append(g);
+  }
+
+  void add_light() {
+    PointLight light;
+    light.position = place();
+    const auto channel = [&] { return one_in(5) ? 0.0 : spread(random_.power(0, 2), -20, 20); };
+    light.intensity.x = channel();
+    light.intensity.y = channel();
+    light.intensity.z = channel();
+    light.on = !one_in(10);
+    scene_.lights.push_back(light);
+  }
+
+  // A few triangles with any normals, some of no area.
+  void add_surface() {
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->request_vertex_normals();
+    Surface surface;
+    surface.translate = point();
+    surface.scale = spread_ * spread(1.0, -9, 9);
+    for (int i = whole(1, 4); i > 0; --i) {
+      const bool is_flat = one_in(8);
+      const glm::dvec3 a = random_.point(2.0);
+      const glm::dvec3 ab = random_.point(2.0);
+      const glm::dvec3 ac = is_flat ? 0.5 * ab : random_.point(2.0);
+      std::vector<TriangleMesh::VertexHandle> corners;
+      for (const glm::dvec3& p : {a, a + ab, a + ac}) {
+        corners.push_back(mesh->add_vertex(OpenMesh::Vec3f(
+            static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z))));
+        glm::dvec3 n = glm::normalize(random_.point(1.0) + glm::dvec3(0, 0, 1e-3));
+        if (one_in(20)) n = glm::dvec3(0.0);
+        mesh->set_normal(corners.back(), {static_cast<float>(n.x), static_cast<float>(n.y),
+                                          static_cast<float>(n.z)});
+        corners_.push_back(surface.translate + surface.scale * p);
+      }
+      mesh->add_face(corners);
+    }
+    surface.mesh = mesh;
+    surface.material.reflectance = {random_.uniform(0, 1), one_in(3) ? 0.0 : 1.0, 0.5};
+    scene_.surfaces.push_back(surface);
+  }
+
+  Random random_;
+  glm::dvec3 origin_{0.0};
+  double spread_ = 1.0;  // of the scene [u]
+  Scene scene_;
+  std::vector<glm::dvec3> corners_;  // of the triangles
+};
+
+}  // namespace
+
+Scene random_scene(unsigned seed) {
+  return RandomScene(seed).make();
+}
+
+}  // namespace brume
