@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "core/math/spherical_harmonics.h"
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
 #include "render/cpu/kernels.h"
@@ -151,6 +152,7 @@ std::map<std::string, Quantity<Real>> quantities() {
          const auto g = gaussian<Real>(in["g"]);
          return R{truncated_mean(g, line_profile(g, ray.v, ray.w), ray.d)};
        }},
+      {"sh_triple", [](const Json& in) { return R{Real(sh_triple(in["i"], in["j"], in["k"]))}; }},
       {"cull",
        [](const Json& in) {
          // Culling bounds are made once per Gaussian and always in double.

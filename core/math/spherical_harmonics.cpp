@@ -1,0 +1,171 @@
+#include "core/math/spherical_harmonics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/math/sphere_rule.h"
+
+namespace brume {
+namespace {
+
+constexpr auto bands = static_cast<std::size_t>(sh_most_bands);
+
+// The fully normalised associated Legendre functions over sin^m, q_lm(z), obey
+//   q_00 = 1 / sqrt(4 pi),  q_mm = start[m] q_m-1,m-1,
+//   q_lm = up[l][m] (z q_l-1,m - down[l][m] q_l-2,m).
+// `start` has the factor sqrt(2) of the real harmonics with m != 0 in it.
+struct Recurrence {
+  std::array<double, bands> start{};
+  std::array<std::array<double, bands>, bands> up{};
+  std::array<std::array<double, bands>, bands> down{};
+
+  Recurrence() {
+    for (std::size_t m = 1; m < bands; ++m) {
+      const auto mm = static_cast<double>(m);
+      start[m] = std::sqrt((m == 1 ? 2.0 : 1.0) * (2.0 * mm + 1.0) / (2.0 * mm));
+    }
+    for (std::size_t l = 1; l < bands; ++l) {
+      for (std::size_t m = 0; m < l; ++m) {
+        const auto l2 = static_cast<double>(l * l);
+        const auto k2 = static_cast<double>((l - 1) * (l - 1));
+        const auto m2 = static_cast<double>(m * m);
+        up[l][m] = std::sqrt((4.0 * l2 - 1.0) / (l2 - m2));
+        down[l][m] = std::sqrt((k2 - m2) / (4.0 * k2 - 1.0));
+      }
+    }
+  }
+};
+
+}  // namespace
+
+template <class Real>
+ShVector<Real> sh_basis(int order, const glm::vec<3, Real, glm::defaultp>& d) {
+  static const Recurrence recurrence;
+  ShVector<Real> y(order);
+  Real c = 1;  // sin^m(theta) cos(m phi) and sin^m(theta) sin(m phi)
+  Real s = 0;
+  Real first = Real(0.5) * std::numbers::inv_sqrtpi_v<Real>;  // q_mm
+  for (int m = 0; m < order; ++m) {
+    const auto column = static_cast<std::size_t>(m);
+    if (m > 0) {
+      first *= static_cast<Real>(recurrence.start[column]);
+      const Real turned = c * d.x - s * d.y;
+      s = s * d.x + c * d.y;
+      c = turned;
+    }
+    Real q = first;
+    Real below = 0;
+    for (int l = m; l < order; ++l) {
+      const auto row = static_cast<std::size_t>(l);
+      if (l > m) {
+        const Real next = static_cast<Real>(recurrence.up[row][column]) *
+                          (d.z * q - static_cast<Real>(recurrence.down[row][column]) * below);
+        below = q;
+        q = next;
+      }
+      y[sh_index(l, m)] = q * c;
+      if (m > 0) y[sh_index(l, -m)] = q * s;
+    }
+  }
+  return y;
+}
+
+template <class Value>
+Value sh_evaluate(const ShVector<Value>& f, const glm::dvec3& direction) {
+  const ShVector<double> y = sh_basis(f.order(), direction);
+  Value sum(0);
+  for (std::size_t i = 0; i < f.size(); ++i) sum += f[i] * y[i];
+  return sum;
+}
+
+template <class Value>
+ShVector<Value> sh_rotate(const ShVector<Value>& f, const glm::dquat& q) {
+  // The turned function has no more bands than f, so a quadrature projects it exactly.
+  static const std::vector<SphereNode> rule = sphere_rule(2 * (sh_most_bands - 1));
+  const glm::dquat back = glm::conjugate(q);
+  ShVector<Value> result(f.order());
+  for (const SphereNode& node : rule) {
+    const Value value = node.weight * sh_evaluate(f, back * node.direction);
+    const ShVector<double> y = sh_basis(f.order(), node.direction);
+    for (std::size_t i = 0; i < f.size(); ++i) result[i] += y[i] * value;
+  }
+  return result;
+}
+
+namespace {
+
+// By a quadrature that is exact for products of three harmonics.
+std::vector<ShTriple> all_triples() {
+  constexpr std::size_t size = sh_size(sh_most_bands);
+  constexpr double rounding = 1e-13;  // values that are not zero are above 1e-2
+  std::vector<ShVector<double>> y;
+  const std::vector<SphereNode> rule = sphere_rule(3 * (sh_most_bands - 1));
+  for (const SphereNode& node : rule) y.push_back(sh_basis(sh_most_bands, node.direction));
+  std::vector<ShTriple> triples;
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      for (std::size_t k = 0; k < size; ++k) {
+        double sum = 0.0;
+        for (std::size_t n = 0; n < rule.size(); ++n) {
+          sum += rule[n].weight * y[n][i] * y[n][j] * y[n][k];
+        }
+        if (std::abs(sum) < rounding) continue;
+        triples.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j),
+                           static_cast<std::uint8_t>(k), sum});
+      }
+    }
+  }
+  return triples;
+}
+
+using TriplesByOrder = std::array<std::vector<ShTriple>, bands + 1>;
+
+TriplesByOrder triples_by_order() {
+  TriplesByOrder lists;
+  for (const ShTriple& triple : all_triples()) {
+    const auto greatest = static_cast<std::size_t>(std::max({triple.i, triple.j, triple.k}));
+    for (std::size_t order = 1; order <= bands; ++order) {
+      if (greatest < order * order) lists[order].push_back(triple);
+    }
+  }
+  return lists;
+}
+
+}  // namespace
+
+std::span<const ShTriple> sh_triples(int order) {
+  assert(1 <= order && order <= sh_most_bands);
+  static const TriplesByOrder lists = triples_by_order();
+  return lists[static_cast<std::size_t>(order)];
+}
+
+double sh_triple(std::size_t i, std::size_t j, std::size_t k) {
+  for (const ShTriple& triple : sh_triples(sh_most_bands)) {
+    if (triple.i == i && triple.j == j && triple.k == k) return triple.value;
+  }
+  return 0.0;
+}
+
+template <class Value>
+ShVector<Value> sh_product(const ShVector<Value>& f, const ShVector<double>& g) {
+  assert(f.order() == g.order());
+  ShVector<Value> result(f.order());
+  if (f.order() == 0) return result;
+  for (const ShTriple& triple : sh_triples(f.order())) {
+    result[triple.k] += triple.value * g[triple.j] * f[triple.i];
+  }
+  return result;
+}
+
+template ShVector<double> sh_basis(int, const glm::dvec3&);
+template ShVector<float> sh_basis(int, const glm::vec3&);
+#define BRUME_SPHERICAL_HARMONICS(Value)                                         \
+  template Value sh_evaluate(const ShVector<Value>&, const glm::dvec3&);         \
+  template ShVector<Value> sh_rotate(const ShVector<Value>&, const glm::dquat&); \
+  template ShVector<Value> sh_product(const ShVector<Value>&, const ShVector<double>&);
+BRUME_SPHERICAL_HARMONICS(double)
+BRUME_SPHERICAL_HARMONICS(glm::dvec3)
+#undef BRUME_SPHERICAL_HARMONICS
+
+}  // namespace brume
