@@ -2,6 +2,7 @@
 // tol32, and at tol32 again by the SIMD kernels that frames are made with; prints "N passed,
 // N failed". Quantities that Brume does not have yet are named.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -18,8 +19,11 @@
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
+#include "core/transport/average_depth.h"
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
+#include "core/transport/incident_light.h"
+#include "core/transport/point_spread.h"
 #include "render/cpu/kernels.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/reference/airlight_integral.h"
@@ -116,6 +120,44 @@ Real paper_homogeneous(const Json& in) {
          homogeneous_airlight(real<Real>(in.at("b0")), path, ray.d);
 }
 
+// Point spread functions are tabulated, and always in double.
+template <class Real>
+ZonalSh<Real> point_spread_of(double T) {
+  const ZonalSh<double> exact = point_spread_sh(T);
+  ZonalSh<Real> result{};
+  std::transform(exact.begin(), exact.end(), result.begin(), [](double c) { return Real(c); });
+  return result;
+}
+
+template <class Real>
+std::vector<Real> first_bands(double T, const Json& order) {
+  const ZonalSh<Real> all = point_spread_of<Real>(T);
+  return {all.begin(), all.begin() + order.get<int>()};
+}
+
+template <class Real>
+std::vector<Real> coefficients(const ShVector<Real>& f) {
+  return {f.values().begin(), f.values().end()};
+}
+
+template <class Real>
+std::vector<Real> point_light(const Json& in) {
+  const auto light = point_light_sh<Real>(in["order"], glm::normalize(vec<Real>(in["dir"])),
+                                          real<Real>(in["T_sp"]), point_spread_of<Real>(1.0));
+  std::vector<Real> values = coefficients(light);
+  const Real d = real<Real>(in["d_ps"]);
+  for (Real& value : values) value *= real<Real>(in["I0"]) / (d * d);
+  return values;
+}
+
+template <class Real>
+std::vector<Real> environment(const Json& in) {
+  const Json& values = in["L"];
+  ShVector<Real> L(static_cast<int>(std::lround(std::sqrt(values.size()))));
+  for (std::size_t i = 0; i < L.size(); ++i) L[i] = real<Real>(values[i]);
+  return coefficients(environment_sh(L, real<Real>(in["Tbar"]), point_spread_of<Real>(1.0)));
+}
+
 template <class Real>
 using Quantity = std::function<std::vector<Real>(const Json&)>;
 
@@ -152,6 +194,17 @@ std::map<std::string, Quantity<Real>> quantities() {
          const auto g = gaussian<Real>(in["g"]);
          return R{truncated_mean(g, line_profile(g, ray.v, ray.w), ray.d)};
        }},
+      {"npsf", [](const Json& in) { return R{Real(point_spread(1.0, in["gamma"]))}; }},
+      {"npsf_sh", [](const Json& in) { return first_bands<Real>(1.0, in["order"]); }},
+      {"psf_sh_T", [](const Json& in) { return first_bands<Real>(in["T"], in["order"]); }},
+      {"tbar_unit", [](const Json& in) { return R{unit_average_depth(real<Real>(in["u"]))}; }},
+      {"tbar",
+       [](const Json& in) {
+         const GaussianTerm<Real> g(real<Real>(in["a"]), real<Real>(in["c"]), Vec3<Real>(0));
+         return R{average_depth(g, Vec3<Real>(real<Real>(in["dist"]), 0, 0))};
+       }},
+      {"lin_point_sh", point_light<Real>},
+      {"lin_env_sh", environment<Real>},
       {"sh_triple", [](const Json& in) { return R{Real(sh_triple(in["i"], in["j"], in["k"]))}; }},
       {"cull",
        [](const Json& in) {

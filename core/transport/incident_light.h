@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/math/spherical_harmonics.h"
+
+namespace brume {
+
+// The light that arrives at a surface point through the medium, attenuated and scattered once, as
+// spherical harmonics of the direction it comes from.
+
+// From a point light (eq. 25), per unit of its radiant intensity over the squared distance
+// I0 / d^2: e^-T (T delta * spread + delta), delta in the unit direction p -> s, T the optical
+// depth between them; spread as of PointSpreadTable or paper_point_spread_sh.
+template <class Real>
+ShVector<Real> point_light_sh(int order, const glm::vec<3, Real, glm::defaultp>& to_light, Real T,
+                              const ZonalSh<Real>& spread) {
+  const ShVector<Real> delta = sh_basis(order, to_light);
+  const ShVector<Real> scattered = sh_convolve(delta, spread);
+  const Real attenuation = std::exp(-T);
+  ShVector<Real> light(order);
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    light[i] = attenuation * (T * scattered[i] + delta[i]);
+  }
+  return light;
+}
+
+// From an environment of radiance L (eq. 27): e^-Tbar (Tbar L * spread + L), Tbar as of
+// average_depth().
+template <class Value, class Real>
+ShVector<Value> environment_sh(const ShVector<Value>& L, Real Tbar, const ZonalSh<Real>& spread) {
+  const ShVector<Value> scattered = sh_convolve(L, spread);
+  const Real attenuation = std::exp(-Tbar);
+  ShVector<Value> light(L.order());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    light[i] = attenuation * (Tbar * scattered[i] + L[i]);
+  }
+  return light;
+}
+
+}  // namespace brume
