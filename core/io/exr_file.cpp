@@ -42,10 +42,6 @@ auto guarded(const fs::path& file, Work&& work) {
   }
 }
 
-bool has_exr_magic(const fs::path& file) {
-  return read_first_bytes(file, 4) == std::string("\x76\x2f\x31\x01", 4);
-}
-
 // The first part that is an image of one value per pixel and channel.
 int first_flat_part(const fs::path& file, const Imf::MultiPartInputFile& input) {
   for (int part = 0; part < input.parts(); ++part) {
@@ -97,9 +93,13 @@ Size checked_size(const fs::path& file, const Imf::Header& header) {
 
 }  // namespace
 
+bool is_exr(const fs::path& file) {
+  return read_first_bytes(file, 4) == std::string("\x76\x2f\x31\x01", 4);
+}
+
 ImageLayers read_exr(const fs::path& file) {
   regular_file_size(file);
-  if (!has_exr_magic(file)) throw InputError(file, "header", "not an OpenEXR file");
+  if (!is_exr(file)) throw InputError(file, "header", "not an OpenEXR file");
   return guarded(file, [&] {
     Imf::MultiPartInputFile input(file.c_str());
     const int part_number = first_flat_part(file, input);
@@ -151,24 +151,6 @@ void write_exr(const fs::path& file, const ImageLayers& image) {
       output.setFrameBuffer(frame);
       output.writePixels(image.height);
     });
-  });
-}
-
-void check_radiance_map(const fs::path& file) {
-  const std::string start = read_first_bytes(file, 11);
-  if (start.starts_with("#?RADIANCE") || start.starts_with("#?RGBE")) return;
-  if (!has_exr_magic(file)) {
-    throw InputError(file, "header", "found neither an OpenEXR nor a Radiance HDR image");
-  }
-  guarded(file, [&] {
-    const Imf::MultiPartInputFile input(file.c_str());
-    const Imf::Header& header = input.header(first_flat_part(file, input));
-    checked_size(file, header);
-    for (const char* channel : {"R", "G", "B"}) {
-      if (header.channels().findChannel(channel) == nullptr) {
-        throw InputError(file, "header", std::string("there is no channel ") + channel);
-      }
-    }
   });
 }
 

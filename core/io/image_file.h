@@ -27,9 +27,8 @@ ImageLayers read_exr(const std::filesystem::path& file);
 // InputError. Every channel must have width * height values (assert).
 void write_exr(const std::filesystem::path& file, const ImageLayers& image);
 
-// Throws InputError unless the file is an image that can light a scene: OpenEXR with a sound header
-// and the channels R G B, or Radiance HDR. Reads headers only.
-void check_radiance_map(const std::filesystem::path& file);
+// Whether the file begins as an OpenEXR file does. Throws InputError where it cannot be read.
+bool is_exr(const std::filesystem::path& file);
 
 // 8-bit sRGB PNG from width * height * 3 bytes, rows from the top; metadata goes into text chunks.
 // An existing file is replaced only by a complete one. Throws InputError.

@@ -155,9 +155,9 @@ class SceneLoader {
     Environment environment;
     const JsonPlace file = object.place("file");
     environment.file = references_.resolve(context_, file, object.text("file", {}));
-    SceneReferences::check_environment(context_, file, environment.file);
     environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
     environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
+    environment.map = SceneReferences::radiance_map(context_, file, environment.file);
     environment.unknown = object.unknown();
     context_.warn(place, no_effect);
     scene_.environment = std::move(environment);

@@ -6,8 +6,8 @@
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
-#include "core/io/image_file.h"
 #include "core/io/mesh_file.h"
+#include "core/io/radiance_map_file.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
@@ -62,9 +62,10 @@ std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, con
   return at_place(context, place, [&] { return read_gaussians(file); });
 }
 
-void SceneReferences::check_environment(const JsonContext& context, const JsonPlace& place,
-                                        const fs::path& file) {
-  at_place(context, place, [&] { check_radiance_map(file); });
+std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonContext& context,
+                                                                 const JsonPlace& place,
+                                                                 const fs::path& file) {
+  return at_place(context, place, [&] { return read_radiance_map(file); });
 }
 
 // A MERL .binary: three int32, the resolution in the half and difference angles, then as many

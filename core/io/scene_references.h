@@ -26,8 +26,9 @@ class SceneReferences {
                                            const std::filesystem::path& file);
   static std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPlace& place,
                                          const std::filesystem::path& file);
-  static void check_environment(const JsonContext& context, const JsonPlace& place,
-                                const std::filesystem::path& file);
+  static std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context,
+                                                         const JsonPlace& place,
+                                                         const std::filesystem::path& file);
   static void check_measured_brdf(const JsonContext& context, const JsonPlace& place,
                                   const std::filesystem::path& file);
 

@@ -14,6 +14,7 @@
 
 namespace brume {
 
+struct RadianceMap;
 struct TriangleMesh;
 
 // Objects of a scene file may hold keys that this version does not know. Each such object here
@@ -30,9 +31,11 @@ struct PointLight {
   bool operator==(const PointLight&) const = default;
 };
 
-// A latitude-longitude radiance map around the scene; rotation about +y in degrees.
+// A latitude-longitude radiance map around the scene; rotation about +y in degrees. Its light is
+// in core/scene/environment.h.
 struct Environment {
   std::filesystem::path file;
+  std::shared_ptr<const RadianceMap> map;  // never null in a loaded scene
   double intensity = 1.0;
   double rotation = 0.0;
   UnknownKeys unknown;

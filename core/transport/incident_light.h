@@ -11,8 +11,8 @@ namespace brume {
 // I0 / d^2: e^-T (T delta * spread + delta), delta in the unit direction p -> s, T the optical
 // depth between them; spread as of PointSpreadTable or paper_point_spread_sh.
 template <class Real>
-ShVector<Real> point_light_sh(int order, const glm::vec<3, Real, glm::defaultp>& to_light, Real T,
-                              const ZonalSh<Real>& spread) {
+ShVector<Real> incident_point_light(int order, const glm::vec<3, Real, glm::defaultp>& to_light,
+                                    Real T, const ZonalSh<Real>& spread) {
   const ShVector<Real> delta = sh_basis(order, to_light);
   const ShVector<Real> scattered = sh_convolve(delta, spread);
   const Real attenuation = std::exp(-T);
@@ -26,7 +26,8 @@ ShVector<Real> point_light_sh(int order, const glm::vec<3, Real, glm::defaultp>&
 // From an environment of radiance L (eq. 27): e^-Tbar (Tbar L * spread + L), Tbar as of
 // average_depth().
 template <class Value, class Real>
-ShVector<Value> environment_sh(const ShVector<Value>& L, Real Tbar, const ZonalSh<Real>& spread) {
+ShVector<Value> incident_environment(const ShVector<Value>& L, Real Tbar,
+                                     const ZonalSh<Real>& spread) {
   const ShVector<Value> scattered = sh_convolve(L, spread);
   const Real attenuation = std::exp(-Tbar);
   ShVector<Value> light(L.order());

@@ -129,7 +129,7 @@ TEST(IncidentLight, OfAConstantEnvironmentIsTheSameFromEverywhere) {
   L[0] = glm::dvec3(1, 2, 3) * std::sqrt(4 * std::numbers::pi);
   const double T = 0.7;
   const ZonalSh<double> spread = PointSpreadTable::shared()(T);
-  const ShVector<glm::dvec3> light = environment_sh(L, T, spread);
+  const ShVector<glm::dvec3> light = incident_environment(L, T, spread);
   const double mass = spread[0] * std::sqrt(4 * std::numbers::pi);  // integral of the spread
   const double radiance = std::exp(-T) * (T * mass + 1.0);
   EXPECT_NEAR(sh_evaluate(light, glm::dvec3(0, 1, 0)).y, 2.0 * radiance, 1e-12);

@@ -142,8 +142,8 @@ std::vector<Real> coefficients(const ShVector<Real>& f) {
 
 template <class Real>
 std::vector<Real> point_light(const Json& in) {
-  const auto light = point_light_sh<Real>(in["order"], glm::normalize(vec<Real>(in["dir"])),
-                                          real<Real>(in["T_sp"]), point_spread_of<Real>(1.0));
+  const auto light = incident_point_light<Real>(in["order"], glm::normalize(vec<Real>(in["dir"])),
+                                                real<Real>(in["T_sp"]), point_spread_of<Real>(1.0));
   std::vector<Real> values = coefficients(light);
   const Real d = real<Real>(in["d_ps"]);
   for (Real& value : values) value *= real<Real>(in["I0"]) / (d * d);
@@ -155,7 +155,7 @@ std::vector<Real> environment(const Json& in) {
   const Json& values = in["L"];
   ShVector<Real> L(static_cast<int>(std::lround(std::sqrt(values.size()))));
   for (std::size_t i = 0; i < L.size(); ++i) L[i] = real<Real>(values[i]);
-  return coefficients(environment_sh(L, real<Real>(in["Tbar"]), point_spread_of<Real>(1.0)));
+  return coefficients(incident_environment(L, real<Real>(in["Tbar"]), point_spread_of<Real>(1.0)));
 }
 
 template <class Real>

@@ -144,19 +144,6 @@ TEST(ExrFile, KeepsTheOldFileWhenWritingFails) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
-TEST(RadianceMap, KnowsWhatCanLightAScene) {
-  const TemporaryFolder folder;
-  ImageLayers image = some_image();
-  write_exr(folder / "no_blue.exr", image);
-  image.channels["B"] = image.channels["G"];
-  write_exr(folder / "sky.exr", image);
-  EXPECT_NO_THROW(check_radiance_map(folder / "sky.exr"));
-  EXPECT_NO_THROW(check_radiance_map(folder.write("sky.hdr", "#?RADIANCE\nFORMAT=32-bit_rle\n")));
-  EXPECT_TRUE(contains(error_of([&] { check_radiance_map(folder / "no_blue.exr"); }), "channel B"));
-  EXPECT_TRUE(contains(error_of([&] { check_radiance_map(folder.write("not.exr", "PNG")); }),
-                       "neither an OpenEXR"));
-}
-
 TEST(PngFile, HoldsThePixelsAndTheText) {
   const TemporaryFolder folder;
   std::vector<std::uint8_t> rgb;
