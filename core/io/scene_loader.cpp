@@ -206,17 +206,13 @@ class SceneLoader {
     if (material.type == Material::Type::measured) {
       const JsonPlace file = object.place("file");
       material.file = references_.resolve(context_, file, object.text("file", {}));
-      SceneReferences::check_measured_brdf(context_, file, material.file);
+      material.measured = references_.measured_brdf(context_, file, material.file);
     } else {
       material.reflectance = object.vector("reflectance", domain::unit, material.reflectance);
     }
     if (material.type == Material::Type::phong) {
       material.specular = object.vector("specular", domain::unit, material.specular);
       material.exponent = object.number("exponent", domain::not_negative, material.exponent);
-    }
-    if (material.type != Material::Type::diffuse) {
-      context_.warn(object.place("type"),
-                    std::string("a material other than diffuse ") + no_effect);
     }
     material.unknown = object.unknown();
     return material;

@@ -1,11 +1,11 @@
 #include "core/io/scene_references.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
+#include "core/io/merl_file.h"
 #include "core/io/mesh_file.h"
 #include "core/io/radiance_map_file.h"
 #include "core/io/text_scanner.h"
@@ -68,28 +68,12 @@ std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonConte
   return at_place(context, place, [&] { return read_radiance_map(file); });
 }
 
-// A MERL .binary: three int32, the resolution in the half and difference angles, then as many
-// doubles for each of red, green and blue.
-void SceneReferences::check_measured_brdf(const JsonContext& context, const JsonPlace& place,
-                                          const fs::path& file) {
-  constexpr std::int64_t samples = 90 * 90 * 180;
-  constexpr std::uintmax_t size = 12 + 3 * sizeof(double) * samples;
-  at_place(context, place, [&] {
-    const std::string header = read_first_bytes(file, 12);
-    std::int32_t dims[3] = {0, 0, 0};
-    if (header.size() == 12) std::memcpy(dims, header.data(), 12);
-    if (dims[0] != 90 || dims[1] != 90 || dims[2] != 180) {
-      throw InputError(file, "header",
-                       "found the dimensions " + std::to_string(dims[0]) + " x " +
-                           std::to_string(dims[1]) + " x " + std::to_string(dims[2]) +
-                           "; allowed: 90 x 90 x 180, a MERL .binary");
-    }
-    if (const std::uintmax_t found = regular_file_size(file); found != size) {
-      throw InputError(file, "",
-                       "found " + std::to_string(found) + " bytes; allowed: " +
-                           std::to_string(size) + ", the size of a MERL .binary");
-    }
-  });
+std::shared_ptr<const MeasuredBrdf> SceneReferences::measured_brdf(const JsonContext& context,
+                                                                   const JsonPlace& place,
+                                                                   const fs::path& file) {
+  std::shared_ptr<const MeasuredBrdf>& measured = measured_[file];
+  if (!measured) measured = at_place(context, place, [&] { return read_merl(file); });
+  return measured;
 }
 
 std::string SceneReferences::text_for(const fs::path& file, const fs::path& directory) {

@@ -21,16 +21,17 @@ class SceneReferences {
   std::filesystem::path resolve(const JsonContext& context, const JsonPlace& place,
                                 const std::string& text) const;
 
-  // Meshes are read once and shared.
+  // Meshes and measured BRDFs are read once and shared.
   std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPlace& place,
                                            const std::filesystem::path& file);
+  std::shared_ptr<const MeasuredBrdf> measured_brdf(const JsonContext& context,
+                                                    const JsonPlace& place,
+                                                    const std::filesystem::path& file);
   static std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPlace& place,
                                          const std::filesystem::path& file);
   static std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context,
                                                          const JsonPlace& place,
                                                          const std::filesystem::path& file);
-  static void check_measured_brdf(const JsonContext& context, const JsonPlace& place,
-                                  const std::filesystem::path& file);
 
   // How a scene file in `directory` refers to `file`: relative where it can.
   static std::string text_for(const std::filesystem::path& file,
@@ -40,6 +41,7 @@ class SceneReferences {
   std::filesystem::path scene_file_;
   std::filesystem::path directory_;
   std::map<std::filesystem::path, std::shared_ptr<const TriangleMesh>> meshes_;
+  std::map<std::filesystem::path, std::shared_ptr<const MeasuredBrdf>> measured_;
 };
 
 }  // namespace brume

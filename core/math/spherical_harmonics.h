@@ -59,6 +59,15 @@ ShVector<Real> sh_basis(int order, const glm::vec<3, Real, glm::defaultp>& direc
 template <class Value>
 Value sh_evaluate(const ShVector<Value>& f, const glm::dvec3& direction);
 
+// The integral of the product of two functions over the sphere.
+template <class Value, class Real>
+Value sh_dot(const ShVector<Value>& f, const ShVector<Real>& g) {
+  assert(f.order() == g.order());
+  Value sum(0);
+  for (std::size_t i = 0; i < f.size(); ++i) sum += f[i] * g[i];
+  return sum;
+}
+
 // The spherical convolution f * g with a zonal kernel: coefficient l, m is
 // sqrt(4 pi / (2 l + 1)) g_l f_lm.
 template <class Value, class Real>

@@ -14,6 +14,7 @@
 
 namespace brume {
 
+class MeasuredBrdf;
 struct RadianceMap;
 struct TriangleMesh;
 
@@ -43,6 +44,7 @@ struct Environment {
   bool operator==(const Environment&) const = default;
 };
 
+// What a surface does with light; core/scene/brdf.h evaluates it.
 struct Material {
   enum class Type { diffuse, phong, measured };
   Type type = Type::diffuse;
@@ -50,6 +52,7 @@ struct Material {
   glm::dvec3 specular{0.0};     // phong only, RGB in [0, 1]
   double exponent = 1.0;        // phong only, >= 0
   std::filesystem::path file;   // measured only: a MERL .binary
+  std::shared_ptr<const MeasuredBrdf> measured;  // what is in it; never null in a loaded scene
   UnknownKeys unknown;
 
   bool operator==(const Material&) const = default;

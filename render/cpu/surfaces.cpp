@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "core/scene/brdf.h"
 #include "render/cpu/path_depths.h"
 
 namespace brume {
@@ -42,7 +42,9 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
       const double distance = glm::length(light.position - ends[k]);
       const double depth = depths[k] + medium.homogeneous_density() * distance;
       const double irradiance = cosine[k] * std::exp(-depth) / (distance * distance);
-      radiance[lit[k]] += points[lit[k]].surface->material.reflectance * std::numbers::inv_pi *
+      const SurfacePoint& point = points[lit[k]];
+      const glm::dvec3 wi = (light.position - point.position) / distance;
+      radiance[lit[k]] += brdf(point.surface->material, wi, point.to_eye, point.normal) *
                           light.intensity * irradiance;
     }
   }

@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// The light that surfaces send to the eye: diffuse reflection of point lights, with cast shadows
+// The light that surfaces send to the eye: reflection of point lights by brdf(), with cast shadows
 // and with the medium's attenuation exp(-T(s, p)) on the way from the light. What the medium takes
 // between surface and eye is left to the compositing (eq. 29).
 

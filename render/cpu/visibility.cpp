@@ -159,6 +159,7 @@ SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
                                std::span<const Surface> surfaces) const {
   SurfacePoint result;
   result.position = origin + hit.distance * direction;
+  result.to_eye = -direction;
   result.surface = &surfaces[static_cast<std::size_t>(hit.surface)];
   const Surface& surface = *result.surface;
   const glm::uvec3 corners = impl_->triangles[static_cast<std::size_t>(hit.surface)][hit.triangle];

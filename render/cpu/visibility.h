@@ -24,6 +24,7 @@ struct SurfaceHit {
 struct SurfacePoint {
   glm::dvec3 position{0.0};
   glm::dvec3 normal{0.0};  // unit, interpolated, on the side that is seen
+  glm::dvec3 to_eye{0.0};  // unit
   // Where shadow rays start: off the triangle by a few roundings of float, and out to the smooth
   // surface that the normals describe, so that coarse triangles cast no shadow on themselves
   // (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021).

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "core/math/spherical_harmonics.h"
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// How a material reflects light that comes from the unit direction wi towards the unit direction
+// wo, at the unit normal n [1/sr]; all three leave the surface. 0 for light from behind. wo may be
+// a little behind the surface, as interpolated normals have it.
+//   diffuse    reflectance / pi
+//   phong      reflectance / pi + specular (e + 2) / (2 pi) max(0, r.wo)^e, r being wi mirrored at
+//              n: the specular part reflects `specular` at normal incidence, and less at others
+//              (Lafortune and Willems 1994)
+//   measured   MeasuredBrdf
+glm::dvec3 brdf(const Material& material, const glm::dvec3& wi, const glm::dvec3& wo,
+                const glm::dvec3& n);
+
+// The frame of a surface point: turns +z to the normal, and the half plane of +x to the side of wo.
+glm::dquat surface_frame(const glm::dvec3& n, const glm::dvec3& wo);
+
+// f(wi, wo) max(0, cos theta_i) as spherical harmonics of wi in surface_frame(), for every polar
+// angle of wo: the B of eq. 23. Light L in the same frame leaves towards wo as sh_dot(L, B).
+class BrdfSh {
+ public:
+  // Some 10 ms for what is not diffuse.
+  BrdfSh(const Material& material, int order);
+
+  // cos_theta_o in [-1, 1]; below 0 as at 0. Linear between rows of 1.4 degrees.
+  [[nodiscard]] ShVector<glm::dvec3> operator()(double cos_theta_o) const;
+
+ private:
+  std::vector<ShVector<glm::dvec3>> rows_;  // polar angles 0 to pi/2; one row for a diffuse one
+};
+
+// The m = 0 coefficients of max(0, cos theta): sh_convolve() with them makes irradiance of light.
+ZonalSh<double> clamped_cosine_sh();
+
+}  // namespace brume
