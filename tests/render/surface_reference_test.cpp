@@ -205,6 +205,30 @@ TEST(SurfaceReference, ErrorFallsWithTheRootOfTheSamples) {
   EXPECT_NEAR(rms[0] / rms[1], 4.0, 1.0) << "16 times the samples";
 }
 
+TEST(SurfaceReference, AFrameReflectsPointLightsTheSameWay) {
+  Scene scene;
+  scene.film = {1, 1};
+  scene.camera = {{0.5, 0.1, 2}, {0, 0, 0}, {0, 1, 0}, 1.0};
+  scene.lights.push_back({{-0.5, 0.0, 2}, {3, 3, 3}, {}});
+  scene.surfaces = {wall(0.0, 1.0, 0.2)};
+  Material& material = scene.surfaces[0].material;
+  material.type = Material::Type::phong;
+  material.specular = {0.1, 0.4, 0.7};
+  material.exponent = 40.0;
+  const Visibility visibility(scene.surfaces);
+  const glm::dvec3 w = glm::normalize(scene.camera.target - scene.camera.eye);
+  const SurfaceHit hit = visibility.first_hit(scene.camera.eye, w);
+  ASSERT_TRUE(hit);
+  const SurfacePoint point = visibility.point(hit, scene.camera.eye, w, scene.surfaces);
+  const glm::dvec3 truth = reflected_light(scene, visibility, point, {.samples = 2}).attenuated;
+  const Frame frame = render_frame(scene, Settings{});
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(static_cast<double>(frame.beauty[static_cast<std::size_t>(c)]), truth[c],
+                1e-5 * truth[c]);
+  }
+  EXPECT_GT(truth.z, 5.0 * truth.x) << "a highlight";
+}
+
 // The light that the model of eq. 25 scatters onto a diffuse ball, beside the reference; the light
 // is at distance 1 and so depth T. With the exact spread for T what is left is that six bands are
 // not sharp; with the paper's, which is that of depth 1, T decides.
