@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -27,6 +29,7 @@ struct FrameStatistics {
   std::vector<SkippedStage> skipped;  // what this scene did not need, and why
   std::size_t gaussians_total = 0;
   std::size_t gaussians_used = 0;
+  std::size_t exact_pixels = 0;   // whose airlight is not interpolated
   std::uint64_t light_pairs = 0;  // Gaussian x ray pairs evaluated from lights
   std::uint64_t view_pairs = 0;   // Gaussian x ray pairs evaluated from the eye
 };
@@ -40,6 +43,12 @@ struct Frame {
   std::vector<float> depth;          // distance along the view ray [u], +inf where nothing is hit
   FrameStatistics statistics;
 };
+
+// What a frame promises: radiance beyond float is as bright as can be, and a broken sum black.
+inline float finite(float x) {
+  constexpr float most = 1e30f;
+  return std::isnan(x) ? 0.0f : std::clamp(x, 0.0f, most);
+}
 
 // The EXR layers of the contract: R G B A, airlight.R/G/B, transmittance.R/G/B, Z.
 ImageLayers to_layers(const Frame& frame);

@@ -38,6 +38,9 @@ struct Settings {
   // Worker threads; 0 takes all.
   int threads = 0;
 
+  // Airlight at 1 / airlight_scale of the film's width and height: 1, 2 or 4; see film_airlight().
+  int airlight_scale = 1;
+
   PaperOptions paper;
 
   // `sliced`: slices per ray, and how fine the table of each light is.

@@ -18,7 +18,7 @@ CameraRays::PixelRectangle Tiles::rectangle(std::size_t tile) const {
   return {x, y, std::min(x + width, film_.width), std::min(y + height, film_.height)};
 }
 
-Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays,
+Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays, int scale,
                           std::size_t most) const {
   // In tiles: [x0, x1) x [y0, y1) per Gaussian.
   std::vector<CameraRays::PixelRectangle> bounds(medium.size());
@@ -26,7 +26,10 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays,
     if (!(medium.reach()[i] > 0.0)) return;
     const auto b = rays.bounds(medium.gaussians()[i].b, medium.reach()[i]);
     if (b.empty()) return;
-    bounds[i] = {b.x0 / width, b.y0 / height, (b.x1 - 1) / width + 1, (b.y1 - 1) / height + 1};
+    // A ray of the last column or row may stand a little before its place on the grid.
+    bounds[i] = {b.x0 / scale / width, b.y0 / scale / height,
+                 std::min((b.x1 + scale - 2) / scale / width + 1, columns_),
+                 std::min((b.y1 + scale - 2) / scale / height + 1, rows_)};
   });
 
   Lists lists;

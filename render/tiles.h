@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,12 +21,28 @@ class Tiles {
 
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(columns_) * rows_; }
 
+  // Calls visit(x, y) for the pixels of a rectangle as large as a tile at most, in blocks of 4 x 4,
+  // so that the lanes of a vector hold neighbours.
+  template <class Visit>
+  static void each_pixel(const CameraRays::PixelRectangle& r, Visit visit) {
+    constexpr int block = 4;
+    for (int y0 = r.y0; y0 < r.y1; y0 += block) {
+      for (int x0 = r.x0; x0 < r.x1; x0 += block) {
+        for (int y = y0; y < std::min(y0 + block, r.y1); ++y) {
+          for (int x = x0; x < std::min(x0 + block, r.x1); ++x) visit(x, y);
+        }
+      }
+    }
+  }
+
   // The pixels [x0, x1) x [y0, y1) of a tile; those at the right and lower border are cut.
   [[nodiscard]] CameraRays::PixelRectangle rectangle(std::size_t tile) const;
 
-  // For every tile the Gaussians whose reach the rays of its pixels may enter, in ascending
-  // order, as one array with offsets. Time is linear in Gaussians and entries; where there would be
-  // more than `most_entries` (very many Gaussians that fill the view), all tiles share one list.
+  // For every tile the Gaussians whose reach the rays of its pixels may enter, in ascending order,
+  // where `rays` sees `scale` pixels for one of the film's, and what lies between a tile and the
+  // next counts to the tile; as one array with offsets. Time is linear in Gaussians and entries;
+  // where there would be more than `most_entries` (very many Gaussians that fill the view), all
+  // tiles share one list.
   struct Lists {
     std::vector<std::size_t> offsets;  // count() + 1; empty: one list for all tiles
     std::vector<std::uint32_t> gaussians;
@@ -37,7 +54,7 @@ class Tiles {
     }
   };
   static constexpr std::size_t most_entries = 100'000'000;
-  [[nodiscard]] Lists lists(const MediumIndex& medium, const CameraRays& rays,
+  [[nodiscard]] Lists lists(const MediumIndex& medium, const CameraRays& rays, int scale = 1,
                             std::size_t most = most_entries) const;
 
  private:

@@ -152,7 +152,7 @@ TEST(Tiles, ManyGaussiansThatFillTheViewShareAList) {
   const Film film{256, 128};
   const CameraRays rays({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 40.0}, film);
   const Tiles tiles(film);
-  const Tiles::Lists lists = tiles.lists(index, rays, 100);
+  const Tiles::Lists lists = tiles.lists(index, rays, 1, 100);
   EXPECT_EQ(lists.used, 50u);
   EXPECT_EQ(lists.of(0).size(), 50u);
   EXPECT_EQ(lists.of(tiles.count() - 1).size(), 50u);

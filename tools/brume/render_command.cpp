@@ -81,6 +81,10 @@ class RenderCommand final : public Command {
     app.add_option("--slices", slices_, "of sliced, per ray through the medium")
         ->check(finite_in(4, 256))
         ->capture_default_str();
+    app.add_option("--airlight-scale", airlight_scale_,
+                   "1, 2 or 4: airlight at so much less width and height, upsampled by depth; "
+                   "not given, auto chooses and the others take 1")
+        ->check(CLI::IsMember({1, 2, 4}));
     app.add_flag("--paper-mean", paper_.at_mean,
                  "paper: takes light at the mean of a Gaussian on the ray");
     app.add_flag("--paper-energy", paper_.conserve_energy,
@@ -108,6 +112,10 @@ class RenderCommand final : public Command {
     Settings settings = sliced_settings({}, slices_);
     const bool is_chosen = take_airlight(airlight_, settings);
     settings.paper = paper_;
+    if (airlight_scale_ > 1 && settings.airlight == AirlightMethod::reference) {
+      throw UsageError("--airlight-scale: the reference is never interpolated; allowed: 1");
+    }
+    settings.airlight_scale = std::max(airlight_scale_, 1);
     settings.reference_tolerance = tolerance_;
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
@@ -197,6 +205,7 @@ class RenderCommand final : public Command {
   std::string output_;
   std::string size_;
   std::string airlight_ = "auto";
+  int airlight_scale_ = 0;  // 0: not given
   PaperOptions paper_;
   double max_error_ = 0.02;
   int slices_ = Settings{}.slices;

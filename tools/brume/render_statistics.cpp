@@ -80,6 +80,8 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["airlight"] = airlight_name(run.settings);
   json["slices"] =
       run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
+  json["airlight_scale"] = run.settings.airlight_scale;
+  json["exact_pixels"] = first.exact_pixels;  // whose airlight is not interpolated
   json["threads"] = run.settings.threads;
   json["repeat"] = run.repeat;
   json["frame_ms"] = Json{{"median", median(times)}, {"min", *least}, {"max", *greatest}};

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "render/cpu/tile_rays.h"
+#include "render/cpu/visibility.h"
+#include "render/frame.h"
+#include "render/job.h"
+#include "render/medium_index.h"
+
+namespace brume {
+
+// What an airlight method does with the rays of one tile and the Gaussians that may matter to
+// them. Returns the Gaussian x ray pairs it evaluated. Called from several threads.
+using TileMethod = std::function<std::uint64_t(std::span<const std::uint32_t> gaussians,
+                                               const TileRays& rays, const TileAirlight& out)>;
+
+struct FilmAirlight {
+  std::uint64_t pairs = 0;
+  std::size_t gaussians_used = 0;  // that reach any ray
+  std::size_t exact_pixels = 0;    // where the method itself was asked
+};
+
+// Fills frame.airlight and frame.transmittance, tile by tile; `hits` says per pixel where the rays
+// end, as frame.depth does in float, and is empty where the scene has no surfaces.
+//
+// With `scale` 2 or 4 the method is asked at every scale-th pixel of each row and column, and what
+// lies between is interpolated (section 5.4 of the paper). Where that would not do, the method is
+// asked after all, so there are no halos and no thin objects lost: pixels whose distance is not the
+// one interpolated, and cells whose corners are not nearly linear in their airlight or
+// transmittance (to upsampling_tolerance of the film's rms, and of 1).
+constexpr double upsampling_tolerance = 0.01;
+FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays, int scale,
+                           const TileMethod& method, std::span<const SurfaceHit> hits,
+                           const Job& job, Frame& frame);
+
+}  // namespace brume

@@ -1,0 +1,106 @@
+#include "render/film_airlight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/renderer.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+Settings at_scale(int scale, AirlightMethod method = AirlightMethod::sliced) {
+  Settings settings = sliced_settings({}, 64);  // so that slicing differs less than is tested
+  settings.airlight = method;
+  settings.airlight_scale = scale;
+  settings.march_steps = 16;
+  return settings;
+}
+
+// Far fog, seen past posts that are thinner than the distance between samples, and a ball.
+Scene posts_before_fog() {
+  Scene scene = cloud_scene(40, 2.0);
+  scene.film = {160, 120};
+  // From behind: what the posts shade is not in the fog.
+  scene.lights[0].position = {1.0, 2.0, -3.0};
+  for (const double x : {-0.9, -0.41, 0.03, 0.52, 0.97}) {
+    Surface post = wall(1.2, 0.008, 0.5);
+    post.translate = {x, 0.0, 0.0};
+    // Tall: the wall is square, so many of them make a post.
+    for (int k = -40; k <= 40; ++k) {
+      post.translate.y = 0.016 * k;
+      scene.surfaces.push_back(post);
+    }
+  }
+  Surface ball;
+  ball.mesh = ball_mesh(24);
+  ball.scale = 0.35;
+  ball.translate = {-0.2, 0.2, 0.3};
+  scene.surfaces.push_back(ball);
+  return scene;
+}
+
+struct Errors {
+  double relative_rmse = 0.0;
+  double greatest = 0.0;  // relative to the greatest value
+};
+
+Errors errors(const std::vector<float>& a, const std::vector<float>& b) {
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    greatest = std::max(greatest, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+  }
+  return {difference(a, b).relative_rmse,
+          greatest / static_cast<double>(*std::max_element(b.begin(), b.end()))};
+}
+
+// The worst pixel counts: a halo is a few bad pixels, which an average forgives.
+TEST(AirlightScale, ThinObjectsBeforeFarFogHaveNoHalo) {
+  const Scene scene = posts_before_fog();
+  for (const AirlightMethod method :
+       {AirlightMethod::sliced, AirlightMethod::paper, AirlightMethod::march}) {
+    SCOPED_TRACE(to_string(method));
+    const Frame full = render_frame(scene, at_scale(1, method));
+    for (const int scale : {2, 4}) {
+      SCOPED_TRACE(scale);
+      const Frame frame = render_frame(scene, at_scale(scale, method));
+      const Errors light = errors(frame.airlight, full.airlight);
+      EXPECT_LT(light.relative_rmse, 0.005);
+      EXPECT_LT(light.greatest, 0.03);
+      const Errors taken = errors(frame.transmittance, full.transmittance);
+      EXPECT_LT(taken.greatest, 0.03);
+      EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels * 2 / 3);
+    }
+  }
+}
+
+TEST(AirlightScale, SmoothFogIsAlmostAllInterpolated) {
+  Scene scene = cloud_scene(10, 1.0);
+  scene.film = {320, 240};
+  const Frame full = render_frame(scene, at_scale(1));
+  const Frame frame = render_frame(scene, at_scale(4));
+  EXPECT_LT(errors(frame.airlight, full.airlight).relative_rmse, 0.004);
+  EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels / 8);
+}
+
+// Every width and height from 1 to 10: the last column and row are samples too.
+TEST(AirlightScale, AnyFilmIsCovered) {
+  Scene scene = posts_before_fog();
+  scene.medium.set_homogeneous_density(0.01);
+  for (int width = 1; width <= 10; ++width) {
+    for (int height = 1; height <= 10; ++height) {
+      scene.film = {width, height};
+      const Frame full = render_frame(scene, at_scale(1));
+      const Frame frame = render_frame(scene, at_scale(4));
+      SCOPED_TRACE(width);
+      SCOPED_TRACE(height);
+      expect_finite(frame);
+      EXPECT_LT(errors(frame.airlight, full.airlight).greatest, 0.1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume
