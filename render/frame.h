@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -44,8 +45,10 @@ struct Frame {
   FrameStatistics statistics;
 };
 
-// What a frame promises: radiance beyond float is as bright as can be, and a broken sum black.
+// What a frame promises: radiance beyond float is as bright as can be, and a broken sum, which is a
+// mistake of ours, black.
 inline float finite(float x) {
+  assert(!std::isnan(x));
   constexpr float most = 1e30f;
   return std::isnan(x) ? 0.0f : std::clamp(x, 0.0f, most);
 }

@@ -208,8 +208,11 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     // Past this point the path is longer than the shortest one by a depth of 10.
     const V longer = set(10.0f / b0);
     const V longest = hn::Add(start, longer);
-    const V reach =
-        hn::Div(hn::Mul(longer, hn::Add(longest, start)), hn::Mul(set(2.0f), hn::Sub(longest, ts)));
+    // start - ts, which cancels for a light straight ahead.
+    const V ahead = hn::Max(hn::Add(start, ts), set(1e-30f));
+    const V detour = hn::IfThenElse(hn::Gt(ts, zero), hn::Div(gap2, ahead), hn::Sub(start, ts));
+    const V reach = hn::Div(hn::Mul(longer, hn::Add(longest, start)),
+                            hn::Mul(set(2.0f), hn::Add(longer, detour)));
     const V end = hn::Min(hn::LoadU(d, rays.length.data() + k), reach);
     // The angle at the light between start and end.
     const V opposite = hn::Mul(h, end);

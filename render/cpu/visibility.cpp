@@ -149,7 +149,8 @@ SurfaceHit Visibility::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(impl_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  // Triangles near the end of float's range come out infinitely far.
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID || !std::isfinite(query.ray.tfar)) return {};
   return {skip + static_cast<double>(query.ray.tfar), static_cast<std::int32_t>(query.hit.geomID),
           query.hit.primID, query.hit.u, query.hit.v};
 }

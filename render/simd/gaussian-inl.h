@@ -168,7 +168,7 @@ struct Crossing {
     const V first = hn::Exp(d, hn::Neg(hn::MulAdd(u0, u0, e)));
     const V second = hn::Exp(d, hn::Neg(hn::MulAdd(u1, u1, e)));
     const V mass = hn::Max(hn::Mul(hn::Set(d, 1.77245385f), depth), hn::Set(d, 1e-37f));
-    const V mean = hn::Add(t0, hn::Div(hn::Sub(first, second), hn::Mul(a, mass)));
+    const V mean = hn::Add(t0, hn::Div(hn::Div(hn::Sub(first, second), mass), a));
     // That cancels on a short segment: from its middle, by the density's slope there.
     const V m = hn::Mul(hn::Set(d, 0.5f), hn::Add(u0, u1));
     const V reach = hn::Add(hn::Set(d, 1.0f), hn::Add(hn::Abs(u0), hn::Abs(u1)));
@@ -178,7 +178,11 @@ struct Crossing {
                             hn::NegMulAdd(bend, hn::Set(d, 1.0f / 90.0f), hn::Set(d, 1.0f / 6.0f)));
     const V near_middle = hn::Sub(hn::Mul(hn::Set(d, 0.5f), length), shift);
     const auto is_short = hn::Lt(hn::Mul(k, reach), hn::Set(d, 1.0f));
-    return hn::Min(hn::Max(hn::IfThenElse(is_short, near_middle, mean), hn::Zero(d)), length);
+    // Where all underflows the quotient says nothing; half a Gaussian's mean is within 1 / a.
+    const V zero = hn::Zero(d);
+    const V most = hn::Add(hn::Max(t0, zero), hn::Div(hn::Set(d, 1.0f), a));
+    const V t = hn::Min(hn::IfThenElse(is_short, near_middle, mean), hn::Min(most, length));
+    return hn::Max(t, zero);
   }
 };
 

@@ -75,7 +75,7 @@ class RandomScene {
   void add_gaussian() {
     Gaussian g;
     g.center = place();
-    g.radius = spread_ * spread(random_.power(-1, 0.5), -9, 9);
+    g.radius = spread_ * spread(random_.power(-1, 0.5), -9, 8);
     g.density = one_in(10) ? 0.0 : spread(random_.power(-1, 1) / g.radius, -6, 6);
     scene_.medium.append(g);
   }
@@ -97,7 +97,7 @@ class RandomScene {
     mesh->request_vertex_normals();
     Surface surface;
     surface.translate = point();
-    surface.scale = spread_ * spread(1.0, -9, 9);
+    surface.scale = spread_ * spread(1.0, -9, 7);
     for (int i = whole(1, 4); i > 0; --i) {
       const bool is_flat = one_in(8);
       const glm::dvec3 a = random_.point(2.0);
