@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,6 +17,8 @@
 
 namespace brume {
 namespace {
+
+constexpr double half_sqrt_pi = 0.886226925452758;
 
 // Runs the body once for each instruction set that was compiled and that this machine has.
 template <class Body>
@@ -83,6 +86,68 @@ TEST(Kernels, PathDepthsAgreeWithDouble) {
           ASSERT_NEAR(fast[k], plain[k], r.tolerance * plain[k] + 1e-7) << "path " << k;
         }
       }
+    }
+  });
+}
+
+// One Gaussian and one path where float is hardest pressed: math, section 1. Both sides get the
+// same rounded inputs. The bounds are the table's for float32, except in the tail pairs and for
+// tiny a, where the kernel's erfc and exp, good to 3e-7, add to them.
+struct HardSegments {
+  const char* name;
+  double radius;    // [u]
+  double distance;  // of the centre along the path, in radii, up to 10% more or less
+  double across;    // at most, in radii
+  double length;    // in radii; 0: twice the distance
+  double bound;     // relative
+};
+const HardSegments hard_segments[] = {
+    {"far, |q| = 100, a = 10", 0.1, 1000.0, 2.0, 0.0, 3.8e-4},
+    {"far, |q| = 1000, a = 50", 0.02, 50'000.0, 2.0, 0.0, 1.7e-2},
+    {"huge a, |q| = 10", 1e-4, 1e5, 2.0, 0.0, 2.1e-2},
+    {"behind, u from 3", 1.0, -3.0, 1.0, 10.0, 4.2e-6},
+    {"tail pair, u near 2", 1.0, -2.25, 1.0, 0.5, 3e-6},
+    {"tail pair, u near 4", 1.0, -4.25, 1.0, 0.5, 8e-6},
+    {"deep tail, u from 6.5", 1.0, -6.5, 1.0, 10.0, 1.5e-5},
+    {"short, a d = 1e-3", 1.0, 0.5, 1.0, 1e-3, 4.0e-7},
+    {"short, a d = 1e-6", 1.0, 0.5, 1.0, 1e-6, 3.2e-7},
+    {"tiny a", 1e4, 0.3, 1.0, 1e-3, 3e-7},
+};
+
+TEST(Kernels, PathDepthsHoldTheTablesBounds) {
+  for_each_target([] {
+    for (const HardSegments& row : hard_segments) {
+      SCOPED_TRACE(row.name);
+      Random random(15);
+      double worst = 0.0;
+      for (int i = 0; i < 2000; ++i) {
+        const glm::dvec3 axis = glm::normalize(random.point(1.0));
+        const glm::dvec3 side = glm::normalize(glm::cross(axis, random.point(1.0)));
+        const double radius = row.radius;
+        const double along = row.distance * (1.0 + 0.1 * random.uniform(-1.0, 1.0));
+        // What the kernel is handed, and the double formula is handed back.
+        GaussianBatch batch;
+        Medium medium;
+        medium.append(
+            {radius * (along * axis + random.uniform(0.0, row.across) * side), radius, 1.0});
+        batch.assign(MediumIndex(medium, 1e-300), glm::dvec3(0.0), std::array{0u});
+        PathBatch path;
+        const double length = radius * (row.length > 0.0 ? row.length : 2.0 * along);
+        path.assign(std::array{axis}, std::array{length});
+        const GaussianTerm<double> g(
+            static_cast<double>(batch.a[0]),
+            static_cast<double>(batch.scale[0] * batch.a[0]) / half_sqrt_pi,
+            {batch.x[0], batch.y[0], batch.z[0]});
+        const glm::dvec3 w(path.x[0], path.y[0], path.z[0]);
+        const double truth = optical_depth(g, line_profile(g, glm::dvec3(0.0), w),
+                                           static_cast<double>(path.length[0]));
+        if (truth < 1e-30) continue;
+        std::vector<float> depths(path.padded_size(), 0.0f);
+        accumulate_path_depths(batch, path, depths.data());
+        worst = std::max(worst, std::abs(static_cast<double>(depths[0]) / truth - 1.0));
+      }
+      EXPECT_LT(worst, row.bound);
+      EXPECT_GT(worst, 0.0);
     }
   });
 }
@@ -176,6 +241,34 @@ TEST(Kernels, HomogeneousAirlightAgreesWithDouble) {
     EXPECT_LT(errors.back(), 1e-3);
     // Exponents up to 46 (light of exp(-46) still counts here) round to 3e-6 in float.
     EXPECT_LT(errors[errors.size() / 2], 1e-5);
+  });
+}
+
+// A light straight ahead, where the detour of the light's path is a difference of two large
+// numbers, in fog from thin to far denser than the light's distance.
+TEST(Kernels, HomogeneousAirlightOfALightStraightAhead) {
+  for_each_target([] {
+    Random random(16);
+    for (int i = 0; i < 500; ++i) {
+      const double distance = random.power(0, 6);
+      const double b0 = random.power(-2, 9) / distance;
+      const double off = i % 3 == 0 ? 0.0 : random.power(-7, -1);
+      const glm::dvec3 w(0.0, 0.0, 1.0);
+      const glm::dvec3 light(off * distance, 0.0, distance);
+      const double h_min = 1e-4 * distance;
+      for (const double length : {0.5 * distance, static_cast<double>(INFINITY)}) {
+        PathBatch ray;
+        ray.assign(std::array{w}, std::array{length});
+        std::vector<float> radiance(ray.padded_size(), 0.0f);
+        accumulate_homogeneous_airlight(static_cast<float>(b0), 1.0f, glm::vec3(light),
+                                        static_cast<float>(h_min), 0.0f, ray, radiance.data());
+        const LightPath<double> path(light, glm::dvec3(0.0), w, h_min);
+        const double exact = homogeneous_airlight(b0, path, length);
+        // The rule's worst case, and float below exp(-b0 distance) = 1e-30.
+        ASSERT_NEAR(static_cast<double>(radiance[0]), exact, 1e-3 * exact + 1e-30)
+            << "b0 " << b0 << " distance " << distance << " off " << off;
+      }
+    }
   });
 }
 
