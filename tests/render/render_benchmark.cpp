@@ -8,12 +8,12 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <random>
 
 #include "core/io/scene_file.h"
 #include "render/compare.h"
 #include "render/cpu/path_depths.h"
 #include "render/renderer.h"
+#include "tests/render/benchmark_scenes.h"
 
 namespace brume {
 namespace {
@@ -55,22 +55,6 @@ BENCHMARK(paper_simd_against_plain)
     ->Repetitions(3)
     ->Unit(benchmark::kMillisecond);
 
-// n Gaussians in a unit box with the same optical depth through it for every n: radii shrink so
-// that a ray always meets about the same number of them.
-Medium box_of(int count) {
-  std::mt19937 random(1);
-  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  const double radius = 0.05 * std::sqrt(1000.0 / count);
-  const double depth = 3.0;
-  Medium medium;
-  for (int i = 0; i < count; ++i) {
-    const glm::dvec3 center(uniform(), uniform(), uniform());
-    // n pi^(3/2) r^3 c is the depth through the box of cross-section 1.
-    medium.append({center, radius, depth / (count * 5.568327996831708 * std::pow(radius, 3))});
-  }
-  return medium;
-}
-
 // T(s, b_i) of all n Gaussians from a light, tree included: grows like n log n. rel_error compares
 // 100 of them with the sum over all n in double.
 void depths_of_n_gaussians(benchmark::State& state) {
@@ -100,30 +84,6 @@ void depths_of_n_gaussians(benchmark::State& state) {
 }
 BENCHMARK(depths_of_n_gaussians)
     ->RangeMultiplier(2)
-    ->Range(1000, 64000)
-    ->Complexity(benchmark::oNLogN)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-
-// A whole frame of n Gaussians at constant depth, all threads; only what a camera move renews.
-void frame_of_n_gaussians(benchmark::State& state) {
-  Scene scene;
-  scene.medium = box_of(static_cast<int>(state.range(0)));
-  scene.camera = {{0.5, 0.5, 3.0}, {0.5, 0.5, 0.5}, {0, 1, 0}, 35.0};
-  scene.film = {400, 300};
-  scene.lights.push_back({{2.0, 3.0, 2.5}, {10, 10, 10}, {}});
-  Renderer renderer;
-  std::uint64_t pairs = 0;
-  for (auto _ : state) {
-    scene.camera.eye.x += 1e-6;
-    const Frame frame = *renderer.render(scene, scene.camera, scene.film, {});
-    pairs = frame.statistics.view_pairs;
-  }
-  state.SetComplexityN(state.range(0));
-  state.counters["view_pairs"] = static_cast<double>(pairs);
-}
-BENCHMARK(frame_of_n_gaussians)
-    ->RangeMultiplier(4)
     ->Range(1000, 64000)
     ->Complexity(benchmark::oNLogN)
     ->UseRealTime()

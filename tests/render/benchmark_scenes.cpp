@@ -1,0 +1,59 @@
+#include "tests/render/benchmark_scenes.h"
+
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+
+#include "core/io/scene_file.h"
+#include "tests/random.h"
+
+namespace brume {
+
+Scene sample_airlight(const char* name) {
+  Scene scene = load_scene(std::filesystem::path(BRUME_SCENES) / (std::string(name) + ".brume"));
+  scene.surfaces.clear();
+  return scene;
+}
+
+Scene two_gaussians() {
+  Scene scene;
+  scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  scene.lights.push_back({{2, 3, 2}, {10, 10, 10}, {}});
+  scene.medium.append({{-0.3, 0.1, 0}, 0.6, 2.0});
+  scene.medium.append({{0.4, -0.1, 0.2}, 0.5, 2.5});
+  return scene;
+}
+
+Medium box_of(int count) {
+  Random random(1);
+  const double radius = 0.05 * std::sqrt(1000.0 / count);
+  const double depth = 3.0;
+  Medium medium;
+  for (int i = 0; i < count; ++i) {
+    const glm::dvec3 center = glm::dvec3(0.5) + random.point(0.5);
+    // n pi^(3/2) r^3 c is the depth through the box of cross-section 1.
+    medium.append({center, radius, depth / (count * 5.568327996831708 * std::pow(radius, 3))});
+  }
+  return medium;
+}
+
+Scene box_scene(int count, int lights) {
+  Scene scene;
+  scene.medium = box_of(count);
+  scene.camera = {{0.5, 0.5, 3.0}, {0.5, 0.5, 0.5}, {0, 1, 0}, 35.0};
+  scene.film = {200, 150};
+  for (int i = 0; i < lights; ++i) {
+    const double angle = 0.9 + 0.7 * i;
+    scene.lights.push_back(
+        {{0.5 + 2.5 * std::cos(angle), 3.0, 0.5 + 2.5 * std::sin(angle)}, {10, 10, 10}, {}});
+  }
+  return scene;
+}
+
+double cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace brume
