@@ -1,15 +1,11 @@
 #include "render/auto_quality.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 namespace brume {
 namespace {
-
-// From cheap to costly. `paper` is not among them: with the same error it is never cheaper.
-constexpr std::array<int, 8> ladder = {8, 12, 16, 24, 32, 48, 64, 128};
 
 // A film of the same shape with about this many pixels.
 Film small_film(const Film& film) {
@@ -30,39 +26,54 @@ constexpr double sample_tolerance = 1e-3;
 
 // The settings after these, if there are any better.
 std::optional<Settings> better_settings(const Settings& settings) {
-  const auto next = std::upper_bound(ladder.begin(), ladder.end(), settings.slices);
-  if (next == ladder.end()) return std::nullopt;
-  return sliced_settings(settings, *next);
+  const std::vector<Settings> ladder = quality_ladder(settings);
+  const auto at = std::find(ladder.begin(), ladder.end(), settings);
+  if (at == ladder.end() || at + 1 == ladder.end()) return std::nullopt;
+  return *(at + 1);
 }
 
 }  // namespace
+
+std::vector<Settings> quality_ladder(const Settings& settings) {
+  // `paper` is not among them: with the same error it is never cheaper.
+  std::vector<Settings> ladder;
+  for (const int slices : {8, 12, 16, 24, 32, 48, 64, 128}) {
+    ladder.push_back(sliced_settings(settings, slices));
+  }
+  return ladder;
+}
+
+std::optional<ErrorSample> take_error_sample(const Scene& scene, const Camera& camera,
+                                             const Frame& guide, std::uint64_t seed,
+                                             std::stop_token stop) {
+  return ErrorSample::take(scene, camera, guide, sample_pixels(scene), seed, sample_tolerance,
+                           stop);
+}
 
 std::optional<Settings> choose_settings(Renderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, double max_error,
                                         std::stop_token stop) {
   const Film small = small_film(film);
+  const std::vector<Settings> ladder = quality_ladder(settings);
   std::optional<ErrorSample> sample;
-  for (const int slices : ladder) {
-    const Settings tried = sliced_settings(settings, slices);
+  for (const Settings& tried : ladder) {
     const std::optional<Frame> frame = renderer.render(scene, camera, small, tried, stop);
     if (!frame) return std::nullopt;
     if (!sample) {
-      sample =
-          ErrorSample::take(scene, camera, *frame, sample_pixels(scene), 1, sample_tolerance, stop);
+      sample = take_error_sample(scene, camera, *frame, 1, stop);
       if (!sample) return std::nullopt;
     }
     if (sample->measure(*frame).high <= max_error) return tried;
   }
-  return sliced_settings(settings, ladder.back());
+  return ladder.back();
 }
 
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
                                            const Frame& frame, std::stop_token stop) {
   // Another seed than that of the choice: settings chosen to do well on some pixels must not be
   // judged by the same ones.
-  const auto sample =
-      ErrorSample::take(scene, camera, frame, sample_pixels(scene), 2, sample_tolerance, stop);
+  const auto sample = take_error_sample(scene, camera, frame, 2, stop);
   if (!sample) return std::nullopt;
   return sample->measure(frame);
 }

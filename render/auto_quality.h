@@ -8,9 +8,13 @@ namespace brume {
 // `auto`: the cheapest settings that keep a relative RMSE of the airlight, chosen by measuring on
 // the scene itself.
 
+// The settings it chooses among, from cheap to costly. `settings` gives all that auto does not
+// choose (threads, tolerance).
+std::vector<Settings> quality_ladder(const Settings& settings);
+
 // Tries settings from cheap to costly on a small frame of the view until one keeps `max_error`
-// with the upper end of its interval; the last one tried if none does. `settings` gives all that
-// auto does not choose (threads, tolerance). nullopt if `stop` was requested.
+// with the upper end of its interval; the last one tried if none does. `settings` as above. nullopt
+// if `stop` was requested.
 std::optional<Settings> choose_settings(Renderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, double max_error,
@@ -23,8 +27,13 @@ struct MeasuredFrame {
   ErrorEstimate error;
 };
 
-// The error of a frame of a view, measured on pixels of its own; how many depends on the number of
-// Gaussians, so that it takes seconds at most.
+// A sample of a view to measure its frames' error on; how many pixels depends on the number of
+// Gaussians, so that it takes seconds at most. nullopt if `stop` was requested.
+std::optional<ErrorSample> take_error_sample(const Scene& scene, const Camera& camera,
+                                             const Frame& guide, std::uint64_t seed,
+                                             std::stop_token stop = {});
+
+// The error of a frame of a view, on a sample of its own.
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
                                            const Frame& frame, std::stop_token stop = {});
 

@@ -1,0 +1,98 @@
+#include "render/quality_control.h"
+
+#include <algorithm>
+
+#include "render/auto_quality.h"
+
+namespace brume {
+namespace {
+
+// Before anything was measured: most scenes are rendered well by it, and soon.
+constexpr std::size_t first_step = 2;
+
+// Cheaper settings are tried where the error is below this share of the bound: the next step down
+// has about twice the error.
+constexpr double clearly_better = 0.4;
+
+// Or far below it, where they have broken it in another view.
+constexpr double far_better = 0.1;
+
+std::array<double, 4> measures_of(const Scene& scene) {
+  double depth = 0.0;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    depth += scene.medium.densities()[i] * scene.medium.radii()[i];
+  }
+  return {static_cast<double>(scene.lights.size()), static_cast<double>(scene.medium.size()), depth,
+          scene.medium.homogeneous_density()};
+}
+
+bool much_different(double a, double b) {
+  return std::max(a, b) > 1.5 * std::min(a, b);
+}
+
+}  // namespace
+
+QualityControl::QualityControl(const Settings& settings) : step_(first_step) {
+  for (const Settings& step : quality_ladder(settings)) trials_.push_back({step, {}});
+}
+
+void QualityControl::set_max_error(double max_error) {
+  max_error_ = max_error;
+  move();
+}
+
+void QualityControl::follow(const Scene& scene, const Camera& camera) {
+  if (camera != camera_) {
+    camera_ = camera;
+    for (Trial& trial : trials_) trial.in_other_view = true;
+  }
+  const std::array<double, 4> measures = measures_of(scene);
+  if (measures_ && std::equal(measures.begin(), measures.end(), measures_->begin(),
+                              [](double a, double b) { return !much_different(a, b); })) {
+    return;
+  }
+  measures_ = measures;
+  for (Trial& trial : trials_) trial.error.reset();
+}
+
+void QualityControl::forget() {
+  measures_.reset();
+  step_ = first_step;
+  for (Trial& trial : trials_) trial.error.reset();
+}
+
+void QualityControl::learn(const Settings& settings, const ErrorEstimate& error) {
+  for (Trial& trial : trials_) {
+    if (trial.settings == settings) trial = {settings, error, false};
+  }
+  move();
+}
+
+bool QualityControl::broke_bound(const Trial& trial) const {
+  return trial.error && trial.error->high > max_error_;
+}
+
+bool QualityControl::may_go_down(double high) const {
+  if (step_ == 0) return false;
+  const Trial& next = trials_[step_ - 1];
+  if (!broke_bound(next)) return high < clearly_better * max_error_;
+  return next.in_other_view && high < far_better * max_error_;
+}
+
+// As far as what is known leads. It ends: up only from settings that broke the bound, down only to
+// others, or to those that broke it in another view, which are then tried here.
+void QualityControl::move() {
+  while (const std::optional<ErrorEstimate>& error = trials_[step_].error) {
+    if (broke_bound(trials_[step_])) {
+      if (step_ + 1 == trials_.size()) return;
+      ++step_;
+    } else if (may_go_down(error->high)) {
+      --step_;
+      if (broke_bound(trials_[step_])) trials_[step_].error.reset();
+    } else {
+      return;
+    }
+  }
+}
+
+}  // namespace brume
