@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
@@ -18,9 +19,11 @@
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/frame_export.h"
+#include "app/frame_text.h"
 #include "app/message_bar.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/panels/history_panel.h"
+#include "app/panels/performance_panel.h"
 #include "app/scene_files.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport.h"
@@ -34,14 +37,6 @@ constexpr double max_exposure = 20.0;  // stops, either way
 // To three digits: numbers that a user meets should be short.
 double rounded(double value) {
   return QString::number(value, 'g', 3).toDouble();
-}
-
-// "sliced 16"
-QString airlight_text(const Settings& settings) {
-  const QString name = to_string(settings.airlight);
-  return settings.airlight == AirlightMethod::sliced
-             ? QString("%1 %2").arg(name).arg(settings.slices)
-             : name;
 }
 
 // The first dropped file that could be a scene.
@@ -105,18 +100,35 @@ void MainWindow::create_docks() {
   gaussian_panel_ = new GaussianPanel(document_, this);
   QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", gaussian_panel_);
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
+  QDockWidget* performance =
+      dock(tr("Performance"), "performance", new PerformancePanel(*viewport_));
+  tabifyDockWidget(performance, history);
+  performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
-  resizeDocks({gaussians, history}, {520, 200}, Qt::Vertical);
+  resizeDocks({gaussians, performance}, {380, 340}, Qt::Vertical);
   connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::say);
 }
 
 void MainWindow::create_status_bar() {
   hint_ = new QLabel(this);
   numbers_ = new QLabel(this);
+  error_ = new QLabel(this);
+  error_->setObjectName("error");
+  error_->setToolTip(
+      tr("Relative RMSE of the airlight against the reference, measured on this "
+         "frame; grey while it is being measured"));
+  quality_ = new QLabel(this);
+  quality_->setObjectName("quality");
+  // Menu bars do not follow when what is in their corner grows.
+  quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("reference 128 · < .01 %"));
+  quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  quality_->setContentsMargins(0, 4, 8, 0);
+  menuBar()->setCornerWidget(quality_);
   frame_export_ = new FrameExport(this);
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(frame_export_);
   statusBar()->addPermanentWidget(numbers_);
+  statusBar()->addPermanentWidget(error_);
   connect(frame_export_, &FrameExport::finished, this,
           [this](const QString& file) { say(tr("Exported %1").arg(file)); });
   connect(frame_export_, &FrameExport::cancelled, this, [this] { say(tr("Export cancelled")); });
@@ -132,6 +144,8 @@ void MainWindow::connect_document() {
   connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
   connect(viewport_, &Viewport::failed, this, fail);
   connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_status);
+  connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_error);
+  connect(&viewport_->quality(), &FrameQuality::error_changed, this, &MainWindow::update_error);
   connect(&document_, &Document::scene_replaced, message_bar_, &QWidget::hide);
   connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
@@ -147,18 +161,33 @@ void MainWindow::update_title() {
 void MainWindow::update_status() {
   const std::size_t count = document_.medium().size();
   const std::size_t selected = document_.selection().size();
-  const QLocale locale = QLocale::c();
-  QString text =
-      count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(locale.toString(qulonglong{count}));
-  if (selected > 0) text += tr(", %1 selected").arg(locale.toString(qulonglong{selected}));
+  QString text = count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count));
+  if (selected > 0) text += tr(", %1 selected").arg(count_text(selected));
   if (const RenderedFrame* frame = viewport_->shown()) {
-    text += " · " + airlight_text(frame->request.settings);
-    text += tr(" · %1 ms").arg(frame->milliseconds, 0, 'f', 1);
+    text += tr(" · %1 ms ·").arg(frame->milliseconds, 0, 'f', 1);
   }
   numbers_->setText(text);
   hint_->setText(count == 0 ? tr("No fog yet. Shift+A adds a Gaussian where the view looks.")
                             : tr("Click selects, drag moves the selection. Middle button orbits, "
                                  "with Shift pans, wheel zooms."));
+}
+
+void MainWindow::update_error() {
+  const RenderedFrame* frame = viewport_->shown();
+  if (!frame) return;
+  const FrameQuality& quality = viewport_->quality();
+  QString status = tr("measuring the error");
+  QString corner = settings_text(frame->request.settings);
+  if (const std::optional<ErrorEstimate>& error = quality.error()) {
+    status = tr("error %1").arg(error_text(*error));
+    corner += " · " + percent_text(error->rel_rmse);
+    if (quality.is_exhausted()) {
+      status += tr(", %1 cannot be held").arg(bound_text(quality.max_error()));
+    }
+  }
+  error_->setText(status);
+  quality_->setText(corner);
+  for (QLabel* label : {error_, quality_}) label->setEnabled(viewport_->is_measured());
 }
 
 void MainWindow::say(const QString& message) {
@@ -190,7 +219,7 @@ void MainWindow::export_frame() {
 }
 
 void MainWindow::export_frame_to(const std::filesystem::path& file) {
-  const Settings settings = viewport_->settings();
+  const Settings settings = viewport_->quality().settings();
   const FrameInfo info{document_.file().string(), to_string(settings.airlight), "cpu",
                        viewport_->exposure()};
   frame_export_->start(document_.snapshot(), viewport_->camera(), settings, info, file);
@@ -198,16 +227,16 @@ void MainWindow::export_frame_to(const std::filesystem::path& file) {
 
 void MainWindow::quit_with_screenshot(const QString& file) {
   const auto take = [this, file] {
-    if (!viewport_->is_settled()) return;
-    viewport_->disconnect(this);
-    // Once more through the event loop: the frame has come, but is not painted yet.
+    if (!viewport_->is_measured()) return;
+    viewport_->quality().disconnect(this);
+    // Once more through the event loop: all has come, but is not painted yet.
     QTimer::singleShot(200, this, [this, file] {
       const bool saved = grab().save(file);
       if (!saved) std::fprintf(stderr, "%s: cannot be written\n", qUtf8Printable(file));
       QApplication::exit(saved ? 0 : 1);
     });
   };
-  connect(viewport_, &Viewport::frame_shown, this, take);
+  connect(&viewport_->quality(), &FrameQuality::error_changed, this, take);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -29,7 +29,7 @@ class MainWindow : public QMainWindow {
   // Exports what the view sees, on the scene's film.
   void export_frame_to(const std::filesystem::path& file);
 
-  // Saves a picture of this window once it shows a full-resolution frame, then quits.
+  // Saves a picture of this window once it shows a full frame and its error, then quits.
   void quit_with_screenshot(const QString& file);
 
  protected:
@@ -46,6 +46,7 @@ class MainWindow : public QMainWindow {
 
   void update_title();
   void update_status();
+  void update_error();
   void add_gaussian_in_view();
   void export_frame();
   void change_exposure(double stops);
@@ -59,6 +60,8 @@ class MainWindow : public QMainWindow {
   FrameExport* frame_export_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* numbers_ = nullptr;
+  QLabel* error_ = nullptr;
+  QLabel* quality_ = nullptr;  // top right
 };
 
 }  // namespace brume

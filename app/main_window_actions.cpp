@@ -95,25 +95,25 @@ void MainWindow::create_actions() {
 }
 
 void MainWindow::fill_airlight_menu(QMenu* menu) {
+  FrameQuality& quality = viewport_->quality();
   const QString remembered = QSettings().value(airlight_key).toString();
   auto* group = new QActionGroup(this);
-  for (const auto& [method, text] : {std::pair(AirlightMethod::paper, tr("&Paper")),
-                                     std::pair(AirlightMethod::sliced, tr("&Sliced"))}) {
-    if (remembered == to_string(method)) viewport_->set_airlight(method);
+  const auto add = [&](const char* name, const QString& text,
+                       std::optional<AirlightMethod> method) {
+    if (remembered == name) quality.set_airlight(method);
     QAction* action = group->addAction(text);
     action->setCheckable(true);
-    action->setData(static_cast<int>(method));
-    action->setObjectName(QString("airlight_") + to_string(method));
-  }
-  for (QAction* action : group->actions()) {
-    action->setChecked(action->data().toInt() == static_cast<int>(viewport_->airlight()));
-  }
+    action->setObjectName(QString("airlight_") + name);
+    action->setChecked(quality.airlight() == method);
+    connect(action, &QAction::triggered, this, [&quality, name, method] {
+      quality.set_airlight(method);
+      QSettings().setValue(airlight_key, name);
+    });
+  };
+  add("auto", tr("&Auto"), std::nullopt);
+  add(to_string(AirlightMethod::paper), tr("&Paper"), AirlightMethod::paper);
+  add(to_string(AirlightMethod::sliced), tr("&Sliced"), AirlightMethod::sliced);
   menu->addActions(group->actions());
-  connect(group, &QActionGroup::triggered, this, [this](const QAction* action) {
-    const auto method = static_cast<AirlightMethod>(action->data().toInt());
-    viewport_->set_airlight(method);
-    QSettings().setValue(airlight_key, to_string(method));
-  });
 }
 
 }  // namespace brume

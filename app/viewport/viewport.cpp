@@ -52,7 +52,12 @@ Viewport::Viewport(Document& document, QWidget* parent)
 
   connect(&frames_, &FrameService::frame_ready, this, &Viewport::take_frame);
   connect(&frames_, &FrameService::failed, this, &Viewport::failed);
+  // Even if they are again those of the frame shown: another one may be on its way.
+  connect(&quality_, &FrameQuality::settings_changed, this,
+          [this] { frames_.request(frame_request(false)); });
+  connect(&quality_, &FrameQuality::failed, this, &Viewport::failed);
   connect(&document_, &Document::scene_replaced, this, [this] {
+    quality_.scene_replaced();
     tool_->abandon();
     if (drag_ == Drag::tool) drag_ = Drag::none;
     hovered_.reset();
@@ -95,18 +100,6 @@ void Viewport::set_exposure(double stops) {
   if (shown_) surface_->show_picture(to_picture(shown_->frame, exposure_));
 }
 
-void Viewport::set_airlight(AirlightMethod method) {
-  if (method == airlight_) return;
-  airlight_ = method;
-  request_frame();
-}
-
-Settings Viewport::settings() const {
-  Settings settings = sliced_settings({}, Settings{}.slices);
-  settings.airlight = airlight_;
-  return settings;
-}
-
 Film Viewport::film() const {
   return {std::max(1, width()), std::max(1, height())};
 }
@@ -124,7 +117,7 @@ void Viewport::show_band(const QRect& rectangle) {
 
 bool Viewport::is_settled() const {
   return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
-         shown_->request.settings == settings();
+         shown_->request.settings == quality_.settings();
 }
 
 QString Viewport::gl_problem() const {
@@ -132,11 +125,19 @@ QString Viewport::gl_problem() const {
 }
 
 FrameRequest Viewport::frame_request(bool moving) const {
-  Settings settings = this->settings();
-  // Not the table of depths as well: going back and forth between two would build it each time.
-  if (moving) settings.slices = motion_slices;
+  const auto scene = document_.snapshot();
+  Settings settings = quality_.settings();
+  if (moving && scene == rested_scene_) {
+    // Not other tables too: going back and forth between two would build them each time.
+    settings.slices = std::min(settings.slices, motion_slices);
+  } else if (moving) {
+    // They have to be built anew anyway.
+    const AirlightMethod method = settings.airlight;
+    settings = sliced_settings(settings, motion_slices);
+    settings.airlight = method;
+  }
   const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-  return {.scene = document_.snapshot(),
+  return {.scene = scene,
           .camera = camera_,
           .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
           .settings = settings,
@@ -148,6 +149,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
 // Everything that changes the picture comes here: something soon, the full frame once it rests.
 void Viewport::request_frame() {
   ++serial_;
+  quality_.picture_changes(document_.scene(), camera_);
   frames_.request(frame_request(true));
   rest_timer_.start(rest_after);
 }
@@ -167,6 +169,8 @@ void Viewport::take_frame(std::shared_ptr<const RenderedFrame> frame) {
                          shown_->frame);
     overlay_timer_.start(0);
   }
+  if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
+  if (is_settled()) quality_.frame_shown(shown_);
   Q_EMIT frame_shown();
 }
 

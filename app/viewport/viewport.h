@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewport/frame_quality.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/handles.h"
 
@@ -31,9 +32,9 @@ class Viewport : public QWidget {
   [[nodiscard]] double exposure() const { return exposure_; }
   void set_exposure(double stops);
 
-  [[nodiscard]] AirlightMethod airlight() const { return airlight_; }
-  void set_airlight(AirlightMethod method);
-  [[nodiscard]] Settings settings() const;  // of frames at rest
+  // How frames are rendered, and how wrong they are.
+  [[nodiscard]] FrameQuality& quality() { return quality_; }
+  [[nodiscard]] const FrameQuality& quality() const { return quality_; }
 
   // The view in widget coordinates.
   [[nodiscard]] Film film() const;
@@ -46,6 +47,8 @@ class Viewport : public QWidget {
   [[nodiscard]] const RenderedFrame* shown() const { return shown_.get(); }
   // Whether it shows the present state at full resolution.
   [[nodiscard]] bool is_settled() const;
+  // Whether its error is known as well, and with it that auto will not choose another.
+  [[nodiscard]] bool is_measured() const { return is_settled() && quality_.is_measured(); }
 
   // Why the picture is shown without OpenGL; empty if it is not.
   [[nodiscard]] QString gl_problem() const;
@@ -81,7 +84,6 @@ class Viewport : public QWidget {
 
   Camera camera_;
   double exposure_ = 0.0;
-  AirlightMethod airlight_ = AirlightMethod::sliced;
   Drag drag_ = Drag::none;
   QPointF last_position_;
 
@@ -92,7 +94,9 @@ class Viewport : public QWidget {
   std::uint64_t serial_ = 0;         // of the state that frames should show
   std::uint64_t oldest_serial_ = 0;  // frames before this show another scene
   std::shared_ptr<const RenderedFrame> shown_;
+  std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest
   QTimer rest_timer_;
+  FrameQuality quality_;
   FrameService frames_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QLabel>
-#include <QStatusBar>
 #include <cmath>
 
 #include "app/commands/edit_medium.h"
@@ -23,10 +22,8 @@ bool all_finite(const Frame& frame) {
   return finite(frame.beauty) && finite(frame.airlight) && finite(frame.transmittance);
 }
 
-QString status_of(MainWindow& window) {
-  QString text;
-  for (const QLabel* label : window.statusBar()->findChildren<QLabel*>()) text += label->text();
-  return text;
+QString shown_settings(MainWindow& window) {
+  return window.findChild<QLabel*>("quality")->text();
 }
 
 // A frame that takes far longer than a test would wait.
@@ -88,27 +85,30 @@ class FramesTest : public QObject {
     {
       TestWindow window;
       auto* paper = window->findChild<QAction*>("airlight_paper");
-      auto* sliced = window->findChild<QAction*>("airlight_sliced");
-      QVERIFY(sliced->isChecked() && !paper->isChecked());
+      auto* automatic = window->findChild<QAction*>("airlight_auto");
+      QVERIFY(automatic->isChecked() && !paper->isChecked());
       const QImage before = window->viewport().shown()->picture;
-      QVERIFY(status_of(*window).contains("sliced 16"));
+      QVERIFY(shown_settings(*window).startsWith("sliced"));
       paper->trigger();
-      QVERIFY(!sliced->isChecked());
+      QVERIFY(!automatic->isChecked());
       QVERIFY(window.settle());
       QVERIFY(window->viewport().shown()->picture != before);
-      QVERIFY(status_of(*window).contains("paper"));
+      QVERIFY(shown_settings(*window).startsWith("paper"));
       QVERIFY(!window->document().is_modified());
     }
     TestWindow window;
-    QCOMPARE(window->viewport().airlight(), AirlightMethod::paper);
+    QCOMPARE(window->viewport().quality().airlight(), AirlightMethod::paper);
     window->findChild<QAction*>("airlight_sliced")->trigger();
     QVERIFY(window.settle());
-    QVERIFY(status_of(*window).contains("sliced 16"));
+    QVERIFY(shown_settings(*window).startsWith("sliced 16"));
+    window->findChild<QAction*>("airlight_auto")->trigger();
   }
 
   // Or the table of depths from each light would be built anew at every start and stop.
   void motion_keeps_the_tables_of_rest() {
     TestWindow window;
+    window->findChild<QAction*>("airlight_sliced")->trigger();
+    QVERIFY(window.settle());
     Viewport& view = window->viewport();
     const Settings rest = view.shown()->request.settings;
     const RenderedFrame* in_motion = nullptr;
@@ -127,6 +127,27 @@ class FramesTest : public QObject {
     QVERIFY(in_motion);
     QVERIFY(view.shown()->request.settings == rest);
     QCOMPARE(view.shown()->frame.statistics.light_pairs, std::uint64_t{0});
+    window->findChild<QAction*>("airlight_auto")->trigger();
+  }
+
+  // They are of no use for another scene: coarse ones are built sooner.
+  void an_edit_in_motion_takes_coarse_tables() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    view.quality().set_max_error(1e-9);  // the finest there is
+    QVERIFY(window.settle());
+    const Settings rest = view.shown()->request.settings;
+    bool edited = false;
+    connect(&view, &Viewport::frame_shown, this, [&] {
+      const FrameRequest& request = view.shown()->request;
+      if (!request.moving) return;
+      edited = true;
+      QVERIFY(request.settings.light_table.directions < rest.light_table.directions);
+    });
+    window.key(Qt::Key_A, Qt::ShiftModifier);
+    QVERIFY(window.settle());
+    QVERIFY(edited);
+    QVERIFY(view.shown()->request.settings == rest);
   }
 
   void slow_frames_in_motion_do_not_queue_up() {

@@ -42,7 +42,7 @@ std::filesystem::path TestWindow::file(const char* name) const {
 }
 
 bool TestWindow::settle() {
-  return QTest::qWaitFor([this] { return window_->viewport().is_settled(); }, 60000);
+  return QTest::qWaitFor([this] { return window_->viewport().is_measured(); }, 60000);
 }
 
 QPoint TestWindow::handle(std::size_t index) {

@@ -21,7 +21,7 @@ class TestWindow {
   MainWindow* operator->() { return window_.get(); }
   [[nodiscard]] std::filesystem::path file(const char* name) const;
 
-  // Waits until the viewport shows the present state at full resolution.
+  // Waits until the viewport shows the present state at full resolution, and how wrong it is.
   bool settle();
   // Where a Gaussian's handle is in the viewport.
   QPoint handle(std::size_t index);

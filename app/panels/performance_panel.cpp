@@ -1,0 +1,151 @@
+#include "app/panels/performance_panel.h"
+
+#include <QHeaderView>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "app/frame_text.h"
+#include "app/viewport/viewport.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* max_error_key = "view/max_error";
+
+// Why auto shows what it shows.
+QString reason(const FrameQuality& quality) {
+  if (quality.airlight()) return PerformancePanel::tr("Chosen in the View menu.");
+  const QualityControl& control = quality.control();
+  const QString bound = bound_text(control.max_error());
+  if (!control.trials()[control.step()].error) {
+    return PerformancePanel::tr("Not measured yet in this scene.");
+  }
+  if (control.is_exhausted()) {
+    return PerformancePanel::tr("The finest there is: %1 cannot be held here.").arg(bound);
+  }
+  if (control.step() == 0) {
+    return PerformancePanel::tr("The cheapest there is, and it keeps %1.").arg(bound);
+  }
+  const QualityControl::Trial& cheaper = control.trials()[control.step() - 1];
+  const QString name = settings_text(cheaper.settings);
+  if (control.broke_bound(cheaper)) {
+    return PerformancePanel::tr("Keeps %1. The error of %2 was up to %3.")
+        .arg(bound, name, percent_text(cheaper.error->high));
+  }
+  return PerformancePanel::tr("Keeps %1, but not by enough to try %2.").arg(bound, name);
+}
+
+}  // namespace
+
+PerformancePanel::PerformancePanel(Viewport& viewport, QWidget* parent)
+    : QWidget(parent),
+      viewport_(viewport),
+      max_error_(new QComboBox(this)),
+      stages_(new QTreeWidget(this)) {
+  auto* form = new QFormLayout;
+  form->addRow(tr("Auto keeps"), max_error_);
+  shown_ = add_row(*form, tr("Shown"), "shown");
+  why_ = add_row(*form, {}, "why");
+  why_->setWordWrap(true);
+  error_ = add_row(*form, tr("Error"), "panel_error");
+  error_->setToolTip(tr("Relative RMSE of the airlight against the reference"));
+  interval_ = add_row(*form, tr("Interval"), "interval");
+  interval_->setToolTip(tr("Holds the error of the whole picture in 95% of cases"));
+  gaussians_ = add_row(*form, tr("Gaussians"), "gaussians_used");
+  pairs_ = add_row(*form, tr("Pairs"), "pairs");
+  pairs_->setToolTip(tr("Gaussians times rays: from the eye, and from the lights"));
+  picture_ = add_row(*form, tr("Picture"), "picture");
+
+  stages_->setObjectName("stages");
+  stages_->setHeaderLabels({tr("Stage"), tr("Milliseconds")});
+  stages_->setRootIsDecorated(false);
+  stages_->setSelectionMode(QAbstractItemView::NoSelection);
+  stages_->setFocusPolicy(Qt::NoFocus);
+  stages_->header()->setStretchLastSection(true);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 0);
+  layout->addLayout(form);
+  layout->addWidget(stages_, 1);
+
+  fill_max_error();
+  connect(&viewport_, &Viewport::frame_shown, this, &PerformancePanel::update_frame);
+  connect(&viewport_.quality(), &FrameQuality::error_changed, this,
+          &PerformancePanel::update_quality);
+}
+
+QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const char* name) {
+  auto* value = new QLabel(this);
+  value->setObjectName(name);
+  form.addRow(title, value);
+  return value;
+}
+
+void PerformancePanel::fill_max_error() {
+  max_error_->setObjectName("max_error");
+  const double remembered = QSettings().value(max_error_key).toDouble();
+  for (const double bound : {0.01, 0.02, 0.05, 0.1}) {
+    max_error_->addItem(tr("%1 error").arg(bound_text(bound)), bound);
+    if (bound == remembered) viewport_.quality().set_max_error(bound);
+  }
+  max_error_->setCurrentIndex(max_error_->findData(viewport_.quality().max_error()));
+  connect(max_error_, &QComboBox::activated, this, [this] {
+    const double bound = max_error_->currentData().toDouble();
+    viewport_.quality().set_max_error(bound);
+    QSettings().setValue(max_error_key, bound);
+  });
+}
+
+void PerformancePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  update_frame();
+}
+
+void PerformancePanel::update_quality() {
+  if (!isVisible()) return;
+  const FrameQuality& quality = viewport_.quality();
+  why_->setText(reason(quality));
+  for (QLabel* label : {error_, interval_}) label->setEnabled(viewport_.is_measured());
+  if (const std::optional<ErrorEstimate>& error = quality.error()) {
+    error_->setText(error_text(*error));
+    interval_->setText(tr("%1 (%2 pixels)").arg(interval_text(*error), count_text(error->pixels)));
+  } else {
+    error_->setText(tr("measuring"));
+    interval_->clear();
+  }
+}
+
+void PerformancePanel::update_frame() {
+  if (!isVisible()) return;
+  update_quality();
+  const RenderedFrame* frame = viewport_.shown();
+  if (!frame) return;
+  const FrameStatistics& statistics = frame->frame.statistics;
+  const Film& film = frame->frame.film;
+  shown_->setText(settings_text(frame->request.settings));
+  gaussians_->setText(
+      tr("%1 of %2 matter")
+          .arg(count_text(statistics.gaussians_used), count_text(statistics.gaussians_total)));
+  pairs_->setText(tr("%1 eye, %2 lights")
+                      .arg(count_text(statistics.view_pairs), count_text(statistics.light_pairs)));
+  const QString size = tr("%1 × %2").arg(film.width).arg(film.height);
+  picture_->setText(frame->request.moving ? tr("%1 in motion").arg(size) : size);
+
+  QList<QTreeWidgetItem*> rows;
+  for (const StageTime& stage : statistics.stages) {
+    rows << new QTreeWidgetItem(
+        {QString::fromStdString(stage.name), QString::number(stage.milliseconds, 'f', 1)});
+  }
+  rows << new QTreeWidgetItem({tr("frame"), QString::number(frame->milliseconds, 'f', 1)});
+  for (const SkippedStage& skipped : statistics.skipped) {
+    const QString why = tr("skipped: %1").arg(QString::fromStdString(skipped.why));
+    auto* row = new QTreeWidgetItem({QString::fromStdString(skipped.stage), why});
+    row->setToolTip(1, why);
+    row->setDisabled(true);
+    rows << row;
+  }
+  stages_->clear();
+  stages_->addTopLevelItems(rows);
+}
+
+}  // namespace brume

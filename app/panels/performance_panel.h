@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QWidget>
+
+namespace brume {
+
+class Viewport;
+
+// What the frame on screen cost, how wrong it is, and what auto makes of that.
+class PerformancePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PerformancePanel(Viewport& viewport, QWidget* parent = nullptr);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QLabel* add_row(QFormLayout& form, const QString& title, const char* name);
+  void fill_max_error();
+  void update_quality();
+  void update_frame();
+
+  Viewport& viewport_;
+  QComboBox* max_error_;
+  QLabel* shown_;
+  QLabel* why_;
+  QLabel* error_;
+  QLabel* interval_;
+  QLabel* gaussians_;
+  QLabel* pairs_;
+  QLabel* picture_;
+  QTreeWidget* stages_;
+};
+
+}  // namespace brume

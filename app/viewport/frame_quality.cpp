@@ -1,0 +1,74 @@
+#include "app/viewport/frame_quality.h"
+
+#include "app/viewport/frame_service.h"
+
+namespace brume {
+
+FrameQuality::FrameQuality(QObject* parent) : QObject(parent) {
+  connect(&meter_, &ErrorMeter::measured, this, &FrameQuality::take);
+  connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
+}
+
+void FrameQuality::set_airlight(std::optional<AirlightMethod> method) {
+  if (method == airlight_) return;
+  airlight_ = method;
+  stop_measuring();
+  error_.reset();  // not even a hint of the new one
+  Q_EMIT settings_changed();
+}
+
+void FrameQuality::set_max_error(double max_error) {
+  if (max_error == control_.max_error()) return;
+  const Settings before = settings();
+  control_.set_max_error(max_error);
+  if (settings() != before) {
+    stop_measuring();
+    Q_EMIT settings_changed();
+  }
+  Q_EMIT error_changed();
+}
+
+Settings FrameQuality::settings() const {
+  if (!airlight_) return control_.settings();
+  Settings settings = sliced_settings({}, Settings{}.slices);
+  settings.airlight = *airlight_;
+  return settings;
+}
+
+void FrameQuality::picture_changes(const Scene& scene, const Camera& camera) {
+  stop_measuring();
+  control_.follow(scene, camera);
+}
+
+void FrameQuality::scene_replaced() {
+  stop_measuring();
+  error_.reset();
+  control_.forget();
+}
+
+void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
+  stop_measuring();
+  frame_ = std::move(frame);
+  // Other pixels for each step: settings that do well on some must not be chosen for it and then
+  // judged by the same ones.
+  meter_.measure(frame_, airlight_ ? 0 : control_.step());
+}
+
+void FrameQuality::take(const std::shared_ptr<const RenderedFrame>& frame,
+                        const ErrorEstimate& error) {
+  if (frame != frame_) return;  // cancelled meanwhile
+  frame_.reset();
+  error_ = error;
+  if (!airlight_) control_.learn(frame->request.settings, error);
+  measured_ = settings() == frame->request.settings;
+  if (!measured_) Q_EMIT settings_changed();
+  Q_EMIT error_changed();
+}
+
+void FrameQuality::stop_measuring() {
+  meter_.cancel();
+  frame_.reset();
+  measured_ = false;
+}
+
+}  // namespace brume

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/viewport/error_meter.h"
+#include "render/quality_control.h"
+
+namespace brume {
+
+struct FrameRequest;
+
+// The settings that frames are rendered with, and how wrong the one on screen is. With `auto` the
+// one decides on the other.
+class FrameQuality : public QObject {
+  Q_OBJECT
+ public:
+  explicit FrameQuality(QObject* parent = nullptr);
+
+  // nullopt: auto.
+  [[nodiscard]] std::optional<AirlightMethod> airlight() const { return airlight_; }
+  void set_airlight(std::optional<AirlightMethod> method);
+  // What auto keeps. See QualityControl.
+  [[nodiscard]] double max_error() const { return control_.max_error(); }
+  void set_max_error(double max_error);
+
+  [[nodiscard]] Settings settings() const;  // of frames at rest
+  [[nodiscard]] const QualityControl& control() const { return control_; }
+
+  // The last error measured: that of the frame on screen if is_measured().
+  [[nodiscard]] const std::optional<ErrorEstimate>& error() const { return error_; }
+  [[nodiscard]] bool is_measured() const { return measured_; }
+  // Whether auto has found that the bound cannot be held.
+  [[nodiscard]] bool is_exhausted() const { return !airlight_ && control_.is_exhausted(); }
+
+  // The picture on screen is no longer what should be seen; nothing is measured any more.
+  void picture_changes(const Scene& scene, const Camera& camera);
+  void scene_replaced();
+  // A full frame with the present settings is on screen.
+  void frame_shown(std::shared_ptr<const RenderedFrame> frame);
+
+ Q_SIGNALS:
+  void settings_changed();  // frames are due again
+  void error_changed();
+  void failed(const QString& message);
+
+ private:
+  void take(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
+  void stop_measuring();
+
+  std::optional<AirlightMethod> airlight_;
+  QualityControl control_;
+  std::shared_ptr<const RenderedFrame> frame_;  // to be measured
+  std::optional<ErrorEstimate> error_;
+  bool measured_ = false;
+  ErrorMeter meter_;
+};
+
+}  // namespace brume

@@ -1,0 +1,259 @@
+// Auto, the error of what is shown, and the panel that tells of both.
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QStatusBar>
+#include <QTreeWidget>
+
+#include "app/document/paths.h"
+#include "app/frame_text.h"
+#include "app/panels/performance_panel.h"
+#include "app/scene_files.h"
+#include "app/viewport/error_meter.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
+#include "render/renderer.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+Scene dense_cloud() {
+  return load_scene(std::filesystem::path(BRUME_SCENES) / "dense_cloud.brume");
+}
+
+// So many Gaussians that measuring takes far longer than what a test does meanwhile.
+Scene heavy_scene() {
+  Scene scene = small_scene();
+  for (int k = 0; k < 20000; ++k) {
+    const double x = std::fmod(0.618034 * k, 1.0);
+    const double y = std::fmod(0.754878 * k, 1.0);
+    const double z = std::fmod(0.569840 * k, 1.0);
+    scene.medium.append({{3.0 * x - 1.5, 3.0 * y - 1.5, 3.0 * z - 1.5}, 0.25, 0.004});
+  }
+  return scene;
+}
+
+std::shared_ptr<const RenderedFrame> rendered(const Scene& scene) {
+  auto frame = std::make_shared<RenderedFrame>();
+  frame->request.scene = std::make_shared<const Scene>(scene);
+  frame->request.camera = scene.camera;
+  frame->request.film = {60, 40};
+  frame->request.settings = sliced_settings({}, 16);
+  Renderer renderer;
+  frame->frame = *renderer.render(scene, scene.camera, {60, 40}, frame->request.settings);
+  return frame;
+}
+
+QString label(MainWindow& window, const char* name) {
+  return window.findChild<QLabel*>(name)->text();
+}
+
+const ErrorEstimate& error_of(MainWindow& window) {
+  return *window.viewport().quality().error();
+}
+
+// With the keyboard, as a user would.
+void choose_bound(MainWindow& window, const QString& text) {
+  auto* bounds = window.findChild<QComboBox*>("max_error");
+  const int wanted = bounds->findText(text);
+  QVERIFY(wanted >= 0);
+  bounds->setFocus();
+  while (bounds->currentIndex() != wanted) {
+    QTest::keyClick(bounds, bounds->currentIndex() < wanted ? Qt::Key_Down : Qt::Key_Up);
+  }
+}
+
+QTreeWidgetItem* stage(MainWindow& window, const QString& name) {
+  return window.findChild<QTreeWidget*>("stages")->findItems(name, Qt::MatchExactly).value(0);
+}
+
+}  // namespace
+
+class QualityTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void auto_is_the_default_and_keeps_two_per_cent() {
+    TestWindow window(dense_cloud());
+    QVERIFY(window->findChild<QAction*>("airlight_auto")->isChecked());
+    QCOMPARE(window->viewport().quality().max_error(), 0.02);
+    QVERIFY(error_of(*window).high <= 0.02);
+    QVERIFY(error_of(*window).rel_rmse > 0.0);
+    const QString error = error_text(error_of(*window));
+    QVERIFY2(error.contains(" ± ."), qPrintable(error));
+    QCOMPARE(label(*window, "error"), "error " + error);
+    QVERIFY(window->findChild<QLabel*>("error")->isEnabled());
+    QCOMPARE(label(*window, "quality"),
+             settings_text(window->viewport().shown()->request.settings) + " · " +
+                 percent_text(error_of(*window).rel_rmse));
+  }
+
+  void the_error_is_grey_until_it_is_that_of_the_picture() {
+    TestWindow window;
+    auto* error = window->findChild<QLabel*>("error");
+    QVERIFY(error->isEnabled());
+    int grey = 0;
+    connect(&window->viewport(), &Viewport::frame_shown, this, [&] {
+      QVERIFY(!error->isEnabled());
+      ++grey;
+    });
+    const QPoint middle = window->viewport().rect().center();
+    window.drag(middle, middle + QPoint(60, 20), Qt::MiddleButton);
+    QVERIFY(!window->viewport().is_measured());
+    QVERIFY(window.settle());
+    QVERIFY(grey >= 1);
+    QVERIFY(error->isEnabled());
+  }
+
+  void paper_is_far_off_in_a_dense_cloud() {
+    TestWindow window(dense_cloud());
+    window->findChild<QAction*>("airlight_paper")->trigger();
+    QVERIFY(window.settle());
+    QVERIFY(label(*window, "quality").startsWith("paper"));
+    QVERIFY2(error_of(*window).low > 0.1, qPrintable(error_text(error_of(*window))));
+    window->findChild<QAction*>("airlight_sliced")->trigger();
+    QVERIFY(window.settle());
+    QVERIFY2(error_of(*window).high < 0.05, qPrintable(error_text(error_of(*window))));
+    window->findChild<QAction*>("airlight_auto")->trigger();
+  }
+
+  void another_bound_is_another_choice() {
+    TestWindow window(dense_cloud());
+    const Viewport& view = window->viewport();
+    const auto slices_for = [&](const QString& bound) {
+      choose_bound(*window, bound);
+      return window.settle() ? view.shown()->request.settings.slices : 0;
+    };
+    const int loose = slices_for("10 % error");
+    QVERIFY(error_of(*window).high <= 0.1);
+    const int tight = slices_for("1 % error");
+    QVERIFY(error_of(*window).high <= 0.01);
+    QVERIFY2(0 < loose && loose < tight, qPrintable(QString("%1 %2").arg(loose).arg(tight)));
+    QCOMPARE(label(*window, "shown"), QString("sliced %1").arg(tight));
+    QVERIFY(label(*window, "why").contains("1 %"));
+  }
+
+  // Runs after the one above.
+  void the_bound_is_remembered() {
+    TestWindow window;
+    QCOMPARE(window->viewport().quality().max_error(), 0.01);
+    QCOMPARE(window->findChild<QComboBox*>("max_error")->currentText(), QString("1 % error"));
+    choose_bound(*window, "2 % error");
+  }
+
+  void a_bound_that_cannot_be_held_is_said() {
+    TestWindow window;
+    window->viewport().quality().set_max_error(1e-9);
+    QVERIFY(window.settle());
+    QVERIFY(window->viewport().quality().is_exhausted());
+    QVERIFY2(label(*window, "error").contains("cannot be held"),
+             qPrintable(label(*window, "error")));
+    QVERIFY(label(*window, "why").contains("cannot be held"));
+    window->viewport().quality().set_max_error(0.02);
+    QVERIFY(window.settle());
+    QVERIFY(!label(*window, "error").contains("cannot be held"));
+  }
+
+  void another_scene_starts_anew() {
+    TestWindow window;
+    window->viewport().quality().set_max_error(1e-9);
+    QVERIFY(window.settle());
+    QVERIFY(window->files().open_file(window.file("scene.brume")));
+    QVERIFY(!window->viewport().quality().error());
+    QCOMPARE(window->viewport().quality().settings(), QualityControl().settings());
+  }
+
+  void what_is_no_longer_shown_is_not_measured() {
+    const auto heavy = rendered(heavy_scene());
+    const auto light = rendered(small_scene());
+    ErrorMeter meter;
+    std::vector<const RenderedFrame*> came;
+    connect(
+        &meter, &ErrorMeter::measured, this,
+        [&](const std::shared_ptr<const RenderedFrame>& frame) { came.push_back(frame.get()); });
+    meter.measure(heavy, 1);
+    QTest::qWait(20);  // it has begun
+    meter.measure(light, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!came.empty(), 60000);
+    QCOMPARE(came, std::vector{light.get()});
+    meter.measure(heavy, 1);
+    QTest::qWait(20);
+    meter.cancel();
+    meter.measure(light, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(came.size() == 2, 60000);
+    QCOMPARE(came.back(), light.get());
+  }
+
+  // The picture of an edit comes before the error of what was there before could.
+  void an_edit_while_measuring_is_shown_at_once() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene heavy = heavy_scene();
+    save_scene(heavy, window.file("heavy.brume"));
+    QVERIFY(window->files().open_file(window.file("heavy.brume")));
+    Viewport& view = window->viewport();
+    for (int k = 0; k < 3; ++k) {
+      QVERIFY(QTest::qWaitFor([&] { return view.is_settled(); }, 60000));
+      QVERIFY(!view.is_measured());
+      QSignalSpy errors(&view.quality(), &FrameQuality::error_changed);
+      const RenderedFrame* before = view.shown();
+      window.key(Qt::Key_A, Qt::ShiftModifier);
+      QVERIFY(QTest::qWaitFor([&] { return view.shown() != before; }, 60000));
+      QCOMPARE(view.shown()->request.scene->medium.size(), document.medium().size());
+      QCOMPARE(errors.count(), 0);
+    }
+    QVERIFY(window.settle());
+    QCOMPARE(view.shown()->request.scene->medium.size(), heavy.medium.size() + 3);
+  }
+
+  void the_panel_tells_what_the_frame_cost() {
+    TestWindow window;
+    for (const char* name : {"light_table", "airlight", "composite", "frame"}) {
+      QVERIFY2(stage(*window, name), name);
+      bool is_number = false;
+      stage(*window, name)->text(1).toDouble(&is_number);
+      QVERIFY2(is_number, name);
+    }
+    QVERIFY(stage(*window, "visibility")->text(1).contains("no surfaces"));
+    QVERIFY(stage(*window, "visibility")->isDisabled());
+    QCOMPARE(label(*window, "gaussians_used"), QString("5 of 5 matter"));
+    const FrameStatistics& statistics = window->viewport().shown()->frame.statistics;
+    QVERIFY(label(*window, "pairs").contains(count_text(statistics.view_pairs)));
+    QCOMPARE(label(*window, "panel_error"), error_text(error_of(*window)));
+    QVERIFY(label(*window, "interval").contains(count_text(error_of(*window).pixels)));
+
+    // Live: in motion too.
+    int in_motion = 0;
+    connect(&window->viewport(), &Viewport::frame_shown, this, [&] {
+      if (label(*window, "picture").contains("in motion")) ++in_motion;
+    });
+    const QPoint middle = window->viewport().rect().center();
+    window.drag(middle, middle + QPoint(60, 20), Qt::MiddleButton);
+    QVERIFY(window.settle());
+    QVERIFY(in_motion > 0);
+    QVERIFY(!label(*window, "picture").contains("in motion"));
+    window->document().select({5});
+    window.key(Qt::Key_Delete);
+    QVERIFY(window.settle());
+    QCOMPARE(label(*window, "gaussians_used"), QString("4 of 4 matter"));
+  }
+
+  void numbers_are_short() {
+    const auto text = [](double error, double high) {
+      return error_text({error, error * error / high, high, 100});
+    };
+    QCOMPARE(text(0.014, 0.016), QString("1.4 ± .2 %"));
+    QCOMPARE(text(0.353, 0.384), QString("35 ± 3 %"));
+    QCOMPARE(text(0.0021, 0.0025), QString("0.21 ± .04 %"));
+    QCOMPARE(text(1e-6, 2e-6), QString("< .01 %"));
+    QCOMPARE(error_text({}), QString("< .01 %"));
+    QCOMPARE(count_text(12408), QString("12,408"));
+    QCOMPARE(bound_text(0.02), QString("2 %"));
+  }
+};
+
+BRUME_TEST_MAIN(QualityTest)
+#include "quality_test.moc"
