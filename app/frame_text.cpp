@@ -25,7 +25,7 @@ QString count_text(std::uint64_t count) {
 }
 
 QString settings_text(const Settings& settings) {
-  const QString name = to_string(settings.airlight);
+  const QString name = QString::fromStdString(airlight_name(settings));
   return settings.airlight == AirlightMethod::sliced
              ? QString("%1 %2").arg(name).arg(settings.slices)
              : name;

@@ -22,7 +22,8 @@ std::array<double, 4> measures_of(const Scene& scene) {
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     depth += scene.medium.densities()[i] * scene.medium.radii()[i];
   }
-  return {static_cast<double>(scene.lights.size()), static_cast<double>(scene.medium.size()), depth,
+  const auto lights = std::ranges::count(scene.lights, true, &PointLight::on);
+  return {static_cast<double>(lights), static_cast<double>(scene.medium.size()), depth,
           scene.medium.homogeneous_density()};
 }
 

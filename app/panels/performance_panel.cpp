@@ -129,7 +129,8 @@ void PerformancePanel::update_frame() {
   pairs_->setText(tr("%1 eye, %2 lights")
                       .arg(count_text(statistics.view_pairs), count_text(statistics.light_pairs)));
   const QString size = tr("%1 × %2").arg(film.width).arg(film.height);
-  picture_->setText(frame->request.moving ? tr("%1 in motion").arg(size) : size);
+  picture_->setText(frame->request.moving && !viewport_.is_settled() ? tr("%1 in motion").arg(size)
+                                                                     : size);
 
   QList<QTreeWidgetItem*> rows;
   for (const StageTime& stage : statistics.stages) {

@@ -158,6 +158,7 @@ TEST(QualityControl, NoticesLightsAndDensity) {
   EXPECT_FALSE(forgets([](Scene&) {}));
   EXPECT_FALSE(forgets([](Scene& s) { s.camera.eye.x += 1.0; }));
   EXPECT_TRUE(forgets([](Scene& s) { s.lights.push_back(s.lights[0]); }));
+  EXPECT_TRUE(forgets([](Scene& s) { s.lights[0].on = false; }));
   EXPECT_TRUE(forgets([](Scene& s) { s.medium.set_homogeneous_density(0.1); }));
   EXPECT_TRUE(forgets([](Scene& s) { s.medium = cloud_scene(30, 2.0).medium; }));
 }
