@@ -1,9 +1,5 @@
 #include "app/frame_export.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QProgressBar>
-#include <QToolButton>
 #include <exception>
 
 #include "app/document/paths.h"
@@ -12,20 +8,8 @@
 
 namespace brume {
 
-FrameExport::FrameExport(QWidget* parent)
-    : QWidget(parent), label_(new QLabel(this)), bar_(new QProgressBar(this)) {
-  bar_->setRange(0, 100);
-  bar_->setFixedWidth(90);
-  bar_->setTextVisible(false);
-  auto* stop = new QToolButton(this);
-  stop->setText(tr("Cancel"));
-  connect(stop, &QToolButton::clicked, this, &FrameExport::cancel);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(label_);
-  layout->addWidget(bar_);
-  layout->addWidget(stop);
-  hide();
+FrameExport::FrameExport(QWidget* parent) : JobBar(parent) {
+  connect(this, &JobBar::cancel_clicked, this, &FrameExport::cancel);
 }
 
 FrameExport::~FrameExport() = default;
@@ -35,9 +19,7 @@ void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera
                         const std::filesystem::path& file) {
   if (running_) return;
   running_ = true;
-  label_->setText(tr("Exporting %1").arg(to_qstring(file.filename())));
-  bar_->setValue(0);
-  show();
+  show_job(tr("Exporting %1").arg(to_qstring(file.filename())));
   thread_ = std::jthread([=, this](const std::stop_token& stop) {
     Outcome outcome = Outcome::cancelled;
     QString text = to_qstring(file);
@@ -48,7 +30,7 @@ void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera
         if (percent == told) return;
         told = percent;
         QMetaObject::invokeMethod(
-            bar_, [this, percent] { bar_->setValue(percent); }, Qt::QueuedConnection);
+            this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
       };
       Renderer renderer;
       const auto frame = renderer.render(*scene, camera, scene->film, settings, stop, progress);

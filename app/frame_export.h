@@ -1,22 +1,18 @@
 #pragma once
 
-#include <QWidget>
 #include <filesystem>
 #include <memory>
 #include <thread>
 
+#include "app/job_bar.h"
 #include "core/scene/scene.h"
 #include "render/frame_file.h"
 #include "render/settings.h"
 
-class QLabel;
-class QProgressBar;
-
 namespace brume {
 
-// Renders a frame to an EXR or PNG file in the background. As a widget it says so in the status
-// bar while it lasts, with a button to cancel.
-class FrameExport : public QWidget {
+// Renders a frame to an EXR or PNG file in the background.
+class FrameExport : public JobBar {
   Q_OBJECT
  public:
   explicit FrameExport(QWidget* parent = nullptr);
@@ -37,8 +33,6 @@ class FrameExport : public QWidget {
   enum class Outcome { written, cancelled, failed };
   void end(Outcome outcome, const QString& text);
 
-  QLabel* label_;
-  QProgressBar* bar_;
   bool running_ = false;
   std::jthread thread_;
 };

@@ -43,9 +43,11 @@ int main(int argc, char* argv[]) {
   window.show();
   const QStringList scenes = parser.positionalArguments();
   if (!scenes.isEmpty()) {
-    const bool opened = window.files().open_file(brume::to_path(scenes.first()));
-    // The window has said why. A user may go on from here, a picture of nothing helps nobody.
-    if (!opened && parser.isSet("screenshot")) return 2;
+    if (parser.isSet("screenshot")) {
+      // The window has said why. A user may go on from here, a picture of nothing helps nobody.
+      QObject::connect(&window.files(), &brume::SceneFiles::failed, [] { QApplication::exit(2); });
+    }
+    window.files().open_file(brume::to_path(scenes.first()));
   }
   return QApplication::exec();
 }

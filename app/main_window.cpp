@@ -25,6 +25,7 @@
 #include "app/panels/history_panel.h"
 #include "app/panels/performance_panel.h"
 #include "app/scene_files.h"
+#include "app/scene_load.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport.h"
 
@@ -126,6 +127,7 @@ void MainWindow::create_status_bar() {
   menuBar()->setCornerWidget(quality_);
   frame_export_ = new FrameExport(this);
   statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(&files_->loading());
   statusBar()->addPermanentWidget(frame_export_);
   statusBar()->addPermanentWidget(numbers_);
   statusBar()->addPermanentWidget(error_);
@@ -141,6 +143,7 @@ void MainWindow::connect_document() {
     message_bar_->show_error(message);
   };
   connect(files_, &SceneFiles::failed, this, fail);
+  connect(&files_->loading(), &SceneLoad::cancelled, this, [this] { say(tr("Not opened")); });
   connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
   connect(viewport_, &Viewport::failed, this, fail);
   connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_status);
@@ -227,7 +230,7 @@ void MainWindow::export_frame_to(const std::filesystem::path& file) {
 
 void MainWindow::quit_with_screenshot(const QString& file) {
   const auto take = [this, file] {
-    if (!viewport_->is_measured()) return;
+    if (!viewport_->is_measured() || files_->loading().is_running()) return;
     viewport_->quality().disconnect(this);
     // Once more through the event loop: all has come, but is not painted yet.
     QTimer::singleShot(200, this, [this, file] {

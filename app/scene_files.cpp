@@ -2,7 +2,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
@@ -10,6 +9,7 @@
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/scene_load.h"
 
 namespace brume {
 namespace {
@@ -28,40 +28,38 @@ QString folder_of(const std::filesystem::path& file) {
 }  // namespace
 
 SceneFiles::SceneFiles(Document& document, QWidget* window)
-    : QObject(window), document_(document), window_(window) {}
+    : QObject(window), document_(document), window_(window), loading_(new SceneLoad(window)) {
+  connect(loading_, &SceneLoad::loaded, this,
+          [this](const std::shared_ptr<LoadedScene>& loaded) { take(*loaded); });
+  connect(loading_, &SceneLoad::failed, this, &SceneFiles::failed);
+}
 
 bool SceneFiles::create() {
   if (!may_discard()) return false;
+  loading_->cancel();
   document_.create();
   return true;
 }
 
-bool SceneFiles::open() {
+void SceneFiles::open() {
   const QString name = QFileDialog::getOpenFileName(window_, tr("Open scene"),
                                                     folder_of(document_.file()), filter());
-  return !name.isEmpty() && open_file(to_path(name));
+  if (!name.isEmpty()) open_file(to_path(name));
 }
 
-bool SceneFiles::open_file(const std::filesystem::path& file) {
-  if (!may_discard()) return false;
-  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-  std::vector<std::string> warnings;
-  QString problem;
-  try {
-    document_.load(file, &warnings);
-  } catch (const std::exception& error) {
-    problem = QString::fromUtf8(error.what());
-  }
-  QGuiApplication::restoreOverrideCursor();
-  if (!problem.isEmpty()) {
-    Q_EMIT failed(problem);
-    return false;
-  }
-  remember(document_.file());
-  QStringList lines;
-  for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
-  if (!lines.isEmpty()) Q_EMIT warned(lines.join('\n'));
-  return true;
+void SceneFiles::open_file(const std::filesystem::path& file) {
+  if (!may_discard()) return;
+  asked_at_ = document_.undo_stack().index();
+  loading_->start(file);
+}
+
+void SceneFiles::take(LoadedScene& loaded) {
+  // What was done meanwhile has not been asked about.
+  if (document_.undo_stack().index() != asked_at_ && !may_discard()) return;
+  document_.open(std::move(loaded.scene), loaded.file);
+  remember(loaded.file);
+  if (!loaded.warnings.isEmpty()) Q_EMIT warned(loaded.warnings);
+  Q_EMIT opened();
 }
 
 bool SceneFiles::save() {

@@ -10,20 +10,23 @@ class QWidget;
 namespace brume {
 
 class Document;
+class SceneLoad;
+struct LoadedScene;
 
 // New, open, save, recent files, and the one question about unsaved work. Every bool answers
-// whether it was done; what went wrong is said by failed().
+// whether it was done; what went wrong is said by failed(). Scenes are read in the background; the
+// present one stays until the other is complete.
 class SceneFiles : public QObject {
   Q_OBJECT
  public:
   SceneFiles(Document& document, QWidget* window);
 
   // Asks for a file.
-  bool open();
+  void open();
   bool save_as();
   // Asks only what to do with unsaved work.
   bool create();
-  bool open_file(const std::filesystem::path& file);
+  void open_file(const std::filesystem::path& file);
   // Asks for a file if the scene has none yet.
   bool save();
   bool save_to(const std::filesystem::path& file);
@@ -33,15 +36,22 @@ class SceneFiles : public QObject {
 
   void fill_recent_menu(QMenu& menu);
 
+  // Reads the scenes, and shows that it does.
+  [[nodiscard]] SceneLoad& loading() { return *loading_; }
+
  Q_SIGNALS:
+  void opened();
   void failed(const QString& message);
   void warned(const QString& message);
 
  private:
+  void take(LoadedScene& loaded);
   void remember(const std::filesystem::path& file);
 
   Document& document_;
   QWidget* window_;
+  SceneLoad* loading_;
+  int asked_at_ = 0;  // where in the history unsaved work was given up for what is being read
 };
 
 }  // namespace brume

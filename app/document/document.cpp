@@ -31,12 +31,7 @@ QString Document::name() const {
 }
 
 void Document::create() {
-  replace(new_scene(), {});
-}
-
-void Document::load(const std::filesystem::path& file, std::vector<std::string>* warnings) {
-  const std::filesystem::path absolute = std::filesystem::absolute(file);
-  replace(load_scene(absolute, warnings), absolute);
+  open(new_scene(), {});
 }
 
 void Document::save(const std::filesystem::path& file) {
@@ -47,7 +42,7 @@ void Document::save(const std::filesystem::path& file) {
   Q_EMIT file_changed();
 }
 
-void Document::replace(Scene scene, const std::filesystem::path& file) {
+void Document::open(Scene scene, const std::filesystem::path& file) {
   undo_stack_.clear();
   scene_ = std::move(scene);
   snapshot_.reset();

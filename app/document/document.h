@@ -4,7 +4,6 @@
 #include <QUndoStack>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "core/medium/medium_edit.h"
@@ -31,10 +30,10 @@ class Document : public QObject {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] QString name() const;
 
-  // These three forget history and selection, or leave the document as it was and throw
-  // InputError. save() keeps the history and marks its present state as saved.
+  // Both forget history and selection. `file` is where the scene was loaded from.
   void create();
-  void load(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr);
+  void open(Scene scene, const std::filesystem::path& file);
+  // Keeps the history and marks its present state as saved, or throws InputError.
   void save(const std::filesystem::path& file);
 
   // Ordered by id; always Gaussians of this medium. Selecting is not an edit.
@@ -56,8 +55,6 @@ class Document : public QObject {
   void file_changed();
 
  private:
-  void replace(Scene scene, const std::filesystem::path& file);
-
   Scene scene_;
   mutable std::shared_ptr<const Scene> snapshot_;
   QUndoStack undo_stack_;

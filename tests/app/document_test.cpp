@@ -9,7 +9,6 @@
 #include "app/commands/set_camera_command.h"
 #include "app/document/document.h"
 #include "app/panels/gaussian_table_model.h"
-#include "core/error.h"
 #include "core/io/scene_file.h"
 #include "tests/app/test_window.h"
 
@@ -20,7 +19,7 @@ namespace {
 void load(Document& document, const QTemporaryDir& folder, const Scene& scene) {
   const auto file = std::filesystem::path(folder.path().toStdString()) / "scene.brume";
   save_scene(scene, file);
-  document.load(file);
+  document.open(load_scene(file), file);
 }
 
 std::vector<GaussianId> random_ids(const Medium& medium, std::mt19937& random) {
@@ -209,21 +208,6 @@ class DocumentTest : public QObject {
     add_gaussian(document, {{}, 1.0, 1.0});
     QVERIFY(document.snapshot() != first);
     QVERIFY(first->medium.empty());
-  }
-
-  void a_broken_file_leaves_the_document_alone() {
-    const QTemporaryDir folder;
-    Document document;
-    load(document, folder, small_scene());
-    const Scene before = document.scene();
-    const auto broken = std::filesystem::path(folder.path().toStdString()) / "broken.brume";
-    QFile file(QString::fromStdString(broken.string()));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("{ \"brume\": ");
-    file.close();
-    QVERIFY_EXCEPTION_THROWN(document.load(broken), InputError);
-    QVERIFY(document.scene() == before);
-    QCOMPARE(document.name(), QString("scene.brume"));
   }
 
   void a_hundred_thousand_rows_stay_fluid() {

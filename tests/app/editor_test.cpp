@@ -7,13 +7,17 @@
 #include <QMimeData>
 #include <QProcess>
 #include <QStatusBar>
+#include <QToolButton>
 #include <QUndoView>
+#include <fstream>
 #include <random>
 
+#include "app/commands/edit_medium.h"
 #include "app/message_bar.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/panels/number_field.h"
 #include "app/scene_files.h"
+#include "app/scene_load.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene_file.h"
 #include "tests/app/test_window.h"
@@ -38,12 +42,22 @@ void type(QTableView* table, const QString& text) {
   QCoreApplication::processEvents();  // Qt commits a cell a little later
 }
 
+Scene fog_of(int count) {
+  Scene scene = small_scene();
+  scene.medium = {};
+  for (int k = 0; k < count; ++k) scene.medium.append({{0.001 * k, 0.0, 0.0}, 0.1, 0.001});
+  return scene;
+}
+
 // Presses a button of the question that is about to be asked.
 void answer(QMessageBox::StandardButton button) {
-  QTimer::singleShot(200, qApp, [button] {
+  QTimer::singleShot(50, qApp, [button] {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    QVERIFY(question);
-    question->button(button)->click();
+    if (question) {
+      question->button(button)->click();
+    } else {
+      answer(button);
+    }
   });
 }
 
@@ -215,7 +229,7 @@ class EditorTest : public QObject {
     const Scene saved = document.scene();
     QVERIFY(window->files().create());
     QVERIFY(document.medium().empty() && document.file().empty());
-    QVERIFY(window->files().open_file(window.file("other.brume")));
+    QVERIFY(window.open("other.brume"));
     QCOMPARE(document.name(), QString("other.brume"));
     QVERIFY(std::ranges::equal(document.medium().centers(), saved.medium.centers()));
     QVERIFY(std::ranges::equal(document.medium().radii(), saved.medium.radii()));
@@ -245,11 +259,15 @@ class EditorTest : public QObject {
     TestWindow window;
     auto* bar = window->findChild<MessageBar*>();
     QVERIFY(!bar->isVisible());
-    QVERIFY(!window->files().open_file(window.file("missing.brume")));
+    QVERIFY(!window.open("missing.brume"));
     QVERIFY(bar->isVisible());
     QVERIFY(bar->message().contains("missing.brume"));
+    std::ofstream(window.file("broken.brume")) << "{ \"brume\": ";
+    QVERIFY(!window.open("broken.brume"));
+    QVERIFY(bar->message().contains("broken.brume"));
+    QCOMPARE(window->document().name(), QString("scene.brume"));
     QCOMPARE(window->document().medium().size(), std::size_t{5});
-    QVERIFY(window->files().open_file(window.file("scene.brume")));
+    QVERIFY(window.open("scene.brume"));
     QVERIFY(!bar->isVisible());
   }
 
@@ -280,7 +298,50 @@ class EditorTest : public QObject {
     QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&*window, &drop);
+    QTRY_COMPARE(window->document().medium().size(), std::size_t{5});
+  }
+
+  void the_present_scene_stays_until_the_other_is_complete() {
+    TestWindow window;
+    save_scene(fog_of(20000), window.file("big.brume"));
+    SceneLoad& loading = window->files().loading();
+    QVERIFY(!loading.isVisible());
+    window->files().open_file(window.file("big.brume"));
+    QVERIFY(loading.isVisible());
+    window.key(Qt::Key_Plus);  // the window goes on
+    QVERIFY(window->document().medium().size() == 5 || !loading.is_running());
+    QTRY_VERIFY_WITH_TIMEOUT(!loading.is_running(), 60000);
+    QVERIFY(!loading.isVisible());
+    QCOMPARE(window->document().medium().size(), std::size_t{20000});
+    QCOMPARE(window->document().name(), QString("big.brume"));
+  }
+
+  void opening_can_be_cancelled_and_the_last_one_wins() {
+    TestWindow window;
+    save_scene(fog_of(20000), window.file("big.brume"));
+    save_scene(fog_of(7), window.file("seven.brume"));
+    QSignalSpy opened(&window->files(), &SceneFiles::opened);
+    window->files().open_file(window.file("big.brume"));
+    QTest::mouseClick(window->files().loading().findChild<QToolButton*>(), Qt::LeftButton);
+    QVERIFY(!window->files().loading().isVisible());
     QCOMPARE(window->document().medium().size(), std::size_t{5});
+    window->files().open_file(window.file("big.brume"));
+    QVERIFY(window.open("seven.brume"));
+    QCOMPARE(window->document().medium().size(), std::size_t{7});
+    QTest::qWait(300);
+    QCOMPARE(opened.count(), 1);  // the big ones never came
+  }
+
+  void work_done_while_a_scene_is_read_is_asked_about() {
+    TestWindow window;
+    window->files().open_file(window.file("scene.brume"));
+    add_gaussian(window->document(), {{}, 1.0, 1.0});
+    answer(QMessageBox::Cancel);
+    QTRY_VERIFY(!window->files().loading().is_running());
+    QTRY_VERIFY(!QApplication::activeModalWidget());
+    QCOMPARE(window->document().medium().size(), std::size_t{6});
+    QVERIFY(window->isWindowModified());
+    window->document().undo_stack().undo();
   }
 };
 

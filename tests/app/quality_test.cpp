@@ -161,7 +161,7 @@ class QualityTest : public QObject {
     TestWindow window;
     window->viewport().quality().set_max_error(1e-9);
     QVERIFY(window.settle());
-    QVERIFY(window->files().open_file(window.file("scene.brume")));
+    QVERIFY(window.open("scene.brume"));
     QVERIFY(!window->viewport().quality().error());
     QCOMPARE(window->viewport().quality().settings(), QualityControl().settings());
   }
@@ -191,7 +191,7 @@ class QualityTest : public QObject {
     TestWindow window;
     const Scene heavy = heavy_scene();
     save_scene(heavy, window.file("heavy.brume"));
-    QVERIFY(window->files().open_file(window.file("heavy.brume")));
+    QVERIFY(window.open("heavy.brume"));
     Viewport& view = window->viewport();
     QVERIFY(QTest::qWaitFor([&] { return view.is_settled(); }, 60000));
     QVERIFY(!view.is_measured());

@@ -5,6 +5,7 @@
 #include "app/application.h"
 #include "app/document/paths.h"
 #include "app/scene_files.h"
+#include "app/scene_load.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene_file.h"
 
@@ -30,11 +31,17 @@ TestWindow::TestWindow(const Scene& scene) : window_(std::make_unique<MainWindow
   save_scene(scene, file("scene.brume"));
   window_->resize(900, 560);
   window_->show();
-  window_->files().open_file(file("scene.brume"));
   window_->activateWindow();
-  if (!QTest::qWaitForWindowActive(window_.get()) || !settle()) {
+  if (!open("scene.brume") || !QTest::qWaitForWindowActive(window_.get()) || !settle()) {
     qFatal("the window did not come up");
   }
+}
+
+bool TestWindow::open(const char* name) {
+  QSignalSpy opened(&window_->files(), &SceneFiles::opened);
+  window_->files().open_file(file(name));
+  return QTest::qWaitFor([this] { return !window_->files().loading().is_running(); }, 60000) &&
+         opened.count() == 1;
 }
 
 std::filesystem::path TestWindow::file(const char* name) const {

@@ -21,6 +21,8 @@ class TestWindow {
   MainWindow* operator->() { return window_.get(); }
   [[nodiscard]] std::filesystem::path file(const char* name) const;
 
+  // Opens a file of this window's folder; whether it is there.
+  bool open(const char* name);
   // Waits until the viewport shows the present state at full resolution, and how wrong it is.
   bool settle();
   // Where a Gaussian's handle is in the viewport.

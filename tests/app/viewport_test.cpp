@@ -7,6 +7,7 @@
 #include "app/panels/gaussian_panel.h"
 #include "app/scene_files.h"
 #include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -101,7 +102,7 @@ class ViewportTest : public QObject {
     for (const int steps_before : {0, 1}) {
       QTest::mousePress(&view, Qt::LeftButton, {}, from);
       for (int k = 0; k < steps_before; ++k) window.move(from + QPoint(30, 0));
-      document.load(document.file());  // as a dropped file does, and without a question
+      document.open(load_scene(document.file()), document.file());  // as when one was read
       const Scene fresh = document.scene();
       window.move(from + QPoint(40, 0));
       window.move(from + QPoint(60, 10));
@@ -144,7 +145,7 @@ class ViewportTest : public QObject {
       }
       window.key(Qt::Key_0, Qt::ControlModifier);
       QVERIFY(window->files().save());
-      QVERIFY(window->files().open_file(window.file("scene.brume")));
+      QVERIFY(window.open("scene.brume"));
     }
   }
 

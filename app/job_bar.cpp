@@ -1,0 +1,36 @@
+#include "app/job_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+namespace brume {
+
+JobBar::JobBar(QWidget* parent)
+    : QWidget(parent), label_(new QLabel(this)), bar_(new QProgressBar(this)) {
+  bar_->setFixedWidth(90);
+  bar_->setTextVisible(false);
+  auto* stop = new QToolButton(this);
+  stop->setText(tr("Cancel"));
+  connect(stop, &QToolButton::clicked, this, &JobBar::cancel_clicked);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(label_);
+  layout->addWidget(bar_);
+  layout->addWidget(stop);
+  hide();
+}
+
+void JobBar::show_job(const QString& text) {
+  label_->setText(text);
+  bar_->setRange(0, 0);
+  show();
+}
+
+void JobBar::show_progress(int percent) {
+  bar_->setRange(0, 100);
+  bar_->setValue(percent);
+}
+
+}  // namespace brume
