@@ -105,13 +105,13 @@ class Samples {
   [[nodiscard]] float bend(int column, int row) const { return bends_[index(column, row)]; }
 
   // After all values are there.
-  void measure_bends(const Job& job) {
+  void measure_bends(double tolerance, const Job& job) {
     double square = 0.0;
     for (const glm::vec4& v : values_)
       square += static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z);
     const double rms = std::sqrt(square / (3.0 * static_cast<double>(values_.size())));
-    const float light = 1.0f / static_cast<float>(std::max(upsampling_tolerance * rms, 1e-30));
-    constexpr auto taken = static_cast<float>(1.0 / upsampling_tolerance);
+    const float light = 1.0f / static_cast<float>(std::max(tolerance * rms, 1e-30));
+    const auto taken = static_cast<float>(1.0 / tolerance);
     const glm::vec4 unit(light, light, light, taken);
     job.each(static_cast<std::size_t>(film_.height), [&](std::size_t at) {
       const int row = static_cast<int>(at);
@@ -220,9 +220,10 @@ void interpolate(const Samples& samples, const CameraRays::PixelRectangle& tile,
 
 }  // namespace
 
-FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays, int scale,
-                           const TileMethod& method, std::span<const SurfaceHit> hits,
-                           const Job& job, Frame& frame) {
+FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
+                           const Settings& settings, const TileMethod& method,
+                           std::span<const SurfaceHit> hits, const Job& job, Frame& frame) {
+  const int scale = settings.airlight_scale;
   Samples samples(frame, scale);
   const Tiles tiles(samples.film());
   const Tiles::Lists lists = tiles.lists(medium, rays, scale);
@@ -246,7 +247,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays, in
     exact += count;
   });
   if (scale > 1 && !job.stop.stop_requested()) {
-    samples.measure_bends(job);
+    samples.measure_bends(settings.upsampling_tolerance, job);
     job.each(tiles.count(), [&](std::size_t tile) {
       Batch batch(rays, hits, frame.film);
       const auto evaluate = [&] {

@@ -9,6 +9,7 @@
 #include "render/frame.h"
 #include "render/job.h"
 #include "render/medium_index.h"
+#include "render/settings.h"
 
 namespace brume {
 
@@ -26,14 +27,13 @@ struct FilmAirlight {
 // Fills frame.airlight and frame.transmittance, tile by tile; `hits` says per pixel where the rays
 // end, as frame.depth does in float, and is empty where the scene has no surfaces.
 //
-// With `scale` 2 or 4 the method is asked at every scale-th pixel of each row and column, and what
-// lies between is interpolated (section 5.4 of the paper). Where that would not do, the method is
-// asked after all, so there are no halos and no thin objects lost: pixels whose distance is not the
-// one interpolated, and cells whose corners are not nearly linear in their airlight or
-// transmittance (to upsampling_tolerance of the film's rms, and of 1).
-constexpr double upsampling_tolerance = 0.01;
-FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays, int scale,
-                           const TileMethod& method, std::span<const SurfaceHit> hits,
-                           const Job& job, Frame& frame);
+// With settings.airlight_scale 2 or 4 the method is asked at every so-many-th pixel of each row and
+// column, and what lies between is interpolated (section 5.4 of the paper). Where that would not do,
+// the method is asked after all, so there are no halos and no thin objects lost: pixels whose
+// distance is not the one interpolated, and cells whose corners are not nearly linear in their
+// airlight or transmittance (to settings.upsampling_tolerance of the film's rms, and of 1).
+FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
+                           const Settings& settings, const TileMethod& method,
+                           std::span<const SurfaceHit> hits, const Job& job, Frame& frame);
 
 }  // namespace brume

@@ -156,7 +156,7 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   if (work.plan.gaussians || work.plan.homogeneous) {
     const TileMethod method = airlight_method(work, clock);
     const FilmAirlight film =
-        film_airlight(prepared.medium(), work.rays, work.settings.airlight_scale, method, hits,
+        film_airlight(prepared.medium(), work.rays, work.settings, method, hits,
                       work.job, work.frame);
     statistics.gaussians_used = film.gaussians_used;
     statistics.exact_pixels = film.exact_pixels;

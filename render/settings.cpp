@@ -35,6 +35,10 @@ Settings sliced_settings(Settings settings, int slices) {
   settings.light_table = slices < 12   ? LightTableSize{64, 32}
                          : slices < 48 ? LightTableSize{128, 64}
                                        : LightTableSize{256, 128};
+  settings.upsampling_tolerance = slices < 16   ? 0.02
+                                  : slices < 32 ? 0.01
+                                  : slices < 64 ? 0.005
+                                                : 0.002;
   settings.depth_error = slices < 48 ? 1e-3 : 1e-4;
   settings.shadow_cells = std::clamp(16 * slices, 256, 1024);
   return settings;

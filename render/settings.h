@@ -40,6 +40,7 @@ struct Settings {
 
   // Airlight at 1 / airlight_scale of the film's width and height: 1, 2 or 4; see film_airlight().
   int airlight_scale = 1;
+  double upsampling_tolerance = 0.01;
 
   PaperOptions paper;
 
@@ -71,7 +72,7 @@ const char* to_string(AirlightMethod method);
 // The method as the command line takes it, with the number that belongs to it: "march:64".
 std::string airlight_name(const Settings& settings);
 
-// `sliced` with a number of slices, and the tables that go with it so that neither's error
+// `sliced` with a number of slices, and tables and tolerances that go with it, so that no error
 // dominates.
 Settings sliced_settings(Settings settings, int slices);
 

@@ -3,8 +3,18 @@
 #include "app/viewport/frame_service.h"
 
 namespace brume {
+namespace {
 
-FrameQuality::FrameQuality(QObject* parent) : QObject(parent) {
+// Airlight is interpolated where that is good enough: the picture is there several times sooner.
+Settings interpolated() {
+  Settings settings;
+  settings.airlight_scale = 4;
+  return settings;
+}
+
+}  // namespace
+
+FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpolated()) {
   connect(&meter_, &ErrorMeter::measured, this, &FrameQuality::take);
   connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
 }
@@ -30,7 +40,7 @@ void FrameQuality::set_max_error(double max_error) {
 
 Settings FrameQuality::settings() const {
   if (!airlight_) return control_.settings();
-  Settings settings = sliced_settings({}, Settings{}.slices);
+  Settings settings = sliced_settings(interpolated(), Settings{}.slices);
   settings.airlight = *airlight_;
   return settings;
 }

@@ -15,6 +15,7 @@ Settings at_scale(int scale, AirlightMethod method = AirlightMethod::sliced) {
   Settings settings = sliced_settings({}, 64);  // so that slicing differs less than is tested
   settings.airlight = method;
   settings.airlight_scale = scale;
+  settings.upsampling_tolerance = 0.01;
   settings.march_steps = 16;
   return settings;
 }

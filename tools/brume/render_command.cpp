@@ -83,7 +83,7 @@ class RenderCommand final : public Command {
         ->capture_default_str();
     app.add_option("--airlight-scale", airlight_scale_,
                    "1, 2 or 4: airlight at so much less width and height, upsampled by depth; "
-                   "not given, auto chooses and the others take 1")
+                   "not given, auto takes 4 and the others 1")
         ->check(CLI::IsMember({1, 2, 4}));
     app.add_flag("--paper-mean", paper_.at_mean,
                  "paper: takes light at the mean of a Gaussian on the ray");
@@ -115,7 +115,7 @@ class RenderCommand final : public Command {
     if (airlight_scale_ > 1 && settings.airlight == AirlightMethod::reference) {
       throw UsageError("--airlight-scale: the reference is never interpolated; allowed: 1");
     }
-    settings.airlight_scale = std::max(airlight_scale_, 1);
+    settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : is_chosen ? 1 : 4;
     settings.reference_tolerance = tolerance_;
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
