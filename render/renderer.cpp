@@ -155,9 +155,8 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   }
   if (work.plan.gaussians || work.plan.homogeneous) {
     const TileMethod method = airlight_method(work, clock);
-    const FilmAirlight film =
-        film_airlight(prepared.medium(), work.rays, work.settings, method, hits,
-                      work.job, work.frame);
+    const FilmAirlight film = film_airlight(prepared.medium(), work.rays, work.settings, method,
+                                            hits, work.job, work.frame);
     statistics.gaussians_used = film.gaussians_used;
     statistics.exact_pixels = film.exact_pixels;
     statistics.view_pairs += film.pairs;
@@ -178,9 +177,17 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
 
 void Renderer::Impl::find_surfaces(Work& work) {
   work.job.each(work.tiles.count(), [&](std::size_t tile) {
-    each_pixel(work, tile, [&](std::size_t i, int x, int y) {
-      hits[i] =
-          prepared.visibility().first_hit(work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5));
+    std::array<glm::dvec3, Tiles::pixels> directions;
+    std::array<SurfaceHit, Tiles::pixels> tile_hits;
+    std::size_t count = 0;
+    each_pixel(work, tile, [&](std::size_t, int x, int y) {
+      directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
+    });
+    prepared.visibility().first_hits(work.rays.eye(), std::span(directions).first(count),
+                                     std::span(tile_hits).first(count));
+    count = 0;
+    each_pixel(work, tile, [&](std::size_t i, int, int) {
+      hits[i] = tile_hits[count++];
       work.frame.depth[i] = static_cast<float>(hits[i].distance);
     });
   });

@@ -8,11 +8,14 @@ ShadowMap::ShadowMap(const Visibility& visibility, const glm::dvec3& light, cons
     : light_(light), map_(map) {
   if (visibility.empty()) return;
   distances_.resize(map.cells());
+  const auto stride = static_cast<std::size_t>(map.stride());
   tbb::parallel_for(0, map.rows + 2, [&](int y) {
-    for (int x = 0; x < map.stride(); ++x) {
-      distances_[static_cast<std::size_t>(y * map.stride() + x)] =
-          static_cast<float>(visibility.first_hit(light, map.direction(x - 1, y - 1)).distance);
-    }
+    std::vector<glm::dvec3> directions;
+    for (int x = 0; x < map.stride(); ++x) directions.push_back(map.direction(x - 1, y - 1));
+    std::vector<SurfaceHit> hits(stride);
+    visibility.first_hits(light, directions, hits);
+    float* const row = distances_.data() + static_cast<std::size_t>(y) * stride;
+    for (std::size_t x = 0; x < stride; ++x) row[x] = static_cast<float>(hits[x].distance);
   });
 }
 

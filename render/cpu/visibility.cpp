@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 #include "core/scene/mesh.h"
@@ -42,11 +43,26 @@ struct Placement {
 
 }  // namespace
 
+struct Vertex {
+  glm::dvec3 position;
+  glm::dvec3 normal;
+};
+
+// A ray as Embree takes it, relative to the middle of the surfaces: from `skip` along it.
+struct Part {
+  double skip = 0.0;
+  double tnear = 0.0;
+  double tfar = std::numeric_limits<double>::infinity();
+};
+
+constexpr std::size_t packet = 16;
+
 struct Visibility::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<Placement> placements;
   std::vector<std::vector<glm::uvec3>> triangles;  // vertex indices, per surface
+  std::vector<std::vector<Vertex>> vertices;       // in the world, per surface
   glm::dvec3 middle{0.0};
   double radius = -1.0;  // of the ball around `middle` that holds all surfaces; < 0: none
 
@@ -83,8 +99,12 @@ struct Visibility::Impl {
                                                                RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                                                mesh.n_vertices()));
     if (!vertex) throw std::bad_alloc();
+    auto& in_world = vertices.emplace_back();
     for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) {
-      const glm::dvec3 p = to_world(surface, mesh_point(mesh, v)) - middle;
+      const auto& n = mesh.normal(OpenMesh::VertexHandle(v));
+      in_world.push_back(
+          {to_world(surface, mesh_point(mesh, v)), surface.rotate * glm::dvec3(n[0], n[1], n[2])});
+      const glm::dvec3 p = in_world.back().position - middle;
       radius = std::max(radius, glm::length(p));
       for (int k = 0; k < 3; ++k) *vertex++ = static_cast<float>(p[k]);
     }
@@ -105,22 +125,64 @@ struct Visibility::Impl {
     rtcReleaseGeometry(geometry);
   }
 
-  [[nodiscard]] RTCRay ray(const glm::dvec3& origin, const glm::dvec3& direction, double tnear,
-                           double tfar) const {
-    const glm::dvec3 o = origin - middle;
-    RTCRay r{};
-    r.org_x = static_cast<float>(o.x);
-    r.org_y = static_cast<float>(o.y);
-    r.org_z = static_cast<float>(o.z);
-    r.dir_x = static_cast<float>(direction.x);
-    r.dir_y = static_cast<float>(direction.y);
-    r.dir_z = static_cast<float>(direction.z);
-    r.tnear = static_cast<float>(tnear);
-    r.tfar = static_cast<float>(tfar);
-    r.mask = ~0u;
-    return r;
+  // A ray from far away starts at the ball around the surfaces, where float has digits for it.
+  [[nodiscard]] Part to_first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+    return {std::max(0.0, glm::dot(middle - origin, direction) - 1.01 * radius)};
+  }
+
+  // Of the way between two points, ends excluded.
+  [[nodiscard]] Part between(const glm::dvec3& from, const glm::dvec3& direction,
+                             double distance) const {
+    const double along = glm::dot(middle - from, direction);
+    const double skip = std::clamp(along - 1.01 * radius, 0.0, distance);
+    const double margin = self_hit_margin * std::min(distance, 2.0 * radius);
+    return {skip, skip > 0.0 ? 0.0 : margin, distance - skip - margin};
+  }
+
+  // Sets lane `k` of RTCRay16 or the only one of RTCRay.
+  void set(auto& ray, std::size_t k, const glm::dvec3& origin, const glm::dvec3& direction,
+           const Part& part) const {
+    const auto put = [k](auto& field, auto value) {
+      if constexpr (std::is_array_v<std::remove_reference_t<decltype(field)>>) {
+        field[k] = value;
+      } else {
+        field = value;
+      }
+    };
+    const glm::dvec3 o = origin - middle + part.skip * direction;
+    put(ray.org_x, static_cast<float>(o.x));
+    put(ray.org_y, static_cast<float>(o.y));
+    put(ray.org_z, static_cast<float>(o.z));
+    put(ray.dir_x, static_cast<float>(direction.x));
+    put(ray.dir_y, static_cast<float>(direction.y));
+    put(ray.dir_z, static_cast<float>(direction.z));
+    put(ray.tnear, static_cast<float>(part.tnear));
+    put(ray.tfar, static_cast<float>(part.tfar));
+    put(ray.time, 0.0f);
+    put(ray.mask, ~0u);
+    put(ray.id, 0u);
+    put(ray.flags, 0u);
   }
 };
+
+namespace {
+
+SurfaceHit hit(const Part& part, float tfar, unsigned geometry, unsigned triangle, float u,
+               float v) {
+  // Triangles near the end of float's range come out infinitely far.
+  if (geometry == RTC_INVALID_GEOMETRY_ID || !std::isfinite(tfar)) return {};
+  return {part.skip + static_cast<double>(tfar), static_cast<std::int32_t>(geometry), triangle, u,
+          v};
+}
+
+RTCIntersectContext context_of(RTCIntersectContextFlags flags) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = flags;
+  return context;
+}
+
+}  // namespace
 
 Visibility::Visibility(std::span<const Surface> surfaces)
     : impl_(std::make_unique<Impl>(surfaces)) {}
@@ -139,20 +201,38 @@ bool Visibility::shows(std::span<const Surface> surfaces) const {
 
 SurfaceHit Visibility::first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
   if (empty()) return {};
-  // A ray from far away starts at the ball around the surfaces, where float has digits for it.
-  const double along = glm::dot(impl_->middle - origin, direction);
-  const double skip = std::max(0.0, along - 1.01 * impl_->radius);
+  const Part part = impl_->to_first_hit(origin, direction);
   RTCRayHit query{};
-  query.ray = impl_->ray(origin + skip * direction, direction, 0.0,
-                         std::numeric_limits<double>::infinity());
+  impl_->set(query.ray, 0, origin, direction, part);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
   rtcIntersect1(impl_->scene, &context, &query);
-  // Triangles near the end of float's range come out infinitely far.
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID || !std::isfinite(query.ray.tfar)) return {};
-  return {skip + static_cast<double>(query.ray.tfar), static_cast<std::int32_t>(query.hit.geomID),
-          query.hit.primID, query.hit.u, query.hit.v};
+  return hit(part, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
+}
+
+void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+                            std::span<SurfaceHit> hits) const {
+  std::fill(hits.begin(), hits.end(), SurfaceHit{});
+  if (empty()) return;
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  for (std::size_t first = 0; first < directions.size(); first += packet) {
+    alignas(64) std::array<int, packet> valid{};
+    std::array<Part, packet> parts;
+    RTCRayHit16 query;
+    const std::size_t count = std::min(packet, directions.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      parts[k] = impl_->to_first_hit(origin, directions[first + k]);
+      impl_->set(query.ray, k, origin, directions[first + k], parts[k]);
+      query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+      query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+      valid[k] = -1;
+    }
+    rtcIntersect16(valid.data(), impl_->scene, &context, &query);
+    for (std::size_t k = 0; k < count; ++k) {
+      hits[first + k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
+                            query.hit.u[k], query.hit.v[k]);
+    }
+  }
 }
 
 SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
@@ -162,7 +242,6 @@ SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
   result.position = origin + hit.distance * direction;
   result.to_eye = -direction;
   result.surface = &surfaces[static_cast<std::size_t>(hit.surface)];
-  const Surface& surface = *result.surface;
   const glm::uvec3 corners = impl_->triangles[static_cast<std::size_t>(hit.surface)][hit.triangle];
   const double u = static_cast<double>(hit.u);
   const double v = static_cast<double>(hit.v);
@@ -170,12 +249,12 @@ SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
   std::array<glm::dvec3, 3> positions;
   std::array<glm::dvec3, 3> normals;
   glm::dvec3 smooth(0.0);
+  const std::vector<Vertex>& vertices = impl_->vertices[static_cast<std::size_t>(hit.surface)];
   for (int k = 0; k < 3; ++k) {
-    const auto vertex = static_cast<int>(corners[k]);
-    const auto& n = surface.mesh->normal(OpenMesh::VertexHandle(vertex));
-    positions[static_cast<std::size_t>(k)] = to_world(surface, mesh_point(*surface.mesh, vertex));
-    normals[static_cast<std::size_t>(k)] = surface.rotate * glm::dvec3(n[0], n[1], n[2]);
-    smooth += weights[k] * normals[static_cast<std::size_t>(k)];
+    const Vertex& vertex = vertices[corners[k]];
+    positions[static_cast<std::size_t>(k)] = vertex.position;
+    normals[static_cast<std::size_t>(k)] = vertex.normal;
+    smooth += weights[k] * vertex.normal;
   }
   glm::dvec3 geometric = glm::cross(positions[1] - positions[0], positions[2] - positions[0]);
   geometric /= std::max(glm::length(geometric), std::numeric_limits<double>::min());
@@ -198,22 +277,33 @@ SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
 }
 
 bool Visibility::blocked(const glm::dvec3& from, const glm::dvec3& to) const {
-  if (empty()) return false;
-  const glm::dvec3 q = to - from;
-  const double distance = glm::length(q);
-  if (!(distance > 0.0)) return false;
-  const glm::dvec3 direction = q / distance;
-  const double along = glm::dot(impl_->middle - from, direction);
-  const double skip = std::clamp(along - 1.01 * impl_->radius, 0.0, distance);
-  const double margin = self_hit_margin * std::min(distance, 2.0 * impl_->radius);
-  RTCRay ray = impl_->ray(from + skip * direction, direction, skip > 0.0 ? 0.0 : margin,
-                          distance - skip - margin);
-  if (!(ray.tnear < ray.tfar)) return false;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  rtcOccluded1(impl_->scene, &context, &ray);
-  return ray.tfar < 0.0f;
+  bool result = false;
+  blocked(std::span(&from, 1), to, std::span(&result, 1));
+  return result;
+}
+
+void Visibility::blocked(std::span<const glm::dvec3> from, const glm::dvec3& to,
+                         std::span<bool> result) const {
+  std::fill(result.begin(), result.end(), false);
+  if (empty()) return;
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  for (std::size_t first = 0; first < from.size(); first += packet) {
+    alignas(64) std::array<int, packet> valid{};
+    RTCRay16 query;
+    const std::size_t count = std::min(packet, from.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const glm::dvec3 q = to - from[first + k];
+      const double distance = glm::length(q);
+      if (!(distance > 0.0)) continue;
+      const Part part = impl_->between(from[first + k], q / distance, distance);
+      if (!(part.tnear < part.tfar)) continue;
+      impl_->set(query, k, from[first + k], q / distance, part);
+      valid[k] = -1;
+    }
+    rtcOccluded16(valid.data(), impl_->scene, &context, &query);
+    for (std::size_t k = 0; k < count; ++k)
+      result[first + k] = valid[k] != 0 && query.tfar[k] < 0.0f;
+  }
 }
 
 }  // namespace brume

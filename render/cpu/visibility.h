@@ -49,6 +49,10 @@ class Visibility {
   // The nearest hit of a ray (unit direction). Thread-safe.
   [[nodiscard]] SurfaceHit first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
+  // The same for rays that lie close to each other, several times as fast.
+  void first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+                  std::span<SurfaceHit> hits) const;
+
   // The point where that ray hit. Thread-safe.
   [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,
                                    const glm::dvec3& direction,
@@ -56,6 +60,10 @@ class Visibility {
 
   // Whether a surface stands between two points, ends excluded. Thread-safe.
   [[nodiscard]] bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
+
+  // The same for points that lie close to each other, several times as fast.
+  void blocked(std::span<const glm::dvec3> from, const glm::dvec3& to,
+               std::span<bool> result) const;
 
  private:
   struct Impl;

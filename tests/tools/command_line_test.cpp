@@ -181,6 +181,25 @@ TEST_F(CommandLine, TakesTheOptionsOfPaper) {
   }
 }
 
+TEST_F(CommandLine, RendersAirlightAtLowerResolution) {
+  for (const char* scale : {"1", "2", "4"}) {
+    const ProgramResult result =
+        run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
+                   "40x30", "--airlight", "sliced", "--airlight-scale", scale});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
+    EXPECT_EQ(stats["airlight_scale"], std::stoi(scale));
+    EXPECT_GT(stats["exact_pixels"], 0);
+  }
+  EXPECT_EQ(run_brume({"render", scene_, "-o", file("n.exr"), "--airlight-scale", "3"}).exit_code,
+            2);
+  const ProgramResult reference = run_brume(
+      {"render", scene_, "-o", file("n.exr"), "--airlight", "reference", "--airlight-scale", "2"});
+  EXPECT_EQ(reference.exit_code, 2);
+  EXPECT_NE(reference.err.find("--airlight-scale"), std::string::npos) << reference.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "n.exr"));
+}
+
 TEST_F(CommandLine, RendersToPng) {
   const ProgramResult result = run_brume({"render", scene_, "-o", file("o.PNG"), "--size", "7x5",
                                           "--exposure", "-1.5", "--airlight", "paper"});
@@ -202,10 +221,10 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   const auto stats = nlohmann::ordered_json::parse(content_of(folder_ / "s.json"));
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{"version", "scene", "size", "backend", "device", "airlight",
-                                      "slices", "threads", "repeat", "frame_ms", "first_frame_ms",
-                                      "stages", "skipped", "gaussians", "pairs", "error"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"version", "scene", "size", "backend", "device",
+                                            "airlight", "slices", "airlight_scale", "exact_pixels",
+                                            "threads", "repeat", "frame_ms", "first_frame_ms",
+                                            "stages", "skipped", "gaussians", "pairs", "error"}));
   EXPECT_EQ(stats["version"], BRUME_VERSION);
   EXPECT_EQ(stats["scene"], scene_);
   EXPECT_EQ(stats["size"], Json::array({8, 6}));
