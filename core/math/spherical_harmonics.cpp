@@ -79,18 +79,83 @@ Value sh_evaluate(const ShVector<Value>& f, const glm::dvec3& direction) {
   return sum;
 }
 
+namespace {
+
+// What integrals of products of harmonics that vanish come to; the others are above 5e-3.
+constexpr double rounding = 1e-13;
+
+// The element (i, j) of a sparse matrix.
+struct Element {
+  std::size_t i, j;
+  double value;
+};
+
+// The turn by +90 degrees about +x, which takes +y to +z, by a quadrature that is exact for it.
+std::vector<Element> quarter_turn() {
+  constexpr std::size_t size = sh_size(sh_most_bands);
+  std::array<double, size * size> matrix{};
+  for (const auto& [d, weight] : sphere_rule(2 * (sh_most_bands - 1))) {
+    const ShVector<double> to = sh_basis(sh_most_bands, d);
+    const ShVector<double> from = sh_basis(sh_most_bands, glm::dvec3(d.x, d.z, -d.y));
+    for (std::size_t k = 0; k < matrix.size(); ++k) {
+      matrix[k] += weight * to[k / size] * from[k % size];
+    }
+  }
+  std::vector<Element> elements;
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    if (std::abs(matrix[k]) > rounding) elements.push_back({k / size, k % size, matrix[k]});
+  }
+  return elements;
+}
+
 template <class Value>
-ShVector<Value> sh_rotate(const ShVector<Value>& f, const glm::dquat& q) {
-  // The turned function has no more bands than f, so a quadrature projects it exactly.
-  static const std::vector<SphereNode> rule = sphere_rule(2 * (sh_most_bands - 1));
-  const glm::dquat back = glm::conjugate(q);
+ShVector<Value> turn_about_x(const ShVector<Value>& f, bool forward) {
+  static const std::vector<Element> elements = quarter_turn();
   ShVector<Value> result(f.order());
-  for (const SphereNode& node : rule) {
-    const Value value = node.weight * sh_evaluate(f, back * node.direction);
-    const ShVector<double> y = sh_basis(f.order(), node.direction);
-    for (std::size_t i = 0; i < f.size(); ++i) result[i] += y[i] * value;
+  for (const Element& e : elements) {
+    if (e.i >= f.size()) break;
+    if (forward) {
+      result[e.i] += e.value * f[e.j];
+    } else {
+      result[e.j] += e.value * f[e.i];
+    }
   }
   return result;
+}
+
+template <class Value>
+ShVector<Value> turn_about_z(const ShVector<Value>& f, double angle) {
+  ShVector<Value> result = f;
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  double c = 1.0;  // of m times the angle
+  double s = 0.0;
+  for (int m = 1; m < f.order(); ++m) {
+    const double turned = c * cosine - s * sine;
+    s = s * cosine + c * sine;
+    c = turned;
+    for (int l = m; l < f.order(); ++l) {
+      const Value& a = f[sh_index(l, m)];
+      const Value& b = f[sh_index(l, -m)];
+      result[sh_index(l, m)] = c * a - s * b;
+      result[sh_index(l, -m)] = s * a + c * b;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+template <class Value>
+ShVector<Value> sh_rotate(const ShVector<Value>& f, const glm::dquat& q) {
+  // q as turns about z, y and z by gamma, beta and alpha; that about y as one about z between
+  // quarter turns about x.
+  const double beta = 2.0 * std::atan2(std::hypot(q.x, q.y), std::hypot(q.w, q.z));
+  const double sum = std::atan2(q.z, q.w);
+  const double difference = std::atan2(-q.x, q.y);
+  ShVector<Value> result = turn_about_x(turn_about_z(f, sum - difference), true);
+  result = turn_about_x(turn_about_z(result, beta), false);
+  return turn_about_z(result, sum + difference);
 }
 
 namespace {
@@ -98,7 +163,6 @@ namespace {
 // By a quadrature that is exact for products of three harmonics.
 std::vector<ShTriple> all_triples() {
   constexpr std::size_t size = sh_size(sh_most_bands);
-  constexpr double rounding = 1e-13;  // values that are not zero are above 1e-2
   std::vector<ShVector<double>> y;
   const std::vector<SphereNode> rule = sphere_rule(3 * (sh_most_bands - 1));
   for (const SphereNode& node : rule) y.push_back(sh_basis(sh_most_bands, node.direction));

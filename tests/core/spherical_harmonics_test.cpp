@@ -92,6 +92,12 @@ TEST(SphericalHarmonics, RotateAsTheFunctionDoes) {
       EXPECT_NEAR(sh_evaluate(turned, q * d), sh_evaluate(f, d), 2e-14);
     }
   }
+  const ShVector<double> f = random_function(random, 6);
+  const ShVector<double> same = sh_rotate(f, glm::dquat(1, 0, 0, 0));
+  const ShVector<double> around = sh_rotate(f, glm::dquat(0, 0, 0, 1));
+  for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(same[i], f[i], 1e-14);
+  const glm::dvec3 d = random_direction(random);
+  EXPECT_NEAR(sh_evaluate(around, {-d.x, -d.y, d.z}), sh_evaluate(f, d), 1e-14);
   // +90 degrees about +y takes +z to +x.
   ShVector<double> z(2);
   z[sh_index(1, 0)] = 1.0;
