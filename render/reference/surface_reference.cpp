@@ -252,6 +252,7 @@ ReflectedLight reflected_light(const Scene& scene, const Visibility& visibility,
     variance += sum.variance();
   };
   for (const PointLight& light : scene.lights) {
+    if (!light.on) continue;
     result.attenuated += sampler.straight(light);
     average([&] { return sampler.of_light(light, uniform); });
   }
