@@ -9,7 +9,7 @@ namespace brume {
 
 // From a point light (eq. 25), per unit of its radiant intensity over the squared distance
 // I0 / d^2: e^-T (T delta * spread + delta), delta in the unit direction p -> s, T the optical
-// depth between them; spread as of PointSpreadTable or paper_point_spread_sh.
+// depth between them; spread as of SpreadTable::point() or paper_point_spread_sh.
 template <class Real>
 ShVector<Real> incident_point_light(int order, const glm::vec<3, Real, glm::defaultp>& to_light,
                                     Real T, const ZonalSh<Real>& spread) {
@@ -24,7 +24,8 @@ ShVector<Real> incident_point_light(int order, const glm::vec<3, Real, glm::defa
 }
 
 // From an environment of radiance L (eq. 27): e^-Tbar (Tbar L * spread + L), Tbar as of
-// average_depth().
+// average_depth(); spread as of SpreadTable::distant(), or as the paper has it, which is too
+// bright.
 template <class Value, class Real>
 ShVector<Value> incident_environment(const ShVector<Value>& L, Real Tbar,
                                      const ZonalSh<Real>& spread) {

@@ -19,35 +19,51 @@ double detour(double delta, double x) {
          std::sin(0.5 * delta * (1.0 - x));
 }
 
-}  // namespace
-
-double point_spread(double T, double gamma) {
-  const double delta = std::numbers::pi - gamma;
-  const auto attenuation = [&](double x) { return std::exp(-T * detour(delta, x)); };
-  const std::array<double, 2> all = {0.0, 1.0};
-  const double mean = integrate<double>(attenuation, all, 1e-12).value;
-  const double spread = delta > 0.0 ? delta / std::sin(gamma) : 1.0;
-  return spread * mean / (4.0 * std::numbers::pi);
+// The same for parallel light, x = t.
+double distant_detour(double gamma, double x) {
+  const double half_sine = std::sin(0.5 * gamma);
+  const double across = x * std::sin(gamma);  // of the ball's radius, the distance off the light
+  const double sunk = across * across / (1.0 + std::sqrt(std::max(0.0, 1.0 - across * across)));
+  return 2.0 * x * half_sine * half_sine - sunk;
 }
 
-ZonalSh<double> point_spread_sh(double T) {
-  // Both integrands bend sharply at ends of their intervals: at gamma = 0 within about 1/T, and at
-  // x = 1 within about T. gamma = pi s^3 and x = q^2 (3 - 2 q) spread those ends out.
-  static const QuadratureRule rule = gauss_legendre(96);
-  const std::size_t n = rule.nodes.size();
-  ZonalSh<double> result{};
+// The mean of exp(-T detour(x)) over x in [0, 1].
+template <class Detour>
+double mean_attenuation(double T, const Detour& detour) {
+  const auto attenuation = [&](double x) { return std::exp(-T * detour(x)); };
+  const std::array<double, 2> all = {0.0, 1.0};
+  return integrate<double>(attenuation, all, 1e-12).value;
+}
+
+// A Gauss-Legendre rule on [0, 1] with its nodes moved further towards both ends, where integrands
+// bend within a small stretch.
+QuadratureRule towards_both_ends(std::size_t n) {
+  QuadratureRule rule = gauss_legendre(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double s = 0.5 * (1.0 + rule.nodes[i]);
-    const double gamma = std::numbers::pi * s * s * s;
-    const double delta = std::numbers::pi - gamma;
+    const double q = 0.5 * (1.0 + rule.nodes[i]);
+    rule.nodes[i] = q * q * (3.0 - 2.0 * q);
+    rule.weights[i] *= 3.0 * q * (1.0 - q);
+  }
+  return rule;
+}
+
+// The coefficients of a spread that is factor(gamma) / (4 pi sin gamma) times that mean.
+template <class Factor, class Detour>
+ZonalSh<double> project(double T, const Factor& factor, const Detour& detour) {
+  // The mean bends sharply within 1/T of gamma = 0 and, for parallel light, of pi/2; what it is of,
+  // within T of x = 1.
+  static const QuadratureRule gammas = towards_both_ends(64);  // of each quarter turn
+  static const QuadratureRule xs = towards_both_ends(96);
+  const double quarter = 0.5 * std::numbers::pi;
+  ZonalSh<double> result{};
+  for (std::size_t i = 0; i < 2 * gammas.nodes.size(); ++i) {
+    const double gamma = quarter * (static_cast<double>(i % 2) + gammas.nodes[i / 2]);
     double mean = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const double q = 0.5 * (1.0 + rule.nodes[k]);
-      const double stretch = 3.0 * rule.weights[k] * q * (1.0 - q);
-      mean += stretch * std::exp(-T * detour(delta, q * q * (3.0 - 2.0 * q)));
+    for (std::size_t k = 0; k < xs.nodes.size(); ++k) {
+      mean += xs.weights[k] * std::exp(-T * detour(gamma, xs.nodes[k]));
     }
-    // 2 pi sin(gamma) point_spread dgamma, in which the singular sine drops out.
-    const double mass = 0.5 * delta * mean * (1.5 * std::numbers::pi * rule.weights[i] * s * s);
+    // 2 pi sin(gamma) spread dgamma, in which the sine drops out.
+    const double mass = 0.5 * factor(gamma) * mean * quarter * gammas.weights[i / 2];
     const ShVector<double> y =
         sh_basis(sh_most_bands, glm::dvec3(std::sin(gamma), 0.0, std::cos(gamma)));
     for (int l = 0; l < sh_most_bands; ++l) {
@@ -57,10 +73,35 @@ ZonalSh<double> point_spread_sh(double T) {
   return result;
 }
 
+}  // namespace
+
+double point_spread(double T, double gamma) {
+  const double delta = std::numbers::pi - gamma;
+  const double spread = delta > 0.0 ? delta / std::sin(gamma) : 1.0;
+  return spread * mean_attenuation(T, [&](double x) { return detour(delta, x); }) /
+         (4.0 * std::numbers::pi);
+}
+
+ZonalSh<double> point_spread_sh(double T) {
+  return project(
+      T, [](double gamma) { return std::numbers::pi - gamma; },
+      [](double gamma, double x) { return detour(std::numbers::pi - gamma, x); });
+}
+
+double distant_spread(double T, double gamma) {
+  return mean_attenuation(T, [&](double x) { return distant_detour(gamma, x); }) /
+         (4.0 * std::numbers::pi);
+}
+
+ZonalSh<double> distant_spread_sh(double T) {
+  return project(
+      T, [](double gamma) { return std::sin(gamma); }, distant_detour);
+}
+
 namespace {
 
-// Nodes stand at equal steps in log(1 + T / knee): the coefficients go like T log T near 0 and like
-// log(T) / T far out. One node stands outside each end, for the cubic.
+// Nodes stand at equal steps in log(1 + T / knee): the coefficients go like T log T near 0 (those
+// of a point) and like log(T) / T far out. One node stands outside each end, for the cubic.
 constexpr double knee = 1e-4;
 constexpr double greatest = 100.0;
 constexpr int intervals = 128;
@@ -71,22 +112,27 @@ double step() {
 
 }  // namespace
 
-PointSpreadTable::PointSpreadTable() {
+SpreadTable::SpreadTable(ZonalSh<double> (*exact)(double)) {
   for (int i = -1; i <= intervals + 1; ++i) {
     // The coefficients end at T = 0: the outer node there is an extrapolation.
-    nodes_.push_back(point_spread_sh(knee * std::expm1(step() * std::max(i, 0))));
+    nodes_.push_back(exact(knee * std::expm1(step() * std::max(i, 0))));
   }
   for (std::size_t l = 0; l < nodes_[0].size(); ++l) {
     nodes_[0][l] = 3.0 * nodes_[1][l] - 3.0 * nodes_[2][l] + nodes_[3][l];
   }
 }
 
-const PointSpreadTable& PointSpreadTable::shared() {
-  static const PointSpreadTable table;
+const SpreadTable& SpreadTable::point() {
+  static const SpreadTable table(point_spread_sh);
   return table;
 }
 
-ZonalSh<double> PointSpreadTable::operator()(double T) const {
+const SpreadTable& SpreadTable::distant() {
+  static const SpreadTable table(distant_spread_sh);
+  return table;
+}
+
+ZonalSh<double> SpreadTable::operator()(double T) const {
   const double at = std::log1p(std::clamp(T, 0.0, greatest) / knee) / step();
   const double cell = std::min(std::floor(at), intervals - 1.0);
   const double t = at - cell;

@@ -6,8 +6,8 @@
 
 namespace brume {
 
-// The point spread function of a homogeneous medium (section 4 of the paper, after Sun et al.
-// 2005): what single scattering makes of a point light at optical depth T from a receiver.
+// Point spread functions of a homogeneous medium (section 4 of the paper, after Sun et al. 2005):
+// what single scattering makes of a light at optical depth T from a receiver.
 
 // The radiance scattered once towards the receiver from an angle gamma off the light, per unit of
 // the irradiance I0 / D^2 that would arrive without the medium, is T e^-T point_spread(T, gamma)
@@ -22,25 +22,39 @@ namespace brume {
 double point_spread(double T, double gamma);
 
 // The m = 0 coefficients of point_spread(T, .) around +z, T in [0, 100]; relative error at most
-// 1e-9. A quadrature of 9,216 points: for each pixel there is PointSpreadTable.
+// 2e-9. A quadrature of 12,288 points: for each pixel there is SpreadTable.
 ZonalSh<double> point_spread_sh(double T);
 
 // The same of the NPSF as the paper prints them: point_spread_sh(1) within 3e-5.
 inline constexpr ZonalSh<double> paper_point_spread_sh = {0.332818, 0.332488, 0.302428,
                                                           0.275773, 0.254051, 0.236333};
 
-// point_spread_sh, interpolated.
-class PointSpreadTable {
+// What takes the place of point_spread() where the light is far away, as an environment is: the
+// paper takes the NPSF there too, which has the glow around a near light that a far one lacks and
+// is up to 2.5 times too bright. The receiver stands in the middle of a ball of the medium of
+// radius 1 and optical depth T, and light comes from one direction:
+//   distant_spread = 1 / (4 pi) * integral over t in [0, 1] of exp(-T (t + r - 1)),
+// where r is how far the light goes through the ball to the point of the view ray at t. T >= 0;
+// gamma in [0, pi] [radians]. At T = 0 it is 1 / (4 pi). Relative error at most 1e-11.
+double distant_spread(double T, double gamma);
+
+// Its m = 0 coefficients, T in [0, 100]; error at most 2e-9 of the first.
+ZonalSh<double> distant_spread_sh(double T);
+
+// One of the two for every T, interpolated.
+class SpreadTable {
  public:
-  PointSpreadTable();
+  // The tables of point_spread_sh() and distant_spread_sh(), made on the first call. Thread-safe.
+  static const SpreadTable& point();
+  static const SpreadTable& distant();
 
-  // The one table, made on the first call. Thread-safe.
-  static const PointSpreadTable& shared();
-
-  // T >= 0; relative error at most 2e-6. Above T = 100, where T e^-T is 4e-42, as at 100.
+  // T >= 0; error at most 2e-6 of each coefficient (point), 4e-6 of the first (distant). Above T =
+  // 100, where T e^-T is 4e-42, as at 100.
   [[nodiscard]] ZonalSh<double> operator()(double T) const;
 
  private:
+  explicit SpreadTable(ZonalSh<double> (*exact)(double));
+
   std::vector<ZonalSh<double>> nodes_;
 };
 

@@ -12,8 +12,10 @@
 #include "core/math/quadrature.h"
 #include "core/math/sphere_rule.h"
 #include "core/scene/brdf.h"
+#include "core/scene/environment.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/homogeneous_airlight.h"
+#include "core/transport/incident_light.h"
 #include "core/transport/point_spread.h"
 #include "render/reference/airlight_integral.h"
 #include "tests/render/test_scenes.h"
@@ -267,10 +269,53 @@ TEST(SurfaceModel, OfADiffuseBallInFogIsTheReferenceWithTheSpreadOfItsDepth) {
         return 0.5 / pi * T * std::exp(-T) / (D * D) * sh_evaluate(reflected, point.normal);
       };
       squares += truth * truth;
-      error += std::pow(model(PointSpreadTable::shared()(T)) - truth, 2);
+      error += std::pow(model(SpreadTable::point()(T)) - truth, 2);
       paper_error += std::pow(model(paper_point_spread_sh) - truth, 2);
     }
     EXPECT_LT(std::sqrt(error / squares), row.error) << row.T;
+    EXPECT_NEAR(std::sqrt(paper_error / squares), row.paper_error, 0.02) << row.T;
+  }
+}
+
+// The light that eq. 27 scatters onto a ball from a smooth sky, beside the reference. The spread of
+// distant light leaves only the bands; the paper takes that of a light near by, at depth 1.
+TEST(SurfaceModel, OfASkyIsTheReferenceWithTheSpreadOfDistantLight) {
+  struct Row {
+    double T;
+    double paper_error;  // relative rms over the ball
+  };
+  const Row rows[] = {{0.1, 0.38}, {1.0, 0.70}, {3.0, 1.45}};
+  auto sky = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
+  for (int i = 0; i < 64 * 32; ++i) {
+    const glm::dvec3 d = map_direction(*sky, {i % 64 + 0.5, i / 64 + 0.5});
+    sky->pixels.emplace_back(glm::dvec3(1.0 + 0.8 * d.y + 0.3 * d.x * d.z));
+  }
+  Scene scene;
+  scene.environment.emplace().map = sky;
+  const Surface surface;
+  const double far = 10.0;
+  const ShVector<glm::dvec3> L = environment_sh(*scene.environment, 6);
+  for (const Row& row : rows) {
+    scene.medium.set_homogeneous_density(row.T / far);
+    double squares = 0.0;
+    double error = 0.0;
+    double paper_error = 0.0;
+    for (const glm::dvec3& n :
+         {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0.6, 0, 0.8)}) {
+      SurfacePoint point = upward(surface);
+      point.normal = point.to_eye = n;
+      const ReflectedLight truth =
+          reflected_light(scene, Visibility({}), point, {.samples = 120'000, .far = far});
+      const auto model = [&](const ZonalSh<double>& spread) {
+        const auto light = sh_convolve(incident_environment(L, row.T, spread), clamped_cosine_sh());
+        const auto straight = sh_convolve(L, clamped_cosine_sh());
+        return 0.5 / pi * (sh_evaluate(light, n).x - std::exp(-row.T) * sh_evaluate(straight, n).x);
+      };
+      squares += truth.scattered.x * truth.scattered.x;
+      error += std::pow(model(SpreadTable::distant()(row.T)) - truth.scattered.x, 2);
+      paper_error += std::pow(model(paper_point_spread_sh) - truth.scattered.x, 2);
+    }
+    EXPECT_LT(std::sqrt(error / squares), 0.01) << row.T;
     EXPECT_NEAR(std::sqrt(paper_error / squares), row.paper_error, 0.02) << row.T;
   }
 }
