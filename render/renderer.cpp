@@ -142,8 +142,8 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   work.frame.airlight.resize(3 * pixels);
   work.frame.transmittance.assign(3 * pixels, 1.0f);
   work.frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
-  hits.assign(work.plan.surfaces ? pixels : 0, {});
-  surface_radiance.assign(work.plan.lit_surfaces ? pixels : 0, glm::vec3(0.0f));
+  hits.resize(work.plan.surfaces ? pixels : 0);
+  surface_radiance.resize(work.plan.lit_surfaces ? pixels : 0);
   statistics.skipped = work.plan.skipped;
   statistics.gaussians_total = work.scene.medium.size();
 
@@ -324,22 +324,32 @@ void Renderer::Impl::shade_surfaces(Work& work) {
   const Settings::Arithmetic arithmetic = work.settings.airlight == AirlightMethod::reference
                                               ? Settings::Arithmetic::plain_double
                                               : work.settings.arithmetic;
+  std::vector<SurfaceLight> lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light});
+    if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
+      lights.back().table = &prepared.light_table(light.position, work.settings.light_table,
+                                                  work.frame.statistics.light_pairs);
+    }
+  }
   std::atomic<std::uint64_t> pairs = 0;
   work.job.each(work.tiles.count(), [&](std::size_t tile) {
     std::array<SurfacePoint, Tiles::pixels> points;
     std::array<std::size_t, Tiles::pixels> pixels;
-    std::array<glm::dvec3, Tiles::pixels> radiance;
+    std::array<glm::vec3, Tiles::pixels> radiance;
     std::size_t count = 0;
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
+      surface_radiance[i] = glm::vec3(0.0f);
       if (!hits[i]) return;
       pixels[count] = i;
       points[count++] = prepared.visibility().point(
           hits[i], work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
     });
-    pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(), work.plan.lights,
+    if (count == 0) return;
+    pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(), lights,
                                      std::span(points).first(count), arithmetic,
                                      std::span(radiance).first(count));
-    for (std::size_t k = 0; k < count; ++k) surface_radiance[pixels[k]] = glm::vec3(radiance[k]);
+    for (std::size_t k = 0; k < count; ++k) surface_radiance[pixels[k]] = radiance[k];
   });
   work.frame.statistics.light_pairs += pairs;
 }

@@ -169,6 +169,17 @@ HWY_INLINE V LookUp(const LightTable::View& table, const Vector& q, V distance) 
   return hn::Mul(depth, set(table.unit));
 }
 
+void LookUpDepths(const LightTable::View& table, const PathBatch& paths, float* depths) {
+  const D d;
+  for (std::size_t i = 0; i < paths.padded_size(); i += hn::Lanes(d)) {
+    const V distance = hn::LoadU(d, paths.length.data() + i);
+    const Vector q{hn::Mul(distance, hn::LoadU(d, paths.x.data() + i)),
+                   hn::Mul(distance, hn::LoadU(d, paths.y.data() + i)),
+                   hn::Mul(distance, hn::LoadU(d, paths.z.data() + i))};
+    hn::StoreU(LookUp(table, q, distance), d, depths + i);
+  }
+}
+
 // The share of the light that no surface stops, mixed over four cells.
 HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
   const D d;
@@ -287,11 +298,20 @@ HWY_AFTER_NAMESPACE();
 namespace brume {
 
 HWY_EXPORT(AccumulateIncrements);
+HWY_EXPORT(LookUpDepths);
 HWY_EXPORT(SumSlices);
 
 std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
                                     std::span<const float> boundaries, float* increments) {
   return HWY_DYNAMIC_DISPATCH(AccumulateIncrements)(gaussians, rays, boundaries, increments);
+}
+
+void look_up_depths(const LightTable& table, const PathBatch& paths, float* depths) {
+  if (table.empty()) {
+    std::fill_n(depths, paths.padded_size(), 0.0f);
+    return;
+  }
+  HWY_DYNAMIC_DISPATCH(LookUpDepths)(table.view(), paths, depths);
 }
 
 void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,

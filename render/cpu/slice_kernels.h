@@ -19,6 +19,10 @@ namespace brume {
 std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
                                     std::span<const float> boundaries, float* increments);
 
+// depths[k] = what a light's table has for the end of path k, which starts at the light. For
+// padded_size() paths; 0 for a table without Gaussians.
+void look_up_depths(const LightTable& table, const PathBatch& paths, float* depths);
+
 struct SliceLight {
   glm::vec3 position{0.0f};            // relative to the rays' origin [u]
   float h_min = 0.0f;                  // see LightPath [u]

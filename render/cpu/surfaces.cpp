@@ -1,51 +1,95 @@
 #include "render/cpu/surfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/scene/brdf.h"
 #include "render/cpu/path_depths.h"
+#include "render/cpu/slice_kernels.h"
+#include "render/tiles.h"
 
 namespace brume {
 
-std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visibility,
-                               std::span<const PointLight> lights,
-                               std::span<const SurfacePoint> points,
-                               Settings::Arithmetic arithmetic, std::span<glm::dvec3> radiance) {
-  std::fill(radiance.begin(), radiance.end(), glm::dvec3(0.0));
-  std::uint64_t pairs = 0;
-  std::vector<std::size_t> lit;  // points that face the light and see it
-  std::vector<double> cosine;
-  std::vector<glm::dvec3> ends;
+namespace {
+
+// The points of a tile that one light shines on.
+struct LitPoints {
+  std::vector<std::size_t> index;
+  std::vector<glm::dvec3> ends;     // the points themselves
+  std::vector<glm::dvec3> origins;  // of shadow rays
+  std::vector<std::int32_t> none;
   std::vector<double> depths;
-  for (const PointLight& light : lights) {
-    lit.clear();
-    cosine.clear();
-    ends.clear();
+  PathBatch paths;
+  std::vector<float> looked_up;
+
+  void face(const PointLight& light, std::span<const SurfacePoint> points) {
+    index.clear();
+    origins.clear();
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const SurfacePoint& point = points[k];
-      const glm::dvec3 q = light.position - point.position;
-      const double distance = glm::length(q);
-      if (!(distance > 0.0)) continue;
-      const double c = glm::dot(point.normal, q) / distance;
-      if (c <= 0.0 || visibility.blocked(point.shadow_origin, light.position)) continue;
-      lit.push_back(k);
-      cosine.push_back(c);
-      ends.push_back(point.position);
+      if (!(glm::dot(points[k].normal, light.position - points[k].position) > 0.0)) continue;
+      index.push_back(k);
+      origins.push_back(points[k].shadow_origin);
     }
-    if (lit.empty()) continue;
-    depths.resize(lit.size());
-    const std::vector<std::int32_t> none(lit.size(), -1);
-    pairs += bundle_depths(medium, light.position, ends, none, arithmetic, depths);
-    for (std::size_t k = 0; k < lit.size(); ++k) {
-      const double distance = glm::length(light.position - ends[k]);
-      const double depth = depths[k] + medium.homogeneous_density() * distance;
-      const double irradiance = cosine[k] * std::exp(-depth) / (distance * distance);
-      const SurfacePoint& point = points[lit[k]];
-      const glm::dvec3 wi = (light.position - point.position) / distance;
-      radiance[lit[k]] += brdf(point.surface->material, wi, point.to_eye, point.normal) *
-                          light.intensity * irradiance;
+  }
+
+  void drop_blocked(const PointLight& light, const Visibility& visibility,
+                    std::span<const SurfacePoint> points) {
+    std::array<bool, Tiles::pixels> blocked;
+    visibility.blocked(origins, light.position, std::span(blocked).first(origins.size()));
+    std::size_t kept = 0;
+    ends.clear();
+    for (std::size_t k = 0; k < index.size(); ++k) {
+      if (blocked[k]) continue;
+      index[kept++] = index[k];
+      ends.push_back(points[index[k]].position);
+    }
+    index.resize(kept);
+  }
+
+  // T(s, p) of the Gaussians, from the light's table where there is one.
+  std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
+                            Settings::Arithmetic arithmetic) {
+    depths.resize(ends.size());
+    none.assign(ends.size(), -1);
+    if (!light.table) {
+      return bundle_depths(medium, light.light.position, ends, none, arithmetic, depths);
+    }
+    paths.assign(light.light.position, ends, none);
+    looked_up.resize(paths.padded_size());
+    look_up_depths(*light.table, paths, looked_up.data());
+    std::copy_n(looked_up.begin(), ends.size(), depths.begin());
+    return 0;
+  }
+};
+
+}  // namespace
+
+std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visibility,
+                               std::span<const SurfaceLight> lights,
+                               std::span<const SurfacePoint> points,
+                               Settings::Arithmetic arithmetic, std::span<glm::vec3> radiance) {
+  thread_local LitPoints lit;
+  std::fill(radiance.begin(), radiance.end(), glm::vec3(0.0f));
+  std::uint64_t pairs = 0;
+  for (const SurfaceLight& light : lights) {
+    const glm::dvec3& position = light.light.position;
+    lit.face(light.light, points);
+    lit.drop_blocked(light.light, visibility, points);
+    if (lit.index.empty()) continue;
+    pairs += lit.find_depths(medium, light, arithmetic);
+    for (std::size_t k = 0; k < lit.index.size(); ++k) {
+      const SurfacePoint& point = points[lit.index[k]];
+      const glm::dvec3 q = position - point.position;
+      const double distance = glm::length(q);
+      const glm::dvec3 wi = q / distance;
+      const double depth = lit.depths[k] + medium.homogeneous_density() * distance;
+      const double irradiance =
+          glm::dot(point.normal, wi) * std::exp(-depth) / (distance * distance);
+      radiance[lit.index[k]] +=
+          glm::vec3(brdf(point.surface->material, wi, point.to_eye, point.normal) *
+                    light.light.intensity * irradiance);
     }
   }
   return pairs;
