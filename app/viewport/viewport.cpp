@@ -126,15 +126,17 @@ QString Viewport::gl_problem() const {
 
 FrameRequest Viewport::frame_request(bool moving) const {
   const auto scene = document_.snapshot();
-  Settings settings = quality_.settings();
-  if (moving && scene == rested_scene_) {
-    // Not other tables too: going back and forth between two would build them each time.
-    settings.slices = std::min(settings.slices, motion_slices);
-  } else if (moving) {
-    // They have to be built anew anyway.
-    const AirlightMethod method = settings.airlight;
-    settings = sliced_settings(settings, motion_slices);
-    settings.airlight = method;
+  const Settings rest = quality_.settings();
+  Settings settings = rest;
+  if (moving) {
+    settings = sliced_settings(rest, motion_slices);
+    settings.airlight = rest.airlight;
+    if (scene == rested_scene_) {
+      // What was prepared for them: going back and forth between two would do it anew each time.
+      settings.light_table = rest.light_table;
+      settings.shadow_cells = rest.shadow_cells;
+      settings.depth_error = rest.depth_error;
+    }
   }
   const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
   return {.scene = scene,

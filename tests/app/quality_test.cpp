@@ -163,7 +163,7 @@ class QualityTest : public QObject {
     QVERIFY(window.settle());
     QVERIFY(window.open("scene.brume"));
     QVERIFY(!window->viewport().quality().error());
-    QCOMPARE(window->viewport().quality().settings(), QualityControl().settings());
+    QCOMPARE(window->viewport().quality().control().step(), QualityControl().step());
   }
 
   void what_is_no_longer_shown_is_not_measured() {
