@@ -5,6 +5,7 @@
 #include "app/document/paths.h"
 #include "app/main_window.h"
 #include "app/scene_files.h"
+#include "render/frame_memory.h"
 
 namespace {
 
@@ -18,6 +19,7 @@ QSize parse_size(const QString& text) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  brume::keep_frame_memory();
   QApplication application(argc, argv);
   brume::set_up_application(application);
 

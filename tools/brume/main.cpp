@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "render/frame_memory.h"
 #include "tools/brume/command.h"
 #include "tools/brume/suggestion.h"
 
@@ -99,6 +100,7 @@ void print_warnings(const std::vector<std::string>& warnings) {
 }  // namespace brume
 
 int main(int argc, char** argv) {
+  brume::keep_frame_memory();
   try {
     return brume::run(argc, argv);
   } catch (const std::bad_alloc&) {
