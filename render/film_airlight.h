@@ -28,8 +28,8 @@ struct FilmAirlight {
 // end, as frame.depth does in float, and is empty where the scene has no surfaces.
 //
 // With settings.airlight_scale 2 or 4 the method is asked at every so-many-th pixel of each row and
-// column, and what lies between is interpolated (section 5.4 of the paper). Where that would not do,
-// the method is asked after all, so there are no halos and no thin objects lost: pixels whose
+// column, and what lies between is interpolated (section 5.4 of the paper). Where that would not
+// do, the method is asked after all, so there are no halos and no thin objects lost: pixels whose
 // distance is not the one interpolated, and cells whose corners are not nearly linear in their
 // airlight or transmittance (to settings.upsampling_tolerance of the film's rms, and of 1).
 FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,

@@ -8,6 +8,24 @@ namespace {
 // See Settings::depth_error.
 constexpr double reference_depth_error = 1e-8;
 
+// The Gaussians in which two mediums differ: as they are in the one and as they are in the other.
+std::vector<TableGaussian> changed_gaussians(const Medium& a, const MediumIndex& index_a,
+                                             const Medium& b, const MediumIndex& index_b) {
+  std::vector<TableGaussian> changed;
+  std::size_t i = 0;
+  std::size_t k = 0;
+  while (i < a.size() || k < b.size()) {
+    const bool in_a = i < a.size() && (k == b.size() || a.ids()[i] <= b.ids()[k]);
+    const bool in_b = k < b.size() && (i == a.size() || b.ids()[k] <= a.ids()[i]);
+    const bool same = in_a && in_b && a.gaussian(i) == b.gaussian(k);
+    if (in_a && !same) changed.emplace_back(index_a, i);
+    if (in_b && !same) changed.emplace_back(index_b, k);
+    i += in_a ? 1 : 0;
+    k += in_b ? 1 : 0;
+  }
+  return changed;
+}
+
 }  // namespace
 
 void PreparedScene::update(const Scene& scene, std::span<const PointLight> lights,
@@ -16,13 +34,23 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
   const double depth_error = is_reference ? reference_depth_error : settings.depth_error;
   if (!index_ || depth_error_ != depth_error || index_->anisotropy() != scene.optics.anisotropy ||
       !(medium_ == scene.medium)) {
-    index_.reset();
     depths_.clear();
-    tables_.clear();
+    if (depth_error_ != depth_error) tables_.clear();
+    auto index = std::make_unique<MediumIndex>(
+        scene.medium, depth_tolerance(scene.medium, depth_error), scene.optics.anisotropy);
+    const std::vector<TableGaussian> changed =
+        tables_.empty() ? std::vector<TableGaussian>{}
+                        : changed_gaussians(medium_, *index_, scene.medium, *index);
+    for (const auto& known : tables_) {
+      known->changed.insert(known->changed.end(), changed.begin(), changed.end());
+    }
+    // Where much has changed, a new table is soon made.
+    std::erase_if(tables_, [&](const auto& known) {
+      return known->changed.size() > scene.medium.size() / 4 + 2;
+    });
+    index_ = std::move(index);
     medium_ = scene.medium;
     depth_error_ = depth_error;
-    index_ = std::make_unique<MediumIndex>(scene.medium, depth_tolerance(scene.medium, depth_error),
-                                           scene.optics.anisotropy);
   }
   if (!visibility_ || !visibility_->shows(scene.surfaces)) {
     visibility_.reset();
@@ -57,8 +85,19 @@ const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
 
 const LightTable& PreparedScene::light_table(const glm::dvec3& light, const LightTableSize& size,
                                              std::uint64_t& pairs) {
-  for (const auto& known : tables_) {
-    if (known->table.light() == light && known->size == size) return known->table;
+  const auto known = std::find_if(tables_.begin(), tables_.end(), [&](const auto& t) {
+    return t->table.light() == light && t->size == size;
+  });
+  if (known != tables_.end()) {
+    Table& found = **known;
+    if (found.changed.empty()) return found.table;
+    const std::vector<TableGaussian> changed = std::move(found.changed);
+    found.changed.clear();
+    if (found.table.update(*index_, changed)) {
+      pairs += found.table.pairs;
+      return found.table;
+    }
+    tables_.erase(known);
   }
   tables_.push_back(std::make_unique<Table>(size, LightTable(*index_, light, size)));
   pairs += tables_.back()->table.pairs;

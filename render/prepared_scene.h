@@ -19,7 +19,8 @@ namespace brume {
 
 // What rendering needs of a scene and keeps from frame to frame. What has changed is found by
 // comparing values, and only what depends on it is made again: a moved camera renews nothing
-// here, a moved light only what is its own.
+// here, a moved light only what is its own, and an edited Gaussian the part of each light's table
+// that it is seen in.
 class PreparedScene {
  public:
   // Makes the medium's and the surfaces' parts fit the scene, and forgets what belongs to lights
@@ -56,6 +57,7 @@ class PreparedScene {
   struct Table {
     LightTableSize size;
     LightTable table;
+    std::vector<TableGaussian> changed = {};  // since it was made
   };
   // Pointers, so that references live on when a vector grows.
   std::vector<std::unique_ptr<Depths>> depths_;

@@ -31,6 +31,9 @@ struct DirectionMap {
   // size * size cells, nearly square.
   static DirectionMap towards(const glm::dvec3& origin, std::span<const Ball> balls, int size);
 
+  // Whether all directions that meet a ball are on the map.
+  [[nodiscard]] bool shows(const glm::dvec3& origin, const Ball& ball) const;
+
   // The same directions with about size * size cells.
   [[nodiscard]] DirectionMap resized(int size) const;
 

@@ -15,13 +15,18 @@ namespace brume {
 namespace {
 
 // Directions are built in square blocks, whose rays share a list of Gaussians.
-constexpr int block = 8;
+constexpr int block_side = 8;
 
 // The map is laid out for this much of each Gaussian; what lies further out, below 0.2% of its
 // peak, gets the depth of the map's border.
 constexpr double core_radii = 2.5;
 
 }  // namespace
+
+TableGaussian::TableGaussian(const MediumIndex& medium, std::size_t index)
+    : center(medium.gaussians()[index].b),
+      core(std::min(medium.reach()[index], core_radii / medium.gaussians()[index].a)),
+      reach(medium.reach()[index]) {}
 
 LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
                        const LightTableSize& size)
@@ -30,58 +35,26 @@ LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    if (!(medium.reach()[i] > 0.0)) continue;
-    const GaussianTerm<double>& g = medium.gaussians()[i];
-    balls.push_back({g.b, std::min(medium.reach()[i], core_radii / g.a)});
-    const double distance = glm::length(g.b - light);
-    nearest = std::min(nearest, distance - medium.reach()[i]);
-    farthest = std::max(farthest, distance + medium.reach()[i]);
+    const TableGaussian g(medium, i);
+    if (!(g.reach > 0.0)) continue;
+    balls.push_back({g.center, g.core});
+    const double distance = glm::length(g.center - light);
+    nearest = std::min(nearest, distance - g.reach);
+    farthest = std::max(farthest, distance + g.reach);
   }
   if (balls.empty()) return;
   first_radius_ = std::max(nearest, 0.0);
   last_radius_ = farthest;
   map_ = DirectionMap::towards(light, balls, size.directions);
 
-  const auto radii = static_cast<std::size_t>(size.radii);
+  const auto radii = static_cast<std::size_t>(radii_);
   std::vector<float> exact(map_.cells() * radii);
-  std::vector<float> boundaries(radii);
-  for (std::size_t k = 0; k < radii; ++k) {
-    boundaries[k] =
-        static_cast<float>(first_radius_ + (last_radius_ - first_radius_) * static_cast<double>(k) /
-                                               static_cast<double>(radii - 1));
-  }
-  const int columns = map_.stride();
-  const int rows = map_.rows + 2;
-  const int blocks_across = (columns + block - 1) / block;
-  const int blocks_down = (rows + block - 1) / block;
   std::atomic<std::uint64_t> all_pairs = 0;
-  tbb::parallel_for(0, blocks_across * blocks_down, [&](int at) {
-    const int x0 = at % blocks_across * block;
-    const int y0 = at / blocks_across * block;
-    std::vector<glm::dvec3> ends;
-    std::vector<std::size_t> cells;
-    for (int y = y0; y < std::min(y0 + block, rows); ++y) {
-      for (int x = x0; x < std::min(x0 + block, columns); ++x) {
-        ends.push_back(light_ + last_radius_ * map_.direction(x - 1, y - 1));
-        cells.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
-                        static_cast<std::size_t>(x));
-      }
-    }
-    std::vector<std::uint32_t> candidates;
-    medium.hierarchy().query(RayBundle(light_, ends),
-                             [&](std::uint32_t i) { candidates.push_back(i); });
-    GaussianBatch batch;
-    batch.assign(medium, light_, candidates);
-    PathBatch rays;
-    rays.assign(light_, ends, std::vector<std::int32_t>(ends.size(), -1));
-    std::vector<float> increments((radii - 1) * rays.padded_size(), 0.0f);
-    all_pairs += accumulate_increments(batch, rays, boundaries, increments.data());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      float* depth = exact.data() + cells[i] * radii;
-      for (std::size_t k = 1; k < radii; ++k) {
-        depth[k] = depth[k - 1] + increments[(k - 1) * rays.padded_size() + i];
-      }
-    }
+  tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int at) {
+    const Block part = block(at);
+    all_pairs += find_depths(medium, part, [&](std::size_t cell, const float* depths) {
+      std::copy_n(depths, radii, exact.data() + cell * radii);
+    });
   });
   pairs = all_pairs;
 
@@ -92,11 +65,97 @@ LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
   unit_ = std::max(std::min(deepest, opaque), 1e-30f) / 65535.0f;
   depths_.resize(exact.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, exact.size(), 1 << 16), [&](auto& part) {
-    const float scale = 1.0f / unit_;
-    for (std::size_t i = part.begin(); i < part.end(); ++i) {
-      depths_[i] = static_cast<std::uint16_t>(std::min(exact[i] * scale + 0.5f, 65535.0f));
-    }
+    for (std::size_t i = part.begin(); i < part.end(); ++i) depths_[i] = stored(exact[i]);
   });
+}
+
+bool LightTable::update(const MediumIndex& medium, std::span<const TableGaussian> changed) {
+  pairs = 0;
+  for (const TableGaussian& g : changed) {
+    if (!(g.reach > 0.0)) continue;
+    const double distance = glm::length(g.center - light_);
+    if (empty() || std::max(distance - g.reach, 0.0) < first_radius_ ||
+        distance + g.reach > last_radius_ || !map_.shows(light_, {g.center, g.core})) {
+      return false;
+    }
+  }
+  if (empty()) return true;
+  const auto radii = static_cast<std::size_t>(radii_);
+  // What fits but for rounding, or is opaque anyway, does.
+  const float most = 65535.0f * unit_ < opaque ? 1.0001f * 65535.0f * unit_
+                                               : std::numeric_limits<float>::infinity();
+  std::atomic<std::uint64_t> all_pairs = 0;
+  std::atomic<bool> fits = true;
+  tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int at) {
+    const Block part = block(at);
+    const RayBundle bundle(light_, part.ends);
+    if (std::none_of(changed.begin(), changed.end(), [&](const TableGaussian& g) {
+          return g.reach > 0.0 && bundle.touches(g.center, g.reach);
+        })) {
+      return;
+    }
+    all_pairs += find_depths(medium, part, [&](std::size_t cell, const float* depths) {
+      if (depths[radii - 1] > most) fits = false;
+      for (std::size_t k = 0; k < radii; ++k) depths_[cell * radii + k] = stored(depths[k]);
+    });
+  });
+  pairs = all_pairs;
+  return fits;
+}
+
+int LightTable::blocks_across() const {
+  return (map_.stride() + block_side - 1) / block_side;
+}
+
+int LightTable::blocks_down() const {
+  return (map_.rows + 2 + block_side - 1) / block_side;
+}
+
+LightTable::Block LightTable::block(int index) const {
+  Block result;
+  const int x0 = index % blocks_across() * block_side;
+  const int y0 = index / blocks_across() * block_side;
+  for (int y = y0; y < std::min(y0 + block_side, map_.rows + 2); ++y) {
+    for (int x = x0; x < std::min(x0 + block_side, map_.stride()); ++x) {
+      result.ends.push_back(light_ + last_radius_ * map_.direction(x - 1, y - 1));
+      result.cells.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.stride()) +
+                             static_cast<std::size_t>(x));
+    }
+  }
+  return result;
+}
+
+template <class Store>
+std::uint64_t LightTable::find_depths(const MediumIndex& medium, const Block& part,
+                                      Store store) const {
+  const auto radii = static_cast<std::size_t>(radii_);
+  std::vector<float> boundaries(radii);
+  for (std::size_t k = 0; k < radii; ++k) {
+    boundaries[k] =
+        static_cast<float>(first_radius_ + (last_radius_ - first_radius_) * static_cast<double>(k) /
+                                               static_cast<double>(radii - 1));
+  }
+  std::vector<std::uint32_t> candidates;
+  medium.hierarchy().query(RayBundle(light_, part.ends),
+                           [&](std::uint32_t i) { candidates.push_back(i); });
+  GaussianBatch batch;
+  batch.assign(medium, light_, candidates);
+  PathBatch rays;
+  rays.assign(light_, part.ends, std::vector<std::int32_t>(part.ends.size(), -1));
+  std::vector<float> increments((radii - 1) * rays.padded_size(), 0.0f);
+  const std::uint64_t evaluated = accumulate_increments(batch, rays, boundaries, increments.data());
+  std::vector<float> depths(radii, 0.0f);
+  for (std::size_t i = 0; i < part.cells.size(); ++i) {
+    for (std::size_t k = 1; k < radii; ++k) {
+      depths[k] = depths[k - 1] + increments[(k - 1) * rays.padded_size() + i];
+    }
+    store(part.cells[i], depths.data());
+  }
+  return evaluated;
+}
+
+std::uint16_t LightTable::stored(float depth) const {
+  return static_cast<std::uint16_t>(std::min(depth / unit_ + 0.5f, 65535.0f));
 }
 
 LightTable::View LightTable::view() const {

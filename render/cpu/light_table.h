@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "render/cpu/direction_map.h"
@@ -9,6 +10,15 @@
 #include "render/settings.h"
 
 namespace brume {
+
+// A Gaussian as a table sees it.
+struct TableGaussian {
+  glm::dvec3 center{0.0};
+  double core = 0.0;   // what the map is laid out for [u]
+  double reach = 0.0;  // where it matters at all [u]; 0: nowhere
+
+  TableGaussian(const MediumIndex& medium, std::size_t index);
+};
 
 // T(s, x) of the Gaussians around one light, tabulated over directions and radii and interpolated
 // linearly in all three. Depths are stored in 16 bits, in even steps up to the greatest one or to
@@ -22,6 +32,11 @@ class LightTable {
 
   // In parallel. Cost: directions^2 * (Gaussians that a direction meets) line integrals.
   LightTable(const MediumIndex& medium, const glm::dvec3& light, const LightTableSize& size);
+
+  // Makes anew only the directions in which Gaussians have changed, given as they were and as they
+  // are; `medium` has them as they are. False if that is not enough, because one of them lies
+  // outside what the table covers or is too dense for it; the table is then of no more use.
+  bool update(const MediumIndex& medium, std::span<const TableGaussian> changed);
 
   [[nodiscard]] const glm::dvec3& light() const { return light_; }
   [[nodiscard]] const DirectionMap& map() const { return map_; }
@@ -40,9 +55,22 @@ class LightTable {
   };
   [[nodiscard]] View view() const;
 
-  std::uint64_t pairs = 0;  // Gaussian x ray pairs evaluated to build it
+  std::uint64_t pairs = 0;  // Gaussian x ray pairs evaluated when it was last made or updated
 
  private:
+  // Some neighbouring directions, whose rays share a list of Gaussians.
+  struct Block {
+    std::vector<glm::dvec3> ends;
+    std::vector<std::size_t> cells;
+  };
+  [[nodiscard]] int blocks_across() const;
+  [[nodiscard]] int blocks_down() const;
+  [[nodiscard]] Block block(int index) const;
+  // Calls store(cell, depths at all radii) for the cells of a block.
+  template <class Store>
+  std::uint64_t find_depths(const MediumIndex& medium, const Block& part, Store store) const;
+  [[nodiscard]] std::uint16_t stored(float depth) const;
+
   glm::dvec3 light_;
   DirectionMap map_;
   int radii_ = 0;

@@ -1,0 +1,147 @@
+#include "render/cpu/light_table.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/medium/medium_edit.h"
+#include "render/cpu/slice_kernels.h"
+#include "render/renderer.h"
+#include "tests/random.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+std::vector<double> depths_of(const LightTable& table, std::span<const glm::dvec3> points) {
+  PathBatch paths;
+  paths.assign(table.light(), points, std::vector<std::int32_t>(points.size(), -1));
+  std::vector<float> depths(paths.padded_size());
+  look_up_depths(table, paths, depths.data());
+  return {depths.begin(), depths.begin() + static_cast<std::ptrdiff_t>(points.size())};
+}
+
+std::vector<glm::dvec3> points_in_the_cloud(int count) {
+  Random random(3);
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < count; ++i) points.push_back(random.point(1.2));
+  return points;
+}
+
+// Far away (a perspective map), close by and inside (octahedral ones).
+constexpr std::array<glm::dvec3, 3> lights = {glm::dvec3(2, 9, 3), glm::dvec3(0.5, 1.8, 0.3),
+                                              glm::dvec3(0.1, 0.2, -0.1)};
+
+TEST(LightTable, FindsTheDepthOfTheMedium) {
+  const Scene scene = cloud_scene(100, 2.0);
+  const MediumIndex medium(scene.medium, 1e-6);
+  const std::vector<glm::dvec3> points = points_in_the_cloud(500);
+  for (const glm::dvec3& light : lights) {
+    SCOPED_TRACE(light.y);
+    double coarse = 0.0;
+    for (const LightTableSize size : {LightTableSize{32, 16}, LightTableSize{128, 64}}) {
+      const std::vector<double> depths = depths_of(LightTable(medium, light, size), points);
+      double square = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3 q = points[i] - light;
+        const double d = glm::length(q);
+        square += std::pow(depths[i] - medium.depth({light, q / d, d}), 2);
+      }
+      const double rms = std::sqrt(square / static_cast<double>(points.size()));
+      if (size.radii == 16) {
+        coarse = rms;
+      } else {
+        EXPECT_LT(rms, 0.005);
+        EXPECT_LT(rms, 0.3 * coarse);
+      }
+    }
+  }
+}
+
+// What an update makes is what a new table would hold, to a step or two of its 16 bits.
+TEST(LightTable, UpdatesAreExact) {
+  // Small ones, each seen in some directions only.
+  Random random(5);
+  Medium start;
+  for (int i = 0; i < 200; ++i) start.append({random.point(0.7), 0.08, random.uniform(1.0, 4.0)});
+  const LightTableSize size{64, 32};
+  const std::vector<glm::dvec3> points = points_in_the_cloud(2000);
+  for (const glm::dvec3& light : lights) {
+    SCOPED_TRACE(light.y);
+    Medium medium = start;
+    MediumIndex index(medium, 1e-6);
+    LightTable table(index, light, size);
+    const std::uint64_t whole = table.pairs;
+    for (const std::size_t which : {std::size_t{3}, std::size_t{77}, std::size_t{150}}) {
+      const std::array ids{medium.ids()[which]};
+      Gaussian g = medium.gaussian(which);
+      g.center *= 0.8;
+      g.density *= 0.5;
+      std::vector<TableGaussian> changed{TableGaussian(index, which)};
+      MediumEdit::change(medium, ids, std::array{g}).apply(medium);
+      index = MediumIndex(medium, 1e-6);
+      changed.emplace_back(index, which);
+      ASSERT_TRUE(table.update(index, changed));
+      // A light within the edited Gaussian sees it in all directions.
+      if (light != lights[2]) {
+        EXPECT_LT(table.pairs, whole * 3 / 4);
+      }
+      EXPECT_GT(table.pairs, 0u);
+      const std::vector<double> updated = depths_of(table, points);
+      // Same layout: the first and last radii and the map stay, so the outermost must not change.
+      const std::vector<double> anew = depths_of(LightTable(index, light, size), points);
+      double square = 0.0;
+      for (std::size_t i = 0; i < points.size(); ++i) square += std::pow(updated[i] - anew[i], 2);
+      EXPECT_LT(std::sqrt(square / static_cast<double>(points.size())), 1e-3);
+    }
+  }
+}
+
+TEST(LightTable, SaysWhenAnUpdateIsNotEnough) {
+  Scene scene = cloud_scene(50, 1.0);
+  MediumIndex index(scene.medium, 1e-6);
+  const glm::dvec3 light = lights[0];
+  LightTable table(index, light, {32, 16});
+  scene.medium.append({{6.0, 0.0, 0.0}, 0.3, 1.0});
+  index = MediumIndex(scene.medium, 1e-6);
+  EXPECT_FALSE(table.update(index, std::array{TableGaussian(index, 50)}));
+
+  Scene denser = cloud_scene(50, 1.0);
+  MediumIndex dense_index(denser.medium, 1e-6);
+  LightTable other(dense_index, light, {32, 16});
+  denser.medium.append({{0.0, 0.0, 0.0}, 0.2, 50.0});
+  dense_index = MediumIndex(denser.medium, 1e-6);
+  EXPECT_FALSE(other.update(dense_index, std::array{TableGaussian(dense_index, 50)}));
+}
+
+// The renderer finds out by itself what was edited.
+TEST(Renderer, AnEditedGaussianCostsLessThanAll) {
+  Scene scene = cloud_scene(300, 2.0);
+  const Settings settings = sliced_settings({}, 24);
+  Renderer renderer;
+  const auto render = [&] { return *renderer.render(scene, scene.camera, scene.film, settings); };
+  const std::uint64_t all = render().statistics.light_pairs;
+  const auto change = [&](std::size_t which, double scale) {
+    Gaussian g = scene.medium.gaussian(which);
+    g.center *= 0.9;
+    g.density *= scale;
+    MediumEdit::change(scene.medium, std::array{scene.medium.ids()[which]}, std::array{g})
+        .apply(scene.medium);
+  };
+  change(10, 0.5);
+  change(20, 0.0);
+  const std::array gone{scene.medium.ids()[30]};
+  MediumEdit::remove(scene.medium, gone).apply(scene.medium);
+  const Frame edited = render();
+  EXPECT_GT(edited.statistics.light_pairs, 0u);
+  EXPECT_LT(edited.statistics.light_pairs, all);
+  const Frame anew = render_frame(scene, settings);
+  EXPECT_LT(difference(edited.airlight, anew.airlight).relative_rmse, 1e-3);
+  // b0 is not in the table.
+  scene.medium.set_homogeneous_density(0.01);
+  EXPECT_EQ(render().statistics.light_pairs, 0u);
+}
+
+}  // namespace
+}  // namespace brume
