@@ -77,7 +77,7 @@ TEST(LightTable, UpdatesAreExact) {
       const std::array ids{medium.ids()[which]};
       Gaussian g = medium.gaussian(which);
       g.center *= 0.8;
-      g.density *= 0.5;
+      g.density *= 0.1;
       std::vector<TableGaussian> changed{TableGaussian(index, which)};
       MediumEdit::change(medium, ids, std::array{g}).apply(medium);
       index = MediumIndex(medium, 1e-6);
