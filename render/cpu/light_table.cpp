@@ -62,7 +62,8 @@ LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
   for (std::size_t i = radii - 1; i < exact.size(); i += radii) {
     deepest = std::max(deepest, exact[i]);
   }
-  unit_ = std::max(std::min(deepest, opaque), 1e-30f) / 65535.0f;
+  // With room for what updates may add.
+  unit_ = std::max(std::min(1.25f * deepest, opaque), 1e-30f) / 65535.0f;
   depths_.resize(exact.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, exact.size(), 1 << 16), [&](auto& part) {
     for (std::size_t i = part.begin(); i < part.end(); ++i) depths_[i] = stored(exact[i]);
@@ -81,9 +82,9 @@ bool LightTable::update(const MediumIndex& medium, std::span<const TableGaussian
   }
   if (empty()) return true;
   const auto radii = static_cast<std::size_t>(radii_);
-  // What fits but for rounding, or is opaque anyway, does.
-  const float most = 65535.0f * unit_ < opaque ? 1.0001f * 65535.0f * unit_
-                                               : std::numeric_limits<float>::infinity();
+  // Beyond `opaque` nothing tells.
+  const float most = 65535.0f * unit_ < 0.999f * opaque ? 65535.0f * unit_
+                                                        : std::numeric_limits<float>::infinity();
   std::atomic<std::uint64_t> all_pairs = 0;
   std::atomic<bool> fits = true;
   tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int at) {

@@ -21,10 +21,10 @@ struct TableGaussian {
 };
 
 // T(s, x) of the Gaussians around one light, tabulated over directions and radii and interpolated
-// linearly in all three. Depths are stored in 16 bits, in even steps up to the greatest one or to
-// `opaque`, so that exp(-T) is off by 2.3e-4 at most. The map of directions is a perspective one
-// towards the medium when the light is outside it, octahedral (all directions) when it is inside or
-// close. b0 is not part of it: its share is known exactly.
+// linearly in all three. Depths are stored in 16 bits, in even steps up to a little above the
+// greatest one or to `opaque`, so that exp(-T) is off by 2.3e-4 at most. The map of directions is a
+// perspective one towards the medium when the light is outside it, octahedral (all directions) when
+// it is inside or close. b0 is not part of it: its share is known exactly.
 class LightTable {
  public:
   // Nothing comes through more than this: exp(-30) = 1e-13.
