@@ -86,12 +86,12 @@ TEST(AirlightScale, SmoothFogIsAlmostAllInterpolated) {
   EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels / 8);
 }
 
-// Every width and height from 1 to 10: the last column and row are samples too.
+// The last column and row are samples too, wherever they fall.
 TEST(AirlightScale, AnyFilmIsCovered) {
   Scene scene = posts_before_fog();
   scene.medium.set_homogeneous_density(0.01);
-  for (int width = 1; width <= 10; ++width) {
-    for (int height = 1; height <= 10; ++height) {
+  for (const int width : {1, 2, 3, 5, 9}) {
+    for (const int height : {1, 2, 4, 8}) {
       scene.film = {width, height};
       const Frame full = render_frame(scene, at_scale(1));
       const Frame frame = render_frame(scene, at_scale(4));

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <cctype>
+#include <string>
 #include <vector>
 
 #include "render/auto_quality.h"
@@ -23,7 +23,7 @@ Settings reference() {
 }
 
 struct Row {
-  const char* name;
+  std::string name;
   Scene scene;
   double coarse;  // bound of the relative RMSE with the default settings
   double fine;    // and with the finest
@@ -123,78 +123,58 @@ std::vector<Row> make_rows() {
   };
 }
 
-struct Known {
-  Row row;
-  Frame truth;
+// A kind of scene and its reference, made once for all that is checked on it.
+class KindsOfScenes : public testing::TestWithParam<Row> {
+ protected:
+  const Scene& scene() const { return GetParam().scene; }
+  double error_of(const Frame& frame) const {
+    return difference(frame.airlight, truth_.airlight).relative_rmse;
+  }
+
+  Frame truth_ = render_frame(GetParam().scene, reference());
 };
 
-// The reference is made once for all tests.
-const std::vector<Known>& rows() {
-  static const std::vector<Known> known = [] {
-    std::vector<Known> all;
-    for (Row& row : make_rows()) {
-      Frame truth = render_frame(row.scene, reference());
-      all.push_back({std::move(row), std::move(truth)});
-    }
-    return all;
-  }();
-  return known;
-}
+TEST_P(KindsOfScenes, SlicedAndAutoKeepTheirBounds) {
+  EXPECT_LT(error_of(render_frame(scene(), sliced(Settings{}.slices))), GetParam().coarse);
 
-double error_of(const Known& known, const Settings& settings) {
-  return difference(render_frame(known.row.scene, settings).airlight, known.truth.airlight)
-      .relative_rmse;
-}
-
-TEST(Sliced, KeepsItsBounds) {
-  for (const Known& known : rows()) {
-    SCOPED_TRACE(known.row.name);
-    EXPECT_LT(error_of(known, sliced(Settings{}.slices)), known.row.coarse);
-    EXPECT_LT(error_of(known, sliced(128)), known.row.fine);
-  }
-}
-
-// With more slices and finer tables the error falls, down to what depth_error leaves.
-TEST(Sliced, ConvergesToTheReference) {
+  // With more slices and finer tables the error falls, down to what depth_error leaves.
   constexpr double floor = 5e-4;
-  for (const Known& known : rows()) {
-    SCOPED_TRACE(known.row.name);
-    double before = 1.0;
-    for (const int slices : {8, 16, 32, 64, 128}) {
-      SCOPED_TRACE(slices);
-      const double error = error_of(known, sliced(slices));
-      EXPECT_LT(error, std::max(before, floor));
-      before = error;
-    }
-  }
-}
-
-TEST(Sliced, TransmittanceIsThatOfTheReference) {
-  for (const Known& known : rows()) {
-    SCOPED_TRACE(known.row.name);
-    const Frame frame = render_frame(known.row.scene, sliced(16));
+  double error = 1.0;
+  for (const int slices : {8, 16, 32, 64, 128}) {
+    SCOPED_TRACE(slices);
+    const double before = error;
+    const Frame frame = render_frame(scene(), sliced(slices));
+    error = error_of(frame);
+    EXPECT_LT(error, std::max(before, floor));
     for (std::size_t i = 0; i < frame.transmittance.size(); ++i) {
-      ASSERT_NEAR(frame.transmittance[i], known.truth.transmittance[i], 1e-3);
+      ASSERT_NEAR(frame.transmittance[i], truth_.transmittance[i], 1e-3);
     }
+  }
+  EXPECT_LT(error, GetParam().fine);
+
+  // The bound holds for the whole frame, of which auto sees a sample.
+  for (const int scale : {1, 4}) {
+    SCOPED_TRACE(scale);
+    Settings settings;
+    settings.airlight_scale = scale;
+    Renderer renderer;
+    const auto result =
+        render_auto(renderer, scene(), scene().camera, scene().film, settings, 0.02);
+    ASSERT_TRUE(result);
+    EXPECT_LE(result->error.high, 0.02);
+    EXPECT_LE(error_of(result->frame), 0.02);
   }
 }
 
-// The bound holds for the whole frame, of which auto sees a sample.
-TEST(Auto, KeepsTheBoundOnAllKindsOfScenes) {
-  for (const Known& known : rows()) {
-    SCOPED_TRACE(known.row.name);
-    Renderer renderer;
-    const Scene& scene = known.row.scene;
-    for (const int scale : {1, 4}) {
-      Settings settings;
-      settings.airlight_scale = scale;
-      const auto result = render_auto(renderer, scene, scene.camera, scene.film, settings, 0.02);
-      ASSERT_TRUE(result);
-      EXPECT_LE(result->error.high, 0.02);
-      EXPECT_LE(difference(result->frame.airlight, known.truth.airlight).relative_rmse, 0.02);
-    }
-  }
+std::string name_of(const testing::TestParamInfo<Row>& info) {
+  std::string name = info.param.name;
+  std::erase(name, ',');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
+
+INSTANTIATE_TEST_SUITE_P(All, KindsOfScenes, testing::ValuesIn(make_rows()), name_of);
 
 }  // namespace
 }  // namespace brume
