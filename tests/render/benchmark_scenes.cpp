@@ -3,8 +3,11 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <optional>
+#include <stdexcept>
 
 #include "core/io/scene_file.h"
+#include "render/error_estimate.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -48,6 +51,20 @@ Scene box_scene(int count, int lights) {
         {{0.5 + 2.5 * std::cos(angle), 3.0, 0.5 + 2.5 * std::sin(angle)}, {10, 10, 10}, {}});
   }
   return scene;
+}
+
+Settings fewest_slices(Renderer& renderer, const Scene& scene) {
+  constexpr double error_kept = 0.02;
+  Settings given;
+  given.airlight_scale = 4;
+  std::optional<ErrorSample> sample;
+  for (const int slices : {4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 32, 48, 64, 128}) {
+    const Settings settings = sliced_settings(given, slices);
+    const Frame frame = *renderer.render(scene, scene.camera, scene.film, settings);
+    if (!sample) sample = ErrorSample::take(scene, scene.camera, frame, 300, 1, 1e-3);
+    if (sample->measure(frame).high <= error_kept) return settings;
+  }
+  throw std::runtime_error("no number of slices keeps the error");
 }
 
 double cpu_seconds() {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+
+namespace brume {
+
+struct TriangleMesh;
+
+// Meshes of exact vertex counts from simple shapes. Shapes share no vertices, so their edges are
+// sharp. Every shape says how many vertices it takes.
+class MeshBuilder {
+ public:
+  using Place = std::function<glm::dvec3(double u, double v)>;
+
+  MeshBuilder();
+
+  // columns * rows vertices at place(u, v), u and v from 0 to 1. Closed: the last column joins the
+  // first, and u ends one step before 1.
+  void grid(int columns, int rows, bool closed, const Place& place);
+  // 6 n^2 vertices.
+  void box(const glm::dvec3& low, const glm::dvec3& high, int n);
+  // 2 n^2 vertices.
+  void ellipsoid(const glm::dvec3& center, const glm::dvec3& radii, int n);
+  // A straight tube with flat ends: 6 n vertices.
+  void cylinder(const glm::dvec3& from, const glm::dvec3& to, double radius, int n);
+  // A tube bent along path(v), which is nowhere parallel to z: n * rows vertices.
+  void tube(const std::function<glm::dvec3(double v)>& path, double radius, int n, int rows);
+  // A grid that is nearly square, padded by vertices within triangles up to exactly `vertices`.
+  void sheet(std::size_t vertices, const Place& place);
+
+  [[nodiscard]] std::size_t size() const;
+  // With vertex normals.
+  std::shared_ptr<const TriangleMesh> finish();
+
+ private:
+  std::shared_ptr<TriangleMesh> mesh_;
+};
+
+}  // namespace brume

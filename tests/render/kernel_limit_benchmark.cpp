@@ -1,0 +1,203 @@
+// How near the inner loops of `sliced` come to what the machine can do, on the tiles of a frame of
+// every fourth pixel of the scenes of Table 1, on one thread:
+//
+// of_limit: increments per second of the view pass over those of its arithmetic alone, on data in
+//   registers. An increment counts in all lanes of a vector where one lane needs it;
+// of_limit_lanes: the same, counting only lanes that need it;
+// sum_of_limit: time of the sum over slices with tables of lights and shadows that fit into the L1
+//   cache, over its time with the real ones.
+//
+// Each is the median of some rounds; _min and _max are theirs.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "render/cpu/slice_boundaries.h"
+#include "render/cpu/slice_kernels.h"
+#include "render/job.h"
+#include "render/prepared_scene.h"
+#include "render/renderer.h"
+#include "render/tiles.h"
+#include "tests/render/benchmark_increments.h"
+#include "tests/render/benchmark_scenes.h"
+#include "tests/render/table_one_scenes.h"
+
+namespace brume {
+namespace {
+
+constexpr int rounds = 9;
+
+// What the loops are handed for one tile.
+struct ViewTile {
+  GaussianBatch batch;
+  PathBatch rays;
+  std::vector<float> boundaries;
+};
+
+using Lights = std::array<SliceLight, light_pack>;
+
+struct View {
+  PreparedScene prepared;
+  std::vector<ViewTile> tiles;
+  // With real tables, and with ones that fit into L1.
+  Lights lights, small_lights;
+  std::size_t light_count = 0;
+  double choice_seconds = 0.0;
+};
+
+Lights slice_lights(PreparedScene& prepared, const Scene& scene, const LightTableSize& size,
+                    int shadow_cells) {
+  Lights lights;
+  std::uint64_t pairs = 0;
+  for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+    const glm::dvec3& position = scene.lights[l].position;
+    const LightTable& table = prepared.light_table(position, size, pairs);
+    lights[l] = {glm::vec3(position - scene.camera.eye), 1e-3f, &table,
+                 &prepared.shadow_map(position, table.map().resized(shadow_cells))};
+  }
+  return lights;
+}
+
+void add_tile(View& view, const Scene& scene, const CameraRays& rays, int slices,
+              const CameraRays::PixelRectangle& rectangle,
+              std::span<const std::uint32_t> gaussians) {
+  std::vector<glm::dvec3> directions;
+  Tiles::each_pixel(rectangle,
+                    [&](int x, int y) { directions.push_back(rays.direction(x + 0.5, y + 0.5)); });
+  std::vector<SurfaceHit> hits(directions.size());
+  view.prepared.visibility().first_hits(rays.eye(), directions, hits);
+  std::vector<double> lengths;
+  for (const SurfaceHit& hit : hits) lengths.push_back(hit.distance);
+  std::vector<SlicedLight> lights;
+  for (const PointLight& light : scene.lights) lights.push_back({light.position, light.intensity});
+
+  std::vector<double> boundaries;
+  const double begin = cpu_seconds();
+  choose_slices(view.prepared.medium(), gaussians, lights, {rays.eye(), directions, lengths},
+                slices, boundaries);
+  view.choice_seconds += cpu_seconds() - begin;
+  if (boundaries.size() < 2) return;
+  ViewTile& tile = view.tiles.emplace_back();
+  tile.boundaries.assign(boundaries.begin(), boundaries.end());
+  tile.batch.assign(view.prepared.medium(), rays.eye(), gaussians);
+  tile.rays.assign(directions, lengths);
+}
+
+void make_view(const Scene& scene, const Settings& settings, View& view) {
+  view.prepared.update(scene, scene.lights, settings);
+  view.light_count = scene.lights.size();
+  view.lights = slice_lights(view.prepared, scene, settings.light_table, settings.shadow_cells);
+  const Film film{scene.film.width / settings.airlight_scale,
+                  scene.film.height / settings.airlight_scale};
+  const CameraRays rays(scene.camera, film);
+  const Tiles tiles(film);
+  const Tiles::Lists lists = tiles.lists(view.prepared.medium(), rays);
+  for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
+    add_tile(view, scene, rays, settings.slices, tiles.rectangle(tile), lists.of(tile));
+  }
+}
+
+struct Seconds {
+  double view = 0.0, sum = 0.0, small_sum = 0.0;
+};
+
+Seconds run_kernels(const View& view, float negligible) {
+  Seconds seconds;
+  std::vector<float> increments;
+  std::array<float, padded(Tiles::pixels)> depths;
+  std::array<std::array<float, padded(Tiles::pixels)>, light_pack> radiance{};
+  std::array<float*, light_pack> out{};
+  for (std::size_t l = 0; l < light_pack; ++l) out[l] = radiance[l].data();
+  const auto timed = [](double& sum, const auto& body) {
+    const double begin = cpu_seconds();
+    body();
+    sum += cpu_seconds() - begin;
+  };
+  for (const ViewTile& tile : view.tiles) {
+    increments.assign((tile.boundaries.size() - 1) * tile.rays.padded_size(), 0.0f);
+    timed(seconds.view, [&] {
+      accumulate_increments(tile.batch, tile.rays, tile.boundaries, increments.data());
+    });
+    const auto sum = [&](const Lights& lights) {
+      sum_slices(tile.rays, tile.boundaries, increments.data(), 0.0f, 0.0f, negligible,
+                 std::span(lights).first(view.light_count), depths.data(), out);
+    };
+    timed(seconds.sum, [&] { sum(view.lights); });
+    timed(seconds.small_sum, [&] { sum(view.small_lights); });
+  }
+  benchmark::DoNotOptimize(radiance);
+  return seconds;
+}
+
+void add_counters(benchmark::State& state, const std::string& name, std::vector<double> values) {
+  std::ranges::sort(values);
+  state.counters[name] = values[values.size() / 2];
+  state.counters[name + "_min"] = values.front();
+  state.counters[name + "_max"] = values.back();
+}
+
+// Time is that of the view pass.
+void kernel_limit(benchmark::State& state, const TableOneScene& kind) {
+  const Scene scene = kind.make();
+  Renderer renderer;
+  const Settings settings = fewest_slices(renderer, scene);
+  View view;
+  make_view(scene, settings, view);
+  PreparedScene small;
+  small.update(scene, scene.lights, settings);
+  view.small_lights = slice_lights(small, scene, {8, 16}, 32);
+
+  std::uint64_t in_vectors = 0;
+  std::uint64_t in_lanes = 0;
+  for (const ViewTile& tile : view.tiles) {
+    in_vectors += count_increments(tile.batch, tile.rays, tile.boundaries, vector_lanes());
+    in_lanes += count_increments(tile.batch, tile.rays, tile.boundaries, 1);
+  }
+  const FlushDenormals flush;
+  const auto negligible = static_cast<float>(0.1 * view.prepared.medium().tolerance());
+  std::vector<double> limits, rates, of_limit, of_limit_lanes, sum_of_limit, view_ms, sum_ms;
+  for (auto _ : state) {
+    for (int round = 0; round < rounds; ++round) {
+      const double begin = cpu_seconds();
+      const auto count = static_cast<double>(increments_in_registers(50'000'000));
+      const double limit = count / (cpu_seconds() - begin);
+      const Seconds seconds = run_kernels(view, negligible);
+      const double rate = static_cast<double>(in_vectors) / seconds.view;
+      limits.push_back(limit);
+      rates.push_back(rate);
+      of_limit.push_back(rate / limit);
+      of_limit_lanes.push_back(static_cast<double>(in_lanes) / seconds.view / limit);
+      sum_of_limit.push_back(seconds.small_sum / seconds.sum);
+      view_ms.push_back(1e3 * seconds.view);
+      sum_ms.push_back(1e3 * seconds.sum);
+    }
+    state.SetIterationTime(1e-3 * *std::ranges::min_element(view_ms));
+  }
+  state.counters["slices"] = settings.slices;
+  state.counters["choice_ms"] = 1e3 * view.choice_seconds;
+  add_counters(state, "limit_per_second", limits);
+  add_counters(state, "view_per_second", rates);
+  add_counters(state, "of_limit", of_limit);
+  add_counters(state, "of_limit_lanes", of_limit_lanes);
+  add_counters(state, "sum_of_limit", sum_of_limit);
+  add_counters(state, "view_ms", view_ms);
+  add_counters(state, "sum_ms", sum_ms);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const TableOneScene& kind : table_one_scenes) {
+    benchmark::RegisterBenchmark((std::string("kernel_limit/") + kind.name).c_str(), kernel_limit,
+                                 kind)
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace brume

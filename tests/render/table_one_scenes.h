@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Scenes of the kinds that Table 1 of the paper times, with its numbers of vertices, Gaussians and
+// lights, made in memory. The paper's own meshes and fogs are not published: shapes are ours, and
+// where it has an environment there is a point light. Frames of 800 x 600 as in the paper.
+struct TableOneScene {
+  const char* name;
+  Scene (*make)();
+  std::size_t vertices;
+  std::size_t gaussians;
+  double frames_per_second;  // the paper's
+};
+
+Scene statue_scene();
+Scene open_box_scene();
+Scene terrain_scene();
+Scene city_scene();
+Scene machine_scene();
+
+inline constexpr std::array table_one_scenes{
+    TableOneScene{"statue", statue_scene, 78054, 34, 101.0},
+    TableOneScene{"box", open_box_scene, 8901, 3008, 34.0},
+    TableOneScene{"terrain", terrain_scene, 65047, 292, 92.0},
+    TableOneScene{"city", city_scene, 77226, 353, 162.0},
+    TableOneScene{"machine", machine_scene, 44430, 1223, 31.0},
+};
+
+}  // namespace brume
