@@ -67,8 +67,9 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
   }
   for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
-    const MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
-                             scene.optics.anisotropy);
+    MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
+                       scene.optics.anisotropy);
+    medium.set_noise(RayNoise(scene.optics.noise, guide.time));
     tbb::parallel_for(std::size_t{0}, sample.pixels_.size(), [&](std::size_t k) {
       if (stop.stop_requested()) return;
       Pixel& pixel = sample.pixels_[k];

@@ -14,8 +14,13 @@ MediumIndex::MediumIndex(const Medium& medium, double tolerance, double anisotro
     const Gaussian g = medium.gaussian(i);
     gaussians_.emplace_back(g);
     reach_.push_back(brume::reach(g.radius, g.density, tolerance));
+    if (reach_.back() > 0.0) greatest_radius_ = std::max(greatest_radius_, g.radius);
   }
   hierarchy_ = SphereHierarchy(medium.centers(), reach_);
+}
+
+double MediumIndex::greatest_bend() const {
+  return noise_.on() ? RayNoise::greatest * noise_.amplitude() * greatest_radius_ : 0.0;
 }
 
 double MediumIndex::depth(const RaySegment& segment) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/medium/medium.h"
+#include "core/medium/noise.h"
 #include "core/transport/optical_depth.h"
 #include "render/sphere_hierarchy.h"
 
@@ -20,6 +21,16 @@ class MediumIndex {
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_; }
   [[nodiscard]] std::span<const double> reach() const { return reach_; }
   [[nodiscard]] const SphereHierarchy& hierarchy() const { return hierarchy_; }
+  // What bends view rays in it; made off, and set without a new index.
+  [[nodiscard]] const RayNoise& noise() const { return noise_; }
+  void set_noise(const RayNoise& noise) { noise_ = noise; }
+  // reach() of a view ray that noise may bend [u].
+  [[nodiscard]] double view_reach(std::size_t i) const {
+    if (!noise_.on() || !(reach_[i] > 0.0)) return reach_[i];
+    return reach_[i] + RayNoise::greatest * noise_.amplitude() / gaussians_[i].a;
+  }
+  // The most by which one is greater than the other.
+  [[nodiscard]] double greatest_bend() const;
   // g of its phase function, see henyey_greenstein().
   [[nodiscard]] double anisotropy() const { return anisotropy_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
@@ -31,6 +42,8 @@ class MediumIndex {
  private:
   std::vector<GaussianTerm<double>> gaussians_;
   std::vector<double> reach_;
+  double greatest_radius_ = 0.0;
+  RayNoise noise_;
   SphereHierarchy hierarchy_;
   double b0_;
   double tolerance_;

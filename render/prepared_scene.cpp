@@ -52,6 +52,7 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     medium_ = scene.medium;
     depth_error_ = depth_error;
   }
+  index_->set_noise(RayNoise(scene.optics.noise, settings.time));
   if (!visibility_ || !visibility_->shows(scene.surfaces)) {
     visibility_.reset();
     occluders_.reset();

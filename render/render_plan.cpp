@@ -24,6 +24,7 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   const auto densities = scene.medium.densities();
   gaussians = std::any_of(densities.begin(), densities.end(), [](double c) { return c > 0.0; });
   homogeneous = scene.medium.homogeneous_density() > 0.0;
+  noise = gaussians && scene.optics.noise.amplitude > 0.0;
   airlight = (gaussians || homogeneous) && !lights.empty();
 
   if (!surfaces) skip("visibility", "the scene has no surfaces");
@@ -44,6 +45,9 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
     skip("shadow_map", surfaces ? no_airlight : "the scene has no surfaces");
   }
   if (!homogeneous) skip("homogeneous", "the medium's homogeneous density is 0");
+  if (!noise) {
+    skip("noise", gaussians ? "its amplitude is 0" : "the medium has no Gaussians");
+  }
   if (!airlight) {
     skip("airlight", no_airlight);
   }

@@ -14,6 +14,7 @@ struct RenderPlan {
   bool lit_surfaces = false;       // surfaces and lights
   bool gaussians = false;          // any that takes light away
   bool homogeneous = false;        // b0 > 0
+  bool noise = false;              // Gaussians and noise that bends view rays through them
   bool airlight = false;           // a medium and lights
   std::vector<PointLight> lights;  // those that give light
   std::vector<SkippedStage> skipped;

@@ -102,6 +102,7 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
                     Tiles(film),
                     {}};
     work.frame.film = film;
+    work.frame.time = settings.time;
     return arena.execute([&] { return impls_[which]->render(work); });
   };
 

@@ -35,6 +35,9 @@ struct PaperOptions {
 struct Settings {
   AirlightMethod airlight = AirlightMethod::paper;
 
+  // The time that is shown [s]: noise goes with the wind.
+  double time = 0.0;
+
   // Worker threads; 0 takes all.
   int threads = 0;
 

@@ -56,17 +56,20 @@ class SphereHierarchy {
   std::vector<double> radii_;
 };
 
-// The segment of a ray from an origin, up to a distance that may be +inf.
+// The segment of a ray from an origin, up to a distance that may be +inf, and what is within
+// `width` of it.
 struct RaySegment {
   glm::dvec3 origin;
   glm::dvec3 direction;  // unit
   double length;
+  double width = 0.0;
 
   [[nodiscard]] bool touches(const glm::dvec3& center, double radius) const {
     const glm::dvec3 q = center - origin;
     const double t = glm::clamp(glm::dot(q, direction), 0.0, length);
     const glm::dvec3 gap = q - t * direction;
-    return glm::dot(gap, gap) <= radius * radius;
+    const double near = radius + width;
+    return glm::dot(gap, gap) <= near * near;
   }
 };
 

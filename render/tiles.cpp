@@ -24,7 +24,7 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays, int
   std::vector<CameraRays::PixelRectangle> bounds(medium.size());
   tbb::parallel_for(std::size_t{0}, medium.size(), [&](std::size_t i) {
     if (!(medium.reach()[i] > 0.0)) return;
-    const auto b = rays.bounds(medium.gaussians()[i].b, medium.reach()[i]);
+    const auto b = rays.bounds(medium.gaussians()[i].b, medium.view_reach(i));
     if (b.empty()) return;
     // A ray of the last column or row may stand a little before its place on the grid.
     bounds[i] = {b.x0 / scale / width, b.y0 / scale / height,

@@ -135,7 +135,6 @@ class SceneLoader {
     noise.frequency = object.number("frequency", domain::not_negative, noise.frequency);
     noise.velocity = object.vector("velocity", domain::coordinate, noise.velocity);
     noise.seed = object.integer("seed", INT64_MIN, INT64_MAX, noise.seed);
-    if (noise.amplitude > 0.0) context_.warn(place, no_effect);
     noise.unknown = object.unknown();
   }
 

@@ -73,11 +73,11 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
-// 3-D noise that perturbs view rays; amplitude 0 is off.
+// 3-D noise that perturbs view rays, see core/medium/noise.h.
 struct Noise {
-  double amplitude = 0.0;
-  double frequency = 1.0;
-  glm::dvec3 velocity{0.0};
+  double amplitude = 0.0;    // of a Gaussian's shift over its radius, >= 0; 0 is off
+  double frequency = 1.0;    // lattice cells per u, >= 0
+  glm::dvec3 velocity{0.0};  // with which the pattern moves [u/s]
   std::int64_t seed = 0;
   UnknownKeys unknown;
 

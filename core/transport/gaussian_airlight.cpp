@@ -20,7 +20,15 @@ template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
                        Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen,
                        Real anisotropy, ScatterPoint point) {
-  const auto [t, depth, before] = point_scattering(g, line_profile(g, eye, w), d, point);
+  return gaussian_airlight(g, point_scattering(g, line_profile(g, eye, w), d, point), eye, w, light,
+                           path, frozen, anisotropy);
+}
+
+template <class Real>
+Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& scattering,
+                       const Vec3<Real>& eye, const Vec3<Real>& w, const Vec3<Real>& light,
+                       const LightPath<Real>& path, Real frozen, Real anisotropy) {
+  const auto [t, depth, before] = scattering;
   if (!(depth > 0)) return 0;
   const Real own = before + optical_depth(g, light, eye + t * w);
   const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_turn(t), anisotropy) : Real(1);
@@ -33,7 +41,10 @@ Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const
                                                   const LineProfile<Real>&, Real, ScatterPoint);   \
   template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&, const Vec3<Real>&, \
                                   Real, const Vec3<Real>&, const LightPath<Real>&, Real, Real,     \
-                                  ScatterPoint);
+                                  ScatterPoint);                                                   \
+  template Real gaussian_airlight(const GaussianTerm<Real>&, const PointScattering<Real>&,         \
+                                  const Vec3<Real>&, const Vec3<Real>&, const Vec3<Real>&,         \
+                                  const LightPath<Real>&, Real, Real);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)
 #undef BRUME_GAUSSIAN_AIRLIGHT

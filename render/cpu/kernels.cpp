@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
 #include "render/simd/gaussian-inl.h"
+#include "render/simd/noise-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -48,7 +49,7 @@ void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float*
     V sum = hn::LoadU(d, depths + k);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing<D> crossing({set(g.x[j]), set(g.y[j]), set(g.z[j])}, w, a);
+      const ViewCrossing<D> crossing(d, g, j, w);
       if (hn::AllTrue(d, hn::Gt(crossing.e, set(g.cutoff[j])))) continue;
       const V depth = hn::Mul(set(g.scale[j]), crossing.Depth(d, a, length));
       const auto own = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
@@ -100,7 +101,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
       const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
-      const Crossing<D> view(b, w, a);
+      const ViewCrossing<D> view(d, g, j, w);
       const M reached = hn::Le(view.e, set(g.cutoff[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
@@ -268,7 +269,7 @@ void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec
 }
 
 void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
-                           std::span<const std::uint32_t> indices) {
+                           std::span<const std::uint32_t> indices, const RayNoise& bend) {
   for (auto* array : {&x, &y, &z, &a, &scale, &cutoff}) array->resize(indices.size());
   index.resize(indices.size());
   for (std::size_t k = 0; k < indices.size(); ++k) {
@@ -284,6 +285,20 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     cutoff[k] = static_cast<float>(reach * reach);
     index[k] = static_cast<std::int32_t>(indices[k]);
   }
+  bent_cutoff.clear();
+  noise = {};
+  if (!bend.on()) return;
+  for (const float own : cutoff) {
+    const auto farther = static_cast<float>(RayNoise::greatest * bend.amplitude());
+    bent_cutoff.push_back((std::sqrt(own) + farther) * (std::sqrt(own) + farther));
+  }
+  const glm::vec3 cell(bend.cell(origin));
+  noise = {static_cast<float>(bend.amplitude() / noise_lattice::rms),
+           static_cast<float>(std::min(bend.frequency(), 1e30)),
+           cell.x,
+           cell.y,
+           cell.z,
+           bend.key()};
 }
 
 void PathBatch::resize(std::size_t size) {

@@ -20,16 +20,29 @@ constexpr std::size_t padded(std::size_t count) {
   return (count + 15) / 16 * 16;
 }
 
+// RayNoise around an origin.
+struct BatchNoise {
+  float amplitude = 0.0f;     // over noise_lattice::rms; 0: none
+  float frequency = 0.0f;     // [cells/u]
+  float x = 0, y = 0, z = 0;  // of the origin in the lattice [cells]
+  std::uint32_t key = 0;
+
+  [[nodiscard]] bool on() const { return amplitude > 0.0f; }
+};
+
 // Gaussians relative to an origin, as arrays.
 struct GaussianBatch {
   std::vector<float> x, y, z;  // b_i - origin [u]
   std::vector<float> a;        // [1/u]
   std::vector<float> scale;    // c sqrt(pi) / (2 a): half of the depth of a line through the centre
   std::vector<float> cutoff;   // a^2 h^2 beyond which the Gaussian is below tolerance
+  std::vector<float> bent_cutoff;  // the same before noise has bent the ray; empty without noise
   std::vector<std::int32_t> index;
+  BatchNoise noise;
 
+  // With the medium's noise for view rays, without for light's way.
   void assign(const MediumIndex& medium, const glm::dvec3& origin,
-              std::span<const std::uint32_t> indices);
+              std::span<const std::uint32_t> indices, const RayNoise& bend = {});
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 

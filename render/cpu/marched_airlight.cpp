@@ -27,7 +27,8 @@ Range medium_range(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const glm::dvec3 q = medium.gaussians()[i].b - eye;
     const double t = glm::dot(q, w);
     const glm::dvec3 gap = q - t * w;
-    const double chord2 = medium.reach()[i] * medium.reach()[i] - glm::dot(gap, gap);
+    const double reach = medium.view_reach(i);
+    const double chord2 = reach * reach - glm::dot(gap, gap);
     if (!(chord2 > 0.0)) continue;
     range.begin = std::min(range.begin, t - std::sqrt(chord2));
     range.end = std::max(range.end, t + std::sqrt(chord2));
@@ -57,7 +58,7 @@ struct Scratch {
 // Sets up the steps of every ray and clears what is summed over them.
 void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
              std::size_t lights, const TileRays& rays, int steps, Scratch& s) {
-  s.batch.assign(medium, rays.eye, gaussians);
+  s.batch.assign(medium, rays.eye, gaussians, medium.noise());
   s.rays.assign(rays.directions, rays.lengths);
   const std::size_t count = rays.directions.size();
   s.begin.resize(count);

@@ -6,6 +6,7 @@
 
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
+#include "core/transport/view_line.h"
 #include "render/cpu/kernels.h"
 
 namespace brume {
@@ -43,7 +44,7 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
     std::vector<double> radiance(paper.lights.size());
     for (const std::uint32_t i : gaussians) {
       const GaussianTerm<double>& g = medium.gaussians()[i];
-      const LineProfile<double> line = line_profile(g, rays.eye, w);
+      const LineProfile<double> line = view_line_profile(g, rays.eye, w, medium.noise());
       const double reach = g.a * medium.reach()[i];
       if (line.e > reach * reach) continue;
       ++pairs;
@@ -53,8 +54,8 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
       for (std::size_t l = 0; l < paper.lights.size(); ++l) {
         const PaperLight& light = paper.lights[l];
         const LightPath<double> path(light.position, rays.eye, w, light.h_min);
-        radiance[l] += gaussian_airlight(g, rays.eye, w, length, light.position, path,
-                                         light.frozen[i], medium.anisotropy(), point);
+        radiance[l] += gaussian_airlight(g, own, rays.eye, w, light.position, path, light.frozen[i],
+                                         medium.anisotropy());
       }
     }
     const double gain = energy_gain(scattered, depth);
@@ -94,7 +95,7 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
   thread_local Scratch s;
   const std::vector<PaperLight>& lights = paper.lights;
   const std::size_t count = rays.directions.size();
-  s.batch.assign(medium, rays.eye, gaussians);
+  s.batch.assign(medium, rays.eye, gaussians, medium.noise());
   s.rays.assign(rays.directions, rays.lengths);
   s.depths.assign(s.rays.padded_size(), 0.0f);
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
 #include "render/simd/gaussian-inl.h"
+#include "render/simd/noise-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -49,7 +50,7 @@ std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays
     const V length = hn::LoadU(d, rays.length.data() + i);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing<D> crossing({set(g.x[j]), set(g.y[j]), set(g.z[j])}, w, a);
+      const ViewCrossing<D> crossing(d, g, j, w);
       const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);

@@ -33,7 +33,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   if (s.exact_boundaries.size() < 2) return 0;
   s.boundaries.assign(s.exact_boundaries.begin(), s.exact_boundaries.end());
 
-  s.batch.assign(medium, rays.eye, gaussians);
+  s.batch.assign(medium, rays.eye, gaussians, medium.noise());
   s.rays.assign(rays.directions, rays.lengths);
   const std::size_t stride = s.rays.padded_size();
   s.increments.assign((s.boundaries.size() - 1) * stride, 0.0f);

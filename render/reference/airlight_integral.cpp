@@ -6,6 +6,7 @@
 
 #include "core/math/quadrature.h"
 #include "core/transport/phase_function.h"
+#include "core/transport/view_line.h"
 
 namespace brume {
 namespace {
@@ -27,11 +28,12 @@ constexpr Real interval_radii = Real(6);
 
 template <class Real>
 ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0_,
-                                   const Vec3<Real>& eye_, const Vec3<Real>& w_, Real d_)
+                                   const Vec3<Real>& eye_, const Vec3<Real>& w_, Real d_,
+                                   const RayNoise& noise)
     : eye(eye_), w(w_), d(d_), b0(b0_) {
   Real total = 0;
   for (const GaussianTerm<Real>& g : gaussians) {
-    const LineProfile<Real> line = line_profile(g, eye, w);
+    const LineProfile<Real> line = view_line_profile(g, eye, w, noise);
     crossings_.add(g, line);
     total += optical_depth(g, line, d);
   }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/medium/noise.h"
 #include "core/transport/light_path.h"
 #include "render/reference/gaussian_sums.h"
 
@@ -18,9 +19,10 @@ namespace brume {
 template <class Real>
 class ViewRayMedium {
  public:
-  // `gaussians`: all that reach the ray (others only cost time). d may be +inf.
+  // `gaussians`: all that reach the ray (others only cost time). d may be +inf. `noise` bends the
+  // ray, and so whatever is asked for here.
   ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0, const Vec3<Real>& eye,
-                const Vec3<Real>& w, Real d);
+                const Vec3<Real>& w, Real d, const RayNoise& noise = {});
 
   // At t: the scattering coefficient of the Gaussians alone [1/u], and T(v, x(t)) with b0.
   // t may be +inf.

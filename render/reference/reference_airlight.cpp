@@ -14,13 +14,14 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occl
   ReferenceRay result;
   std::vector<GaussianTerm<double>> along;
   double last = 0.0;  // where the last Gaussian ends
-  medium.hierarchy().query(RaySegment{eye, w, length}, [&](std::uint32_t i) {
-    along.push_back(medium.gaussians()[i]);
-    last = std::max(last, glm::dot(along.back().b - eye, w) + medium.reach()[i]);
-  });
+  medium.hierarchy().query(
+      RaySegment{eye, w, length, medium.greatest_bend()}, [&](std::uint32_t i) {
+        along.push_back(medium.gaussians()[i]);
+        last = std::max(last, glm::dot(along.back().b - eye, w) + medium.reach()[i]);
+      });
   result.view_pairs = along.size();
   const double b0 = medium.homogeneous_density();
-  const ViewRayMedium<double> ray(along, b0, eye, w, length);
+  const ViewRayMedium<double> ray(along, b0, eye, w, length, medium.noise());
   result.depth = ray.depth(length);
   if (along.empty() && !(b0 > 0.0)) return result;
 
@@ -40,7 +41,7 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occl
     if (!occluders.empty()) {
       source.lit = occluders.lit(light.position, eye, w, std::min(end, 1e15));
     }
-    const ViewRayMedium<double> lit(along, b0, eye, w, end);
+    const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise());
     result.airlight += light.intensity * airlight_integral(lit, source, tolerance);
   }
   return result;

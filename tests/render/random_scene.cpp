@@ -26,6 +26,7 @@ class RandomScene {
     if (one_in(8)) scene_.optics.anisotropy = one_in(2) ? 0.95 : -0.95;
     if (one_in(4)) scene_.optics.albedo = {albedo(), albedo(), albedo()};
     if (one_in(8)) scene_.optics.albedo = glm::dvec3(albedo());
+    if (one_in(4)) add_noise();
     return std::move(scene_);
   }
 
@@ -89,6 +90,14 @@ class RandomScene {
     light.intensity.z = channel();
     light.on = !one_in(10);
     scene_.lights.push_back(light);
+  }
+
+  void add_noise() {
+    Noise& noise = scene_.optics.noise;
+    noise.amplitude = spread(random_.uniform(0.0, 1.0), -9, 9);
+    noise.frequency = spread(random_.uniform(0.0, 5.0) / spread_, -9, 12);
+    noise.velocity = random_.point(1.0);
+    noise.seed = whole(0, 1000);
   }
 
   // A few triangles with any normals, some of no area.

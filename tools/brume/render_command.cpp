@@ -95,6 +95,9 @@ class RenderCommand final : public Command {
     app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
         ->check(finite_in(1e-12, 1.0))
         ->capture_default_str();
+    app.add_option("--time", time_, "seconds that the wind has blown the medium's noise")
+        ->check(finite_in(-1e9, 1e9))
+        ->capture_default_str();
     app.add_option("--backend", backend_, "auto or cpu")->capture_default_str();
     app.add_option("--threads", threads_, "worker threads, at most and by default all there are")
         ->check(finite_in(1, 1024));
@@ -117,6 +120,7 @@ class RenderCommand final : public Command {
     }
     settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : is_chosen ? 1 : 4;
     settings.reference_tolerance = tolerance_;
+    settings.time = time_;
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
     settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
@@ -210,6 +214,7 @@ class RenderCommand final : public Command {
   double max_error_ = 0.02;
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
+  double time_ = Settings{}.time;
   std::string backend_ = "auto";
   int threads_ = 0;
   int repeat_ = 1;

@@ -191,12 +191,9 @@ TEST(SceneFile, WarnsOfWhatHasNoEffectYet) {
     "medium": {"albedo": [1, 0.5, 1], "anisotropy": 0.5, "noise": {"amplitude": 1}},
     "surfaces": [{"mesh": "m.obj", "transfer": "shadow"}]})"),
              &warnings);
-  for (const char* place : {"medium.noise", "surfaces[].transfer"}) {
-    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [&](const auto& w) {
-      return contains(w, place) && contains(w, "no effect");
-    })) << place;
-  }
-  EXPECT_EQ(warnings.size(), 2u);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(contains(warnings[0], "surfaces[].transfer"));
+  EXPECT_TRUE(contains(warnings[0], "no effect"));
 }
 
 TEST(SceneFile, RefersToTheMediumFileWhileItsGaussiansAreUnchanged) {

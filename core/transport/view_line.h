@@ -1,0 +1,25 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+
+#include "core/medium/noise.h"
+#include "core/transport/optical_depth.h"
+
+namespace brume {
+
+// line_profile() of a view ray that noise bends: t0 is the straight ray's, only the distance at
+// which the Gaussian is passed changes. `w` is unit.
+template <class Real>
+LineProfile<Real> view_line_profile(const GaussianTerm<Real>& g, const Vec3<Real>& eye,
+                                    const Vec3<Real>& w, const RayNoise& noise) {
+  LineProfile<Real> line = line_profile(g, eye, w);
+  if (!noise.on()) return line;
+  const glm::dvec3 direction(w);
+  const glm::dvec3 x = glm::dvec3(eye) + static_cast<double>(line.t0) * direction;
+  const glm::dvec3 gap =
+      static_cast<double>(g.a) * (glm::dvec3(g.b) - x) - noise.shift(x, direction);
+  line.e = static_cast<Real>(glm::dot(gap, gap));
+  return line;
+}
+
+}  // namespace brume

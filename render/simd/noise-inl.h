@@ -1,0 +1,133 @@
+// Rays bent by noise in SIMD, in float: RayNoise::shift() of core/medium/noise.h. Included once per
+// instruction set by the files that Highway compiles for each.
+
+#if defined(BRUME_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BRUME_NOISE_INL_H
+#undef BRUME_NOISE_INL_H
+#else
+#define BRUME_NOISE_INL_H
+#endif
+
+#include "render/cpu/kernels.h"
+#include "render/simd/gaussian-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+// One axis of the lattice cell that a point lies in: its two nodes.
+template <class D, class V = hn::Vec<D>>
+struct LatticeAxis {
+  using DU = hn::RebindToUnsigned<D>;
+  hn::Vec<DU> node[2];  // in [0, RayNoise::period)
+  V weight[2], slope[2], offset[2];
+
+  HWY_INLINE LatticeAxis(D d, V cell) {
+    const DU du;
+    const hn::RebindToSigned<D> di;
+    const V one = hn::Set(d, 1.0f);
+    const V floor = hn::Floor(cell);
+    const V f = hn::Sub(cell, floor);
+    const auto last = hn::Set(du, RayNoise::period - 1);
+    const auto number = hn::BitCast(du, hn::ConvertTo(di, floor));
+    node[0] = hn::And(number, last);
+    node[1] = hn::And(hn::Add(number, hn::Set(du, 1)), last);
+    const V square = hn::Mul(f, f);
+    constexpr float fade[] = {6.0f, -15.0f, 10.0f};
+    weight[1] = hn::Mul(hn::Mul(square, f), Horner(d, f, fade));
+    weight[0] = hn::Sub(one, weight[1]);
+    offset[0] = f;
+    offset[1] = hn::Sub(f, one);
+    slope[1] = hn::Mul(hn::Mul(hn::Set(d, 30.0f), square), hn::Mul(offset[1], offset[1]));
+    slope[0] = hn::Neg(slope[1]);
+  }
+};
+
+// noise_lattice::hash().
+template <class DU, class VU = hn::Vec<DU>>
+HWY_INLINE VU LatticeHash(DU du, VU x) {
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), hn::Set(du, 0x7feb352dU));
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), hn::Set(du, 0x846ca68bU));
+  return hn::Xor(x, hn::ShiftRight<16>(x));
+}
+
+// The gradient of w . A at the point t w, per cell.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w, V t) {
+  const hn::RebindToUnsigned<D> du;
+  // Beyond this float tells no cells apart, and more would not fit the nodes' numbers.
+  const V most = hn::Set(d, 1e9f);
+  const V along = hn::Max(hn::Min(hn::Mul(hn::Set(d, noise.frequency), t), most), hn::Neg(most));
+  const LatticeAxis<D> x(d, hn::MulAdd(along, w.x, hn::Set(d, noise.x)));
+  const LatticeAxis<D> y(d, hn::MulAdd(along, w.y, hn::Set(d, noise.y)));
+  const LatticeAxis<D> z(d, hn::MulAdd(along, w.z, hn::Set(d, noise.z)));
+  const auto period = hn::Set(du, RayNoise::period);
+  const auto key = hn::Set(du, noise.key);
+  const auto sign = hn::Set(du, 0x80000000U);
+  const V zero = hn::Zero(d);
+  V3<V> sum{zero, zero, zero};
+  for (int corner = 0; corner < 8; ++corner) {
+    const int i = corner & 1;
+    const int j = (corner >> 1) & 1;
+    const int k = corner >> 2;
+    const auto row = hn::Add(hn::Mul(z.node[k], period), y.node[j]);
+    const auto node = hn::Add(hn::Mul(row, period), x.node[i]);
+    const auto bits = LatticeHash(du, hn::Xor(key, node));
+    const auto signed_by = [&](V value, auto shifted) HWY_ATTR {
+      return hn::BitCast(d, hn::Xor(hn::BitCast(du, value), hn::And(shifted, sign)));
+    };
+    const V3<V> gradient{
+        hn::Add(hn::Add(signed_by(w.x, bits), signed_by(w.y, hn::ShiftLeft<3>(bits))),
+                signed_by(w.z, hn::ShiftLeft<6>(bits))),
+        hn::Add(
+            hn::Add(signed_by(w.x, hn::ShiftLeft<1>(bits)), signed_by(w.y, hn::ShiftLeft<4>(bits))),
+            signed_by(w.z, hn::ShiftLeft<7>(bits))),
+        hn::Add(
+            hn::Add(signed_by(w.x, hn::ShiftLeft<2>(bits)), signed_by(w.y, hn::ShiftLeft<5>(bits))),
+            signed_by(w.z, hn::ShiftLeft<8>(bits)))};
+    const V height = dot(gradient, V3<V>{x.offset[i], y.offset[j], z.offset[k]});
+    const V yz = hn::Mul(y.weight[j], z.weight[k]);
+    const V weight = hn::Mul(x.weight[i], yz);
+    const V hx = hn::Mul(height, x.weight[i]);
+    sum.x = hn::MulAdd(weight, gradient.x, hn::MulAdd(hn::Mul(height, x.slope[i]), yz, sum.x));
+    sum.y = hn::MulAdd(weight, gradient.y, hn::MulAdd(hn::Mul(hx, y.slope[j]), z.weight[k], sum.y));
+    sum.z = hn::MulAdd(weight, gradient.z, hn::MulAdd(hn::Mul(hx, z.slope[k]), y.weight[j], sum.z));
+  }
+  return sum;
+}
+
+// Crossing::e of a Gaussian that the ray passes at t0, bent. Not inlined, so that rays which
+// nothing bends do not pay for its registers.
+template <class D, class V = hn::Vec<D>>
+HWY_NOINLINE V BentDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3<V>& w, V a,
+                            V t0) {
+  const V3<V> p = minus(b, t0, w);
+  const V3<V> g = PotentialGradient(d, noise, w, t0);
+  const V amplitude = hn::Set(d, noise.amplitude);
+  // a p - amplitude w x g
+  const V x = hn::NegMulAdd(w.z, g.y, hn::Mul(w.y, g.z));
+  const V y = hn::NegMulAdd(w.x, g.z, hn::Mul(w.z, g.x));
+  const V z = hn::NegMulAdd(w.y, g.x, hn::Mul(w.x, g.y));
+  const V3<V> gap{hn::NegMulAdd(amplitude, x, hn::Mul(a, p.x)),
+                  hn::NegMulAdd(amplitude, y, hn::Mul(a, p.y)),
+                  hn::NegMulAdd(amplitude, z, hn::Mul(a, p.z))};
+  return dot(gap, gap);
+}
+
+// Gaussian j of a batch as view rays of direction w meet it; `none` reaches it: the crossing is
+// straight then.
+template <class D, class V = hn::Vec<D>>
+struct ViewCrossing : Crossing<D> {
+  HWY_INLINE ViewCrossing(D d, const GaussianBatch& g, std::size_t j, const V3<V>& w)
+      : Crossing<D>({hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])}, w,
+                    hn::Set(d, g.a[j])) {
+    if (!g.noise.on()) return;
+    if (hn::AllTrue(d, hn::Gt(this->e, hn::Set(d, g.bent_cutoff[j])))) return;
+    this->e = BentDistance(d, g.noise, {hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])},
+                           w, hn::Set(d, g.a[j]), this->t0);
+  }
+};
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // BRUME_NOISE_INL_H
