@@ -61,7 +61,7 @@ Settings fewest_slices(Renderer& renderer, const Scene& scene) {
   for (const int slices : {4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 32, 48, 64, 128}) {
     const Settings settings = sliced_settings(given, slices);
     const Frame frame = *renderer.render(scene, scene.camera, scene.film, settings);
-    if (!sample) sample = ErrorSample::take(scene, scene.camera, frame, 300, 1, 1e-3);
+    if (!sample) sample = ErrorSample::take(scene, scene.camera, frame, 1000, 1, 1e-3);
     if (sample->measure(frame).high <= error_kept) return settings;
   }
   throw std::runtime_error("no number of slices keeps the error");
