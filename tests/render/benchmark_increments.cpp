@@ -20,19 +20,22 @@ namespace brume::HWY_NAMESPACE {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
+// As in render/cpu/slice_kernels.cpp.
+HWY_INLINE V FastErf(V x) {
+  constexpr float coefficient[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
+                                   -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
+                                   1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};
+  const D d;
+  const V y = hn::Min(hn::Max(x, hn::Set(d, -3.0f)), hn::Set(d, 3.0f));
+  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient));
+}
+
 // A Gaussian on the rays of one vector; `before` is erf at the last boundary.
 struct Chain {
   V t0, a, scale, length, before, depth;
 
   HWY_INLINE void Step(V boundary) {
-    // As FastErf in render/cpu/slice_kernels.cpp.
-    constexpr float coefficient[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
-                                     -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
-                                     1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};
-    const D d;
-    const V u = hn::Mul(a, hn::Sub(hn::Min(boundary, length), t0));
-    const V y = hn::Min(hn::Max(u, hn::Set(d, -3.0f)), hn::Set(d, 3.0f));
-    const V now = hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient));
+    const V now = FastErf(hn::Mul(a, hn::Sub(hn::Min(boundary, length), t0)));
     depth = hn::MulAdd(scale, hn::Sub(now, before), depth);
     before = now;
   }
@@ -66,6 +69,28 @@ std::uint64_t IncrementsInRegisters(std::uint64_t count) {
   return steps * per_step;
 }
 
+std::uint64_t PairsInRegisters(std::uint64_t count) {
+  const D d;
+  float start = 0.5f;
+  benchmark::DoNotOptimize(start);
+  const V a = hn::Set(d, start);
+  const V boundary = hn::Set(d, 2.0f * start);
+  const V3<V> w{hn::Set(d, 0.6f * start), hn::Set(d, 0.8f * start), hn::Set(d, start)};
+  V x = hn::Zero(d);
+  V sum = hn::Zero(d);
+  const std::uint64_t steps = count / hn::Lanes(d) + 1;
+  for (std::uint64_t k = 0; k < steps; ++k) {
+    // One does not need the other: the processor overlaps them.
+    const Crossing<D> crossing({x, a, boundary}, w, a);
+    const V scale = hn::Mul(a, hn::Exp(d, hn::Neg(crossing.e)));
+    sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, crossing.t0))), sum);
+    x = hn::Add(x, hn::Set(d, 1e-6f));
+  }
+  float result = hn::GetLane(hn::SumOfLanes(d, sum));
+  benchmark::DoNotOptimize(result);
+  return steps * hn::Lanes(d);
+}
+
 std::size_t VectorLanes() {
   return hn::Lanes(D());
 }
@@ -77,19 +102,24 @@ HWY_AFTER_NAMESPACE();
 namespace brume {
 
 HWY_EXPORT(IncrementsInRegisters);
+HWY_EXPORT(PairsInRegisters);
 HWY_EXPORT(VectorLanes);
 
 std::uint64_t increments_in_registers(std::uint64_t count) {
   return HWY_DYNAMIC_DISPATCH(IncrementsInRegisters)(count);
 }
 
+std::uint64_t pairs_in_registers(std::uint64_t count) {
+  return HWY_DYNAMIC_DISPATCH(PairsInRegisters)(count);
+}
+
 std::size_t vector_lanes() {
   return HWY_DYNAMIC_DISPATCH(VectorLanes)();
 }
 
-std::uint64_t count_increments(const GaussianBatch& g, const PathBatch& rays,
-                               std::span<const float> boundaries, std::size_t lanes) {
-  std::uint64_t sum = 0;
+ViewWork count_view_work(const GaussianBatch& g, const PathBatch& rays,
+                         std::span<const float> boundaries, std::size_t lanes) {
+  ViewWork work;
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t end = std::min(first + lanes, rays.count);
     for (std::size_t j = 0; j < g.size(); ++j) {
@@ -114,10 +144,11 @@ std::uint64_t count_increments(const GaussianBatch& g, const PathBatch& rays,
           std::max(std::ranges::upper_bound(boundaries, from), boundaries.begin() + 1);
       const auto last_end =
           std::min(std::ranges::lower_bound(boundaries, to), boundaries.end() - 1);
-      sum += static_cast<std::uint64_t>(last_end - first_end + 1) * lanes;
+      work.pairs += lanes;
+      work.increments += static_cast<std::uint64_t>(last_end - first_end + 1) * lanes;
     }
   }
-  return sum;
+  return work;
 }
 
 }  // namespace brume
