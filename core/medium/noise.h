@@ -8,8 +8,8 @@ namespace brume {
 struct Noise;
 
 // The noise of section 5.5 of the paper: it bends view rays, so that a few Gaussians look like fog
-// torn by wind. A view ray of unit direction w passes a Gaussian of radius r, whose foot on the ray
-// is x (the point of the whole line nearest to its centre), as if it were shifted sideways by
+// torn by wind. A view ray of unit direction w meets a Gaussian of radius r, whose foot on the ray
+// is x (the point of the whole line nearest to its centre), as if the ray were shifted sideways by
 //
 //   delta = r amplitude / rms * w x grad(w . A)(x),
 //

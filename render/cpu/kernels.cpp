@@ -38,7 +38,8 @@ HWY_INLINE Vector LoadDirection(const PathBatch& paths, std::size_t k) {
           hn::LoadU(d, paths.z.data() + k)};
 }
 
-void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
+template <bool kBent>
+HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
   const D d;
   const hn::RebindToSigned<D> di;
   const std::size_t lanes = hn::Lanes(d);
@@ -49,7 +50,7 @@ void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float*
     V sum = hn::LoadU(d, depths + k);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const ViewCrossing<D> crossing(d, g, j, w);
+      const Crossing<D> crossing = BatchCrossing<kBent>(d, g, j, w);
       if (hn::AllTrue(d, hn::Gt(crossing.e, set(g.cutoff[j])))) continue;
       const V depth = hn::Mul(set(g.scale[j]), crossing.Depth(d, a, length));
       const auto own = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
@@ -57,6 +58,10 @@ void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float*
     }
     hn::StoreU(sum, d, depths + k);
   }
+}
+
+void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
+  g.noise.on() ? PathDepths<true>(g, paths, depths) : PathDepths<false>(g, paths, depths);
 }
 
 // The own depth of a Gaussian up to the projection of its centre on the ray, clamped to the ray:
@@ -75,7 +80,7 @@ HWY_INLINE V DepthToProjection(const Crossing<D>& view, V a, V scale, V length, 
 }
 
 // One pack of `kLights` lights; the number is a constant so that sums stay in registers.
-template <std::size_t kLights>
+template <bool kBent, std::size_t kLights>
 HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& rays,
                                        const LightBatch& lights, float* depths, float* scattered,
                                        const std::array<float*, light_pack>& radiance) {
@@ -101,7 +106,7 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
       const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
-      const ViewCrossing<D> view(d, g, j, w);
+      const Crossing<D> view = BatchCrossing<kBent>(d, g, j, w);
       const M reached = hn::Le(view.e, set(g.cutoff[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
@@ -159,21 +164,30 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
   return pairs;
 }
 
+template <bool kBent>
+HWY_INLINE std::uint64_t PaperAirlightOfPack(const GaussianBatch& g, const PathBatch& rays,
+                                             const LightBatch& lights, float* depths,
+                                             float* scattered,
+                                             const std::array<float*, light_pack>& radiance) {
+  switch (lights.count) {
+    case 0:
+      return PaperAirlight<kBent, 0>(g, rays, lights, depths, scattered, radiance);
+    case 1:
+      return PaperAirlight<kBent, 1>(g, rays, lights, depths, scattered, radiance);
+    case 2:
+      return PaperAirlight<kBent, 2>(g, rays, lights, depths, scattered, radiance);
+    case 3:
+      return PaperAirlight<kBent, 3>(g, rays, lights, depths, scattered, radiance);
+    default:
+      return PaperAirlight<kBent, 4>(g, rays, lights, depths, scattered, radiance);
+  }
+}
+
 std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& rays,
                                       const LightBatch& lights, float* depths, float* scattered,
                                       const std::array<float*, light_pack>& radiance) {
-  switch (lights.count) {
-    case 0:
-      return PaperAirlight<0>(g, rays, lights, depths, scattered, radiance);
-    case 1:
-      return PaperAirlight<1>(g, rays, lights, depths, scattered, radiance);
-    case 2:
-      return PaperAirlight<2>(g, rays, lights, depths, scattered, radiance);
-    case 3:
-      return PaperAirlight<3>(g, rays, lights, depths, scattered, radiance);
-    default:
-      return PaperAirlight<4>(g, rays, lights, depths, scattered, radiance);
-  }
+  return g.noise.on() ? PaperAirlightOfPack<true>(g, rays, lights, depths, scattered, radiance)
+                      : PaperAirlightOfPack<false>(g, rays, lights, depths, scattered, radiance);
 }
 
 void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,

@@ -25,8 +25,9 @@ HWY_INLINE Vector LoadDirection(const PathBatch& rays, std::size_t k) {
           hn::LoadU(d, rays.z.data() + k)};
 }
 
-std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const float* t,
-                           float* densities, float* depths) {
+template <bool kBent>
+HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, const float* t,
+                                 float* densities, float* depths) {
   const D d;
   std::uint64_t pairs = 0;
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
@@ -36,7 +37,7 @@ std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const 
     V depth = hn::Zero(d);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const ViewCrossing<D> crossing(d, g, j, w);
+      const Crossing<D> crossing = BatchCrossing<kBent>(d, g, j, w);
       const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
@@ -50,6 +51,12 @@ std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const 
     hn::StoreU(depth, d, depths + k);
   }
   return pairs;
+}
+
+std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const float* t,
+                           float* densities, float* depths) {
+  return g.noise.on() ? Samples<true>(g, rays, t, densities, depths)
+                      : Samples<false>(g, rays, t, densities, depths);
 }
 
 void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,

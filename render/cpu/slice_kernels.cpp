@@ -38,8 +38,9 @@ HWY_INLINE V FastErf(V x) {
 // below it, what FastErf is off makes at most 3e-4 of depth.
 constexpr float exact_above = 10.0f;
 
-std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
-                                   std::span<const float> boundaries, float* increments) {
+template <bool kBent>
+HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
+                                    std::span<const float> boundaries, float* increments) {
   const D d;
   const std::size_t stride = rays.padded_size();
   const std::size_t last = boundaries.size() - 1;
@@ -50,7 +51,7 @@ std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays
     const V length = hn::LoadU(d, rays.length.data() + i);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const ViewCrossing<D> crossing(d, g, j, w);
+      const Crossing<D> crossing = BatchCrossing<kBent>(d, g, j, w);
       const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
@@ -89,6 +90,12 @@ std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays
     }
   }
   return pairs;
+}
+
+std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
+                                   std::span<const float> boundaries, float* increments) {
+  return g.noise.on() ? Increments<true>(g, rays, boundaries, increments)
+                      : Increments<false>(g, rays, boundaries, increments);
 }
 
 // Where a direction lies in a table over a map: the lower of the cells to mix, and by how much.

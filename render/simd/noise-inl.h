@@ -8,17 +8,20 @@
 #define BRUME_NOISE_INL_H
 #endif
 
+#include <bit>
+
 #include "render/cpu/kernels.h"
 #include "render/simd/gaussian-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 
-// One axis of the lattice cell that a point lies in: its two nodes.
-template <class D, class V = hn::Vec<D>>
+// One axis of the lattice cell that a point lies in: its two nodes, kShift bits up in the number
+// that noise_lattice::node() makes of three.
+template <int kShift, class D, class V = hn::Vec<D>>
 struct LatticeAxis {
   using DU = hn::RebindToUnsigned<D>;
-  hn::Vec<DU> node[2];  // in [0, RayNoise::period)
+  hn::Vec<DU> node[2];
   V weight[2], slope[2], offset[2];
 
   HWY_INLINE LatticeAxis(D d, V cell) {
@@ -29,8 +32,8 @@ struct LatticeAxis {
     const V f = hn::Sub(cell, floor);
     const auto last = hn::Set(du, RayNoise::period - 1);
     const auto number = hn::BitCast(du, hn::ConvertTo(di, floor));
-    node[0] = hn::And(number, last);
-    node[1] = hn::And(hn::Add(number, hn::Set(du, 1)), last);
+    node[0] = hn::ShiftLeft<kShift>(hn::And(number, last));
+    node[1] = hn::ShiftLeft<kShift>(hn::And(hn::Add(number, hn::Set(du, 1)), last));
     const V square = hn::Mul(f, f);
     constexpr float fade[] = {6.0f, -15.0f, 10.0f};
     weight[1] = hn::Mul(hn::Mul(square, f), Horner(d, f, fade));
@@ -54,14 +57,14 @@ HWY_INLINE VU LatticeHash(DU du, VU x) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w, V t) {
   const hn::RebindToUnsigned<D> du;
+  constexpr int bits_per_axis = std::countr_zero(static_cast<unsigned>(RayNoise::period));
   // Beyond this float tells no cells apart, and more would not fit the nodes' numbers.
   const V most = hn::Set(d, 1e9f);
   const V along = hn::Max(hn::Min(hn::Mul(hn::Set(d, noise.frequency), t), most), hn::Neg(most));
-  const LatticeAxis<D> x(d, hn::MulAdd(along, w.x, hn::Set(d, noise.x)));
-  const LatticeAxis<D> y(d, hn::MulAdd(along, w.y, hn::Set(d, noise.y)));
-  const LatticeAxis<D> z(d, hn::MulAdd(along, w.z, hn::Set(d, noise.z)));
-  const auto period = hn::Set(du, RayNoise::period);
-  const auto key = hn::Set(du, noise.key);
+  const LatticeAxis<0, D> x(d, hn::MulAdd(along, w.x, hn::Set(d, noise.x)));
+  const LatticeAxis<bits_per_axis, D> y(d, hn::MulAdd(along, w.y, hn::Set(d, noise.y)));
+  LatticeAxis<2 * bits_per_axis, D> z(d, hn::MulAdd(along, w.z, hn::Set(d, noise.z)));
+  for (auto& node : z.node) node = hn::Xor(node, hn::Set(du, noise.key));
   const auto sign = hn::Set(du, 0x80000000U);
   const V zero = hn::Zero(d);
   V3<V> sum{zero, zero, zero};
@@ -69,9 +72,7 @@ HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w,
     const int i = corner & 1;
     const int j = (corner >> 1) & 1;
     const int k = corner >> 2;
-    const auto row = hn::Add(hn::Mul(z.node[k], period), y.node[j]);
-    const auto node = hn::Add(hn::Mul(row, period), x.node[i]);
-    const auto bits = LatticeHash(du, hn::Xor(key, node));
+    const auto bits = LatticeHash(du, hn::Xor(hn::Xor(x.node[i], y.node[j]), z.node[k]));
     const auto signed_by = [&](V value, auto shifted) HWY_ATTR {
       return hn::BitCast(d, hn::Xor(hn::BitCast(du, value), hn::And(shifted, sign)));
     };
@@ -95,11 +96,9 @@ HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w,
   return sum;
 }
 
-// Crossing::e of a Gaussian that the ray passes at t0, bent. Not inlined, so that rays which
-// nothing bends do not pay for its registers.
+// Crossing::e of a Gaussian that the ray passes at t0, bent.
 template <class D, class V = hn::Vec<D>>
-HWY_NOINLINE V BentDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3<V>& w, V a,
-                            V t0) {
+HWY_INLINE V BentDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3<V>& w, V a, V t0) {
   const V3<V> p = minus(b, t0, w);
   const V3<V> g = PotentialGradient(d, noise, w, t0);
   const V amplitude = hn::Set(d, noise.amplitude);
@@ -113,19 +112,20 @@ HWY_NOINLINE V BentDistance(D d, const BatchNoise& noise, const V3<V>& b, const 
   return dot(gap, gap);
 }
 
-// Gaussian j of a batch as view rays of direction w meet it; `none` reaches it: the crossing is
-// straight then.
-template <class D, class V = hn::Vec<D>>
-struct ViewCrossing : Crossing<D> {
-  HWY_INLINE ViewCrossing(D d, const GaussianBatch& g, std::size_t j, const V3<V>& w)
-      : Crossing<D>({hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])}, w,
-                    hn::Set(d, g.a[j])) {
-    if (!g.noise.on()) return;
-    if (hn::AllTrue(d, hn::Gt(this->e, hn::Set(d, g.bent_cutoff[j])))) return;
-    this->e = BentDistance(d, g.noise, {hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])},
-                           w, hn::Set(d, g.a[j]), this->t0);
+// Gaussian j of a batch as rays of direction w meet it. kBent is a batch's noise.on(): rays that
+// nothing bends pay nothing for those that are.
+template <bool kBent, class D, class V = hn::Vec<D>>
+HWY_INLINE Crossing<D> BatchCrossing(D d, const GaussianBatch& g, std::size_t j, const V3<V>& w) {
+  const V3<V> b{hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])};
+  const V a = hn::Set(d, g.a[j]);
+  Crossing<D> crossing(b, w, a);
+  if constexpr (kBent) {
+    if (!hn::AllTrue(d, hn::Gt(crossing.e, hn::Set(d, g.bent_cutoff[j])))) {
+      crossing.e = BentDistance(d, g.noise, b, w, a, crossing.t0);
+    }
   }
-};
+  return crossing;
+}
 
 }  // namespace brume::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
