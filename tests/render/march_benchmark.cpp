@@ -1,7 +1,8 @@
 // `sliced` against `march:N`, each with the fewest slices or steps that keep an error of 2%: CPU
 // time of whole frames on one thread, the first with all that it builds and the next with the
 // camera moved, when the tables of the lights are there. The same program, the same kernels, the
-// same scene; the errors are measured against the reference and printed.
+// same scene; the errors are measured against the reference and printed. Then `sliced` as auto and
+// the editor take it, with the airlight at every fourth pixel, which `march` could have too.
 
 #include <benchmark/benchmark.h>
 
@@ -56,7 +57,7 @@ void time_frames(const Scene& scene, Measured& measured) {
 }
 
 // Time is that of a moved frame of `sliced`; first and moved are the ratios of CPU times, march
-// over sliced.
+// over sliced; with _4, over sliced at every fourth pixel.
 void sliced_against_march(benchmark::State& state, Scene (*make)()) {
   Scene scene = make();
   scene.film = {200, 150};
@@ -64,9 +65,16 @@ void sliced_against_march(benchmark::State& state, Scene (*make)()) {
   one_thread.threads = 1;
   const auto sample =
       *ErrorSample::take(scene, scene.camera, first_frame(scene, one_thread), 300, 1, 1e-4);
-  Measured sliced =
-      cheapest(scene, sample, std::array{4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48, 64},
-               [&](int slices) { return sliced_settings(one_thread, slices); });
+  const auto sliced_at = [&](int scale) {
+    return cheapest(scene, sample, std::array{4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48, 64},
+                    [&](int slices) {
+                      Settings settings = sliced_settings(one_thread, slices);
+                      settings.airlight_scale = scale;
+                      return settings;
+                    });
+  };
+  Measured sliced = sliced_at(1);
+  Measured sliced_4 = sliced_at(4);
   Measured march =
       cheapest(scene, sample,
                std::array{1,  2,  3,  4,  5,  6,  7,  8,  9,   10,  11,  12,  14,   16,   18,
@@ -80,18 +88,23 @@ void sliced_against_march(benchmark::State& state, Scene (*make)()) {
   for (auto _ : state) {
     for (int i = 0; i < 5; ++i) {
       time_frames(scene, sliced);
+      time_frames(scene, sliced_4);
       time_frames(scene, march);
     }
     state.SetIterationTime(sliced.moved_seconds);
   }
   state.counters["first"] = march.first_seconds / sliced.first_seconds;
   state.counters["moved"] = march.moved_seconds / sliced.moved_seconds;
+  state.counters["first_4"] = march.first_seconds / sliced_4.first_seconds;
+  state.counters["moved_4"] = march.moved_seconds / sliced_4.moved_seconds;
   state.counters["first_ms"] = 1e3 * sliced.first_seconds;
   state.counters["march_ms"] = 1e3 * march.moved_seconds;
   state.counters["steps"] = march.settings.march_steps;
   state.counters["march_error"] = march.error;
   state.counters["slices"] = sliced.settings.slices;
   state.counters["sliced_error"] = sliced.error;
+  state.counters["slices_4"] = sliced_4.settings.slices;
+  state.counters["error_4"] = sliced_4.error;
 }
 
 Scene bunny_fog() {
