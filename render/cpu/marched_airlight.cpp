@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "render/cpu/march_kernels.h"
 #include "render/cpu/path_depths.h"
+#include "render/cpu/ray_range.h"
 
 namespace brume {
 namespace {
 
-// Optical depth of homogeneous fog past which its light is left out: exp(-12) = 6e-6.
-constexpr double fog_end = 12.0;
-
-struct Range {
-  double begin = std::numeric_limits<double>::infinity();
-  double end = 0.0;
-};
-
 // The part of a ray that lies in the medium; empty (0, 0) if none does.
-Range medium_range(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                   const glm::dvec3& eye, const glm::dvec3& w, double length) {
-  Range range;
+RayRange medium_range(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                      const glm::dvec3& eye, const glm::dvec3& w, double length) {
+  RayRange range;
   for (const std::uint32_t i : gaussians) {
     const glm::dvec3 q = medium.gaussians()[i].b - eye;
     const double t = glm::dot(q, w);
@@ -30,16 +22,11 @@ Range medium_range(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const double reach = medium.view_reach(i);
     const double chord2 = reach * reach - glm::dot(gap, gap);
     if (!(chord2 > 0.0)) continue;
-    range.begin = std::min(range.begin, t - std::sqrt(chord2));
-    range.end = std::max(range.end, t + std::sqrt(chord2));
+    range.add(t - std::sqrt(chord2), t + std::sqrt(chord2));
   }
-  if (const double b0 = medium.homogeneous_density(); b0 > 0.0) {
-    range.begin = 0.0;
-    range.end = std::max(range.end, fog_end / b0);
-  }
-  range.begin = std::max(range.begin, 0.0);
-  range.end = std::min(range.end, length);
-  return range.begin < range.end ? range : Range{0.0, 0.0};
+  if (const double b0 = medium.homogeneous_density(); b0 > 0.0) range.add(0.0, fog_end / b0);
+  range.clip(length);
+  return range.empty() ? RayRange{0.0, 0.0} : range;
 }
 
 struct Scratch {
@@ -64,7 +51,7 @@ void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians
   s.begin.resize(count);
   s.step.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
-    const Range range =
+    const RayRange range =
         medium_range(medium, gaussians, rays.eye, rays.directions[k], rays.lengths[k]);
     s.begin[k] = range.begin;
     s.step[k] = (range.end - range.begin) / steps;

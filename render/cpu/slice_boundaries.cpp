@@ -6,22 +6,14 @@
 #include <limits>
 
 #include "core/transport/light_path.h"
+#include "render/cpu/ray_range.h"
 
 namespace brume {
 namespace {
 
-// Optical depth of homogeneous fog past which its light is left out: exp(-12) = 6e-6.
-constexpr double fog_end = 12.0;
-
-struct Range {
-  double begin = std::numeric_limits<double>::infinity();
-  double end = 0.0;
-  [[nodiscard]] bool empty() const { return !(begin < end); }
-};
-
 // Where light falls off within a medium, slices of equal angle as seen from the light.
 void add_equi_angular(const SlicedLight& light, const glm::dvec3& eye, const glm::dvec3& w,
-                      const Range& range, int count, std::vector<double>& boundaries) {
+                      const RayRange& range, int count, std::vector<double>& boundaries) {
   // A light almost on the ray would put all slices at one point: half a slice is fine enough.
   const double least = 0.25 * (range.end - range.begin) / count;
   const EquiAngular<double> angular(
@@ -38,7 +30,7 @@ void add_equi_angular(const SlicedLight& light, const glm::dvec3& eye, const glm
 // lies before it), over an even share that keeps thin media in view.
 class SliceDemand {
  public:
-  SliceDemand(const Range& range, int bins)
+  SliceDemand(const RayRange& range, int bins)
       : begin_(range.begin),
         width_((range.end - range.begin) / bins),
         rate_(static_cast<std::size_t>(bins) + 1),
@@ -110,33 +102,32 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
                    std::span<const SlicedLight> lights, const TileRays& rays, int slices,
                    std::vector<double>& boundaries) {
   boundaries.clear();
-  const glm::dvec3& w = rays.directions[rays.directions.size() / 2];
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& direction : rays.directions) sum += direction;
+  const glm::dvec3 w = glm::normalize(sum);
   const double longest = *std::max_element(rays.lengths.begin(), rays.lengths.end());
   // How far a ray of the tile is from the middle one, at distance 1.
-  const double spread =
-      std::max(glm::length(rays.directions.front() - w), glm::length(rays.directions.back() - w));
+  double spread = 0.0;
+  for (const glm::dvec3& direction : rays.directions) {
+    spread = std::max(spread, glm::dot(direction - w, direction - w));
+  }
+  spread = std::sqrt(spread);
 
   // The Gaussians: slices over two radii to both sides, and one more for the tail at each end.
-  Range reach;
-  Range core;
+  RayRange reach;
+  RayRange core;
   for (const std::uint32_t i : gaussians) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
     const double t = glm::dot(g.b - rays.eye, w);
     const double r = medium.reach()[i];
-    reach.begin = std::min(reach.begin, t - r);
-    reach.end = std::max(reach.end, t + r);
+    reach.add(t - r, t + r);
     const double half = std::min(2.0 / g.a, r);
-    core.begin = std::min(core.begin, t - half);
-    core.end = std::max(core.end, t + half);
+    core.add(t - half, t + half);
   }
-  const auto clip = [longest](Range& range) {
-    range.begin = std::clamp(range.begin, 0.0, longest);
-    range.end = std::clamp(range.end, 0.0, longest);
-  };
-  clip(reach);
-  clip(core);
+  reach.clip(longest);
+  core.clip(longest);
   const double b0 = medium.homogeneous_density();
-  Range whole = reach;
+  RayRange whole = reach;
   if (b0 > 0.0) {
     whole.begin = 0.0;
     whole.end = std::min(longest, std::max(reach.empty() ? 0.0 : reach.end, fog_end / b0));
@@ -160,7 +151,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     boundaries.push_back(reach.begin);
     boundaries.push_back(reach.end);
   }
-  const Range& lit = b0 > 0.0 ? whole : core;
+  const RayRange& lit = b0 > 0.0 ? whole : core;
   for (const SlicedLight& light : lights) {
     // A light in or near the medium; far ones are smooth along the ray.
     const glm::dvec3 q = light.position - rays.eye;
