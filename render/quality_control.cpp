@@ -17,14 +17,14 @@ constexpr double clearly_better = 0.4;
 // Or far below it, where they have broken it in another view.
 constexpr double far_better = 0.1;
 
-std::array<double, 4> measures_of(const Scene& scene) {
+QualityControl::Measures measures_of(const Scene& scene) {
   double depth = 0.0;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     depth += scene.medium.densities()[i] * scene.medium.radii()[i];
   }
   const auto lights = std::ranges::count(scene.lights, true, &PointLight::on);
   return {static_cast<double>(lights), static_cast<double>(scene.medium.size()), depth,
-          scene.medium.homogeneous_density()};
+          scene.medium.homogeneous_density(), scene.optics.noise.amplitude};
 }
 
 bool much_different(double a, double b) {
@@ -47,7 +47,7 @@ void QualityControl::follow(const Scene& scene, const Camera& camera) {
     camera_ = camera;
     for (Trial& trial : trials_) trial.in_other_view = true;
   }
-  const std::array<double, 4> measures = measures_of(scene);
+  const Measures measures = measures_of(scene);
   if (measures_ && std::equal(measures.begin(), measures.end(), measures_->begin(),
                               [](double a, double b) { return !much_different(a, b); })) {
     return;

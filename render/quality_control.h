@@ -16,6 +16,9 @@ namespace brume {
 // to settings that have broken the bound, so it comes to rest.
 class QualityControl {
  public:
+  // What tells whether a scene has changed much.
+  using Measures = std::array<double, 5>;
+
   struct Trial {
     Settings settings;
     std::optional<ErrorEstimate> error;  // the last measured in this scene
@@ -61,7 +64,7 @@ class QualityControl {
   std::size_t step_;
   double max_error_ = 0.02;
   // Lights, Gaussians, their depths added up, homogeneous density: when errors were last forgotten.
-  std::optional<std::array<double, 4>> measures_;
+  std::optional<Measures> measures_;
   Camera camera_;
 };
 
