@@ -8,6 +8,7 @@
 
 #include "render/albedo.h"
 #include "render/cpu/visibility.h"
+#include "render/fog_end.h"
 #include "render/light_limits.h"
 #include "render/medium_index.h"
 #include "render/reference/reference_airlight.h"
@@ -60,6 +61,7 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
   const CameraRays rays(camera, guide.film);
   const Visibility visibility(scene.surfaces);
   const Occluders occluders(scene.surfaces);
+  const double fog_end = FogEnd(scene).of_rays(rays.eye());
   std::vector<ReferenceLight> lights;
   for (const PointLight& light : plan.lights) {
     lights.push_back(
@@ -76,7 +78,7 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
       const auto width = static_cast<std::size_t>(guide.film.width);
       const glm::dvec3 w = rays.direction(static_cast<double>(pixel.index % width) + 0.5,
                                           static_cast<double>(pixel.index / width) + 0.5);
-      const double length = visibility.first_hit(rays.eye(), w).distance;
+      const double length = std::min(visibility.first_hit(rays.eye(), w).distance, fog_end);
       const glm::dvec3 airlight =
           reference_airlight(medium, occluders, lights, rays.eye(), w, length, tolerance).airlight;
       for (const std::size_t c : group.channels) {

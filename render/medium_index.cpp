@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 namespace brume {
@@ -21,6 +22,16 @@ MediumIndex::MediumIndex(const Medium& medium, double tolerance, double anisotro
 
 double MediumIndex::greatest_bend() const {
   return noise_.on() ? RayNoise::greatest * noise_.amplitude() * greatest_radius_ : 0.0;
+}
+
+double MediumIndex::density(const glm::dvec3& x) const {
+  double sum = b0_;
+  hierarchy_.query(RaySegment{x, {0.0, 0.0, 1.0}, 0.0}, [&](std::uint32_t i) {
+    const GaussianTerm<double>& g = gaussians_[i];
+    const glm::dvec3 q = g.a * (x - g.b);
+    sum += g.c * std::exp(-glm::dot(q, q));
+  });
+  return sum;
 }
 
 double MediumIndex::depth(const RaySegment& segment) const {

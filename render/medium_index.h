@@ -36,6 +36,9 @@ class MediumIndex {
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] double homogeneous_density() const { return b0_; }
 
+  // b(x) of Gaussians and b0 [1/u], exact up to the tolerance on depths.
+  [[nodiscard]] double density(const glm::dvec3& x) const;
+
   // T(a, b) of Gaussians and b0, exact up to the tolerance; +inf is allowed as length.
   [[nodiscard]] double depth(const RaySegment& segment) const;
 

@@ -20,15 +20,21 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
     }
   }
   surfaces = !scene.surfaces.empty();
-  lit_surfaces = surfaces && !lights.empty();
+  environment = scene.environment && scene.environment->intensity > 0.0;
+  lit_surfaces = surfaces && (environment || !lights.empty());
   const auto densities = scene.medium.densities();
   gaussians = std::any_of(densities.begin(), densities.end(), [](double c) { return c > 0.0; });
   homogeneous = scene.medium.homogeneous_density() > 0.0;
   noise = gaussians && scene.optics.noise.amplitude > 0.0;
   airlight = (gaussians || homogeneous) && !lights.empty();
+  scattered_on_surfaces = airlight && surfaces;
 
   if (!surfaces) skip("visibility", "the scene has no surfaces");
   if (surfaces && !lit_surfaces) skip("surfaces", "no light shines");
+  if (lit_surfaces && !gaussians && !homogeneous) skip("surface_scattering", "the medium is empty");
+  if (!environment) {
+    skip("environment", scene.environment ? "its intensity is 0" : "the scene has none");
+  }
   // What goes before the airlight is the method's own.
   const char* const no_airlight = lights.empty() ? "no light shines" : "the medium is empty";
   const char* const no_gaussians =

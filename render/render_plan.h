@@ -10,13 +10,15 @@ namespace brume {
 
 // What a scene needs to be rendered, and why the rest is left out: the one place that decides.
 struct RenderPlan {
-  bool surfaces = false;           // any to be seen and to cast shadows
-  bool lit_surfaces = false;       // surfaces and lights
-  bool gaussians = false;          // any that takes light away
-  bool homogeneous = false;        // b0 > 0
-  bool noise = false;              // Gaussians and noise that bends view rays through them
-  bool airlight = false;           // a medium and lights
-  std::vector<PointLight> lights;  // those that give light
+  bool surfaces = false;               // any to be seen and to cast shadows
+  bool lit_surfaces = false;           // surfaces, and lights or an environment
+  bool gaussians = false;              // any that takes light away
+  bool homogeneous = false;            // b0 > 0
+  bool noise = false;                  // Gaussians and noise that bends view rays through them
+  bool airlight = false;               // a medium and lights
+  bool environment = false;            // one that gives light
+  bool scattered_on_surfaces = false;  // surfaces, lights and a medium that scatters on the way
+  std::vector<PointLight> lights;      // those that give light
   std::vector<SkippedStage> skipped;
 
   RenderPlan(const Scene& scene, AirlightMethod method);

@@ -17,10 +17,12 @@
 #include "render/cpu/surfaces.h"
 #include "render/cpu/visibility.h"
 #include "render/film_airlight.h"
+#include "render/fog_end.h"
 #include "render/job.h"
 #include "render/light_limits.h"
 #include "render/medium_index.h"
 #include "render/prepared_scene.h"
+#include "render/prepared_shading.h"
 #include "render/reference/reference_airlight.h"
 #include "render/render_plan.h"
 #include "render/tiles.h"
@@ -46,6 +48,7 @@ class StageClock {
 
 struct Renderer::Impl {
   PreparedScene prepared;
+  PreparedShading shading;
   // Kept from frame to frame for their memory only.
   std::vector<SurfaceHit> hits;
   std::vector<glm::vec3> surface_radiance;
@@ -56,6 +59,8 @@ struct Renderer::Impl {
     const Camera& camera;
     const Settings& settings;
     const Job& job;
+    double albedo;  // of the channels that count
+    FogEnd fog_end;
     RenderPlan plan;
     CameraRays rays;
     Tiles tiles;
@@ -92,11 +97,14 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
                                       const std::function<void(double)>& progress) {
   const Job job{std::move(stop), progress};
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-  const auto render_one = [&](const Scene& of, std::size_t which) {
+  const FogEnd fog_end(scene);
+  const auto render_one = [&](const Scene& of, std::size_t which, double albedo) {
     Impl::Work work{of,
                     camera,
                     settings,
                     job,
+                    albedo,
+                    fog_end,
                     RenderPlan(of, settings.airlight),
                     CameraRays(camera, film),
                     Tiles(film),
@@ -109,13 +117,13 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
   const std::vector<AlbedoGroup> groups = albedo_groups(scene.optics.albedo);
   while (impls_.size() < groups.size()) impls_.push_back(std::make_unique<Impl>());
   impls_.resize(groups.size());
-  if (groups.size() == 1 && groups[0].albedo == 1.0) return render_one(scene, 0);
+  if (groups.size() == 1 && groups[0].albedo == 1.0) return render_one(scene, 0, 1.0);
 
   std::optional<Frame> frame;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Scene absorbing = scene;
     absorbing.medium = extinction_medium(scene.medium, groups[i].albedo);
-    std::optional<Frame> part = render_one(absorbing, i);
+    std::optional<Frame> part = render_one(absorbing, i, groups[i].albedo);
     if (!part) return std::nullopt;
     if (!frame) {
       frame = *part;
@@ -143,12 +151,14 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   work.frame.airlight.resize(3 * pixels);
   work.frame.transmittance.assign(3 * pixels, 1.0f);
   work.frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
-  hits.resize(work.plan.surfaces ? pixels : 0);
+  const double ray_end = work.fog_end.of_rays(work.rays.eye());
+  hits.assign(work.plan.surfaces || std::isfinite(ray_end) ? pixels : 0, {ray_end});
   surface_radiance.resize(work.plan.lit_surfaces ? pixels : 0);
   statistics.skipped = work.plan.skipped;
   statistics.gaussians_total = work.scene.medium.size();
 
   prepared.update(work.scene, work.plan.lights, work.settings);
+  shading.update(work.scene, work.plan, work.settings);
   clock.finish("prepare");
   if (work.plan.surfaces) {
     find_surfaces(work);
@@ -188,8 +198,10 @@ void Renderer::Impl::find_surfaces(Work& work) {
                                      std::span(tile_hits).first(count));
     count = 0;
     each_pixel(work, tile, [&](std::size_t i, int, int) {
-      hits[i] = tile_hits[count++];
-      work.frame.depth[i] = static_cast<float>(hits[i].distance);
+      const SurfaceHit& hit = tile_hits[count++];
+      if (!hit) return;
+      hits[i] = hit;
+      work.frame.depth[i] = static_cast<float>(hit.distance);
     });
   });
 }
@@ -325,9 +337,21 @@ void Renderer::Impl::shade_surfaces(Work& work) {
   const Settings::Arithmetic arithmetic = work.settings.airlight == AirlightMethod::reference
                                               ? Settings::Arithmetic::plain_double
                                               : work.settings.arithmetic;
-  std::vector<SurfaceLight> lights;
+  SurfaceLighting lighting;
+  lighting.surfaces = shading.surfaces();
+  lighting.environment = shading.environment();
+  lighting.albedo = work.albedo;
+  if (work.plan.homogeneous && lighting.environment) {
+    lighting.fog_depth = prepared.medium().homogeneous_density() * work.fog_end.of_surfaces();
+  }
+  if (work.plan.scattered_on_surfaces) {
+    const bool paper = work.settings.paper_spread;
+    lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
+    lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();
+  }
+  std::vector<SurfaceLight>& lights = lighting.lights;
   for (const PointLight& light : work.plan.lights) {
-    lights.push_back({light});
+    lights.push_back({light, prepared.medium().density(light.position)});
     if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
       lights.back().table = &prepared.light_table(light.position, work.settings.light_table,
                                                   work.frame.statistics.light_pairs);
@@ -347,26 +371,42 @@ void Renderer::Impl::shade_surfaces(Work& work) {
           hits[i], work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
     });
     if (count == 0) return;
-    pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(), lights,
-                                     std::span(points).first(count), arithmetic,
-                                     std::span(radiance).first(count));
+    pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(), lighting,
+                                     work.scene.surfaces, std::span(points).first(count),
+                                     arithmetic, std::span(radiance).first(count));
     for (std::size_t k = 0; k < count; ++k) surface_radiance[pixels[k]] = radiance[k];
   });
   work.frame.statistics.light_pairs += pairs;
 }
 
+// Eq. 29. An environment is what is seen where nothing is hit, and the medium scatters its light
+// into every ray (eq. 28): the paper leaves that out in front of surfaces, where mist would be
+// black.
 void Renderer::Impl::composite(Work& work) const {
   Frame& frame = work.frame;
+  const EnvironmentLight* environment = shading.environment();
   const auto width = static_cast<std::size_t>(frame.film.width);
   work.job.each(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
-    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t i = y * width + x;
       const float transmittance = frame.transmittance[3 * i];
-      const glm::vec3 surface = surface_radiance.empty() ? glm::vec3(0.0f) : surface_radiance[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        frame.beauty[4 * i + k] =
-            finite(frame.airlight[3 * i + k] + transmittance * surface[static_cast<int>(k)]);
+      const bool is_open = !std::isfinite(frame.depth[i]);
+      glm::vec3 behind = surface_radiance.empty() ? glm::vec3(0.0f) : surface_radiance[i];
+      glm::vec3 glow(0.0f);
+      if (environment) {
+        const glm::dvec3 w =
+            work.rays.direction(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
+        if (is_open) behind = environment->radiance(w);
+        if (transmittance < 1.0f && transmittance > 0.0f) {
+          glow = environment->glow(w, -std::log(transmittance), work.albedo);
+        }
       }
-      frame.beauty[4 * i + 3] = std::isfinite(frame.depth[i]) ? 1.0f : 1.0f - transmittance;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto c = static_cast<int>(k);
+        frame.beauty[4 * i + k] =
+            finite(frame.airlight[3 * i + k] + transmittance * behind[c] + glow[c]);
+      }
+      frame.beauty[4 * i + 3] = is_open ? 1.0f - transmittance : 1.0f;
     }
   });
 }

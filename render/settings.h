@@ -53,6 +53,10 @@ struct Settings {
   // `sliced`: squared: cells of the map of surfaces around a light.
   int shadow_cells = 384;
 
+  // Light that the medium scatters onto surfaces, and the glow of an environment: by the paper's
+  // one point spread function for all lights and depths, not by that of each.
+  bool paper_spread = false;
+
   // How far the optical depth of a ray may be off because Gaussians far from it are left out; the
   // reference has its own.
   double depth_error = 1e-3;

@@ -158,7 +158,6 @@ class SceneLoader {
     environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
     environment.map = SceneReferences::radiance_map(context_, file, environment.file);
     environment.unknown = object.unknown();
-    context_.warn(place, no_effect);
     scene_.environment = std::move(environment);
   }
 

@@ -1,27 +1,47 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "render/cpu/light_table.h"
+#include "render/cpu/scatter_table.h"
 #include "render/cpu/visibility.h"
+#include "render/environment_light.h"
 #include "render/medium_index.h"
+#include "render/prepared_shading.h"
 #include "render/settings.h"
 
 namespace brume {
 
-// The light that surfaces send to the eye: reflection of point lights by brdf(), with cast shadows
-// and with the medium's attenuation exp(-T(s, p)) on the way from the light. What the medium takes
-// between surface and eye is left to the compositing (eq. 29).
+// The light that surfaces send to the eye (section 4 of the paper). What the medium takes between
+// surface and eye is left to the compositing (eq. 29).
 
 struct SurfaceLight {
   PointLight light;
+  double density = 0.0;               // b(s) of the medium [1/u]
   const LightTable* table = nullptr;  // where T(s, p) is taken from; null: it is summed exactly
 };
 
-// radiance[k] receives the RGB radiance of points[k], those of a tile. Returns the number of
-// Gaussian x path pairs evaluated. Thread-safe.
+struct SurfaceLighting {
+  std::vector<SurfaceLight> lights;
+  // Of light that starts in the medium and of light that comes from outside; null: no medium
+  // scatters. See spread_of().
+  const ScatterTable* point = nullptr;
+  const ScatterTable* distant = nullptr;
+  const EnvironmentLight* environment = nullptr;  // null: there is none
+  std::span<const SurfaceShading> surfaces;       // one for each of the scene
+  double fog_depth = 0.0;                         // b0's part of the average optical depth
+  double albedo = 1.0;
+};
+
+// radiance[k] receives the RGB radiance of points[k], those of a tile on `surfaces`:
+//   light that comes straight from the lights, with cast shadows, times exp(-T(s, p)), by brdf();
+//   light of theirs that the medium scatters once on its way (eq. 25), which no surface shadows;
+//   light of the environment, straight and scattered (eq. 27), which no surface shadows;
+// the last two as spherical harmonics of six bands. Returns the number of Gaussian x path pairs
+// evaluated. Thread-safe.
 std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visibility,
-                               std::span<const SurfaceLight> lights,
+                               const SurfaceLighting& lighting, std::span<const Surface> surfaces,
                                std::span<const SurfacePoint> points,
                                Settings::Arithmetic arithmetic, std::span<glm::vec3> radiance);
 

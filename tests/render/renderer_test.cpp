@@ -4,10 +4,13 @@
 
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <thread>
 
 #include "core/medium/medium_edit.h"
+#include "core/scene/brdf.h"
+#include "core/transport/point_spread.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -42,13 +45,23 @@ TEST(Renderer, DiffuseWallHasTheRadianceItShould) {
   EXPECT_NEAR(frame.depth[i], 3.0, 1e-5);
   EXPECT_EQ(frame.beauty[4 * i + 3], 1.0f);
 
-  // In fog the light is attenuated on both ways, and airlight is added (eq. 29).
+  // In fog the light is attenuated on both ways, some is scattered on the way to the wall (eq. 25),
+  // and airlight is added (eq. 29).
   scene.medium.set_homogeneous_density(0.1);
   frame = render_frame(scene, {});
   const double both_ways = bare * std::exp(-0.1 * (3.0 + std::sqrt(d2)));
   EXPECT_NEAR(frame.transmittance[3 * i], std::exp(-0.3), 1e-6);
   EXPECT_GT(frame.airlight[3 * i], 0.0f);
-  EXPECT_NEAR(frame.beauty[4 * i] - frame.airlight[3 * i], both_ways, 1e-5 * both_ways);
+  const double T = 0.1 * std::sqrt(d2);
+  const glm::dvec3 delta = glm::normalize(glm::dvec3(1.5, 0, 2));
+  const double scattered_share =
+      T *
+      sh_evaluate(sh_convolve(sh_convolve(sh_basis(6, delta), SpreadTable::point()(T)),
+                              clamped_cosine_sh()),
+                  glm::dvec3(0, 0, 1)) /
+      cosine;
+  EXPECT_NEAR(frame.beauty[4 * i] - frame.airlight[3 * i], both_ways * (1.0 + scattered_share),
+              1e-4 * both_ways);
 }
 
 TEST(Renderer, SurfacesCastShadows) {

@@ -89,6 +89,8 @@ class RenderCommand final : public Command {
                  "paper: takes light at the mean of a Gaussian on the ray");
     app.add_flag("--paper-energy", paper_.conserve_energy,
                  "paper: scales a ray's airlight to what the ray takes away");
+    app.add_flag("--paper-spread", paper_spread_,
+                 "light scattered onto surfaces: by the paper's one point spread function");
     app.add_option("--max-error", max_error_, "the relative RMSE of the airlight that auto keeps")
         ->check(finite_in(1e-4, 10.0))
         ->capture_default_str();
@@ -115,6 +117,7 @@ class RenderCommand final : public Command {
     Settings settings = sliced_settings({}, slices_);
     const bool is_chosen = take_airlight(airlight_, settings);
     settings.paper = paper_;
+    settings.paper_spread = paper_spread_;
     if (airlight_scale_ > 1 && settings.airlight == AirlightMethod::reference) {
       throw UsageError("--airlight-scale: the reference is never interpolated; allowed: 1");
     }
@@ -211,6 +214,7 @@ class RenderCommand final : public Command {
   std::string airlight_ = "auto";
   int airlight_scale_ = 0;  // 0: not given
   PaperOptions paper_;
+  bool paper_spread_ = false;
   double max_error_ = 0.02;
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;

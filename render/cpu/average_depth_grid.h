@@ -1,0 +1,36 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/transport/optical_depth.h"
+
+namespace brume {
+
+// An axis-aligned box; empty unless low <= high.
+struct Box {
+  glm::dvec3 low{0.0};
+  glm::dvec3 high{0.0};
+};
+
+// Tbar(p) of Gaussians (core/transport/average_depth.h) in a box, on a grid and interpolated
+// linearly in between. It does not fall off fast enough to leave anything out, so each node sums
+// all Gaussians; where there are many, the nodes are fewer.
+class AverageDepthGrid {
+ public:
+  // In parallel. Nodes stand a quarter of the smallest radius apart, or farther where they would be
+  // more than 32,768 or cost more than 5e7 evaluations.
+  AverageDepthGrid(std::span<const GaussianTerm<double>> gaussians, const Box& box);
+
+  // For p in the box; outside, the value at the nearest point of it.
+  [[nodiscard]] float operator()(const glm::dvec3& p) const;
+
+ private:
+  Box box_;
+  glm::ivec3 nodes_{1};  // along each axis
+  glm::dvec3 cells_per_unit_{0.0};
+  std::vector<float> depths_;  // x fastest
+};
+
+}  // namespace brume

@@ -1,0 +1,82 @@
+#include "render/environment_light.h"
+
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+
+#include "core/scene/brdf.h"
+#include "core/scene/environment.h"
+
+namespace brume {
+namespace {
+
+// The sum of bands of L at a direction, each with its factor; never below 0, where six bands of
+// bright light ring.
+glm::vec3 banded(const ShVector<glm::vec3>& L, const ScatterTable::Bands& factors,
+                 const glm::dvec3& w) {
+  const ShVector<float> y = sh_basis(L.order(), glm::vec3(w));
+  glm::vec3 sum(0.0f);
+  for (int l = 0; l < L.order(); ++l) {
+    glm::vec3 band(0.0f);
+    for (int m = -l; m <= l; ++m) band += y[sh_index(l, m)] * L[sh_index(l, m)];
+    sum += factors[static_cast<std::size_t>(l)] * band;
+  }
+  return glm::max(sum, 0.0f);
+}
+
+// What convolution with max(0, cos theta) / pi does to each band.
+const ScatterTable::Bands& cosine_factors() {
+  static const ScatterTable::Bands factors = [] {
+    const ZonalSh<double> cosine = clamped_cosine_sh();
+    ScatterTable::Bands f;
+    for (std::size_t l = 0; l < f.size(); ++l) {
+      f[l] = static_cast<float>(
+          std::sqrt(4.0 * std::numbers::pi / (2.0 * static_cast<double>(l) + 1.0)) * cosine[l] *
+          std::numbers::inv_pi);
+    }
+    return f;
+  }();
+  return factors;
+}
+
+}  // namespace
+
+EnvironmentLight::EnvironmentLight(const Environment& environment, const ScatterTable& scattering)
+    : environment_(environment),
+      scattering_(&scattering),
+      light_(environment_sh(environment, sh_most_bands)),
+      light_float_(sh_most_bands) {
+  for (std::size_t i = 0; i < light_.size(); ++i) light_float_[i] = glm::vec3(light_[i]);
+}
+
+glm::vec3 EnvironmentLight::radiance(const glm::dvec3& w) const {
+  return glm::vec3(environment_radiance(environment_, w));
+}
+
+glm::vec3 EnvironmentLight::glow(const glm::dvec3& w, float T, double albedo) const {
+  return static_cast<float>(albedo) * banded(light_float_, (*scattering_)(T), w);
+}
+
+ShVector<glm::dvec3> EnvironmentLight::incident(float Tbar, double albedo) const {
+  const ScatterTable::Bands scattered = (*scattering_)(Tbar);
+  const double straight = std::exp(-static_cast<double>(Tbar));
+  ShVector<glm::dvec3> light(light_.order());
+  for (int l = 0; l < light.order(); ++l) {
+    const double factor =
+        straight + albedo * static_cast<double>(scattered[static_cast<std::size_t>(l)]);
+    for (int m = -l; m <= l; ++m) light[sh_index(l, m)] = factor * light_[sh_index(l, m)];
+  }
+  return light;
+}
+
+glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, float Tbar, double albedo) const {
+  const float straight = std::exp(-Tbar);
+  ScatterTable::Bands factors = (*scattering_)(Tbar);
+  for (std::size_t l = 0; l < factors.size(); ++l) {
+    factors[l] = cosine_factors()[l] * (straight + static_cast<float>(albedo) * factors[l]);
+  }
+  return banded(light_float_, factors, n);
+}
+
+}  // namespace brume

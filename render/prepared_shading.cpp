@@ -1,0 +1,90 @@
+#include "render/prepared_shading.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "core/scene/mesh.h"
+
+namespace brume {
+namespace {
+
+Box bounds(const Surface& surface) {
+  Box box{glm::dvec3(std::numeric_limits<double>::infinity()),
+          glm::dvec3(-std::numeric_limits<double>::infinity())};
+  for (const auto vertex : surface.mesh->vertices()) {
+    const auto& v = surface.mesh->point(vertex);
+    const glm::dvec3 p =
+        surface.translate + surface.rotate * (surface.scale * glm::dvec3(v[0], v[1], v[2]));
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
+  }
+  return box.low.x <= box.high.x ? box : Box{};
+}
+
+}  // namespace
+
+bool PreparedShading::Depths::of(const Surface& surface) const {
+  return mesh == surface.mesh && translate == surface.translate && rotate == surface.rotate &&
+         scale == surface.scale;
+}
+
+void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const Settings& settings) {
+  const ScatterTable& scattering =
+      settings.paper_spread ? ScatterTable::paper() : ScatterTable::distant();
+  if (!plan.environment) {
+    environment_.reset();
+  } else if (!environment_ || !environment_->shows(*scene.environment, scattering)) {
+    environment_.emplace(*scene.environment, scattering);
+  }
+
+  const auto unused = [&](const auto& is_of) {
+    return std::none_of(scene.surfaces.begin(), scene.surfaces.end(), is_of);
+  };
+  std::erase_if(reflections_, [&](const auto& known) {
+    return unused([&](const Surface& s) { return s.material == known->material; });
+  });
+  const Medium medium = plan.environment && plan.gaussians ? scene.medium : Medium();
+  if (!(medium_ == medium)) {
+    depths_.clear();
+    medium_ = medium;
+  }
+  std::erase_if(depths_, [&](const auto& known) {
+    return unused([&](const Surface& s) { return known->of(s); });
+  });
+
+  shading_.assign(scene.surfaces.size(), {});
+  for (std::size_t i = 0; i < shading_.size(); ++i) {
+    const Surface& surface = scene.surfaces[i];
+    if (surface.material.type != Material::Type::diffuse &&
+        (plan.scattered_on_surfaces || plan.environment)) {
+      shading_[i].brdf = &brdf_of(surface.material);
+    }
+    if (plan.environment && plan.gaussians) {
+      shading_[i].average_depth = &average_depth_of(surface);
+    }
+  }
+}
+
+const BrdfSh& PreparedShading::brdf_of(const Material& material) {
+  for (const auto& known : reflections_) {
+    if (known->material == material) return known->brdf;
+  }
+  reflections_.push_back(
+      std::make_unique<Reflection>(Reflection{material, BrdfSh(material, sh_most_bands)}));
+  return reflections_.back()->brdf;
+}
+
+const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface) {
+  for (const auto& known : depths_) {
+    if (known->of(surface)) return known->grid;
+  }
+  std::vector<GaussianTerm<double>> gaussians;
+  for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
+  depths_.push_back(std::make_unique<Depths>(Depths{surface.mesh, surface.translate, surface.rotate,
+                                                    surface.scale,
+                                                    AverageDepthGrid(gaussians, bounds(surface))}));
+  return depths_.back()->grid;
+}
+
+}  // namespace brume

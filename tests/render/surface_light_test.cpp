@@ -1,0 +1,380 @@
+// Light that reaches surfaces through the medium, and environments, in rendered frames.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/math/sphere_rule.h"
+#include "core/scene/environment.h"
+#include "core/scene/mesh.h"
+#include "core/scene/radiance_map.h"
+#include "core/transport/average_depth.h"
+#include "render/cpu/average_depth_grid.h"
+#include "render/cpu/scatter_table.h"
+#include "render/environment_light.h"
+#include "render/reference/surface_reference.h"
+#include "render/renderer.h"
+#include "tests/random.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+std::shared_ptr<const RadianceMap> constant_sky(float radiance) {
+  return std::make_shared<const RadianceMap>(
+      RadianceMap{16, 8, std::vector<glm::vec3>(16 * 8, glm::vec3(radiance))});
+}
+
+std::shared_ptr<const RadianceMap> smooth_sky() {
+  auto sky = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
+  for (int i = 0; i < 64 * 32; ++i) {
+    const glm::dvec3 d = map_direction(*sky, {i % 64 + 0.5, i / 64 + 0.5});
+    sky->pixels.emplace_back(glm::dvec3(1.0 + 0.8 * d.y + 0.3 * d.x * d.z) * glm::dvec3(1, 2, 3));
+  }
+  return sky;
+}
+
+Surface ball(double radius) {
+  Surface surface;
+  surface.mesh = ball_mesh(64);
+  surface.scale = radius;
+  return surface;
+}
+
+void set_type(Material::Type type, Material& material) {
+  material.type = type;
+  material.specular = glm::dvec3(0.3);
+  material.exponent = 5.0;
+}
+
+// What the surface sends towards the eye, as the frame has it: without glow and airlight, and
+// without the medium between.
+glm::dvec3 surface_part(const Frame& frame, std::size_t i, const glm::vec3& glow = glm::vec3(0)) {
+  glm::dvec3 radiance;
+  for (std::size_t c = 0; c < 3; ++c) {
+    radiance[static_cast<int>(c)] =
+        static_cast<double>(frame.beauty[4 * i + c] - frame.airlight[3 * i + c] -
+                            glow[static_cast<int>(c)]) /
+        static_cast<double>(frame.transmittance[3 * i + c]);
+  }
+  return radiance;
+}
+
+// How far the light that surfaces reflect is from the reference, relative rms over the pixels and
+// channels: of all of it, and of what is scattered.
+struct ReflectionError {
+  double all = 0.0;
+  double scattered = 0.0;
+};
+ReflectionError reflection_error(const Scene& scene, const Settings& settings,
+                                 const SurfaceSampling& sampling) {
+  const Frame frame = render_frame(scene, settings);
+  const CameraRays rays(scene.camera, scene.film);
+  const Visibility visibility(scene.surfaces);
+  double error = 0.0;
+  double all = 0.0;
+  double scattered = 0.0;
+  std::size_t hits = 0;
+  for (int y = 0; y < scene.film.height; ++y) {
+    for (int x = 0; x < scene.film.width; ++x) {
+      const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);
+      const SurfaceHit hit = visibility.first_hit(rays.eye(), w);
+      if (!hit) continue;
+      ++hits;
+      const SurfacePoint point = visibility.point(hit, rays.eye(), w, scene.surfaces);
+      const ReflectedLight truth = reflected_light(scene, visibility, point, sampling);
+      const auto i = static_cast<std::size_t>(y * scene.film.width + x);
+      glm::vec3 glow(0.0f);
+      if (scene.environment) {
+        const EnvironmentLight environment(*scene.environment, ScatterTable::distant());
+        glow = environment.glow(w, -std::log(frame.transmittance[3 * i]), 1.0);
+      }
+      const glm::dvec3 got = surface_part(frame, i, glow);
+      const glm::dvec3 d = got - truth.attenuated - truth.scattered;
+      error += glm::dot(d, d);
+      all += glm::dot(truth.attenuated + truth.scattered, truth.attenuated + truth.scattered);
+      scattered += glm::dot(truth.scattered, truth.scattered);
+    }
+  }
+  EXPECT_GT(hits, 10u);
+  return {std::sqrt(error / all), std::sqrt(error / scattered)};
+}
+
+TEST(ScatterTable, HoldsItsError) {
+  const auto expect_close = [](const ScatterTable& table, const SpreadTable& spread) {
+    for (double T = 1e-6; T < 40.0; T *= 1.0371) {
+      const ZonalSh<double> exact = spread(T);
+      const ScatterTable::Bands got = table(static_cast<float>(T));
+      for (std::size_t l = 0; l < exact.size(); ++l) {
+        const double factor = std::sqrt(4.0 * pi / (2.0 * static_cast<double>(l) + 1.0));
+        EXPECT_NEAR(static_cast<double>(got[l]), T * std::exp(-T) * factor * exact[l], 2e-5)
+            << T << ' ' << l;
+      }
+    }
+  };
+  expect_close(ScatterTable::point(), SpreadTable::point());
+  expect_close(ScatterTable::distant(), SpreadTable::distant());
+  EXPECT_EQ(ScatterTable::point()(0.0f), ScatterTable::Bands{});
+  EXPECT_EQ(ScatterTable::point()(std::numeric_limits<float>::infinity()), ScatterTable::Bands{});
+}
+
+TEST(AverageDepthGrid, IsWithinTwoPercentOfTheSum) {
+  const Scene scene = cloud_scene(40, 3.0);
+  std::vector<GaussianTerm<double>> gaussians;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    gaussians.emplace_back(scene.medium.gaussian(i));
+  }
+  for (const Box& box : {Box{{-1, -1, -1}, {1, 1, 1}}, Box{{-9, 0.25, -9}, {9, 0.25, 9}},
+                         Box{{2, 3, 4}, {2, 3, 4}}}) {
+    const AverageDepthGrid grid(gaussians, box);
+    Random random(3);
+    for (int n = 0; n < 500; ++n) {
+      const glm::dvec3 p =
+          0.5 * (box.low + box.high) + 0.5 * random.point(1.0) * (box.high - box.low);
+      const double exact = average_depth(scene.medium, 0.0, p);
+      EXPECT_NEAR(static_cast<double>(grid(p)), exact, 0.02 * exact);
+    }
+  }
+}
+
+// The light stands in the fog, so that its glow is there; where it stands outside a cloud, only
+// half as much is scattered. The paper's one spread knows neither depth nor place.
+TEST(SurfaceLight, OfALampInFogIsTheReference) {
+  Scene scene;
+  scene.surfaces = {ball(0.05)};
+  scene.camera = {{1.0, 0.0, 0.6}, {0, 0, 0}, {0, 1, 0}, 5.0};
+  scene.film = {6, 6};
+  scene.lights.push_back({{0, 0, 1}, {1, 2, 3}, {}});
+  scene.optics.albedo = {1.0, 1.0, 0.6};
+  Settings paper;
+  paper.paper_spread = true;
+  for (const double T : {0.1, 0.3, 1.0, 3.0}) {
+    scene.medium.set_homogeneous_density(T);
+    const SurfaceSampling sampling{.samples = 20'000};
+    EXPECT_LT(reflection_error(scene, {}, sampling).scattered, 0.03) << T;
+    EXPECT_GT(reflection_error(scene, paper, sampling).scattered, 0.08) << T;
+  }
+}
+
+TEST(SurfaceLight, OfALampOutsideSmokeIsNearTheReference) {
+  for (const auto type : {Material::Type::diffuse, Material::Type::phong}) {
+    Scene scene = cloud_scene(30, 1.5);
+    scene.surfaces = {ball(0.3)};
+    set_type(type, scene.surfaces[0].material);
+    scene.camera = {0.3 * scene.lights[0].position, {0, 0, 0}, {0, 1, 0}, 20.0};
+    scene.film = {6, 6};
+    const ReflectionError error = reflection_error(scene, {}, {.samples = 2'000});
+    EXPECT_LT(error.all, 0.025);
+    EXPECT_LT(error.scattered, 0.3);
+    Settings paper;
+    paper.paper_spread = true;
+    EXPECT_GT(reflection_error(scene, paper, {.samples = 2'000}).scattered, 1.0);
+  }
+}
+
+TEST(SurfaceLight, OfASkyInSmokeIsNearTheReference) {
+  struct Row {
+    Material::Type type;
+    double depth;  // of the cloud
+    double error;  // measured, and a quarter more
+  };
+  const Row rows[] = {{Material::Type::diffuse, 0.5, 0.03},
+                      {Material::Type::diffuse, 2.0, 0.19},
+                      {Material::Type::phong, 0.5, 0.045},
+                      {Material::Type::phong, 2.0, 0.21}};
+  for (const Row& row : rows) {
+    Scene scene = cloud_scene(30, row.depth);
+    scene.lights.clear();
+    scene.environment.emplace().map = smooth_sky();
+    scene.surfaces = {ball(0.3)};
+    set_type(row.type, scene.surfaces[0].material);
+    scene.camera = {{0.3, 0.5, 0.9}, {0, 0, 0}, {0, 1, 0}, 30.0};
+    scene.film = {5, 5};
+    EXPECT_LT(reflection_error(scene, {}, {.samples = 300}).all, row.error) << row.depth;
+  }
+}
+
+TEST(SurfaceLight, AWhiteBallIsTheColourOfItsEnvironment) {
+  Scene scene;
+  scene.surfaces = {ball(1.0)};
+  scene.surfaces[0].material.reflectance = glm::dvec3(1.0);
+  scene.camera = {{0, 0.5, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  scene.film = {32, 24};
+  scene.environment.emplace().map = constant_sky(1.0f);
+  const Frame frame = render_frame(scene, {});
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    const bool is_open = !std::isfinite(frame.depth[i]);
+    EXPECT_EQ(frame.beauty[4 * i + 3], is_open ? 0.0f : 1.0f);
+    for (std::size_t c = 0; c < 3; ++c) {
+      // The background is exact, the ball to a few roundings of float.
+      EXPECT_NEAR(frame.beauty[4 * i + c], 1.0f, is_open ? 0.0f : 2e-6f);
+    }
+  }
+}
+
+// A highlight among scattered light: how much brighter its peak is than the mean, and the share of
+// the ball that is brighter than half the peak.
+TEST(SurfaceLight, HighlightsSoftenAndWidenWithOpticalDepth) {
+  Scene scene;
+  scene.surfaces = {ball(0.2)};
+  Material& material = scene.surfaces[0].material;
+  material.type = Material::Type::phong;
+  material.reflectance = glm::dvec3(0.0);
+  material.specular = glm::dvec3(1.0);
+  material.exponent = 60.0;
+  scene.lights.push_back({{1.2, 1.2, 2.0}, {9, 9, 9}, {}});
+  scene.camera = {{0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 14.0};
+  scene.film = {64, 64};
+  double last_contrast = endless;
+  double last_width = 0.0;
+  for (const double b0 : {0.0, 0.1, 0.3, 0.8, 2.0}) {
+    scene.medium.set_homogeneous_density(b0);
+    const Frame frame = render_frame(scene, {});
+    double peak = 0.0;
+    double sum = 0.0;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+      if (!std::isfinite(frame.depth[i])) continue;
+      values.push_back(surface_part(frame, i).x);
+      peak = std::max(peak, values.back());
+      sum += values.back();
+    }
+    const auto count = static_cast<double>(values.size());
+    const double contrast = peak / (sum / count);
+    // Where the halo reaches a tenth of the peak: the sharp core itself never widens.
+    const double width =
+        static_cast<double>(
+            std::count_if(values.begin(), values.end(), [&](double v) { return v > 0.1 * peak; })) /
+        count;
+    EXPECT_LT(contrast, last_contrast) << b0;
+    EXPECT_GE(width, last_width) << b0;
+    last_contrast = contrast;
+    last_width = width;
+  }
+}
+
+// One Gaussian before a white sky: what eq. 28 adds, beside single scattering integrated. It is too
+// dark where the medium is thick: T e^-T ends in black, single scattering does not.
+TEST(Environment, GlowsThroughAGaussian) {
+  for (const double depth : {0.1, 1.0}) {
+    Scene scene;
+    scene.environment.emplace().map = constant_sky(1.0f);
+    scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 1.0};
+    scene.film = {1, 1};
+    scene.medium.append({{0, 0, 0}, 1.0, depth / std::sqrt(pi)});
+    const GaussianTerm<double> g(scene.medium.gaussian(0));
+    const std::vector<SphereNode> sphere = sphere_rule(40);
+    double truth = 0.0;
+    const double dt = 0.02;
+    for (double z = 4.0 - 0.5 * dt; z > -4.0; z -= dt) {
+      const glm::dvec3 x(0, 0, z);
+      double light = 0.0;
+      for (const SphereNode& node : sphere) {
+        light += node.weight / (4.0 * pi) *
+                 std::exp(-optical_depth(g, line_profile(g, x, node.direction), endless));
+      }
+      truth += dt * g.c * std::exp(-g.a * g.a * z * z) *
+               std::exp(-optical_depth(g, scene.camera.eye, x)) * light;
+    }
+    const Frame frame = render_frame(scene, {});
+    const double glow = static_cast<double>(frame.beauty[0] - frame.transmittance[0]);
+    EXPECT_NEAR(glow, truth, (depth < 0.5 ? 0.06 : 0.4) * truth) << depth;
+    EXPECT_EQ(frame.beauty[3], 1.0f - frame.transmittance[0]);
+  }
+}
+
+// Alone it would be endless and black.
+TEST(Environment, IsSeenThroughHomogeneousFog) {
+  Scene scene;
+  scene.environment.emplace().map = smooth_sky();
+  scene.surfaces = {ball(1.0)};
+  scene.camera = {{0, 0.5, 4}, {0, 0, 0}, {0, 1, 0}, 60.0};
+  scene.film = {16, 12};
+  scene.medium.set_homogeneous_density(0.05);
+  for (const auto method : {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
+                            AirlightMethod::reference}) {
+    Settings settings;
+    settings.airlight = method;
+    const Frame frame = render_frame(scene, settings);
+    expect_finite(frame);
+    // D is the diagonal of the box around the ball.
+    const double T = 0.05 * (2.0 * std::sqrt(3.0) + glm::length(scene.camera.eye));
+    EXPECT_NEAR(frame.transmittance[0], std::exp(-T), 1e-4);
+    EXPECT_TRUE(std::isinf(frame.depth[0]));
+    const CameraRays rays(scene.camera, scene.film);
+    const glm::dvec3 sky = environment_radiance(*scene.environment, rays.direction(0.5, 0.5));
+    EXPECT_GT(frame.beauty[1], std::exp(-T) * sky.y) << "and its glow";
+    EXPECT_LT(frame.beauty[1], sky.y);
+  }
+}
+
+TEST(Environment, IsRenewedWhenItOrWhatItDependsOnChanges) {
+  Scene scene = cloud_scene(10, 1.0);
+  scene.film = {12, 12};
+  scene.environment.emplace().map = smooth_sky();
+  scene.surfaces = {ball(0.4)};
+  set_type(Material::Type::phong, scene.surfaces[0].material);
+  Renderer renderer;
+  Settings settings;
+  const auto expect_as_new = [&](const char* what) {
+    const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);
+    expect_finite(kept);
+    EXPECT_EQ(kept.beauty, render_frame(scene, settings).beauty) << what;
+  };
+  expect_as_new("first");
+  scene.environment->rotation = 70.0;
+  expect_as_new("rotation");
+  scene.environment->map = constant_sky(2.0f);
+  expect_as_new("map");
+  scene.surfaces[0].material.exponent = 2.0;
+  expect_as_new("material");
+  scene.surfaces[0].translate.x = 0.3;
+  expect_as_new("place");
+  scene.medium.append({{0.5, 0.4, 0.6}, 0.4, 1.0});
+  expect_as_new("medium");
+  scene.optics.albedo = {0.5, 1.0, 0.9};
+  expect_as_new("albedo");
+  settings.paper_spread = true;
+  expect_as_new("spread");
+  scene.surfaces.push_back(scene.surfaces[0]);
+  scene.surfaces[1].material = Material();
+  expect_as_new("surface");
+  scene.environment->intensity = 0.0;
+  expect_as_new("intensity");
+  scene.environment.reset();
+  expect_as_new("none");
+}
+
+TEST(Environment, CostsNothingWhereThereIsNone) {
+  const auto skipped = [](const Scene& scene) {
+    std::vector<std::string> stages;
+    for (const SkippedStage& s : render_frame(scene, {}).statistics.skipped) {
+      stages.push_back(s.stage);
+    }
+    return stages;
+  };
+  const auto has = [](const std::vector<std::string>& all, const char* stage) {
+    return std::find(all.begin(), all.end(), stage) != all.end();
+  };
+  Scene scene;
+  scene.film = {4, 4};
+  scene.surfaces = {ball(1.0)};
+  EXPECT_TRUE(has(skipped(scene), "environment"));
+  EXPECT_TRUE(has(skipped(scene), "surfaces"));
+  scene.environment.emplace().map = constant_sky(1.0f);
+  EXPECT_FALSE(has(skipped(scene), "environment"));
+  EXPECT_FALSE(has(skipped(scene), "surfaces"));
+  EXPECT_TRUE(has(skipped(scene), "surface_scattering"));
+  scene.medium.set_homogeneous_density(0.1);
+  EXPECT_FALSE(has(skipped(scene), "surface_scattering"));
+}
+
+}  // namespace
+}  // namespace brume
