@@ -25,7 +25,7 @@ struct FilmAirlight {
 };
 
 // Fills frame.airlight and frame.transmittance, tile by tile; `hits` says per pixel where the rays
-// end, as frame.depth does in float, and is empty where the scene has no surfaces.
+// end, and is empty where none does.
 //
 // With settings.airlight_scale 2 or 4 the method is asked at every so-many-th pixel of each row and
 // column, and what lies between is interpolated (section 5.4 of the paper). Where that would not

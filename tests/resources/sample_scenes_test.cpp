@@ -15,6 +15,7 @@
 #include "core/io/scene_file.h"
 #include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
+#include "core/scene/radiance_map.h"
 
 namespace brume {
 namespace {
@@ -145,6 +146,14 @@ TEST(SampleScenes, LightAndCameraInside) {
   EXPECT_GT(camera_inside.medium.homogeneous_density(), 0.0);
   EXPECT_GT(density_at(camera_inside.medium, camera_inside.camera.eye),
             2.0 * camera_inside.medium.homogeneous_density());
+}
+
+TEST(SampleScenes, EveningMistHasAnEnvironment) {
+  const Scene scene = load("evening_mist.brume");
+  ASSERT_TRUE(scene.environment);
+  EXPECT_EQ(scene.environment->map->width, 512);
+  ASSERT_EQ(scene.surfaces.size(), 3u);
+  EXPECT_EQ(scene.surfaces[1].material.type, Material::Type::phong);
 }
 
 }  // namespace

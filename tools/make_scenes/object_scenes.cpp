@@ -88,6 +88,24 @@ SampleScene camera_inside() {
   return scene;
 }
 
+SampleScene evening_mist() {
+  SampleScene scene;
+  scene.environment = "../environments/sunset.exr";
+  scene.camera = {{0.9, 1.9, 7.6}, {0.1, 1.5, 0.0}, {0.0, 1.0, 0.0}, 38.0};
+  scene.surfaces = {{bunny, {-1.3, 0.0, 0.0}, 0.28, {0.8, 0.78, 0.74}},
+                    {teapot, {1.7, 0.79, 0.4}, 0.1, {0.32, 0.14, 0.1}, 0.35, 25.0},
+                    ground(6.0, {0.34, 0.35, 0.33})};
+  scene.lights = {{{2.6, 3.6, 2.4}, {14.0, 10.0, 6.0}}};
+  // Mist that lies on the ground and thins upwards.
+  Random random(23);
+  while (scene.gaussians.size() < 48) {
+    const glm::dvec3 center =
+        glm::dvec3(0.0, 0.35, -0.8) + glm::dvec3(4.4, 0.5, 3.4) * random.in_ball();
+    scene.gaussians.push_back({center, random.uniform(0.5, 0.95), random.uniform(0.08, 0.26)});
+  }
+  return scene;
+}
+
 }  // namespace
 
 void write_object_scenes(const std::filesystem::path& folder) {
@@ -95,6 +113,7 @@ void write_object_scenes(const std::filesystem::path& folder) {
   write_sample_scene(folder / "teapot_steam.brume", teapot_steam());
   write_sample_scene(folder / "light_inside.brume", light_inside());
   write_sample_scene(folder / "camera_inside.brume", camera_inside());
+  write_sample_scene(folder / "evening_mist.brume", evening_mist());
 }
 
 }  // namespace brume

@@ -48,11 +48,22 @@ std::string light_text(const SampleLight& light) {
                 triple(light.intensity), " }");
 }
 
+std::string highlight_text(const SampleSurface& s) {
+  if (!(s.specular > 0.0)) return "";
+  return concat(R"(, "specular": )", triple(glm::dvec3(s.specular)), R"(, "exponent": )",
+                number(s.exponent));
+}
+
+std::string environment_text(const SampleScene& scene) {
+  if (scene.environment.empty()) return "";
+  return concat("  \"environment\": { \"file\": \"", scene.environment, "\" },\n");
+}
+
 std::string surface_text(const SampleSurface& s) {
   return concat(R"({ "mesh": ")", s.mesh, R"(", "translate": )", triple(s.translate),
-                R"(, "scale": )", number(s.scale),
-                ",\n      \"material\": { \"type\": \"diffuse\", \"reflectance\": ",
-                triple(s.reflectance), " } }");
+                R"(, "scale": )", number(s.scale), ",\n      \"material\": { \"type\": \"",
+                s.specular > 0.0 ? "phong" : "diffuse",
+                "\", \"reflectance\": ", triple(s.reflectance), highlight_text(s), " } }");
 }
 
 std::string medium_text(const SampleScene& scene) {
@@ -80,8 +91,8 @@ void write_sample_scene(const std::filesystem::path& file, const SampleScene& sc
                            "  \"film\": { \"width\": 800, \"height\": 600 },\n",
                            "  \"medium\": ", medium_text(scene), ",\n",
                            "  \"lights\": ", lines<SampleLight>(scene.lights, light_text), ",\n",
-                           "  \"surfaces\": ", lines<SampleSurface>(scene.surfaces, surface_text),
-                           "\n}\n"));
+                           environment_text(scene), "  \"surfaces\": ",
+                           lines<SampleSurface>(scene.surfaces, surface_text), "\n}\n"));
 }
 
 }  // namespace brume

@@ -20,6 +20,8 @@ struct SampleSurface {
   glm::dvec3 translate{0.0};
   double scale = 1.0;
   glm::dvec3 reflectance{0.5};
+  double specular = 0.0;  // above 0: phong
+  double exponent = 1.0;
 };
 
 // What a sample scene holds: a small part of what a scene file can.
@@ -29,6 +31,7 @@ struct SampleScene {
   std::vector<Gaussian> gaussians;
   std::string medium_file;  // relative to the scene file; "" for none
   std::vector<SampleLight> lights;
+  std::string environment;  // relative to the scene file; "" for none
   std::vector<SampleSurface> surfaces;
 };
 
