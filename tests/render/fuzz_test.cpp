@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "render/renderer.h"
 #include "tests/render/random_scene.h"
 #include "tests/render/test_scenes.h"
 
@@ -83,8 +84,10 @@ std::vector<Settings> slow_methods(unsigned seed) {
 
 std::string broken_promise(unsigned seed, std::span<const Settings> methods) {
   const Scene scene = random_scene(seed);
+  Renderer renderer;  // what materials need is prepared once for all methods
   for (const Settings& settings : methods) {
-    const std::string broken = broken_promise(render_frame(scene, settings));
+    const std::string broken =
+        broken_promise(*renderer.render(scene, scene.camera, scene.film, settings));
     if (!broken.empty()) {
       return "BRUME_FUZZ_SEED=" + std::to_string(seed) + " " + airlight_name(settings) +
              (settings.arithmetic == Settings::Arithmetic::plain_double ? " in double" : "") +

@@ -126,7 +126,8 @@ class RandomScene {
     }
     surface.mesh = mesh;
     surface.material.reflectance = {random_.uniform(0, 1), one_in(3) ? 0.0 : 1.0, 0.5};
-    if (one_in(3)) {
+    // Rarely: what is prepared for one takes as long as the frame.
+    if (one_in(40)) {
       surface.material.type = Material::Type::phong;
       surface.material.specular = glm::dvec3(random_.uniform(0, 1));
       surface.material.exponent = one_in(6) ? 0.0 : random_.power(-1, one_in(3) ? 12 : 3);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct Row {
   double coarse;  // bound of the relative RMSE with the default settings
   double fine;    // and with the finest
 };
+
+void PrintTo(const Row& row, std::ostream* out) {
+  *out << row.name;
+}
 
 Scene with_light_at(Scene scene, const glm::dvec3& position) {
   scene.lights[0].position = position;
