@@ -26,4 +26,9 @@ struct SphereNode {
 // Gauss-Legendre in z times equal steps in azimuth.
 std::vector<SphereNode> sphere_rule(int degree);
 
+// A rule on the hemisphere z > 0 of at most `nodes` (>= 16) nodes, in n rings of 4 n or a little
+// more. Exact, but for rounding, for spherical harmonics up to degree 2 n - 1; even enough
+// elsewhere for functions with edges, whose error falls like nodes^-3/4. Ring by ring.
+std::vector<SphereNode> hemisphere_rule(std::size_t nodes);
+
 }  // namespace brume

@@ -1,0 +1,142 @@
+#include "render/transfer/enclosed_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "core/scene/mesh.h"
+
+namespace brume {
+namespace {
+
+using Index = std::uint32_t;
+
+template <class Vector>
+glm::dvec3 to_dvec3(const Vector& v) {
+  return {v[0], v[1], v[2]};
+}
+
+// Vertices within this share of the mesh's size are at the same place: the poles of tessellated
+// balls differ by roundings.
+constexpr double same_place = 1e-6;
+
+// For each vertex the first one at the same place.
+std::vector<Index> places(const TriangleMesh& mesh) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-std::numeric_limits<double>::infinity());
+  for (const auto v : mesh.vertices()) {
+    low = glm::min(low, to_dvec3(mesh.point(v)));
+    high = glm::max(high, to_dvec3(mesh.point(v)));
+  }
+  const double size = std::max(glm::length(high - low), std::numeric_limits<double>::min());
+  std::vector<std::tuple<glm::i64vec3, Index>> order;
+  for (const auto v : mesh.vertices()) {
+    const glm::dvec3 cell = (to_dvec3(mesh.point(v)) - 0.5 * (low + high)) / (same_place * size);
+    order.emplace_back(glm::i64vec3(glm::round(cell)), static_cast<Index>(v.idx()));
+  }
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    const auto& [p, i] = a;
+    const auto& [q, j] = b;
+    return std::tie(p.x, p.y, p.z, i) < std::tie(q.x, q.y, q.z, j);
+  });
+  std::vector<Index> result(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const auto& [cell, i] = order[k];
+    const bool same = k > 0 && cell == std::get<0>(order[k - 1]);
+    result[i] = same ? result[std::get<1>(order[k - 1])] : i;
+  }
+  return result;
+}
+
+// Disjoint sets of vertices, each named by one of them.
+class Parts {
+ public:
+  explicit Parts(std::size_t count) : parents_(count) {
+    std::iota(parents_.begin(), parents_.end(), Index{0});
+  }
+  Index of(Index i) {
+    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+    return i;
+  }
+  void join(Index a, Index b) { parents_[of(a)] = of(b); }
+
+ private:
+  std::vector<Index> parents_;
+};
+
+struct Edge {
+  Index low, high;
+  int sense;  // +1 from low to high, -1 back
+};
+
+struct Shape {
+  double volume = 0.0;   // six times it, > 0 if the winding is outward
+  double normals = 0.0;  // > 0 if vertex normals go with the winding
+  bool closed = true;
+};
+
+}  // namespace
+
+std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
+  const std::vector<Index> place = places(mesh);
+  Parts parts(place.size());
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.n_faces());
+  const auto corners_of = [&](OpenMesh::FaceHandle face) {
+    std::array<OpenMesh::VertexHandle, 3> corners;
+    std::copy_n(mesh.cfv_begin(face), 3, corners.begin());
+    return corners;
+  };
+  for (const auto face : mesh.faces()) {
+    const auto corners = corners_of(face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = place[static_cast<std::size_t>(corners[k].idx())];
+      const Index b = place[static_cast<std::size_t>(corners[(k + 1) % 3].idx())];
+      parts.join(a, b);
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+    }
+  }
+
+  std::vector<Shape> shapes(place.size());
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  });
+  for (std::size_t i = 0; i < edges.size();) {
+    int sum = 0;
+    const Edge first = edges[i];
+    for (; i < edges.size() && edges[i].low == first.low && edges[i].high == first.high; ++i) {
+      sum += edges[i].sense;
+    }
+    if (sum != 0) shapes[parts.of(first.low)].closed = false;
+  }
+  for (const auto face : mesh.faces()) {
+    const auto corners = corners_of(face);
+    const Index part = parts.of(place[static_cast<std::size_t>(corners[0].idx())]);
+    // Beside a vertex of the part, where the volume loses no digits.
+    const auto origin = mesh.point(OpenMesh::VertexHandle(static_cast<int>(part)));
+    std::array<glm::dvec3, 3> p;
+    glm::dvec3 normals(0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[k] = to_dvec3(mesh.point(corners[k])) - to_dvec3(origin);
+      normals += to_dvec3(mesh.normal(corners[k]));
+    }
+    shapes[part].volume += glm::dot(p[0], glm::cross(p[1], p[2]));
+    shapes[part].normals += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), normals);
+  }
+
+  std::vector<Enclosed> result(place.size(), Enclosed::none);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const Shape& shape = shapes[parts.of(place[i])];
+    if (!shape.closed || shape.volume == 0.0) continue;
+    const bool outward = (shape.volume > 0.0) == (shape.normals > 0.0);
+    result[i] = outward ? Enclosed::back : Enclosed::front;
+  }
+  return result;
+}
+
+}  // namespace brume

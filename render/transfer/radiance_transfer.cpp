@@ -1,0 +1,319 @@
+#include "render/transfer/radiance_transfer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <span>
+
+#include "core/math/sphere_rule.h"
+#include "core/scene/brdf.h"
+#include "core/scene/mesh.h"
+#include "core/scene/scene.h"
+#include "render/cpu/visibility.h"
+
+namespace brume {
+namespace {
+
+constexpr std::size_t block = 64;  // vertices between two looks at a stop
+
+// Rays start this share of the mesh's radius off it, a few roundings of float.
+constexpr double self_hit_margin = 1e-5;
+
+// A vertex on a border may lie in the plane of another part, as the edge of a floor does in that of
+// the wall, and would see behind it: rays start this share of the way into its triangles.
+constexpr double border_inset = 0.01;
+
+glm::dvec3 to_dvec3(const OpenMesh::Vec3f& v) {
+  return {v[0], v[1], v[2]};
+}
+
+class MeshGeometry {
+ public:
+  explicit MeshGeometry(const TriangleMesh& mesh) : mesh_(mesh) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-std::numeric_limits<double>::infinity());
+    for (const auto v : mesh.vertices()) {
+      low = glm::min(low, position(v));
+      high = glm::max(high, position(v));
+    }
+    margin_ = self_hit_margin * 0.5 * glm::length(high - low);
+  }
+
+  [[nodiscard]] glm::dvec3 position(OpenMesh::VertexHandle v) const {
+    return to_dvec3(mesh_.point(v));
+  }
+  [[nodiscard]] glm::dvec3 normal(OpenMesh::VertexHandle v) const {
+    return glm::normalize(to_dvec3(mesh_.normal(v)));
+  }
+
+  // Where rays from a vertex start on the side of n.
+  [[nodiscard]] glm::dvec3 ray_origin(OpenMesh::VertexHandle v, const glm::dvec3& n) const {
+    glm::dvec3 origin = position(v) + margin_ * n;
+    if (!mesh_.is_boundary(v)) return origin;
+    glm::dvec3 inward(0.0);
+    double corners = 0.0;
+    for (const auto face : mesh_.vf_range(v)) {
+      for (const auto corner : mesh_.fv_range(face)) {
+        inward += position(corner) - position(v);
+        corners += 1.0;
+      }
+    }
+    if (corners == 0.0) return origin;
+    inward *= border_inset / corners;
+    return origin + inward - std::min(0.0, glm::dot(inward, n)) * n;
+  }
+
+  // The side of a triangle that rays in the direction w meet.
+  [[nodiscard]] MeshSide seen_side(const MeshPoint& at, const glm::dvec3& w) const {
+    std::array<glm::dvec3, 3> p;
+    glm::dvec3 smooth(0.0);
+    for (int k = 0; k < 3; ++k) {
+      const OpenMesh::VertexHandle v(static_cast<int>(at.corners[k]));
+      p[static_cast<std::size_t>(k)] = position(v);
+      smooth += at.weights[k] * normal(v);
+    }
+    const glm::dvec3 flat = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const bool against = (glm::dot(flat, w) < 0.0) == (glm::dot(flat, smooth) > 0.0);
+    return against ? MeshSide::front : MeshSide::back;
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  double margin_;
+};
+
+// Light that a vertex receives from a place of the mesh; the weight is its share of the irradiance
+// under the same radiance from everywhere.
+struct Exchange {
+  std::uint32_t triangle : 31;
+  std::uint32_t from_back : 1;
+  float u, v;
+  float weight;
+};
+using Exchanges = std::vector<std::vector<Exchange>>;  // of each vertex
+
+struct Ray {
+  glm::dvec3 direction;  // around +z
+  double weight;         // [sr]
+  ShVector<double> basis;
+};
+
+std::vector<Ray> rays_around_z(const TransferSettings& settings) {
+  std::vector<Ray> rays;
+  for (const SphereNode& node : hemisphere_rule(settings.directions)) {
+    rays.push_back({node.direction, node.weight, sh_basis(settings.order, node.direction)});
+  }
+  return rays;
+}
+
+using Triangles = std::vector<glm::uvec3>;
+
+Triangles triangles_of(const TriangleMesh& mesh) {
+  Triangles triangles;
+  triangles.reserve(mesh.n_faces());
+  for (const auto face : mesh.faces()) {
+    triangles.push_back(mesh_point(mesh, static_cast<std::uint32_t>(face.idx()), 0, 0).corners);
+  }
+  return triangles;
+}
+
+template <class Real>
+void store(const ShVector<Real>& f, std::vector<float>& values, std::size_t index) {
+  std::transform(f.values().begin(), f.values().end(),
+                 values.begin() + static_cast<std::ptrdiff_t>(index * f.size()),
+                 [](Real x) { return static_cast<float>(x); });
+}
+
+ShVector<double> interpolate(int order, const std::vector<float>& values, const MeshPoint& at,
+                             std::size_t stride, std::size_t offset) {
+  ShVector<double> result(order);
+  if (values.empty()) return result;
+  for (int k = 0; k < 3; ++k) {
+    const float* const f = values.data() + (at.corners[k] * stride + offset) * result.size();
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] += at.weights[k] * static_cast<double>(f[i]);
+    }
+  }
+  return result;
+}
+
+class Transfer {
+ public:
+  Transfer(const std::shared_ptr<const TriangleMesh>& mesh, const TransferSettings& settings)
+      : mesh_(*mesh),
+        geometry_(*mesh),
+        triangles_(triangles_of(*mesh)),
+        enclosed_(enclosed_sides(*mesh)),
+        rays_(rays_around_z(settings)) {
+    result_.settings = settings;
+    result_.vertices = mesh->n_vertices();
+    Surface surface;
+    surface.mesh = mesh;
+    visibility_.emplace(std::span(&surface, 1));
+  }
+
+  // All rays of one side.
+  void cast(MeshSide which, const Job& job) {
+    if (std::ranges::all_of(enclosed_, [&](Enclosed e) { return is_enclosed(e, which); })) return;
+    RadianceTransfer::Side& side = result_.sides[static_cast<std::size_t>(which)];
+    const std::size_t size = sh_size(result_.settings.order);
+    side.visibility.resize(result_.vertices * size);
+    side.reflected.resize(result_.vertices * terms() * size);
+    Exchanges& exchanges = exchanges_[static_cast<std::size_t>(which)];
+    if (terms() > 1) exchanges.resize(result_.vertices);
+    each_vertex(job, [&](std::size_t v) {
+      if (!is_enclosed(enclosed_[v], which)) cast(which, v);
+    });
+  }
+
+  // Light that was reflected `bounce` times, from that of one time less.
+  void reflect(MeshSide which, int bounce, const Job& job) {
+    RadianceTransfer::Side& side = result_.sides[static_cast<std::size_t>(which)];
+    if (side.reflected.empty()) return;
+    const Exchanges& exchanges = exchanges_[static_cast<std::size_t>(which)];
+    each_vertex(job, [&](std::size_t v) {
+      ShVector<float> sum(result_.settings.order);
+      for (const Exchange& e : exchanges[v]) {
+        const auto& from = result_.sides[e.from_back].reflected;
+        if (from.empty()) continue;
+        const glm::uvec3& corners = triangles_[e.triangle];
+        const std::array weights{(1.0f - e.u - e.v) * e.weight, e.u * e.weight, e.v * e.weight};
+        for (int k = 0; k < 3; ++k) {
+          const std::size_t term = corners[k] * terms() + static_cast<std::size_t>(bounce) - 1;
+          const float* const light = from.data() + term * sum.size();
+          for (std::size_t i = 0; i < sum.size(); ++i) {
+            sum[i] += weights[static_cast<std::size_t>(k)] * light[i];
+          }
+        }
+      }
+      store(sum, side.reflected, v * terms() + static_cast<std::size_t>(bounce));
+    });
+  }
+
+  RadianceTransfer take() { return std::move(result_); }
+
+ private:
+  [[nodiscard]] std::size_t terms() const {
+    return static_cast<std::size_t>(result_.settings.bounces) + 1;
+  }
+
+  template <class Body>
+  void each_vertex(const Job& job, Body body) const {
+    job.each_reported((result_.vertices + block - 1) / block, [&](std::size_t b) {
+      const std::size_t end = std::min(result_.vertices, (b + 1) * block);
+      for (std::size_t v = b * block; v < end; ++v) body(v);
+    });
+  }
+
+  // The rays of one vertex.
+  void cast(MeshSide which, std::size_t vertex) {
+    const OpenMesh::VertexHandle v(static_cast<int>(vertex));
+    const auto s = static_cast<std::size_t>(which);
+    const glm::dvec3 n = (which == MeshSide::front ? 1.0 : -1.0) * geometry_.normal(v);
+    const glm::dquat frame = surface_frame(n, n);
+    const glm::dmat3 matrix = glm::mat3_cast(frame);
+    std::vector<glm::dvec3> directions(rays_.size());
+    for (std::size_t k = 0; k < rays_.size(); ++k) directions[k] = matrix * rays_[k].direction;
+    std::vector<SurfaceHit> hits(rays_.size());
+    visibility_->first_hits(geometry_.ray_origin(v, n), directions, hits);
+
+    ShVector<double> open(result_.settings.order);
+    ShVector<double> irradiance(result_.settings.order);
+    for (std::size_t k = 0; k < rays_.size(); ++k) {
+      const Ray& ray = rays_[k];
+      const double share = ray.weight * ray.direction.z * std::numbers::inv_pi;
+      if (hits[k]) {
+        if (terms() > 1) exchanges_[s][vertex].push_back(exchange(hits[k], directions[k], share));
+        continue;
+      }
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        open[i] += ray.weight * ray.basis[i];
+        irradiance[i] += share * ray.basis[i];
+      }
+    }
+    // Mirrored at the horizon: what is odd in z goes, what is even doubles.
+    for (int l = 0; l < open.order(); ++l) {
+      for (int m = -l; m <= l; ++m) open[sh_index(l, m)] *= (l + m) % 2 == 0 ? 2.0 : 0.0;
+    }
+    store(sh_rotate(open, frame), result_.sides[s].visibility, vertex);
+    store(sh_rotate(irradiance, frame), result_.sides[s].reflected, vertex * terms());
+  }
+
+  [[nodiscard]] Exchange exchange(const SurfaceHit& hit, const glm::dvec3& w, double share) const {
+    const MeshPoint at =
+        mesh_point(mesh_, hit.triangle, static_cast<double>(hit.u), static_cast<double>(hit.v));
+    const MeshSide seen = geometry_.seen_side(at, w);
+    return {hit.triangle, seen == MeshSide::back, hit.u, hit.v, static_cast<float>(share)};
+  }
+
+  const TriangleMesh& mesh_;
+  MeshGeometry geometry_;
+  Triangles triangles_;
+  std::vector<Enclosed> enclosed_;
+  std::vector<Ray> rays_;
+  std::optional<Visibility> visibility_;
+  std::array<Exchanges, 2> exchanges_;  // by MeshSide
+  RadianceTransfer result_;
+};
+
+}  // namespace
+
+MeshPoint mesh_point(const TriangleMesh& mesh, std::uint32_t triangle, double u, double v) {
+  MeshPoint point{glm::uvec3(0), {1.0 - u - v, u, v}};
+  int k = 0;
+  for (const auto corner : mesh.fv_range(OpenMesh::FaceHandle(static_cast<int>(triangle)))) {
+    point.corners[k++] = static_cast<unsigned>(corner.idx());
+  }
+  return point;
+}
+
+MeshPoint at_vertex(std::uint32_t vertex) {
+  return {glm::uvec3(vertex), {1.0, 0.0, 0.0}};
+}
+
+ShVector<double> RadianceTransfer::visibility(MeshSide which, const MeshPoint& at) const {
+  return interpolate(settings.order, side(which).visibility, at, 1, 0);
+}
+
+ShVector<double> RadianceTransfer::reflected(MeshSide which, int bounce,
+                                             const MeshPoint& at) const {
+  assert(0 <= bounce && bounce <= settings.bounces);
+  return interpolate(settings.order, side(which).reflected, at,
+                     static_cast<std::size_t>(settings.bounces) + 1,
+                     static_cast<std::size_t>(bounce));
+}
+
+std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const TriangleMesh>& mesh,
+                                                  const TransferSettings& settings,
+                                                  const Job& job) {
+  assert(1 <= settings.order && settings.order <= sh_most_bands);
+  assert(64 <= settings.directions && settings.directions <= 65536);
+  assert(0 <= settings.bounces && settings.bounces <= 16);
+  constexpr double reflect_cost = 0.1;  // of a bounce, beside casting the rays
+  const double whole = 2.0 * (1.0 + reflect_cost * settings.bounces);
+  double done = 0.0;
+  const auto part = [&](double cost) {
+    const double before = done;
+    done += cost;
+    Job result{job.stop, {}};
+    if (job.progress) {
+      result.progress = [&job, before, cost, whole](double share) {
+        job.progress((before + cost * share) / whole);
+      };
+    }
+    return result;
+  };
+  if (job.stop.stop_requested()) return std::nullopt;
+  Transfer transfer(mesh, settings);
+  for (const MeshSide side : {MeshSide::front, MeshSide::back}) transfer.cast(side, part(1.0));
+  for (int bounce = 1; bounce <= settings.bounces; ++bounce) {
+    for (const MeshSide side : {MeshSide::front, MeshSide::back}) {
+      transfer.reflect(side, bounce, part(reflect_cost));
+    }
+  }
+  if (job.stop.stop_requested()) return std::nullopt;
+  return transfer.take();
+}
+
+}  // namespace brume
