@@ -49,17 +49,17 @@ std::vector<SphereNode> sphere_rule(int degree) {
 }
 
 std::vector<SphereNode> hemisphere_rule(std::size_t nodes) {
-  const auto rings = static_cast<std::size_t>(std::sqrt(static_cast<double>(nodes)) / 2.0);
-  const std::size_t azimuths = nodes / rings;
+  constexpr std::size_t azimuths = 8;
+  const std::size_t rings = nodes / azimuths;
   const QuadratureRule rule = gauss_legendre(rings);
-  const double step = 2.0 * std::numbers::pi / static_cast<double>(azimuths);
+  constexpr double step = 2.0 * std::numbers::pi / static_cast<double>(azimuths);
   std::vector<SphereNode> result;
   result.reserve(rings * azimuths);
   for (std::size_t i = 0; i < rings; ++i) {
     const double z = 0.5 * (1.0 + rule.nodes[i]);
     const double r = std::sqrt((1.0 - z) * (1.0 + z));
-    // Rings are turned against each other by the golden section: else an edge along a meridian
-    // would pass all of them at once.
+    // Rings are turned against each other by the golden section, so that no edge along a meridian
+    // passes many of them at once; few nodes to a ring, so that none along a ring does.
     const double turn = static_cast<double>(i) / std::numbers::phi;
     for (std::size_t k = 0; k < azimuths; ++k) {
       const double phi = step * (static_cast<double>(k) + turn);

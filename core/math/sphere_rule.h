@@ -26,9 +26,9 @@ struct SphereNode {
 // Gauss-Legendre in z times equal steps in azimuth.
 std::vector<SphereNode> sphere_rule(int degree);
 
-// A rule on the hemisphere z > 0 of at most `nodes` (>= 16) nodes, in n rings of 4 n or a little
-// more. Exact, but for rounding, for spherical harmonics up to degree 2 n - 1; even enough
-// elsewhere for functions with edges, whose error falls like nodes^-3/4. Ring by ring.
+// A rule on the hemisphere z > 0 of at most `nodes` nodes, a multiple of 8 and at least 64. Exact,
+// but for rounding, for spherical harmonics up to degree 7, and for those times z up to 6. Even
+// enough for functions with edges: their error falls about like nodes^-3/4.
 std::vector<SphereNode> hemisphere_rule(std::size_t nodes);
 
 }  // namespace brume

@@ -313,6 +313,7 @@ std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const Tr
     }
   }
   if (job.stop.stop_requested()) return std::nullopt;
+  if (job.progress) job.progress(1.0);
   return transfer.take();
 }
 

@@ -32,8 +32,7 @@ glm::dvec3 ShMaterial::transferred(const ShVector<glm::dvec3>& light,
   // Horner's scheme in the albedo.
   glm::dvec3 reflected(0.0);
   for (int bounce = transfer.settings.bounces; bounce >= (diffuse_ ? 0 : 1); --bounce) {
-    reflected =
-        albedo_ * (reflected + sh_dot(light, transfer.reflected(side, bounce, at)));
+    reflected = albedo_ * (reflected + sh_dot(light, transfer.reflected(side, bounce, at)));
   }
   if (!diffuse_) {
     reflected = albedo_ * reflected + shadowed(light, transfer.visibility(side, at), n, wo);

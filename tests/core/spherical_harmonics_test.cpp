@@ -2,14 +2,44 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/math/sphere_rule.h"
+#include "core/scene/brdf.h"
 #include "tests/random.h"
 
 namespace brume {
 namespace {
+
+TEST(HemisphereRule, IsExactForLowBands) {
+  for (const std::size_t nodes : {64u, 256u, 1000u}) {
+    const std::vector<SphereNode> rule = hemisphere_rule(nodes);
+    EXPECT_EQ(rule.size(), nodes);
+    ShVector<double> sum(6);
+    ShVector<double> cosine(6);
+    for (const SphereNode& node : rule) {
+      EXPECT_GT(node.direction.z, 0.0);
+      EXPECT_NEAR(glm::length(node.direction), 1.0, 1e-14);
+      const ShVector<double> y = sh_basis(6, node.direction);
+      for (std::size_t i = 0; i < y.size(); ++i) {
+        sum[i] += node.weight * y[i];
+        cosine[i] += node.weight * node.direction.z * y[i];
+      }
+    }
+    // sqrt(pi (2 l + 1)) times the integral of P_l over [0, 1].
+    const std::array<double, 6> legendre = {1.0, 0.5, 0.0, -0.125, 0.0, 0.0625};
+    for (int l = 0; l < 6; ++l) {
+      for (int m = -l; m <= l; ++m) {
+        const auto band = static_cast<std::size_t>(l);
+        const double expected = std::sqrt(std::numbers::pi * (2.0 * l + 1.0)) * legendre[band];
+        EXPECT_NEAR(sum[sh_index(l, m)], m == 0 ? expected : 0.0, 1e-13);
+        EXPECT_NEAR(cosine[sh_index(l, m)], m == 0 ? clamped_cosine_sh()[band] : 0.0, 1e-13);
+      }
+    }
+  }
+}
 
 TEST(GaussLegendre, IsExactUpToItsDegree) {
   for (std::size_t n = 1; n <= 64; ++n) {
