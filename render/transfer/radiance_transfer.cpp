@@ -4,7 +4,10 @@
 #include <cassert>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <numbers>
 #include <span>
+#include <utility>
 
 #include "core/math/sphere_rule.h"
 #include "core/scene/brdf.h"
@@ -288,7 +291,7 @@ std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const Tr
                                                   const TransferSettings& settings,
                                                   const Job& job) {
   assert(1 <= settings.order && settings.order <= sh_most_bands);
-  assert(64 <= settings.directions && settings.directions <= 65536);
+  assert(64 <= settings.directions && settings.directions <= 65536 && settings.directions % 8 == 0);
   assert(0 <= settings.bounces && settings.bounces <= 16);
   constexpr double reflect_cost = 0.1;  // of a bounce, beside casting the rays
   const double whole = 2.0 * (1.0 + reflect_cost * settings.bounces);

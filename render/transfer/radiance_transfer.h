@@ -21,7 +21,7 @@ struct TriangleMesh;
 
 struct TransferSettings {
   int order = 6;                 // bands of the spherical harmonics, 1 to 6
-  std::size_t directions = 256;  // rays from each side of each vertex, 64 to 65536
+  std::size_t directions = 256;  // rays from each side of each vertex: 64 to 65536, by 8
   int bounces = 0;  // reflections between parts of the object, 0 to 16; 0: shadows only
 
   bool operator==(const TransferSettings&) const = default;
@@ -65,10 +65,10 @@ struct RadianceTransfer {
   [[nodiscard]] ShVector<double> reflected(MeshSide side, int bounce, const MeshPoint& at) const;
 };
 
-// Casts the rays. Against the exact integrals of such bands the error of P_0 and V is that of
-// hemisphere_rule(directions): none where nothing is blocked, else near 1% with 256. The same
-// result for the same mesh, on any number of threads. With bounces, memory is needed for a while:
-// 16 bytes for each ray that hits. Nothing if stopped.
+// Casts the rays. The error of V and P_0 is that of hemisphere_rule(directions): none where nothing
+// is blocked; near the shadow of a ball, V is wrong by 2% rms with 256 directions, by 0.7% with
+// 1024. The same result for the same mesh, on any number of threads. With bounces, memory is
+// needed for a while: 16 bytes for each ray that hits. Nothing if stopped.
 std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const TriangleMesh>& mesh,
                                                   const TransferSettings& settings,
                                                   const Job& job = {});

@@ -2,8 +2,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "render/transfer/radiance_transfer.h"
 #include "tests/render/benchmark_scenes.h"

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <span>
 
