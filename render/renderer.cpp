@@ -73,7 +73,7 @@ struct Renderer::Impl {
   TileMethod paper(Work& work, StageClock& clock);
   TileMethod sliced(Work& work, StageClock& clock);
   TileMethod march(const Work& work) const;
-  TileMethod reference(const Work& work) const;
+  TileMethod reference(Work& work) const;
   void shade_surfaces(Work& work);
   void composite(Work& work) const;
 
@@ -311,7 +311,7 @@ TileMethod Renderer::Impl::march(const Work& work) const {
   };
 }
 
-TileMethod Renderer::Impl::reference(const Work& work) const {
+TileMethod Renderer::Impl::reference(Work& work) const {
   std::vector<ReferenceLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,
@@ -319,7 +319,8 @@ TileMethod Renderer::Impl::reference(const Work& work) const {
   }
   return [this, &work, lights = std::move(lights)](auto, const TileRays& rays,
                                                    const TileAirlight& out) {
-    std::uint64_t pairs = 0;
+    std::uint64_t view_pairs = 0;
+    std::uint64_t light_pairs = 0;
     for (std::size_t k = 0; k < rays.directions.size(); ++k) {
       if (work.job.stop.stop_requested()) break;
       const ReferenceRay ray = reference_airlight(prepared.medium(), prepared.occluders(), lights,
@@ -327,9 +328,11 @@ TileMethod Renderer::Impl::reference(const Work& work) const {
                                                   work.settings.reference_tolerance);
       out.airlight[k] = glm::vec3(ray.airlight);
       out.depths[k] = ray.depth;
-      pairs += ray.view_pairs + ray.light_pairs;
+      view_pairs += ray.view_pairs;
+      light_pairs += ray.light_pairs;
     }
-    return pairs;
+    std::atomic_ref(work.frame.statistics.light_pairs) += light_pairs;
+    return view_pairs;
   };
 }
 

@@ -13,7 +13,7 @@ enum class AirlightMethod {
 
 // How fine the table of a light's optical depths is.
 struct LightTableSize {
-  int directions = 128;  // squared: cells of the map of directions
+  int directions = 128;  // its square is the number of cells of the map of directions
   int radii = 64;
 
   bool operator==(const LightTableSize&) const = default;
@@ -50,7 +50,7 @@ struct Settings {
   // `sliced`: slices per ray, and how fine the table of each light is.
   int slices = 24;
   LightTableSize light_table;
-  // `sliced`: squared: cells of the map of surfaces around a light.
+  // `sliced`: its square is the number of cells of the map of surfaces around a light.
   int shadow_cells = 384;
 
   // Light that the medium scatters onto surfaces, and the glow of an environment: by the paper's

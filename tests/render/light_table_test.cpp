@@ -89,7 +89,6 @@ TEST(LightTable, UpdatesAreExact) {
       }
       EXPECT_GT(table.pairs, 0u);
       const std::vector<double> updated = depths_of(table, points);
-      // Same layout: the first and last radii and the map stay, so the outermost must not change.
       const std::vector<double> anew = depths_of(LightTable(index, light, size), points);
       double square = 0.0;
       for (std::size_t i = 0; i < points.size(); ++i) square += std::pow(updated[i] - anew[i], 2);

@@ -34,18 +34,6 @@ Settings method(AirlightMethod airlight) {
   return settings;
 }
 
-Scene eye_inside() {
-  Scene scene = cloud_scene(30, 2.0);
-  scene.camera.eye = {0.1, 0.0, 0.3};
-  return scene;
-}
-
-Scene cut_by_a_surface() {
-  Scene scene = cloud_scene(30, 2.0);
-  scene.surfaces.push_back(wall(0.05, 3.0));
-  return scene;
-}
-
 double mean_depth(const Frame& frame) {
   double sum = 0.0;
   for (const float t : frame.transmittance) sum -= std::log(static_cast<double>(t));

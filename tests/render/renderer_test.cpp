@@ -216,6 +216,14 @@ TEST(Renderer, CountsPairs) {
   EXPECT_GT(frame.statistics.light_pairs, 0u);
   EXPECT_GT(frame.statistics.view_pairs, 0u);
   EXPECT_LE(frame.statistics.view_pairs, 80u * 48u * 40u + 80u * 80u);
+
+  Scene small = busy_scene();
+  small.film = {6, 5};
+  Settings reference;
+  reference.airlight = AirlightMethod::reference;
+  const FrameStatistics counted = render_frame(small, reference).statistics;
+  EXPECT_GT(counted.view_pairs, 0u);
+  EXPECT_GT(counted.light_pairs, counted.view_pairs);  // at each point of a ray one to the light
 }
 
 TEST(Display, KeepsColoursBelowTheKneeAndBoundsTheRest) {

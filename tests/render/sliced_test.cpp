@@ -79,18 +79,6 @@ Scene hard_blobs() {
   return scene;
 }
 
-Scene eye_inside() {
-  Scene scene = cloud_scene(30, 2.0);
-  scene.camera.eye = {0.1, 0.0, 0.3};
-  return scene;
-}
-
-Scene cut_by_a_surface() {
-  Scene scene = cloud_scene(30, 2.0);
-  scene.surfaces.push_back(wall(0.05, 3.0));
-  return scene;
-}
-
 std::vector<Row> make_rows() {
   constexpr double cloud = 0.01;
   constexpr double hard = 0.03;

@@ -54,6 +54,18 @@ Surface wall(double z, double half, double reflectance) {
   return surface;
 }
 
+Scene eye_inside() {
+  Scene scene = cloud_scene(30, 2.0);
+  scene.camera.eye = {0.1, 0.0, 0.3};
+  return scene;
+}
+
+Scene cut_by_a_surface() {
+  Scene scene = cloud_scene(30, 2.0);
+  scene.surfaces.push_back(wall(0.05, 3.0));
+  return scene;
+}
+
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings) {
   auto mesh = std::make_shared<TriangleMesh>();
   mesh->request_vertex_normals();

@@ -16,6 +16,10 @@ Scene cloud_scene(int count, double depth, unsigned seed = 1);
 // Two triangles across z = `z`, from -`half` to `half` in x and y, facing +z.
 Surface wall(double z, double half, double reflectance = 0.5);
 
+// Clouds of 30 at depth 2: with the eye among them, and with a wall through their middle.
+Scene eye_inside();
+Scene cut_by_a_surface();
+
 // A tessellated unit ball.
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
 
