@@ -7,23 +7,51 @@
 namespace brume {
 namespace {
 
-constexpr std::size_t intervals = 1024;
-constexpr float greatest_root = 5.0f;  // nothing comes through T = 25
+constexpr std::size_t terms = ScatterTable::degree + 1;
+
+// Values at the Chebyshev nodes cos(pi (k + 1/2) / terms) to the powers of x, highest first.
+std::array<float, terms> powers(const std::array<double, terms>& values) {
+  std::array<double, terms> sum{};
+  // The Chebyshev polynomials, lowest power first: T_j+1 = 2 x T_j - T_j-1.
+  std::array<double, terms> before{};
+  std::array<double, terms> now{1.0};
+  for (std::size_t j = 0; j < terms; ++j) {
+    double coefficient = 0.0;
+    for (std::size_t k = 0; k < terms; ++k) {
+      coefficient += values[k] * std::cos(std::numbers::pi * static_cast<double>(j) *
+                                          (static_cast<double>(k) + 0.5) / terms);
+    }
+    coefficient *= (j == 0 ? 1.0 : 2.0) / terms;
+    std::array<double, terms> next{};
+    for (std::size_t i = 0; i < terms; ++i) {
+      sum[i] += coefficient * now[i];
+      next[i] = (i > 0 ? (j == 0 ? 1.0 : 2.0) * now[i - 1] : 0.0) - before[i];
+    }
+    before = now;
+    now = next;
+  }
+  std::array<float, terms> result;
+  std::transform(sum.rbegin(), sum.rend(), result.begin(),
+                 [](double x) { return static_cast<float>(x); });
+  return result;
+}
 
 }  // namespace
 
 template <class Spread>
 ScatterTable::ScatterTable(const Spread& spread) {
-  for (std::size_t i = 0; i <= intervals; ++i) {
-    const double root = greatest_root * static_cast<double>(i) / intervals;
-    const double T = root * root;
-    const ZonalSh<double> zonal = spread(T);
-    Bands& bands = nodes_.emplace_back();
-    for (std::size_t l = 0; l < bands.size(); ++l) {
-      const double to_factor = std::sqrt(4.0 * std::numbers::pi / (2.0 * double(l) + 1.0));
-      bands[l] = static_cast<float>(T * std::exp(-T) * to_factor * zonal[l]);
+  std::array<std::array<double, terms>, sh_most_bands> values;
+  for (std::size_t k = 0; k < terms; ++k) {
+    const double x = std::cos(std::numbers::pi * (static_cast<double>(k) + 0.5) / terms);
+    const double y = (x + 1.0) / static_cast<double>(scale);
+    const double root = y / (1.0 - y);
+    const ZonalSh<double> zonal = spread(root * root);
+    for (std::size_t l = 0; l < values.size(); ++l) {
+      values[l][k] =
+          std::sqrt(4.0 * std::numbers::pi / (2.0 * static_cast<double>(l) + 1.0)) * zonal[l];
     }
   }
+  std::transform(values.begin(), values.end(), polynomials_.begin(), powers);
 }
 
 const ScatterTable& ScatterTable::point() {
@@ -42,13 +70,15 @@ const ScatterTable& ScatterTable::paper() {
 }
 
 ScatterTable::Bands ScatterTable::operator()(float T) const {
-  const float at = std::sqrt(std::max(T, 0.0f)) * (intervals / greatest_root);
   Bands result{};
-  if (!(at < static_cast<float>(intervals))) return result;
-  const auto cell = static_cast<std::size_t>(at);
-  const float t = at - static_cast<float>(cell);
+  if (!(T > 0.0f && T < opaque)) return result;
+  const float root = std::sqrt(T);
+  const float x = scale * root / (root + 1.0f) - 1.0f;
+  const float once = T * std::exp(-T);
   for (std::size_t l = 0; l < result.size(); ++l) {
-    result[l] = nodes_[cell][l] + t * (nodes_[cell + 1][l] - nodes_[cell][l]);
+    float p = polynomials_[l][0];
+    for (std::size_t i = 1; i < terms; ++i) p = p * x + polynomials_[l][i];
+    result[l] = once * p;
   }
   return result;
 }
