@@ -341,7 +341,6 @@ void Renderer::Impl::shade_surfaces(Work& work) {
                                               ? Settings::Arithmetic::plain_double
                                               : work.settings.arithmetic;
   SurfaceLighting lighting;
-  lighting.surfaces = shading.surfaces();
   lighting.environment = shading.environment();
   lighting.albedo = work.albedo;
   if (work.plan.homogeneous && lighting.environment) {
@@ -362,22 +361,43 @@ void Renderer::Impl::shade_surfaces(Work& work) {
   }
   std::atomic<std::uint64_t> pairs = 0;
   work.job.each(work.tiles.count(), [&](std::size_t tile) {
-    std::array<SurfacePoint, Tiles::pixels> points;
-    std::array<std::size_t, Tiles::pixels> pixels;
-    std::array<glm::vec3, Tiles::pixels> radiance;
+    struct Seen {
+      SurfaceHit hit;
+      glm::dvec3 direction;
+      std::size_t pixel;
+    };
+    std::array<Seen, Tiles::pixels> seen;
     std::size_t count = 0;
     each_pixel(work, tile, [&](std::size_t i, int x, int y) {
       surface_radiance[i] = glm::vec3(0.0f);
-      if (!hits[i]) return;
-      pixels[count] = i;
-      points[count++] = prepared.visibility().point(
-          hits[i], work.rays.eye(), work.rays.direction(x + 0.5, y + 0.5), work.scene.surfaces);
+      if (hits[i]) seen[count++] = {hits[i], work.rays.direction(x + 0.5, y + 0.5), i};
     });
-    if (count == 0) return;
-    pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(), lighting,
-                                     work.scene.surfaces, std::span(points).first(count),
-                                     arithmetic, std::span(radiance).first(count));
-    for (std::size_t k = 0; k < count; ++k) surface_radiance[pixels[k]] = radiance[k];
+    // Surface by surface.
+    for (auto first = seen.begin(), last = first + static_cast<std::ptrdiff_t>(count);
+         first != last;) {
+      const auto after = std::stable_partition(
+          first, last,
+          [surface = first->hit.surface](const Seen& s) { return s.hit.surface == surface; });
+      std::array<SurfaceHit, Tiles::pixels> tile_hits;
+      std::array<glm::dvec3, Tiles::pixels> directions;
+      const auto n = static_cast<std::size_t>(after - first);
+      for (std::size_t k = 0; k < n; ++k) {
+        tile_hits[k] = first[static_cast<std::ptrdiff_t>(k)].hit;
+        directions[k] = first[static_cast<std::ptrdiff_t>(k)].direction;
+      }
+      SurfacePoints points;
+      prepared.visibility().points(std::span(tile_hits).first(n), std::span(directions).first(n),
+                                   work.scene.surfaces, points);
+      PointRadiance radiance;
+      const auto surface = static_cast<std::size_t>(first->hit.surface);
+      pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(), lighting,
+                                       shading.surfaces()[surface], points, arithmetic, radiance);
+      for (std::size_t k = 0; k < n; ++k) {
+        surface_radiance[first[static_cast<std::ptrdiff_t>(k)].pixel] = {
+            radiance.r[k], radiance.g[k], radiance.b[k]};
+      }
+      first = after;
+    }
   });
   work.frame.statistics.light_pairs += pairs;
 }

@@ -3,139 +3,110 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <numbers>
 
 #include "core/scene/brdf.h"
 #include "render/cpu/path_depths.h"
 #include "render/cpu/slice_kernels.h"
-#include "render/tiles.h"
+#include "render/cpu/surface_kernels.h"
 
 namespace brume {
-
 namespace {
 
-// One light at the points of a tile.
-struct LightAtPoints {
-  std::vector<double> depths;    // T(s, p) of the Gaussians, for every point
-  std::vector<std::size_t> lit;  // the points that the light shines on
+using BandArrays = std::array<PointArray, sh_most_bands>;
 
-  std::vector<glm::dvec3> ends;
-  std::vector<std::int32_t> none;
-  PathBatch paths;
-  std::vector<float> looked_up;
-  std::vector<glm::dvec3> origins;  // of shadow rays
-
-  std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
-                            std::span<const SurfacePoint> points, Settings::Arithmetic arithmetic) {
-    ends.clear();
-    for (const SurfacePoint& point : points) ends.push_back(point.position);
-    depths.resize(ends.size());
-    none.assign(ends.size(), -1);
-    if (!light.table) {
-      return bundle_depths(medium, light.light.position, ends, none, arithmetic, depths);
+// T(s, p) of all points, b0 included.
+std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
+                          const SurfacePoints& points, Settings::Arithmetic arithmetic,
+                          LightAtPoints& at) {
+  std::uint64_t pairs = 0;
+  if (light.table) {
+    look_up_depths(*light.table, at.paths, at.depths.data());
+  } else {
+    std::array<glm::dvec3, Tiles::pixels> ends;
+    std::array<double, Tiles::pixels> depths;
+    std::array<std::int32_t, Tiles::pixels> none;
+    none.fill(-1);
+    for (std::size_t k = 0; k < points.count; ++k) ends[k] = points.origin + points.position[k];
+    pairs = bundle_depths(medium, light.light.position, std::span(ends).first(points.count),
+                          std::span(none).first(points.count), arithmetic,
+                          std::span(depths).first(points.count));
+    for (std::size_t k = 0; k < points.padded_size(); ++k) {
+      at.depths[k] = static_cast<float>(depths[std::min(k, points.count - 1)]);
     }
-    paths.assign(light.light.position, ends, none);
-    looked_up.resize(paths.padded_size());
-    look_up_depths(*light.table, paths, looked_up.data());
-    std::copy_n(looked_up.begin(), ends.size(), depths.begin());
-    return 0;
   }
-
-  void find_lit(const PointLight& light, const Visibility& visibility,
-                std::span<const SurfacePoint> points) {
-    lit.clear();
-    origins.clear();
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (!(glm::dot(points[k].normal, light.position - points[k].position) > 0.0)) continue;
-      lit.push_back(k);
-      origins.push_back(points[k].shadow_origin);
-    }
-    std::array<bool, Tiles::pixels> blocked;
-    visibility.blocked(origins, light.position, std::span(blocked).first(origins.size()));
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < lit.size(); ++k) {
-      if (!blocked[k]) lit[kept++] = lit[k];
-    }
-    lit.resize(kept);
+  const auto b0 = static_cast<float>(medium.homogeneous_density());
+  for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
+    at.depths[k] += b0 * at.paths.length[k];
   }
-};
-
-// Where a point light stands as seen from a point, and what comes of it.
-struct Arrival {
-  glm::dvec3 wi;      // unit
-  double irradiance;  // without medium, straight on, per unit of intensity
-  double depth;       // T(s, p)
-};
-
-Arrival arrival(const MediumIndex& medium, const PointLight& light, const SurfacePoint& point,
-                double gaussians_depth) {
-  const glm::dvec3 q = light.position - point.position;
-  const double distance = glm::length(q);
-  return {q / distance, 1.0 / (distance * distance),
-          gaussians_depth + medium.homogeneous_density() * distance};
+  return pairs;
 }
 
-// The irradiance that light makes whose bands are those of a delta function times `factors`, the
-// cosine being that between its direction and the normal: sh_convolve() with clamped_cosine_sh(),
-// written out, where the bands 3 and 5 are 0.
-float diffuse_irradiance(const ScatterTable::Bands& factors, float cosine) {
-  const float x2 = cosine * cosine;
-  const float p2 = 1.5f * x2 - 0.5f;
-  const float p4 = (4.375f * x2 - 3.75f) * x2 + 0.375f;
-  return std::max(0.0f, 0.25f * factors[0] + 0.5f * cosine * factors[1] +
-                            0.3125f * p2 * factors[2] - 0.09375f * p4 * factors[4]);
+PointLightShading shading_of(const Material& material, const PointLight& light) {
+  PointLightShading shading;
+  shading.intensity = glm::vec3(light.intensity);
+  shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
+  if (material.type == Material::Type::phong) {
+    shading.highlight =
+        glm::vec3(material.specular * ((material.exponent + 2.0) * 0.5 * std::numbers::inv_pi));
+    shading.exponent = static_cast<float>(material.exponent);
+  }
+  return shading;
 }
 
-// What the surface reflects of such light by any BRDF, RGB [1/sr].
-glm::vec3 reflection(const BrdfSh& brdf, const ScatterTable::Bands& factors,
-                     const SurfacePoint& point, const glm::dvec3& wi) {
-  const ShVector<glm::dvec3> B = brdf(glm::dot(point.normal, point.to_eye));
-  const glm::dquat frame = surface_frame(point.normal, point.to_eye);
+void add(const glm::vec3& value, std::size_t k, PointRadiance& radiance) {
+  radiance.r[k] += value.r;
+  radiance.g[k] += value.g;
+  radiance.b[k] += value.b;
+}
+
+// What brdf() has no kernel for, point by point.
+void add_measured_light(const SurfacePoints& points, const LightAtPoints& at,
+                        const glm::vec3& intensity, PointRadiance& radiance) {
+  for (std::size_t k = 0; k < points.count; ++k) {
+    if (!(at.cosine[k] > 0.0f && at.lit[k] > 0.0f)) continue;
+    const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
+    const glm::vec3 f(brdf(points.surface->material, wi, points.to_eye[k], points.normal[k]));
+    const float arrives = at.cosine[k] * at.inverse_square[k] * std::exp(-at.depths[k]);
+    add(f * intensity * arrives, k, radiance);
+  }
+}
+
+// What a surface of any BRDF reflects of light from wi in the bands' shares, RGB [1/sr].
+glm::vec3 reflection(const BrdfSh& brdf, const BandArrays& factors, std::size_t k,
+                     const glm::dvec3& normal, const glm::dvec3& to_eye, const glm::dvec3& wi) {
+  const ShVector<glm::dvec3> B = brdf(glm::dot(normal, to_eye));
+  const glm::dquat frame = surface_frame(normal, to_eye);
   const ShVector<float> delta = sh_basis(B.order(), glm::vec3(glm::conjugate(frame) * wi));
   glm::vec3 sum(0.0f);
   for (int l = 0; l < B.order(); ++l) {
     // In that frame B is even in y: what is odd, m < 0, vanishes.
     glm::vec3 band(0.0f);
     for (int m = 0; m <= l; ++m) band += delta[sh_index(l, m)] * glm::vec3(B[sh_index(l, m)]);
-    sum += factors[static_cast<std::size_t>(l)] * band;
+    sum += factors[static_cast<std::size_t>(l)][k] * band;
   }
   return glm::max(sum, 0.0f);
 }
 
-// Point spread functions take the medium to be homogeneous. The glow close to a light is most of
-// that of a point light, and it is not there where the light stands outside the medium: then its
-// light is spread as distant light is. In between, the share of the depth counts that a medium as
-// dense as at the light would make.
-ScatterTable::Bands spread_of(const SurfaceLighting& lighting, double density, const Arrival& a) {
-  const auto T = static_cast<float>(a.depth);
-  ScatterTable::Bands factors = (*lighting.distant)(T);
-  const ScatterTable::Bands near = (*lighting.point)(T);
-  const double homogeneous = density / std::sqrt(a.irradiance);
-  const auto share = static_cast<float>(homogeneous < a.depth ? homogeneous / a.depth : 1.0);
-  for (std::size_t l = 0; l < near.size(); ++l) factors[l] += share * (near[l] - factors[l]);
-  return factors;
-}
-
-// Per unit of intensity.
-glm::vec3 scattered(const ScatterTable::Bands& factors, const SurfaceShading& shading,
-                    const SurfacePoint& point, const Arrival& light) {
-  const auto irradiance = static_cast<float>(light.irradiance);
-  if (shading.brdf) return irradiance * reflection(*shading.brdf, factors, point, light.wi);
-  const auto cosine = static_cast<float>(glm::dot(point.normal, light.wi));
-  return glm::vec3(point.surface->material.reflectance * std::numbers::inv_pi) *
-         (irradiance * diffuse_irradiance(factors, cosine));
-}
-
-glm::vec3 of_environment(const EnvironmentLight& environment, const SurfaceShading& shading,
-                         const SurfacePoint& point, float Tbar, double albedo) {
-  if (!shading.brdf) {
-    return glm::vec3(point.surface->material.reflectance) *
-           environment.diffuse(point.normal, Tbar, albedo);
+void add_reflections(const BrdfSh& brdf, const BandArrays& factors, const SurfacePoints& points,
+                     const LightAtPoints& at, const glm::vec3& intensity, PointRadiance& radiance) {
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
+    add(intensity * (at.inverse_square[k] *
+                     reflection(brdf, factors, k, points.normal[k], points.to_eye[k], wi)),
+        k, radiance);
   }
-  const glm::dquat frame = surface_frame(point.normal, point.to_eye);
+}
+
+glm::vec3 of_environment(const EnvironmentLight& environment, const BrdfSh* brdf,
+                         const glm::vec3& reflectance, const glm::dvec3& normal,
+                         const glm::dvec3& to_eye, float Tbar, double albedo) {
+  if (!brdf) return reflectance * environment.diffuse(normal, Tbar, albedo);
+  const glm::dquat frame = surface_frame(normal, to_eye);
   const ShVector<glm::dvec3> light =
       sh_rotate(environment.incident(Tbar, albedo), glm::conjugate(frame));
-  const ShVector<glm::dvec3> B = (*shading.brdf)(glm::dot(point.normal, point.to_eye));
+  const ShVector<glm::dvec3> B = (*brdf)(glm::dot(normal, to_eye));
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < B.size(); ++i) sum += light[i] * B[i];
   return glm::vec3(glm::max(sum, 0.0));
@@ -144,40 +115,45 @@ glm::vec3 of_environment(const EnvironmentLight& environment, const SurfaceShadi
 }  // namespace
 
 std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visibility,
-                               const SurfaceLighting& lighting, std::span<const Surface> surfaces,
-                               std::span<const SurfacePoint> points,
-                               Settings::Arithmetic arithmetic, std::span<glm::vec3> radiance) {
+                               const SurfaceLighting& lighting, const SurfaceShading& shading,
+                               const SurfacePoints& points, Settings::Arithmetic arithmetic,
+                               PointRadiance& radiance) {
   thread_local LightAtPoints at;
-  std::fill(radiance.begin(), radiance.end(), glm::vec3(0.0f));
-  const auto shading = [&](const SurfacePoint& point) -> const SurfaceShading& {
-    return lighting.surfaces[static_cast<std::size_t>(point.surface - surfaces.data())];
-  };
+  thread_local BandArrays factors;
+  for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
+  const Material& material = points.surface->material;
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
-    pairs += at.find_depths(medium, light, points, arithmetic);
-    at.find_lit(light.light, visibility, points);
-    for (const std::size_t k : at.lit) {
-      const SurfacePoint& point = points[k];
-      const Arrival a = arrival(medium, light.light, point, at.depths[k]);
-      radiance[k] += glm::vec3(brdf(point.surface->material, a.wi, point.to_eye, point.normal) *
-                               light.light.intensity *
-                               (glm::dot(point.normal, a.wi) * std::exp(-a.depth) * a.irradiance));
+    const glm::vec3 position(light.light.position - points.origin);
+    see_light(points, position, at);
+    pairs += find_depths(medium, light, points, arithmetic, at);
+    visibility.find_lit(points, position, at);
+    PointLightShading reflected = shading_of(material, light.light);
+    if (material.type == Material::Type::measured) {
+      add_measured_light(points, at, reflected.intensity, radiance);
+    } else {
+      add_direct_light(points, at, reflected, radiance);
     }
     if (!lighting.point) continue;
-    const glm::vec3 intensity(lighting.albedo * light.light.intensity);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Arrival a = arrival(medium, light.light, points[k], at.depths[k]);
-      if (!std::isfinite(a.irradiance)) continue;  // the light stands on the surface
-      radiance[k] += intensity * scattered(spread_of(lighting, light.density, a),
-                                           shading(points[k]), points[k], a);
+    find_spread(at, points.padded_size(),
+                {lighting.point, lighting.distant, static_cast<float>(light.density)},
+                !shading.brdf, factors);
+    reflected.intensity *= static_cast<float>(lighting.albedo);
+    if (shading.brdf) {
+      add_reflections(*shading.brdf, factors, points, at, reflected.intensity, radiance);
+    } else {
+      add_scattered_light(points, at, factors, reflected, radiance);
     }
   }
   if (lighting.environment) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const SurfaceShading& own = shading(points[k]);
-      const auto fog = static_cast<float>(lighting.fog_depth);
-      const float Tbar = own.average_depth ? fog + (*own.average_depth)(points[k].position) : fog;
-      radiance[k] += of_environment(*lighting.environment, own, points[k], Tbar, lighting.albedo);
+    const auto fog = static_cast<float>(lighting.fog_depth);
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const float Tbar = shading.average_depth
+                             ? fog + (*shading.average_depth)(points.origin + points.position[k])
+                             : fog;
+      add(of_environment(*lighting.environment, shading.brdf, glm::vec3(material.reflectance),
+                         points.normal[k], points.to_eye[k], Tbar, lighting.albedo),
+          k, radiance);
     }
   }
   return pairs;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "render/cpu/light_table.h"
 #include "render/cpu/scatter_table.h"
+#include "render/cpu/surface_points.h"
 #include "render/cpu/visibility.h"
 #include "render/environment_light.h"
 #include "render/medium_index.h"
@@ -29,20 +29,20 @@ struct SurfaceLighting {
   const ScatterTable* point = nullptr;
   const ScatterTable* distant = nullptr;
   const EnvironmentLight* environment = nullptr;  // null: there is none
-  std::span<const SurfaceShading> surfaces;       // one for each of the scene
   double fog_depth = 0.0;                         // b0's part of the average optical depth
   double albedo = 1.0;
 };
 
-// radiance[k] receives the RGB radiance of points[k], those of a tile on `surfaces`:
+// Sets the RGB radiance of points of one surface, which `shading` belongs to:
 //   light that comes straight from the lights, with cast shadows, times exp(-T(s, p)), by brdf();
 //   light of theirs that the medium scatters once on its way (eq. 25), which no surface shadows;
 //   light of the environment, straight and scattered (eq. 27), which no surface shadows;
-// the last two as spherical harmonics of six bands. Returns the number of Gaussian x path pairs
+// the last two as spherical harmonics of six bands. In single precision but for T(s, p), which
+// `arithmetic` decides on where there is no table. Returns the number of Gaussian x path pairs
 // evaluated. Thread-safe.
 std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visibility,
-                               const SurfaceLighting& lighting, std::span<const Surface> surfaces,
-                               std::span<const SurfacePoint> points,
-                               Settings::Arithmetic arithmetic, std::span<glm::vec3> radiance);
+                               const SurfaceLighting& lighting, const SurfaceShading& shading,
+                               const SurfacePoints& points, Settings::Arithmetic arithmetic,
+                               PointRadiance& radiance);
 
 }  // namespace brume

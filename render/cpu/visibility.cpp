@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/scene/mesh.h"
+#include "render/cpu/surface_kernels.h"
 
 namespace brume {
 namespace {
@@ -44,8 +45,8 @@ struct Placement {
 }  // namespace
 
 struct Vertex {
-  glm::dvec3 position;
-  glm::dvec3 normal;
+  glm::vec3 position;  // relative to the middle of the surfaces
+  glm::vec3 normal;    // any length
 };
 
 // A ray as Embree takes it, relative to the middle of the surfaces: from `skip` along it.
@@ -62,7 +63,7 @@ struct Visibility::Impl {
   RTCScene scene = nullptr;
   std::vector<Placement> placements;
   std::vector<std::vector<glm::uvec3>> triangles;  // vertex indices, per surface
-  std::vector<std::vector<Vertex>> vertices;       // in the world, per surface
+  std::vector<std::vector<Vertex>> vertices;       // per surface
   glm::dvec3 middle{0.0};
   double radius = -1.0;  // of the ball around `middle` that holds all surfaces; < 0: none
 
@@ -94,32 +95,27 @@ struct Visibility::Impl {
 
   void add(const Surface& surface) {
     const TriangleMesh& mesh = *surface.mesh;
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                                               mesh.n_vertices()));
-    if (!vertex) throw std::bad_alloc();
-    auto& in_world = vertices.emplace_back();
+    auto& own_vertices = vertices.emplace_back();
     for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) {
       const auto& n = mesh.normal(OpenMesh::VertexHandle(v));
-      in_world.push_back(
-          {to_world(surface, mesh_point(mesh, v)), surface.rotate * glm::dvec3(n[0], n[1], n[2])});
-      const glm::dvec3 p = in_world.back().position - middle;
+      const glm::dvec3 p = to_world(surface, mesh_point(mesh, v)) - middle;
+      own_vertices.push_back(
+          {glm::vec3(p), glm::vec3(surface.rotate * glm::dvec3(n[0], n[1], n[2]))});
       radius = std::max(radius, glm::length(p));
-      for (int k = 0; k < 3; ++k) *vertex++ = static_cast<float>(p[k]);
     }
-    auto* index = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(unsigned), mesh.n_faces()));
-    if (!index) throw std::bad_alloc();
-    auto& own = triangles.emplace_back();
+    auto& own_triangles = triangles.emplace_back();
     for (const auto face : mesh.faces()) {
       glm::uvec3 corners(0);
       int k = 0;
       for (const auto v : face.vertices()) corners[k++] = static_cast<unsigned>(v.idx());
-      own.push_back(corners);
-      for (k = 0; k < 3; ++k) *index++ = corners[k];
+      own_triangles.push_back(corners);
     }
+    // Embree reads the very arrays.
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               own_vertices.data(), 0, sizeof(Vertex), own_vertices.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               own_triangles.data(), 0, sizeof(glm::uvec3), own_triangles.size());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
@@ -252,9 +248,10 @@ SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
   const std::vector<Vertex>& vertices = impl_->vertices[static_cast<std::size_t>(hit.surface)];
   for (int k = 0; k < 3; ++k) {
     const Vertex& vertex = vertices[corners[k]];
-    positions[static_cast<std::size_t>(k)] = vertex.position;
-    normals[static_cast<std::size_t>(k)] = vertex.normal;
-    smooth += weights[k] * vertex.normal;
+    const auto c = static_cast<std::size_t>(k);
+    positions[c] = impl_->middle + glm::dvec3(vertex.position);
+    normals[c] = glm::dvec3(vertex.normal);
+    smooth += weights[k] * normals[c];
   }
   glm::dvec3 geometric = glm::cross(positions[1] - positions[0], positions[2] - positions[0]);
   geometric /= std::max(glm::length(geometric), std::numeric_limits<double>::min());
@@ -276,34 +273,80 @@ SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
   return result;
 }
 
-bool Visibility::blocked(const glm::dvec3& from, const glm::dvec3& to) const {
-  bool result = false;
-  blocked(std::span(&from, 1), to, std::span(&result, 1));
-  return result;
+void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::dvec3> directions,
+                        std::span<const Surface> surfaces, SurfacePoints& points) const {
+  const auto surface = static_cast<std::size_t>(hits[0].surface);
+  const std::vector<glm::uvec3>& all_corners = impl_->triangles[surface];
+  const std::vector<Vertex>& vertices = impl_->vertices[surface];
+  points.surface = &surfaces[surface];
+  points.count = hits.size();
+  points.origin = impl_->middle;
+  PointTriangles triangles;
+  for (std::size_t i = 0; i < points.padded_size(); ++i) {
+    const std::size_t from = std::min(i, hits.size() - 1);
+    const SurfaceHit& hit = hits[from];
+    const glm::uvec3& corners = all_corners[hit.triangle];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vertex& vertex = vertices[corners[static_cast<int>(c)]];
+      triangles.position[c].set(i, vertex.position);
+      triangles.normal[c].set(i, vertex.normal);
+    }
+    triangles.u[i] = hit.u;
+    triangles.v[i] = hit.v;
+    points.to_eye.set(i, glm::vec3(-directions[from]));
+  }
+  interpolate_points(triangles, static_cast<float>(self_hit_margin * impl_->radius), points);
 }
 
-void Visibility::blocked(std::span<const glm::dvec3> from, const glm::dvec3& to,
-                         std::span<bool> result) const {
-  std::fill(result.begin(), result.end(), false);
-  if (empty()) return;
+void Visibility::find_lit(const SurfacePoints& points, const glm::vec3& position,
+                          LightAtPoints& light) const {
   RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-  for (std::size_t first = 0; first < from.size(); first += packet) {
-    alignas(64) std::array<int, packet> valid{};
+  const auto margin = static_cast<float>(self_hit_margin);
+  const float most = margin * 2.0f * static_cast<float>(impl_->radius);
+  for (std::size_t first = 0; first < points.count; first += packet) {
+    alignas(64) std::array<int, packet> valid;
     RTCRay16 query;
-    const std::size_t count = std::min(packet, from.size() - first);
-    for (std::size_t k = 0; k < count; ++k) {
-      const glm::dvec3 q = to - from[first + k];
-      const double distance = glm::length(q);
-      if (!(distance > 0.0)) continue;
-      const Part part = impl_->between(from[first + k], q / distance, distance);
-      if (!(part.tnear < part.tfar)) continue;
-      impl_->set(query, k, from[first + k], q / distance, part);
-      valid[k] = -1;
+    int any = 0;
+    for (std::size_t k = 0; k < packet; ++k) {
+      const std::size_t i = first + k;
+      const float x = points.shadow_origin.x[i];
+      const float y = points.shadow_origin.y[i];
+      const float z = points.shadow_origin.z[i];
+      query.org_x[k] = x;
+      query.org_y[k] = y;
+      query.org_z[k] = z;
+      // The whole way is 1.
+      query.dir_x[k] = position.x - x;
+      query.dir_y[k] = position.y - y;
+      query.dir_z[k] = position.z - z;
+      const float away = std::min(margin, most / light.paths.length[i]);
+      query.tnear[k] = away;
+      query.tfar[k] = 1.0f - away;
+      query.time[k] = 0.0f;
+      query.mask[k] = ~0u;
+      query.id[k] = 0u;
+      query.flags[k] = 0u;
+      valid[k] = i < points.count && light.cosine[i] > 0.0f ? -1 : 0;
+      any |= valid[k];
     }
-    rtcOccluded16(valid.data(), impl_->scene, &context, &query);
-    for (std::size_t k = 0; k < count; ++k)
-      result[first + k] = valid[k] != 0 && query.tfar[k] < 0.0f;
+    if (any != 0) rtcOccluded16(valid.data(), impl_->scene, &context, &query);
+    for (std::size_t k = 0; k < packet; ++k) {
+      light.lit[first + k] = valid[k] != 0 && query.tfar[k] >= 0.0f ? 1.0f : 0.0f;
+    }
   }
+}
+
+bool Visibility::blocked(const glm::dvec3& from, const glm::dvec3& to) const {
+  const glm::dvec3 q = to - from;
+  const double distance = glm::length(q);
+  if (empty() || !(distance > 0.0)) return false;
+  const Part part = impl_->between(from, q / distance, distance);
+  if (!(part.tnear < part.tfar)) return false;
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  RTCRay query;
+  impl_->set(query, 0, from, q / distance, part);
+  rtcOccluded1(impl_->scene, &context, &query);
+  return query.tfar < 0.0f;
 }
 
 }  // namespace brume

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/scene/scene.h"
+#include "render/cpu/surface_points.h"
 
 namespace brume {
 
@@ -58,12 +59,16 @@ class Visibility {
                                    const glm::dvec3& direction,
                                    std::span<const Surface> surfaces) const;
 
+  // The same of hits on one surface, of rays of these directions, in single precision: positions
+  // to 1e-6 of the size of all surfaces, relative to their middle. Thread-safe.
+  void points(std::span<const SurfaceHit> hits, std::span<const glm::dvec3> directions,
+              std::span<const Surface> surfaces, SurfacePoints& points) const;
+
+  // Sets `lit` of a light at `position` relative to points.origin that see_light() has seen.
+  void find_lit(const SurfacePoints& points, const glm::vec3& position, LightAtPoints& light) const;
+
   // Whether a surface stands between two points, ends excluded. Thread-safe.
   [[nodiscard]] bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
-
-  // The same for points that lie close to each other, several times as fast.
-  void blocked(std::span<const glm::dvec3> from, const glm::dvec3& to,
-               std::span<bool> result) const;
 
  private:
   struct Impl;
