@@ -68,7 +68,7 @@ struct Renderer::Impl {
   };
 
   std::optional<Frame> render(Work& work);
-  void find_surfaces(Work& work);
+  void find_surfaces(Work& work, double ray_end);
   TileMethod airlight_method(Work& work, StageClock& clock);
   TileMethod paper(Work& work, StageClock& clock);
   TileMethod sliced(Work& work, StageClock& clock);
@@ -152,7 +152,11 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   work.frame.transmittance.assign(3 * pixels, 1.0f);
   work.frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
   const double ray_end = work.fog_end.of_rays(work.rays.eye());
-  hits.assign(work.plan.surfaces || std::isfinite(ray_end) ? pixels : 0, {ray_end});
+  if (work.plan.surfaces) {
+    hits.resize(pixels);
+  } else {
+    hits.assign(std::isfinite(ray_end) ? pixels : 0, {ray_end});
+  }
   surface_radiance.resize(work.plan.lit_surfaces ? pixels : 0);
   statistics.skipped = work.plan.skipped;
   statistics.gaussians_total = work.scene.medium.size();
@@ -161,7 +165,7 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   shading.update(work.scene, work.plan, work.settings);
   clock.finish("prepare");
   if (work.plan.surfaces) {
-    find_surfaces(work);
+    find_surfaces(work, ray_end);
     clock.finish("visibility");
   }
   if (work.plan.gaussians || work.plan.homogeneous) {
@@ -186,7 +190,8 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   return std::move(work.frame);
 }
 
-void Renderer::Impl::find_surfaces(Work& work) {
+// Rays that hit nothing end where the fog does.
+void Renderer::Impl::find_surfaces(Work& work, double ray_end) {
   work.job.each(work.tiles.count(), [&](std::size_t tile) {
     std::array<glm::dvec3, Tiles::pixels> directions;
     std::array<SurfaceHit, Tiles::pixels> tile_hits;
@@ -199,8 +204,7 @@ void Renderer::Impl::find_surfaces(Work& work) {
     count = 0;
     each_pixel(work, tile, [&](std::size_t i, int, int) {
       const SurfaceHit& hit = tile_hits[count++];
-      if (!hit) return;
-      hits[i] = hit;
+      hits[i] = hit ? hit : SurfaceHit{ray_end};
       work.frame.depth[i] = static_cast<float>(hit.distance);
     });
   });

@@ -24,12 +24,9 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
   up_ = glm::cross(right_, forward_);
   half_size_.y = std::tan(0.5 * glm::radians(camera.vertical_fov));
   half_size_.x = half_size_.y * size_.x / size_.y;
-}
-
-glm::dvec3 CameraRays::direction(double x, double y) const {
-  const double u = (2.0 * x / size_.x - 1.0) * half_size_.x;
-  const double v = (1.0 - 2.0 * y / size_.y) * half_size_.y;
-  return glm::normalize(forward_ + u * right_ + v * up_);
+  corner_ = forward_ - half_size_.x * right_ + half_size_.y * up_;
+  per_x_ = 2.0 * half_size_.x / size_.x * right_;
+  per_y_ = -2.0 * half_size_.y / size_.y * up_;
 }
 
 glm::dvec3 CameraRays::project(const glm::dvec3& point) const {

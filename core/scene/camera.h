@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -33,7 +34,9 @@ class CameraRays {
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
 
   // The unit direction from the eye through a film position (pixels).
-  [[nodiscard]] glm::dvec3 direction(double x, double y) const;
+  [[nodiscard]] glm::dvec3 direction(double x, double y) const {
+    return glm::normalize(corner_ + x * per_x_ + y * per_y_);
+  }
 
   // The film position of a point, and its depth along forward() in z [u]; a point with z <= 0 is
   // behind the eye and has no film position (x and y are then 0).
@@ -56,6 +59,10 @@ class CameraRays {
   glm::dvec3 up_;
   glm::dvec2 half_size_;  // of the film at distance 1
   glm::dvec2 size_;       // of the film in pixels
+  // A film position from the eye, at distance 1 along forward_: corner_ + x per_x_ + y per_y_.
+  glm::dvec3 corner_;
+  glm::dvec3 per_x_;
+  glm::dvec3 per_y_;
 };
 
 }  // namespace brume

@@ -125,6 +125,9 @@ struct Visibility::Impl {
   [[nodiscard]] Part to_first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
     return {std::max(0.0, glm::dot(middle - origin, direction) - 1.01 * radius)};
   }
+  [[nodiscard]] bool is_near(const glm::dvec3& origin) const {
+    return glm::length(origin - middle) < 8.0 * radius;
+  }
 
   // Of the way between two points, ends excluded.
   [[nodiscard]] Part between(const glm::dvec3& from, const glm::dvec3& direction,
@@ -210,6 +213,7 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
                             std::span<SurfaceHit> hits) const {
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
+  const bool is_near = impl_->is_near(origin);
   RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
   for (std::size_t first = 0; first < directions.size(); first += packet) {
     alignas(64) std::array<int, packet> valid{};
@@ -217,7 +221,7 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
     RTCRayHit16 query;
     const std::size_t count = std::min(packet, directions.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
-      parts[k] = impl_->to_first_hit(origin, directions[first + k]);
+      if (!is_near) parts[k] = impl_->to_first_hit(origin, directions[first + k]);
       impl_->set(query.ray, k, origin, directions[first + k], parts[k]);
       query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
