@@ -48,9 +48,10 @@ PointLightShading shading_of(const Material& material, const PointLight& light) 
   shading.intensity = glm::vec3(light.intensity);
   shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
   if (material.type == Material::Type::phong) {
+    const double exponent = std::min(material.exponent, 1e30);  // float ends
     shading.highlight =
-        glm::vec3(material.specular * ((material.exponent + 2.0) * 0.5 * std::numbers::inv_pi));
-    shading.exponent = static_cast<float>(material.exponent);
+        glm::vec3(material.specular * ((exponent + 2.0) * 0.5 * std::numbers::inv_pi));
+    shading.exponent = static_cast<float>(exponent);
   }
   return shading;
 }
