@@ -29,6 +29,13 @@ struct Job {
   std::stop_token stop;
   std::function<void(double)> progress;  // the share that is done; may be empty
 
+  // This job as one part of a longer one, whose progress it takes from `begin` to `end`.
+  [[nodiscard]] Job part(double begin, double end) const {
+    if (!progress) return {stop, {}};
+    return {stop,
+            [tell = progress, begin, end](double share) { tell(begin + share * (end - begin)); }};
+  }
+
   // Runs body(i) for i in [0, count) in parallel until a stop is requested.
   template <class Body>
   void each(std::size_t count, Body body) const {

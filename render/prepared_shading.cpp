@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/scene/mesh.h"
+#include "render/cpu/surfaces.h"
 
 namespace brume {
 namespace {
@@ -29,7 +30,8 @@ bool PreparedShading::Depths::of(const Surface& surface) const {
          scale == surface.scale;
 }
 
-void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const Settings& settings) {
+void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const Settings& settings,
+                             const TransferStore& transfers) {
   const ScatterTable& scattering =
       settings.paper_spread ? ScatterTable::paper() : ScatterTable::distant();
   if (!plan.environment) {
@@ -53,26 +55,72 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
     return unused([&](const Surface& s) { return known->of(s); });
   });
 
+  const auto transfer_of = [&](const Surface& surface) {
+    return plan.needs_transfer(surface) ? transfers.find(transfer_request(surface)) : nullptr;
+  };
+  std::erase_if(vertex_lights_, [&](const VertexLight& known) {
+    return unused(
+        [&](const Surface& s) { return s == known.surface && transfer_of(s) == known.transfer; });
+  });
+
   shading_.assign(scene.surfaces.size(), {});
   for (std::size_t i = 0; i < shading_.size(); ++i) {
     const Surface& surface = scene.surfaces[i];
     if (surface.material.type != Material::Type::diffuse &&
         (plan.scattered_on_surfaces || plan.environment)) {
-      shading_[i].brdf = &brdf_of(surface.material);
+      shading_[i].brdf = &sh_material_of(surface.material).brdf();
     }
     if (plan.environment && plan.gaussians) {
       shading_[i].average_depth = &average_depth_of(surface);
     }
+    if (const auto transfer = transfer_of(surface)) {
+      shading_[i].transfer = transfer.get();
+      shading_[i].material = &sh_material_of(surface.material);
+      if (std::ranges::find(vertex_lights_, surface, &VertexLight::surface) ==
+          vertex_lights_.end()) {
+        vertex_lights_.push_back({surface, transfer, nullptr});
+      }
+    }
   }
 }
 
-const BrdfSh& PreparedShading::brdf_of(const Material& material) {
+void PreparedShading::take_light(const Scene& scene, const MediumIndex& medium,
+                                 const SurfaceLighting& lighting, const Settings& settings,
+                                 Settings::Arithmetic arithmetic, const Job& job,
+                                 std::uint64_t& pairs) {
+  if (vertex_lights_.empty()) return;
+  LitBy lit_by{scene.medium,       scene.lights,    scene.environment,
+               lighting.fog_depth, lighting.albedo, {}};
+  lit_by.settings.airlight = settings.airlight;
+  lit_by.settings.light_table = settings.light_table;
+  lit_by.settings.depth_error = settings.depth_error;
+  lit_by.settings.paper_spread = settings.paper_spread;
+  lit_by.settings.arithmetic = arithmetic;
+  if (!(lit_by == lit_by_)) {
+    for (VertexLight& known : vertex_lights_) known.light.reset();
+    lit_by_ = std::move(lit_by);
+  }
+  for (std::size_t i = 0; i < shading_.size(); ++i) {
+    if (!shading_[i].transfer) continue;
+    const Surface& surface = scene.surfaces[i];
+    auto& light = std::ranges::find(vertex_lights_, surface, &VertexLight::surface)->light;
+    if (!light) {
+      auto taken = std::make_unique<const TransferredLight>(medium, lighting, surface, shading_[i],
+                                                            arithmetic, job, pairs);
+      if (job.stop.stop_requested()) return;
+      light = std::move(taken);
+    }
+    shading_[i].transferred = light.get();
+  }
+}
+
+const ShMaterial& PreparedShading::sh_material_of(const Material& material) {
   for (const auto& known : reflections_) {
-    if (known->material == material) return known->brdf;
+    if (known->material == material) return known->sh;
   }
   reflections_.push_back(
-      std::make_unique<Reflection>(Reflection{material, BrdfSh(material, sh_most_bands)}));
-  return reflections_.back()->brdf;
+      std::make_unique<Reflection>(Reflection{material, ShMaterial(material, sh_most_bands)}));
+  return reflections_.back()->sh;
 }
 
 const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface) {

@@ -31,6 +31,18 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
 
   if (!surfaces) skip("visibility", "the scene has no surfaces");
   if (surfaces && !lit_surfaces) skip("surfaces", "no light shines");
+  bool is_asked_for = false;
+  for (const Surface& surface : scene.surfaces) {
+    is_asked_for |= surface.transfer != Surface::Transfer::none;
+    if (!needs_transfer(surface)) continue;
+    const TransferRequest request = transfer_request(surface);
+    if (std::ranges::find(transfers, request) == transfers.end()) transfers.push_back(request);
+  }
+  if (transfers.empty()) {
+    skip("transfer", !is_asked_for   ? "no surface asks for it"
+                     : !lit_surfaces ? "no light shines"
+                                     : "all light comes straight from lamps");
+  }
   if (lit_surfaces && !gaussians && !homogeneous) skip("surface_scattering", "the medium is empty");
   if (!environment) {
     skip("environment", scene.environment ? "its intensity is 0" : "the scene has none");
@@ -59,6 +71,13 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   }
   if (off > 0) skip("lights", "switched off: " + std::to_string(off));
   if (black > 0) skip("lights", std::to_string(black) + " lights of intensity 0");
+}
+
+// What comes straight from lamps is shadowed ray by ray.
+bool RenderPlan::needs_transfer(const Surface& surface) const {
+  if (surface.transfer == Surface::Transfer::none || !lit_surfaces) return false;
+  return environment || scattered_on_surfaces ||
+         surface.transfer == Surface::Transfer::interreflection;
 }
 
 }  // namespace brume

@@ -26,6 +26,7 @@
 #include "render/reference/reference_airlight.h"
 #include "render/render_plan.h"
 #include "render/tiles.h"
+#include "render/transfer/transfer_store.h"
 
 namespace brume {
 namespace {
@@ -58,7 +59,9 @@ struct Renderer::Impl {
     const Scene& scene;
     const Camera& camera;
     const Settings& settings;
-    const Job& job;
+    const TransferStore& transfers;
+    TransferStore* own_transfers;  // to make what is missing in; null: nothing is made
+    Job job;
     double albedo;  // of the channels that count
     FogEnd fog_end;
     RenderPlan plan;
@@ -68,6 +71,7 @@ struct Renderer::Impl {
   };
 
   std::optional<Frame> render(Work& work);
+  static bool find_transfers(Work& work);
   void find_surfaces(Work& work, double ray_end);
   TileMethod airlight_method(Work& work, StageClock& clock);
   TileMethod paper(Work& work, StageClock& clock);
@@ -87,7 +91,11 @@ struct Renderer::Impl {
   }
 };
 
-Renderer::Renderer() = default;
+Renderer::Renderer() : own_transfers_(std::make_shared<TransferStore>()) {
+  transfers_ = own_transfers_;
+}
+Renderer::Renderer(std::shared_ptr<const TransferStore> transfers)
+    : transfers_(std::move(transfers)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -98,11 +106,13 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
   const Job job{std::move(stop), progress};
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
   const FogEnd fog_end(scene);
-  const auto render_one = [&](const Scene& of, std::size_t which, double albedo) {
+  const auto render_one = [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
     Impl::Work work{of,
                     camera,
                     settings,
-                    job,
+                    *transfers_,
+                    own_transfers_.get(),
+                    part,
                     albedo,
                     fog_end,
                     RenderPlan(of, settings.airlight),
@@ -117,13 +127,17 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
   const std::vector<AlbedoGroup> groups = albedo_groups(scene.optics.albedo);
   while (impls_.size() < groups.size()) impls_.push_back(std::make_unique<Impl>());
   impls_.resize(groups.size());
-  if (groups.size() == 1 && groups[0].albedo == 1.0) return render_one(scene, 0, 1.0);
+  if (groups.size() == 1 && groups[0].albedo == 1.0) return render_one(scene, 0, 1.0, job);
 
   std::optional<Frame> frame;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Scene absorbing = scene;
     absorbing.medium = extinction_medium(scene.medium, groups[i].albedo);
-    std::optional<Frame> part = render_one(absorbing, i, groups[i].albedo);
+    const auto share = [&](std::size_t n) {
+      return static_cast<double>(n) / static_cast<double>(groups.size());
+    };
+    std::optional<Frame> part =
+        render_one(absorbing, i, groups[i].albedo, job.part(share(i), share(i + 1)));
     if (!part) return std::nullopt;
     if (!frame) {
       frame = *part;
@@ -144,7 +158,13 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
 std::optional<Frame> Renderer::Impl::render(Work& work) {
   const auto start = std::chrono::steady_clock::now();
   FrameStatistics& statistics = work.frame.statistics;
+  statistics.skipped = work.plan.skipped;
+  statistics.gaussians_total = work.scene.medium.size();
   StageClock clock(statistics.stages);
+  if (!work.plan.transfers.empty()) {
+    if (!find_transfers(work)) return std::nullopt;
+    clock.finish("transfer");
+  }
   const auto pixels = static_cast<std::size_t>(work.frame.film.width) *
                       static_cast<std::size_t>(work.frame.film.height);
   work.frame.beauty.resize(4 * pixels);
@@ -158,11 +178,9 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
     hits.assign(std::isfinite(ray_end) ? pixels : 0, {ray_end});
   }
   surface_radiance.resize(work.plan.lit_surfaces ? pixels : 0);
-  statistics.skipped = work.plan.skipped;
-  statistics.gaussians_total = work.scene.medium.size();
 
   prepared.update(work.scene, work.plan.lights, work.settings);
-  shading.update(work.scene, work.plan, work.settings);
+  shading.update(work.scene, work.plan, work.settings, work.transfers);
   clock.finish("prepare");
   if (work.plan.surfaces) {
     find_surfaces(work, ray_end);
@@ -188,6 +206,17 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
   statistics.frame_milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return std::move(work.frame);
+}
+
+// False if stopped.
+bool Renderer::Impl::find_transfers(Work& work) {
+  if (work.transfers.has(work.plan.transfers)) return true;
+  if (!work.own_transfers) {
+    work.frame.statistics.skipped.push_back({"transfer", "it is not there yet"});
+    return true;
+  }
+  const Job job = std::exchange(work.job, work.job.part(0.5, 1.0));
+  return work.own_transfers->make(work.plan.transfers, {}, job.part(0.0, 0.5));
 }
 
 // Rays that hit nothing end where the fog does.
@@ -363,6 +392,10 @@ void Renderer::Impl::shade_surfaces(Work& work) {
                                                   work.frame.statistics.light_pairs);
     }
   }
+  shading.take_light(work.scene, prepared.medium(), lighting, work.settings, arithmetic, work.job,
+                     work.frame.statistics.light_pairs);
+  // What transfer does not hold.
+  const SurfaceLighting straight{.lights = lighting.lights};
   std::atomic<std::uint64_t> pairs = 0;
   work.job.each(work.tiles.count(), [&](std::size_t tile) {
     struct Seen {
@@ -393,9 +426,13 @@ void Renderer::Impl::shade_surfaces(Work& work) {
       prepared.visibility().points(std::span(tile_hits).first(n), std::span(directions).first(n),
                                    work.scene.surfaces, points);
       PointRadiance radiance;
-      const auto surface = static_cast<std::size_t>(first->hit.surface);
-      pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(), lighting,
-                                       shading.surfaces()[surface], points, arithmetic, radiance);
+      const SurfaceShading& own = shading.surfaces()[static_cast<std::size_t>(first->hit.surface)];
+      pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(),
+                                       own.transferred ? straight : lighting, own, points,
+                                       arithmetic, radiance);
+      if (own.transferred) {
+        own.transferred->add(std::span(tile_hits).first(n), points, radiance);
+      }
       for (std::size_t k = 0; k < n; ++k) {
         surface_radiance[first[static_cast<std::ptrdiff_t>(k)].pixel] = {
             radiance.r[k], radiance.g[k], radiance.b[k]};

@@ -12,12 +12,18 @@
 
 namespace brume {
 
+class TransferStore;
+
 // Renders frames of scenes on the CPU. Keeps between frames what has not changed (ray-tracing and
 // culling structures, optical depths from lights), so rendering again after a camera move is
 // cheap; what changed is found by comparing values. Not thread-safe: one frame at a time.
 class Renderer {
  public:
   Renderer();
+  // Takes the radiance transfer that surfaces ask for from there and makes none: where it is
+  // missing, surfaces are lit without, and the statistics say so. A renderer without makes its own,
+  // which may take longer than the frame.
+  explicit Renderer(std::shared_ptr<const TransferStore> transfers);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -31,6 +37,8 @@ class Renderer {
 
  private:
   struct Impl;
+  std::shared_ptr<TransferStore> own_transfers_;  // null: those of another
+  std::shared_ptr<const TransferStore> transfers_;
   // One for each albedo among the colour channels; see albedo.h.
   std::vector<std::unique_ptr<Impl>> impls_;
 };

@@ -15,8 +15,6 @@ namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* no_effect = "has no effect in this version yet";
-
 class SceneLoader {
  public:
   SceneLoader(const fs::path& file, std::vector<std::string>* warnings)
@@ -177,9 +175,6 @@ class SceneLoader {
     }
     surface.transfer = static_cast<Surface::Transfer>(
         object.choice("transfer", scene_names::transfers, std::size_t{0}));
-    if (surface.transfer != Surface::Transfer::none) {
-      context_.warn(object.place("transfer"), no_effect);
-    }
     surface.unknown = object.unknown();
     scene_.surfaces.push_back(std::move(surface));
   }

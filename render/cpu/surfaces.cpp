@@ -16,33 +16,6 @@ namespace {
 
 using BandArrays = std::array<PointArray, sh_most_bands>;
 
-// T(s, p) of all points, b0 included.
-std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
-                          const SurfacePoints& points, Settings::Arithmetic arithmetic,
-                          LightAtPoints& at) {
-  std::uint64_t pairs = 0;
-  if (light.table) {
-    look_up_depths(*light.table, at.paths, at.depths.data());
-  } else {
-    std::array<glm::dvec3, Tiles::pixels> ends;
-    std::array<double, Tiles::pixels> depths;
-    std::array<std::int32_t, Tiles::pixels> none;
-    none.fill(-1);
-    for (std::size_t k = 0; k < points.count; ++k) ends[k] = points.origin + points.position[k];
-    pairs = bundle_depths(medium, light.light.position, std::span(ends).first(points.count),
-                          std::span(none).first(points.count), arithmetic,
-                          std::span(depths).first(points.count));
-    for (std::size_t k = 0; k < points.padded_size(); ++k) {
-      at.depths[k] = static_cast<float>(depths[std::min(k, points.count - 1)]);
-    }
-  }
-  const auto b0 = static_cast<float>(medium.homogeneous_density());
-  for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
-    at.depths[k] += b0 * at.paths.length[k];
-  }
-  return pairs;
-}
-
 PointLightShading shading_of(const Material& material, const PointLight& light) {
   PointLightShading shading;
   shading.intensity = glm::vec3(light.intensity);
@@ -114,6 +87,32 @@ glm::vec3 of_environment(const EnvironmentLight& environment, const BrdfSh* brdf
 }
 
 }  // namespace
+
+std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
+                          const SurfacePoints& points, Settings::Arithmetic arithmetic,
+                          LightAtPoints& at) {
+  std::uint64_t pairs = 0;
+  if (light.table) {
+    look_up_depths(*light.table, at.paths, at.depths.data());
+  } else {
+    std::array<glm::dvec3, Tiles::pixels> ends;
+    std::array<double, Tiles::pixels> depths;
+    std::array<std::int32_t, Tiles::pixels> none;
+    none.fill(-1);
+    for (std::size_t k = 0; k < points.count; ++k) ends[k] = points.origin + points.position[k];
+    pairs = bundle_depths(medium, light.light.position, std::span(ends).first(points.count),
+                          std::span(none).first(points.count), arithmetic,
+                          std::span(depths).first(points.count));
+    for (std::size_t k = 0; k < points.padded_size(); ++k) {
+      at.depths[k] = static_cast<float>(depths[std::min(k, points.count - 1)]);
+    }
+  }
+  const auto b0 = static_cast<float>(medium.homogeneous_density());
+  for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
+    at.depths[k] += b0 * at.paths.length[k];
+  }
+  return pairs;
+}
 
 std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visibility,
                                const SurfaceLighting& lighting, const SurfaceShading& shading,

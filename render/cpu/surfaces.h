@@ -33,6 +33,12 @@ struct SurfaceLighting {
   double albedo = 1.0;
 };
 
+// Sets at.depths of points for a light whose at.paths are set. Returns the number of Gaussian x
+// path pairs evaluated. Thread-safe.
+std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
+                          const SurfacePoints& points, Settings::Arithmetic arithmetic,
+                          LightAtPoints& at);
+
 // Sets the RGB radiance of points of one surface, which `shading` belongs to:
 //   light that comes straight from the lights, with cast shadows, times exp(-T(s, p)), by brdf();
 //   light of theirs that the medium scatters once on its way (eq. 25), which no surface shadows;

@@ -46,8 +46,11 @@ class MeshGeometry {
   [[nodiscard]] glm::dvec3 position(OpenMesh::VertexHandle v) const {
     return to_dvec3(mesh_.point(v));
   }
+  // Any direction where the mesh has none.
   [[nodiscard]] glm::dvec3 normal(OpenMesh::VertexHandle v) const {
-    return glm::normalize(to_dvec3(mesh_.normal(v)));
+    const glm::dvec3 n = to_dvec3(mesh_.normal(v));
+    const double length = glm::length(n);
+    return length > 0.0 ? n / length : glm::dvec3(0.0, 0.0, 1.0);
   }
 
   // Where rays from a vertex start on the side of n.
@@ -299,13 +302,7 @@ std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const Tr
   const auto part = [&](double cost) {
     const double before = done;
     done += cost;
-    Job result{job.stop, {}};
-    if (job.progress) {
-      result.progress = [&job, before, cost, whole](double share) {
-        job.progress((before + cost * share) / whole);
-      };
-    }
-    return result;
+    return job.part(before / whole, done / whole);
   };
   if (job.stop.stop_requested()) return std::nullopt;
   Transfer transfer(mesh, settings);

@@ -19,25 +19,29 @@ glm::dvec3 ShMaterial::unshadowed(const ShVector<glm::dvec3>& light, const glm::
   return sh_dot(light, sh_rotate(brdf_(glm::dot(n, wo)), surface_frame(n, wo)));
 }
 
-glm::dvec3 ShMaterial::shadowed(const ShVector<glm::dvec3>& light,
-                                const ShVector<double>& visibility, const glm::dvec3& n,
-                                const glm::dvec3& wo) const {
-  return unshadowed(sh_product(light, visibility), n, wo);
+ReceivedLight ShMaterial::received(const ShVector<glm::dvec3>& light,
+                                   const ShVector<glm::dvec3>& traced,
+                                   const RadianceTransfer& transfer, MeshSide side,
+                                   const MeshPoint& at) const {
+  ReceivedLight result;
+  // Horner's scheme in the albedo.
+  for (int bounce = transfer.settings.bounces; bounce >= (diffuse_ ? 0 : 1); --bounce) {
+    const ShVector<double> transferred = transfer.reflected(side, bounce, at);
+    glm::dvec3 sum = sh_dot(light, transferred);
+    if (bounce > 0) sum += sh_dot(traced, transferred);
+    result.radiance = albedo_ * (result.radiance + sum);
+  }
+  if (diffuse_) return result;
+  result.radiance *= albedo_;
+  result.incident = sh_product(light, transfer.visibility(side, at));
+  return result;
 }
 
-glm::dvec3 ShMaterial::transferred(const ShVector<glm::dvec3>& light,
-                                   const RadianceTransfer& transfer, MeshSide side,
-                                   const MeshPoint& at, const glm::dvec3& n,
-                                   const glm::dvec3& wo) const {
-  // Horner's scheme in the albedo.
-  glm::dvec3 reflected(0.0);
-  for (int bounce = transfer.settings.bounces; bounce >= (diffuse_ ? 0 : 1); --bounce) {
-    reflected = albedo_ * (reflected + sh_dot(light, transfer.reflected(side, bounce, at)));
-  }
-  if (!diffuse_) {
-    reflected = albedo_ * reflected + shadowed(light, transfer.visibility(side, at), n, wo);
-  }
-  return glm::max(reflected, 0.0);
+glm::dvec3 ShMaterial::reflected(const ReceivedLight& light, const glm::dvec3& n,
+                                 const glm::dvec3& wo) const {
+  const bool is_sent = light.incident.order() == 0;
+  return glm::max(light.radiance + (is_sent ? glm::dvec3(0.0) : unshadowed(light.incident, n, wo)),
+                  0.0);
 }
 
 }  // namespace brume

@@ -7,6 +7,12 @@
 
 namespace brume {
 
+// What transfer makes of light at a place of a mesh.
+struct ReceivedLight {
+  ShVector<glm::dvec3> incident;  // still to be reflected by the BRDF; of order 0: none
+  glm::dvec3 radiance{0.0};       // sent diffusely
+};
+
 // The radiance that a material sends to the eye, of incident light given as spherical harmonics
 // (section 4.3 of the paper); all of one order. Light, unit normal n, on the side that is seen, and
 // unit direction wo to the eye share one frame. For a RadianceTransfer that is the frame of the
@@ -14,7 +20,7 @@ namespace brume {
 // (once for the object if it is distant and no medium is between).
 //
 // Sums of few bands overshoot beside bright small lights, so that radiance may come out a little
-// negative. Not so from transferred(), which ends at 0.
+// negative. Not so from reflected(), which ends at 0.
 class ShMaterial {
  public:
   // Takes as long as a BrdfSh.
@@ -24,18 +30,22 @@ class ShMaterial {
   [[nodiscard]] glm::dvec3 unshadowed(const ShVector<glm::dvec3>& light, const glm::dvec3& n,
                                       const glm::dvec3& wo) const;
 
-  // Eq. 23, the triple product of light, visibility and BRDF.
-  [[nodiscard]] glm::dvec3 shadowed(const ShVector<glm::dvec3>& light,
-                                    const ShVector<double>& visibility, const glm::dvec3& n,
-                                    const glm::dvec3& wo) const;
-
-  // With all the shadows and reflections that the transfer holds. Light that was reflected before
-  // the last time was so diffusely, by albedo(). A diffuse material needs dot products only, and is
-  // spared the error of the triple product's bands.
-  [[nodiscard]] glm::dvec3 transferred(const ShVector<glm::dvec3>& light,
+  // With all the shadows and reflections that the transfer holds, in two steps: the first is the
+  // same for every direction to the eye. Light that was reflected before the last time was so
+  // diffusely, by albedo(). A diffuse material needs dot products only, and is spared the error of
+  // the triple product's bands (eq. 23).
+  //
+  // Of `traced` only what the object reflects onto itself counts: light whose first reflection is
+  // found elsewhere, with sharper shadows than few bands have.
+  [[nodiscard]] ReceivedLight received(const ShVector<glm::dvec3>& light,
+                                       const ShVector<glm::dvec3>& traced,
                                        const RadianceTransfer& transfer, MeshSide side,
-                                       const MeshPoint& at, const glm::dvec3& n,
-                                       const glm::dvec3& wo) const;
+                                       const MeshPoint& at) const;
+  [[nodiscard]] glm::dvec3 reflected(const ReceivedLight& light, const glm::dvec3& n,
+                                     const glm::dvec3& wo) const;
+
+  [[nodiscard]] bool is_diffuse() const { return diffuse_; }
+  [[nodiscard]] const BrdfSh& brdf() const { return brdf_; }
 
   // The share of light that is reflected, RGB in [0, 1]: of a diffuse material its reflectance, of
   // others that of light along the normal.

@@ -45,6 +45,14 @@ ShVector<double> cosine_lobe(int order, const glm::dvec3& n) {
   return lobe;
 }
 
+// What transfer makes of distant light.
+glm::dvec3 transferred(const ShMaterial& material, const ShVector<glm::dvec3>& light,
+                       const RadianceTransfer& transfer, MeshSide side, const MeshPoint& at,
+                       const glm::dvec3& n, const glm::dvec3& wo) {
+  const ShVector<glm::dvec3> none(light.order());
+  return material.reflected(material.received(light, none, transfer, side, at), n, wo);
+}
+
 // The distance of two functions, relative to that which is 1 everywhere.
 double distance(const ShVector<double>& f, const ShVector<double>& g) {
   double squares = 0.0;
@@ -112,12 +120,12 @@ TEST(RadianceTransfer, AWhiteVertexWithoutShadowsReflectsAWhiteSkyWhole) {
   const RadianceTransfer t = transfer_of(ball_mesh(8), {.bounces = 2});
   const glm::dvec3 up(0, 1, 0);
   const glm::dvec3 front =
-      material.transferred(constant_light(6, 3.0), t, MeshSide::front, at_vertex(0), up, up);
+      transferred(material, constant_light(6, 3.0), t, MeshSide::front, at_vertex(0), up, up);
   EXPECT_NEAR(front.x, 3.0, 1e-5);
   EXPECT_NEAR(front.y, 1.5, 1e-5);
   EXPECT_EQ(front.z, 0.0);
   const glm::dvec3 back =
-      material.transferred(constant_light(6, 3.0), t, MeshSide::back, at_vertex(0), -up, -up);
+      transferred(material, constant_light(6, 3.0), t, MeshSide::back, at_vertex(0), -up, -up);
   EXPECT_EQ(back, glm::dvec3(0.0));
 }
 
@@ -234,7 +242,7 @@ TEST(RadianceTransfer, OfAnIntegratingSphereIsAGeometricSeries) {
     const ShMaterial material(white, 4);
     const MeshPoint at = at_vertex(837);
     const glm::dvec3 n = vertex_of(*bowl, 837).normal;
-    const glm::dvec3 got = material.transferred(constant_light(4), t, MeshSide::front, at, n, n);
+    const glm::dvec3 got = transferred(material, constant_light(4), t, MeshSide::front, at, n, n);
     for (int c = 0; c < 3; ++c) {
       const double rho = white.reflectance[c];
       const double whole = rho * (1.0 - f) / (1.0 - rho * f);
@@ -252,8 +260,8 @@ TEST(RadianceTransfer, OfAnIntegratingSphereIsAGeometricSeries) {
     const double albedo = phong.albedo().x;
     EXPECT_NEAR(albedo, 0.7, 1e-4);
     const double first =
-        phong.shadowed(constant_light(4), t.visibility(MeshSide::front, at), n, n).x;
-    const double all = phong.transferred(constant_light(4), t, MeshSide::front, at, n, n).x;
+        phong.unshadowed(sh_product(constant_light(4), t.visibility(MeshSide::front, at)), n, n).x;
+    const double all = transferred(phong, constant_light(4), t, MeshSide::front, at, n, n).x;
     double others = 0.0;
     for (int b = 1; b <= bounces; ++b)
       others += (1.0 - f) * std::pow(f, b) * std::pow(albedo, b + 1);
@@ -347,7 +355,7 @@ TEST(RadianceTransfer, ShadowsASkyAsTheReferenceDoes) {
       const glm::dvec3 truth =
           reflected_light(scene, visibility, point, {.samples = 40'000}).attenuated;
       const glm::dvec3 got =
-          material.transferred(light, t, MeshSide::front, at_vertex(v), vertex.normal, to_eye);
+          transferred(material, light, t, MeshSide::front, at_vertex(v), vertex.normal, to_eye);
       const glm::dvec3 without = material.unshadowed(light, vertex.normal, to_eye);
       squares += glm::dot(truth, truth);
       error += glm::dot(got - truth, got - truth);

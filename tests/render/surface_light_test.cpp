@@ -11,7 +11,6 @@
 #include "core/math/sphere_rule.h"
 #include "core/scene/environment.h"
 #include "core/scene/mesh.h"
-#include "core/scene/radiance_map.h"
 #include "core/transport/average_depth.h"
 #include "render/cpu/average_depth_grid.h"
 #include "render/cpu/scatter_table.h"
@@ -26,20 +25,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double endless = std::numeric_limits<double>::infinity();
-
-std::shared_ptr<const RadianceMap> constant_sky(float radiance) {
-  return std::make_shared<const RadianceMap>(
-      RadianceMap{16, 8, std::vector<glm::vec3>(16 * 8, glm::vec3(radiance))});
-}
-
-std::shared_ptr<const RadianceMap> smooth_sky() {
-  auto sky = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
-  for (int i = 0; i < 64 * 32; ++i) {
-    const glm::dvec3 d = map_direction(*sky, {i % 64 + 0.5, i / 64 + 0.5});
-    sky->pixels.emplace_back(glm::dvec3(1.0 + 0.8 * d.y + 0.3 * d.x * d.z) * glm::dvec3(1, 2, 3));
-  }
-  return sky;
-}
 
 Surface ball(double radius) {
   Surface surface;

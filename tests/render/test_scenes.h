@@ -23,6 +23,10 @@ Scene cut_by_a_surface();
 // A tessellated unit ball.
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
 
+// Skies: the same everywhere, and brighter above, of three colours.
+std::shared_ptr<const RadianceMap> constant_sky(float radiance);
+std::shared_ptr<const RadianceMap> smooth_sky();
+
 Frame render_frame(const Scene& scene, const Settings& settings);
 
 // Largest and root-mean-square difference of two frames' beauty (RGB), relative to b's rms.

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -221,10 +223,11 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   const auto stats = nlohmann::ordered_json::parse(content_of(folder_ / "s.json"));
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"version", "scene", "size", "backend", "device",
-                                            "airlight", "slices", "airlight_scale", "exact_pixels",
-                                            "threads", "repeat", "frame_ms", "first_frame_ms",
-                                            "stages", "skipped", "gaussians", "pairs", "error"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"version", "scene", "size", "backend", "device", "airlight",
+                                      "slices", "airlight_scale", "exact_pixels", "threads",
+                                      "repeat", "frame_ms", "first_frame_ms", "transfer_ms",
+                                      "stages", "skipped", "gaussians", "pairs", "error"}));
   EXPECT_EQ(stats["version"], BRUME_VERSION);
   EXPECT_EQ(stats["scene"], scene_);
   EXPECT_EQ(stats["size"], Json::array({8, 6}));
@@ -319,6 +322,59 @@ TEST_F(CommandLine, WarnsOnStandardError) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(result.err.starts_with("brume: warning: ")) << result.err;
   EXPECT_NE(result.err.find("mystery: unknown key"), std::string::npos) << result.err;
+}
+
+// In the cache folder of the user, from one run to the next.
+TEST_F(CommandLine, KeepsRadianceTransfer) {
+  Json scene = Json::parse(scene_text);
+  scene["surfaces"][0]["transfer"] = "interreflection";
+  const std::string with_transfer = folder_.write("t.brume", scene.dump()).string();
+  ASSERT_EQ(setenv("XDG_CACHE_HOME", file("cache").c_str(), 1), 0);
+  const auto render = [&](const std::string& what) {
+    ProgramResult result = run_brume(
+        {"render", what, "-o", file("o.exr"), "--stats", file("s.json"), "--airlight", "sliced"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    result.out = content_of(folder_ / "o.exr");
+    return result;
+  };
+  const auto kept = [&] {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "cache" / "brume")) {
+      files.push_back(entry.path());
+    }
+    return files;
+  };
+  const ProgramResult without = render(scene_);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "cache"));
+  const Json skipped = Json::parse(content_of(folder_ / "s.json"))["skipped"];
+  EXPECT_TRUE(std::ranges::any_of(skipped, [](const Json& s) {
+    return s["stage"] == "transfer" && s["why"] == "no surface asks for it";
+  }));
+
+  const ProgramResult first = render(with_transfer);
+  EXPECT_EQ(first.err, "");
+  EXPECT_NE(first.out, without.out);
+  const Json stats = Json::parse(content_of(folder_ / "s.json"));
+  EXPECT_GT(stats["transfer_ms"], 0.0);
+  for (const char* stage : {"transfer", "surfaces"}) {
+    EXPECT_TRUE(std::ranges::any_of(stats["stages"], [&](const Json& s) {
+      return s["name"] == stage;
+    })) << stage;
+  }
+  ASSERT_EQ(kept().size(), 1u);
+  const std::filesystem::path cached = kept()[0];
+  const std::string content = content_of(cached);
+  const auto made = std::filesystem::last_write_time(cached);
+  EXPECT_EQ(render(with_transfer).err, "");
+  EXPECT_EQ(std::filesystem::last_write_time(cached), made) << "read, not made again";
+
+  folder_.write("cache/brume/" + cached.filename().string(), content.substr(0, 100));
+  const ProgramResult broken = render(with_transfer);
+  EXPECT_TRUE(broken.err.starts_with("brume: warning: " + cached.string())) << broken.err;
+  EXPECT_EQ(std::ranges::count(broken.err, '\n'), 1);
+  EXPECT_EQ(broken.out.size(), first.out.size());
+  EXPECT_EQ(content_of(cached), content) << "replaced";
+  ASSERT_EQ(unsetenv("XDG_CACHE_HOME"), 0);
 }
 
 TEST_F(CommandLine, ComparesAgainstTheSecondImage) {

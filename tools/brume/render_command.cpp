@@ -1,8 +1,10 @@
 #include <tbb/info.h>
+#include <tbb/task_arena.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <iostream>
 
 #include "core/error.h"
@@ -12,7 +14,10 @@
 #include "core/io/text_scanner.h"
 #include "render/auto_quality.h"
 #include "render/frame_file.h"
+#include "render/render_plan.h"
 #include "render/renderer.h"
+#include "render/transfer/transfer_cache.h"
+#include "render/transfer/transfer_store.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/render_statistics.h"
@@ -68,6 +73,31 @@ Film parse_size(const std::string& text) {
   return {side(view.substr(0, cross)),
           side(cross == std::string::npos ? std::string_view{} : view.substr(cross + 1))};
 }
+
+// Says on the terminal how far something is, if somebody watches, and is gone in the end.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string what)
+      : what_(std::move(what)), is_watched_(::isatty(STDERR_FILENO) != 0) {}
+  ~ProgressLine() {
+    if (is_watched_) std::cerr << "\r\033[K" << std::flush;
+  }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  [[nodiscard]] std::function<void(double)> progress() const {
+    if (!is_watched_) return {};
+    return [what = what_, shown = -1](double share) mutable {
+      const int percent = static_cast<int>(100.0 * share);
+      if (percent == std::exchange(shown, percent)) return;
+      std::cerr << '\r' << what << ": " << percent << "%\033[K" << std::flush;
+    };
+  }
+
+ private:
+  std::string what_;
+  bool is_watched_;
+};
 
 class RenderCommand final : public Command {
  public:
@@ -136,7 +166,9 @@ class RenderCommand final : public Command {
     const Scene scene = load_scene(scene_file_, &warnings);
     print_warnings(warnings);
     const Film film = size_.empty() ? scene.film : wanted;
-    Renderer renderer;
+    const auto transfers = std::make_shared<TransferStore>();
+    const double transfer_milliseconds = make_transfers(scene, settings, *transfers);
+    Renderer renderer(transfers);
     Frame frame;
     std::optional<ErrorEstimate> error;
     if (is_chosen) {
@@ -166,7 +198,8 @@ class RenderCommand final : public Command {
       if (!error && settings.airlight != AirlightMethod::reference) {
         error = measure_error(scene, scene.camera, frame);
       }
-      const RenderRun run{scene_file_, film, settings, repeat_, first.count(), error};
+      const RenderRun run{scene_file_,           film, settings, repeat_, first.count(),
+                          transfer_milliseconds, error};
       write_atomically(stats_file_, statistics_json(run, frame.statistics, moved));
     }
     return done;
@@ -194,18 +227,26 @@ class RenderCommand final : public Command {
   // Renders frame `number` of all; says how far it is if somebody watches.
   Frame render(Renderer& renderer, const Scene& scene, const Camera& camera, const Film& film,
                const Settings& settings, int number) const {
-    if (::isatty(STDERR_FILENO) == 0) return *renderer.render(scene, camera, film, settings);
-    int shown_percent = -1;
-    const auto progress = [&](double share) {
-      const int percent = static_cast<int>(100.0 * share);
-      if (percent == shown_percent) return;
-      shown_percent = percent;
-      std::cerr << "\rframe " << number << " of " << 1 + moved_frames() << ": " << percent
-                << "%\033[K" << std::flush;
-    };
-    Frame frame = *renderer.render(scene, camera, film, settings, {}, progress);
-    std::cerr << "\r\033[K" << std::flush;
-    return frame;
+    const ProgressLine line("frame " + std::to_string(number) + " of " +
+                            std::to_string(1 + moved_frames()));
+    return *renderer.render(scene, camera, film, settings, {}, line.progress());
+  }
+
+  // The radiance transfer that the scene needs, of the cache on disk or computed. Returns the time
+  // that took [ms].
+  static double make_transfers(const Scene& scene, const Settings& settings,
+                               TransferStore& transfers) {
+    const Clock::time_point start = Clock::now();
+    const RenderPlan plan(scene, settings.airlight);
+    std::vector<std::string> warnings;
+    {
+      const ProgressLine line("radiance transfer");
+      tbb::task_arena(settings.threads).execute([&] {
+        transfers.make(plan.transfers, cache_folder(), {{}, line.progress()}, &warnings);
+      });
+    }
+    print_warnings(warnings);
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   }
 
   std::string scene_file_;

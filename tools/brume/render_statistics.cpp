@@ -86,6 +86,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["repeat"] = run.repeat;
   json["frame_ms"] = Json{{"median", median(times)}, {"min", *least}, {"max", *greatest}};
   json["first_frame_ms"] = run.first_frame_milliseconds;
+  json["transfer_ms"] = run.transfer_milliseconds;
   json["stages"] = stage_medians(moved);
   json["skipped"] = std::move(skipped);
   json["gaussians"] = Json{{"total", first.gaussians_total}, {"used", first.gaussians_used}};

@@ -17,6 +17,7 @@ struct RenderRun {
   Settings settings;  // `threads` as they ran
   int repeat = 1;
   double first_frame_milliseconds = 0.0;  // with loading and building everything once
+  double transfer_milliseconds = 0.0;     // of those, for radiance transfer
   std::optional<ErrorEstimate> error;     // of the first frame
 };
 

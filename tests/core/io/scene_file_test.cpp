@@ -182,19 +182,6 @@ TEST(SceneFile, KeepsUnknownKeysEverywhereAndNamesEachKindOnce) {
   EXPECT_TRUE(contains(text, "2.5e-07"));
 }
 
-TEST(SceneFile, WarnsOfWhatHasNoEffectYet) {
-  const TemporaryFolder folder;
-  folder.write("m.obj", triangle);
-  std::vector<std::string> warnings;
-  load_scene(folder.write("a.brume", R"({"format": "brume-scene", "version": 1,
-    "medium": {"albedo": [1, 0.5, 1], "anisotropy": 0.5, "noise": {"amplitude": 1}},
-    "surfaces": [{"mesh": "m.obj", "transfer": "shadow"}]})"),
-             &warnings);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_TRUE(contains(warnings[0], "surfaces[].transfer"));
-  EXPECT_TRUE(contains(warnings[0], "no effect"));
-}
-
 TEST(SceneFile, RefersToTheMediumFileWhileItsGaussiansAreUnchanged) {
   const TemporaryFolder folder;
   write_example_files(folder);

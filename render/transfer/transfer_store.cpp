@@ -1,0 +1,67 @@
+#include "render/transfer/transfer_store.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/scene/mesh.h"
+#include "render/transfer/transfer_cache.h"
+
+namespace brume {
+namespace {
+
+// Of a bowl that sees itself half around and has an albedo of 0.8, 0.4^4 of its light is left out.
+constexpr int bounces = 3;
+
+}  // namespace
+
+TransferRequest transfer_request(const Surface& surface) {
+  assert(surface.transfer != Surface::Transfer::none);
+  TransferSettings settings;
+  if (surface.transfer == Surface::Transfer::interreflection) settings.bounces = bounces;
+  return {surface.mesh, settings};
+}
+
+std::shared_ptr<const RadianceTransfer> TransferStore::find(const TransferRequest& request) const {
+  const std::scoped_lock lock(mutex_);
+  const auto known = std::ranges::find(entries_, request, &Entry::request);
+  return known == entries_.end() ? nullptr : known->transfer;
+}
+
+bool TransferStore::has(std::span<const TransferRequest> requests) const {
+  return std::ranges::all_of(
+      requests, [&](const TransferRequest& request) { return find(request) != nullptr; });
+}
+
+bool TransferStore::make(std::span<const TransferRequest> requests,
+                         const std::filesystem::path& folder, const Job& job,
+                         std::vector<std::string>* warnings) {
+  std::vector<TransferRequest> missing;
+  {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(entries_, [&](const Entry& entry) {
+      return std::ranges::find(requests, entry.request) == requests.end();
+    });
+  }
+  const auto cost = [](const TransferRequest& request) {
+    return 1.0 + static_cast<double>(request.mesh->n_vertices());
+  };
+  double whole = 0.0;
+  for (const TransferRequest& request : requests) {
+    if (find(request)) continue;
+    missing.push_back(request);
+    whole += cost(request);
+  }
+  double done = 0.0;
+  for (const TransferRequest& request : missing) {
+    const double before = done;
+    done += cost(request);
+    auto transfer = cached_radiance_transfer(request.mesh, request.settings, folder,
+                                             job.part(before / whole, done / whole), warnings);
+    if (!transfer) return false;
+    const std::scoped_lock lock(mutex_);
+    entries_.push_back({request, std::make_shared<const RadianceTransfer>(std::move(*transfer))});
+  }
+  return true;
+}
+
+}  // namespace brume

@@ -1,0 +1,434 @@
+// Radiance transfer in rendered frames.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+
+#include "core/io/merl_file.h"
+#include "core/math/sphere_rule.h"
+#include "core/scene/brdf.h"
+#include "render/reference/surface_reference.h"
+#include "render/render_plan.h"
+#include "render/renderer.h"
+#include "render/transfer/transfer_store.h"
+#include "tests/core/io/merl_writer.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/random.h"
+#include "tests/render/test_meshes.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr auto none = Surface::Transfer::none;
+constexpr auto shadow = Surface::Transfer::shadow;
+constexpr auto interreflection = Surface::Transfer::interreflection;
+
+// A hollow ball of radius 1, open at the top from the polar angle `to`, seen from above.
+Scene bowl_scene(double to, Surface::Transfer transfer) {
+  auto mesh = empty_mesh();
+  add_ball(*mesh, 40, {0, 0, 0}, 1.0, to, true);
+  Scene scene;
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh = mesh;
+  surface.transfer = transfer;
+  scene.camera = {{0.4, -0.3, 5.0}, {0, 0, 0}, {0, 1, 0}, 14.0};
+  scene.film = {12, 12};
+  return scene;
+}
+
+// A ball over a floor in one mesh; the floor is at z = 0.
+Scene ball_over_floor(Surface::Transfer transfer) {
+  auto mesh = empty_mesh();
+  add_floor(*mesh, 40, 1.0);
+  add_ball(*mesh, 32, {0.3, 0.1, 0.7}, 0.4, pi, false);
+  Scene scene;
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh = mesh;
+  surface.transfer = transfer;
+  scene.camera = {{-1.2, -2.5, 2.6}, {0, 0, 0.2}, {0, 0, 1}, 34.0};
+  scene.film = {16, 12};
+  return scene;
+}
+
+Frame with(Scene scene, Surface::Transfer transfer) {
+  for (Surface& surface : scene.surfaces) surface.transfer = transfer;
+  return render_frame(scene, {});
+}
+
+// A truth for each pixel where a surface is seen.
+using Truth = std::map<std::size_t, glm::dvec3>;
+template <class At>
+Truth truth_of(const Scene& scene, const At& at) {
+  const CameraRays rays(scene.camera, scene.film);
+  const Visibility visibility(scene.surfaces);
+  Truth truth;
+  for (int y = 0; y < scene.film.height; ++y) {
+    for (int x = 0; x < scene.film.width; ++x) {
+      const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);
+      const SurfaceHit hit = visibility.first_hit(rays.eye(), w);
+      if (!hit) continue;
+      truth[static_cast<std::size_t>(y * scene.film.width + x)] =
+          at(visibility, visibility.point(hit, rays.eye(), w, scene.surfaces));
+    }
+  }
+  return truth;
+}
+
+Truth by_monte_carlo(const Scene& scene, std::size_t samples) {
+  return truth_of(scene, [&](const Visibility& visibility, const SurfacePoint& point) {
+    const ReflectedLight light = reflected_light(scene, visibility, point, {.samples = samples});
+    return light.attenuated + light.scattered;
+  });
+}
+
+// How far what surfaces of a frame reflect is from the truth, relative rms.
+double error_of(const Frame& frame, const Truth& truth) {
+  double error = 0.0;
+  double all = 0.0;
+  for (const auto& [i, expected] : truth) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double transmittance = static_cast<double>(frame.transmittance[3 * i + c]);
+      const double got =
+          static_cast<double>(frame.beauty[4 * i + c] - frame.airlight[3 * i + c]) / transmittance;
+      error += std::pow(got - expected[static_cast<int>(c)], 2);
+      all += std::pow(expected[static_cast<int>(c)], 2);
+    }
+  }
+  return std::sqrt(error / all);
+}
+
+TEST(TransferredLight, AWhiteBallIsTheColourOfItsEnvironment) {
+  Scene scene;
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh = ball_mesh(24);
+  surface.material.reflectance = glm::dvec3(1.0);
+  surface.rotate = glm::normalize(glm::dquat(0.8, 0.1, -0.3, 0.4));
+  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.camera = {{0, 0.5, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  scene.film = {32, 24};
+  for (const auto transfer : {shadow, interreflection}) {
+    const Frame frame = with(scene, transfer);
+    // Roundings of float.
+    for (const float x : frame.beauty) EXPECT_TRUE(x == 0.0f || std::abs(x - 1.0f) < 5e-6f) << x;
+    EXPECT_GT(std::ranges::count_if(frame.depth, [](float z) { return std::isfinite(z); }), 200);
+  }
+}
+
+// The integrating sphere: every place receives 1 - f from outside and the share f of what all
+// others send. Three reflections leave out (rho f)^4.
+TEST(TransferredLight, OfABowlInAFurnaceIsAGeometricSeries) {
+  for (const double to : {0.5 * pi, 2.4}) {
+    const double f = 0.5 * (1.0 - std::cos(to));
+    Scene scene = bowl_scene(to, interreflection);
+    scene.surfaces[0].material.reflectance = {0.9, 0.6, 0.2};
+    scene.environment.emplace().map = constant_sky(1.0f);
+    const auto expect = [&](const auto& wanted) {
+      const Frame frame = render_frame(scene, {});
+      for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+        if (!(frame.depth[i] > 5.0f && std::isfinite(frame.depth[i]))) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double rho = scene.surfaces[0].material.reflectance[static_cast<int>(c)];
+          // As that of a vertex, see RadianceTransfer.OfAnIntegratingSphereIsAGeometricSeries,
+          // with 256 rays.
+          EXPECT_NEAR(frame.beauty[4 * i + c], wanted(rho), 0.03 * rho) << f << ' ' << rho;
+        }
+      }
+    };
+    expect([f](double rho) {
+      return rho * (1.0 - f) / (1.0 - rho * f) * (1.0 - std::pow(rho * f, 4));
+    });
+    scene.surfaces[0].transfer = shadow;
+    expect([f](double rho) { return rho * (1.0 - f); });
+    scene.surfaces[0].transfer = none;
+    expect([](double rho) { return rho; });
+  }
+}
+
+TEST(TransferredLight, OfASkyIsTheReferenceWithItsShadows) {
+  struct Row {
+    Material::Type type;
+    double depth;              // of the cloud
+    double error, unshadowed;  // measured, and a quarter more; a quarter less
+  };
+  const Row rows[] = {{Material::Type::diffuse, 0.0, 0.015, 0.115},
+                      {Material::Type::phong, 0.0, 0.03, 0.145},
+                      {Material::Type::diffuse, 0.3, 0.02, 0.11}};
+  for (const Row& row : rows) {
+    Scene scene = ball_over_floor(shadow);
+    if (row.depth > 0.0) scene.medium = cloud_scene(20, row.depth).medium;
+    scene.environment.emplace().map = smooth_sky();
+    Surface& surface = scene.surfaces[0];
+    surface.rotate = glm::normalize(glm::dquat(0.9, -0.5, 0.1, 0.2));
+    const auto place = [&](const glm::dvec3& p) { return surface.rotate * p; };
+    scene.camera.eye = place(scene.camera.eye);
+    scene.camera.target = place(scene.camera.target);
+    scene.camera.up = place(scene.camera.up);
+    surface.material.type = row.type;
+    surface.material.reflectance = {0.8, 0.5, 0.3};
+    surface.material.specular = glm::dvec3(0.3);
+    surface.material.exponent = 8.0;
+    Scene unlit = scene;
+    unlit.surfaces[0].material = Material();
+    unlit.surfaces[0].material.reflectance = glm::dvec3(0.0);
+    const Frame glow = render_frame(unlit, {});
+    const Truth truth = by_monte_carlo(scene, 1'000);
+    const auto error = [&](Surface::Transfer transfer) {
+      Frame frame = with(scene, transfer);
+      for (std::size_t i = 0; i < frame.beauty.size(); ++i) frame.beauty[i] -= glow.beauty[i];
+      return error_of(frame, truth);
+    };
+    EXPECT_LT(error(shadow), row.error) << row.depth;
+    EXPECT_GT(error(none), row.unshadowed) << row.depth;
+  }
+}
+
+TEST(TransferredLight, ShadowsWhatTheMediumScattersOfALamp) {
+  Scene scene = bowl_scene(2.6, shadow);
+  scene.medium.set_homogeneous_density(0.2);
+  scene.lights.push_back({{1.5, 0, 2.5}, {9, 9, 9}, {}});
+  const Truth truth = by_monte_carlo(scene, 2'000);
+  // Measured: 1.5% and 17%.
+  EXPECT_LT(error_of(with(scene, shadow), truth), 0.02);
+  EXPECT_GT(error_of(with(scene, none), truth), 0.12);
+}
+
+// What one part of an object sends to another of a lamp's light, by path tracing.
+TEST(TransferredLight, OfALampIsReflectedBetweenTheParts) {
+  struct Row {
+    double distance;  // of the lamp, from the middle of a bowl of radius 1
+    double error;     // measured, and a quarter more: light is taken to come from far away
+  };
+  for (const auto& [distance, bound] : {Row{2.0, 0.47}, Row{4.0, 0.25}, Row{20.0, 0.06}}) {
+    Scene scene = bowl_scene(0.5 * pi, interreflection);
+    scene.film = {6, 6};
+    scene.surfaces[0].material.reflectance = glm::dvec3(0.5);
+    scene.lights.push_back({distance * glm::normalize(glm::dvec3(0.8, 0.3, 1.0)),
+                            glm::dvec3(distance * distance),
+                            {}});
+    const PointLight& lamp = scene.lights[0];
+    const Frame direct = with(scene, none);
+    Frame indirect = with(scene, interreflection);
+    for (std::size_t i = 0; i < direct.beauty.size(); ++i) indirect.beauty[i] -= direct.beauty[i];
+
+    const auto straight = [&](const Visibility& visibility, const SurfacePoint& p) {
+      const glm::dvec3 q = lamp.position - p.position;
+      const double cosine = glm::dot(p.normal, q);
+      if (!(cosine > 0.0) || visibility.blocked(p.shadow_origin, lamp.position)) return 0.0;
+      return 0.5 / pi * lamp.intensity.x * cosine / std::pow(glm::length(q), 3);
+    };
+    // What `bounces` reflections more bring to a point.
+    const auto gathered = [&](const auto& self, const Visibility& visibility, const SurfacePoint& p,
+                              int bounces, std::size_t rays) -> double {
+      const glm::dquat frame = surface_frame(p.normal, p.normal);
+      double sum = 0.0;
+      for (const SphereNode& node : hemisphere_rule(rays)) {
+        const glm::dvec3 w = frame * node.direction;
+        const SurfaceHit hit = visibility.first_hit(p.shadow_origin, w);
+        if (!hit) continue;
+        const SurfacePoint other = visibility.point(hit, p.shadow_origin, w, scene.surfaces);
+        double sent = straight(visibility, other);
+        if (bounces > 1) sent += self(self, visibility, other, bounces - 1, 64);
+        sum += 0.5 / pi * node.weight * node.direction.z * sent;
+      }
+      return sum;
+    };
+    const Truth truth = truth_of(scene, [&](const Visibility& visibility, const SurfacePoint& p) {
+      return glm::dvec3(gathered(gathered, visibility, p, 2, 512));
+    });
+    EXPECT_LT(error_of(indirect, truth), bound) << distance;
+  }
+}
+
+TEST(TransferredLight, TurnsWithSceneAndEnvironment) {
+  Scene scene = ball_over_floor(interreflection);
+  scene.environment.emplace().map = smooth_sky();
+  const Frame before = render_frame(scene, {});
+  const double degrees = 50.0;
+  scene.environment->rotation += degrees;
+  const Frame sky_alone = render_frame(scene, {});
+  const glm::dquat turn = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 1, 0));
+  scene.surfaces[0].rotate = turn;
+  scene.camera.eye = turn * scene.camera.eye;
+  scene.camera.target = turn * scene.camera.target;
+  scene.camera.up = turn * scene.camera.up;
+  const Frame after = render_frame(scene, {});
+  EXPECT_LT(difference(after.beauty, before.beauty).relative_rmse, 1e-5);
+  EXPECT_GT(difference(sky_alone.beauty, before.beauty).relative_rmse, 1e-2);
+}
+
+TEST(TransferredLight, IsRenewedWhenWhatItDependsOnChanges) {
+  Scene scene = cloud_scene(10, 1.0);
+  scene.film = {12, 12};
+  scene.environment.emplace().map = smooth_sky();
+  Surface surface;
+  surface.mesh = bowl_scene(2.0, shadow).surfaces[0].mesh;
+  surface.scale = 0.7;
+  surface.transfer = shadow;
+  scene.surfaces = {surface};
+  Renderer renderer;
+  Settings settings;
+  std::vector<float> last;
+  const auto expect_as_new = [&](const char* what) {
+    const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);
+    expect_finite(kept);
+    EXPECT_EQ(kept.beauty, render_frame(scene, settings).beauty) << what;
+    EXPECT_NE(kept.beauty, last) << what;
+    last = kept.beauty;
+  };
+  expect_as_new("first");
+  scene.environment->rotation = 70.0;
+  expect_as_new("rotation");
+  scene.lights[0].intensity.x += 1.0;
+  expect_as_new("intensity");
+  scene.lights[0].position.x += 1.0;
+  expect_as_new("light");
+  scene.surfaces[0].transfer = interreflection;
+  expect_as_new("transfer");
+  scene.surfaces[0].material.reflectance.x = 0.9;
+  expect_as_new("reflectance");
+  scene.surfaces[0].material.type = Material::Type::phong;
+  scene.surfaces[0].material.specular = glm::dvec3(0.3);
+  expect_as_new("material");
+  scene.surfaces[0].translate.x = 0.3;
+  expect_as_new("place");
+  scene.medium.append({{0.5, 0.4, 0.6}, 0.4, 1.0});
+  expect_as_new("medium");
+  scene.medium.set_homogeneous_density(0.1);
+  expect_as_new("fog");
+  scene.optics.albedo = {0.5, 1.0, 0.9};
+  expect_as_new("albedo");
+  settings.paper_spread = true;
+  expect_as_new("spread");
+  settings.airlight = AirlightMethod::sliced;
+  expect_as_new("method");
+  settings.light_table = {16, 8};
+  expect_as_new("table");
+  scene.surfaces.push_back(scene.surfaces[0]);
+  scene.surfaces[1].translate.x = -0.6;
+  expect_as_new("surface");
+  scene.surfaces[0].mesh = ball_mesh(8);
+  expect_as_new("mesh");
+  scene.environment.reset();
+  expect_as_new("no sky");
+  scene.surfaces[0].transfer = scene.surfaces[1].transfer = none;
+  expect_as_new("no transfer");
+}
+
+TEST(TransferredLight, OfAMeasuredMaterialIsThatOfWhatWasMeasured) {
+  Scene scene = ball_over_floor(interreflection);
+  scene.medium.set_homogeneous_density(0.05);
+  scene.lights.push_back({{-1, -1, 3}, {9, 9, 9}, {}});
+  scene.environment.emplace().map = smooth_sky();
+  Material& material = scene.surfaces[0].material;
+  material.type = Material::Type::phong;
+  material.reflectance = {0.5, 0.4, 0.3};
+  material.specular = {0.2, 0.3, 0.4};
+  material.exponent = 12.0;
+  const TemporaryFolder folder;
+  const auto file = folder.write("phong.binary", merl_of(material));
+  for (const auto transfer : {none, shadow, interreflection}) {
+    const Frame phong = with(scene, transfer);
+    Scene measured = scene;
+    measured.surfaces[0].material.measured = read_merl(file);
+    measured.surfaces[0].material.type = Material::Type::measured;
+    const Frame frame = with(measured, transfer);
+    const double error = difference(frame.beauty, phong.beauty).relative_rmse;
+    EXPECT_LT(error, 0.01);
+  }
+}
+
+TEST(TransferredLight, OnlyWhatIsThereIsUsed) {
+  Scene scene = bowl_scene(2.0, shadow);
+  scene.environment.emplace().map = smooth_sky();
+  const auto transfers = std::make_shared<TransferStore>();
+  Renderer renderer(transfers);
+  const auto render = [&] { return *renderer.render(scene, scene.camera, scene.film, {}); };
+  const auto why_skipped = [](const Frame& frame) {
+    for (const SkippedStage& s : frame.statistics.skipped) {
+      if (s.stage == "transfer") return s.why;
+    }
+    return std::string();
+  };
+  const Frame without = render();
+  EXPECT_EQ(why_skipped(without), "it is not there yet");
+  EXPECT_EQ(without.beauty, with(scene, none).beauty);
+
+  const RenderPlan plan(scene, AirlightMethod::paper);
+  ASSERT_EQ(plan.transfers.size(), 1u);
+  EXPECT_FALSE(transfers->has(plan.transfers));
+  std::stop_source stop;
+  EXPECT_FALSE(transfers->make(plan.transfers, {},
+                               {stop.get_token(), [&](double) { stop.request_stop(); }}));
+  EXPECT_FALSE(transfers->has(plan.transfers));
+  EXPECT_TRUE(transfers->make(plan.transfers, {}));
+  EXPECT_TRUE(transfers->has(plan.transfers));
+  const Frame shadowed = render();
+  EXPECT_EQ(why_skipped(shadowed), "");
+  EXPECT_EQ(shadowed.beauty, render_frame(scene, {}).beauty);
+  EXPECT_NE(shadowed.beauty, without.beauty);
+
+  EXPECT_TRUE(transfers->make({}, {}));
+  EXPECT_FALSE(transfers->has(plan.transfers)) << "nobody asks for it";
+  EXPECT_EQ(render().beauty, without.beauty);
+}
+
+TEST(TransferredLight, IsMadeOnlyWhereThereIsLightForIt) {
+  const auto why = [](const Scene& scene) {
+    for (const SkippedStage& s : RenderPlan(scene, AirlightMethod::paper).skipped) {
+      if (s.stage == "transfer") return s.why;
+    }
+    return std::string();
+  };
+  Scene scene = bowl_scene(2.0, none);
+  EXPECT_EQ(why(scene), "no surface asks for it");
+  scene.surfaces[0].transfer = shadow;
+  EXPECT_EQ(why(scene), "no light shines");
+  scene.lights.push_back({{0, 0, 5}, {1, 1, 1}, {}});
+  EXPECT_EQ(why(scene), "all light comes straight from lamps");
+  scene.surfaces[0].transfer = interreflection;
+  EXPECT_EQ(why(scene), "");
+  scene.surfaces[0].transfer = shadow;
+  scene.medium.set_homogeneous_density(0.1);
+  EXPECT_EQ(why(scene), "");
+  scene.medium.set_homogeneous_density(0.0);
+  scene.environment.emplace().map = constant_sky(1.0f);
+  EXPECT_EQ(why(scene), "");
+  scene.surfaces.push_back(scene.surfaces[0]);
+  EXPECT_EQ(RenderPlan(scene, AirlightMethod::paper).transfers.size(), 1u) << "made once";
+  const Frame frame = render_frame(scene, {});
+  EXPECT_EQ(frame.statistics.stages.at(0).name, "transfer");
+}
+
+// At any point of its work, without harm to what comes next.
+TEST(TransferredLight, CanBeStopped) {
+  Scene scene = ball_over_floor(interreflection);
+  scene.film = {64, 48};
+  scene.environment.emplace().map = smooth_sky();
+  scene.medium.set_homogeneous_density(0.05);
+  const Frame whole = render_frame(scene, {});
+  for (const double at : {0.0, 0.2, 0.45, 0.6, 0.95}) {
+    Renderer renderer;
+    std::stop_source stop;
+    std::atomic<double> last = 0.0;
+    const auto progress = [&](double share) {
+      EXPECT_TRUE(0.0 <= share && share <= 1.0);
+      last = share;
+      if (share >= at) stop.request_stop();
+    };
+    EXPECT_FALSE(renderer.render(scene, scene.camera, scene.film, {}, stop.get_token(), progress));
+    EXPECT_GE(last, at);
+    EXPECT_LT(last, at + 0.3);
+    EXPECT_EQ(renderer.render(scene, scene.camera, scene.film, {})->beauty, whole.beauty);
+  }
+}
+
+}  // namespace
+}  // namespace brume
