@@ -26,6 +26,8 @@
 #include "app/panels/performance_panel.h"
 #include "app/scene_files.h"
 #include "app/scene_load.h"
+#include "app/tools/tool_bars.h"
+#include "app/tools/tool_box.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport.h"
 
@@ -55,17 +57,20 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       files_(new SceneFiles(document_, this)),
       message_bar_(new MessageBar(this)),
-      viewport_(new Viewport(document_, this)) {
+      viewport_(new Viewport(document_, this)),
+      tools_(new ToolBox(document_, *viewport_, this)) {
   auto* center = new QWidget(this);
   auto* layout = new QVBoxLayout(center);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(message_bar_);
+  layout->addWidget(new ToolOptions(*tools_, this));
   layout->addWidget(viewport_, 1);
   setCentralWidget(center);
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 
+  addToolBar(Qt::LeftToolBarArea, new ToolBar(*tools_, this));
   create_docks();
   create_status_bar();
   create_actions();
@@ -86,6 +91,7 @@ MainWindow::~MainWindow() {
   hide();
   document_.disconnect();
   document_.undo_stack().disconnect();
+  delete tools_;
   delete takeCentralWidget();
   qDeleteAll(findChildren<QDockWidget*>());
 }
@@ -154,6 +160,10 @@ void MainWindow::connect_document() {
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
   connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, &MainWindow::update_title);
+  connect(tools_, &ToolBox::activated, this, &MainWindow::update_status);
+  for (const ToolBox::Entry& entry : tools_->entries()) {
+    connect(entry.tool.get(), &Tool::refused, this, &MainWindow::say);
+  }
 }
 
 void MainWindow::update_title() {
@@ -170,9 +180,10 @@ void MainWindow::update_status() {
     text += tr(" · %1 ms ·").arg(frame->milliseconds, 0, 'f', 1);
   }
   numbers_->setText(text);
-  hint_->setText(count == 0 ? tr("No fog yet. Shift+A adds a Gaussian where the view looks.")
-                            : tr("Click selects, drag moves the selection. Middle button orbits, "
-                                 "with Shift pans, wheel zooms."));
+  const bool is_select = tools_->active() == 0;
+  hint_->setText(count == 0 && is_select
+                     ? tr("No fog yet. B paints fog, Shift+A adds a Gaussian where the view looks.")
+                     : tools_->tool().hint());
 }
 
 void MainWindow::update_error() {

@@ -14,6 +14,7 @@ class FrameExport;
 class GaussianPanel;
 class MessageBar;
 class SceneFiles;
+class ToolBox;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -25,6 +26,7 @@ class MainWindow : public QMainWindow {
   Document& document() { return document_; }
   SceneFiles& files() { return *files_; }
   Viewport& viewport() { return *viewport_; }
+  ToolBox& tools() { return *tools_; }
 
   // Exports what the view sees, on the scene's film.
   void export_frame_to(const std::filesystem::path& file);
@@ -56,6 +58,7 @@ class MainWindow : public QMainWindow {
   SceneFiles* files_;
   MessageBar* message_bar_;
   Viewport* viewport_;
+  ToolBox* tools_;
   GaussianPanel* gaussian_panel_ = nullptr;
   FrameExport* frame_export_ = nullptr;
   QLabel* hint_ = nullptr;

@@ -11,87 +11,102 @@
 #include "app/commands/set_camera_command.h"
 #include "app/frame_export.h"
 #include "app/help_windows.h"
+#include "app/keys.h"
 #include "app/main_window.h"
 #include "app/scene_files.h"
+#include "app/tools/tool_bars.h"
+#include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 
 namespace brume {
 namespace {
 
 constexpr const char* airlight_key = "view/airlight";
+constexpr double tool_step = 1.15;  // of a tool's size by one key
 
 }  // namespace
 
 void MainWindow::create_actions() {
-  const auto add = [this](QMenu* menu, const QString& text, const QList<QKeySequence>& keys,
-                          auto react) {
+  // `name` is that of the action in the table of keys.
+  const auto add = [this](QMenu* menu, const QString& text, const char* name, auto react) {
     QAction* action = menu->addAction(text);
-    action->setShortcuts(keys);
+    action->setObjectName(name);
+    action->setShortcuts(keys_of(name));
     connect(action, &QAction::triggered, this, react);
     return action;
   };
 
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  add(file, tr("&New"), {QKeySequence("Ctrl+N")}, [this] { files_->create(); });
-  add(file, tr("&Open…"), {QKeySequence("Ctrl+O")}, [this] { files_->open(); });
+  add(file, tr("&New"), "file.new", [this] { files_->create(); });
+  add(file, tr("&Open…"), "file.open", [this] { files_->open(); });
   QMenu* recent = file->addMenu(tr("Open &Recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_->fill_recent_menu(*recent); });
   file->addSeparator();
-  add(file, tr("&Save"), {QKeySequence("Ctrl+S")}, [this] { files_->save(); });
-  add(file, tr("Save &As…"), {QKeySequence("Ctrl+Shift+S")}, [this] { files_->save_as(); });
+  add(file, tr("&Save"), "file.save", [this] { files_->save(); });
+  add(file, tr("Save &As…"), "file.save_as", [this] { files_->save_as(); });
   file->addSeparator();
-  QAction* exporting =
-      add(file, tr("&Export Frame…"), {QKeySequence("Ctrl+E")}, [this] { export_frame(); });
+  QAction* exporting = add(file, tr("&Export Frame…"), "file.export", [this] { export_frame(); });
   connect(file, &QMenu::aboutToShow, this,
           [this, exporting] { exporting->setEnabled(!frame_export_->is_running()); });
   connect(file, &QMenu::aboutToHide, this, [exporting] { exporting->setEnabled(true); });
   file->addSeparator();
-  add(file, tr("&Quit"), {QKeySequence("Ctrl+Q")}, [this] { close(); });
+  add(file, tr("&Quit"), "file.quit", [this] { close(); });
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   QAction* undo = document_.undo_stack().createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence("Ctrl+Z"));
+  undo->setObjectName("edit.undo");
+  undo->setShortcuts(keys_of("edit.undo"));
   undo->setIconText(tr("Undo"));
   QAction* redo = document_.undo_stack().createRedoAction(this, tr("&Redo"));
-  redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  redo->setObjectName("edit.redo");
+  redo->setShortcuts(keys_of("edit.redo"));
   edit->addAction(undo);
   edit->addAction(redo);
   edit->addSeparator();
-  add(edit, tr("Add &Gaussian"), {QKeySequence("Shift+A")}, [this] { add_gaussian_in_view(); });
-  QAction* remove = add(edit, tr("&Delete"), {QKeySequence("Del"), QKeySequence("X")},
-                        [this] { delete_selection(document_); });
+  add(edit, tr("Add &Gaussian"), "edit.add_gaussian", [this] { add_gaussian_in_view(); });
+  QAction* remove =
+      add(edit, tr("&Delete"), "edit.delete", [this] { delete_selection(document_); });
   edit->addSeparator();
-  add(edit, tr("Select &All"), {QKeySequence("Ctrl+A")}, [this] { document_.select_all(); });
-  add(edit, tr("Select &None"), {QKeySequence("Ctrl+Shift+A")}, [this] { document_.select({}); });
-  add(edit, tr("&Invert Selection"), {QKeySequence("Ctrl+I")},
-      [this] { document_.invert_selection(); });
+  add(edit, tr("Select &All"), "select.all", [this] { document_.select_all(); });
+  add(edit, tr("Select &None"), "select.none", [this] { document_.select({}); });
+  add(edit, tr("&Invert Selection"), "select.invert", [this] { document_.invert_selection(); });
   const auto enable_delete = [this, remove] { remove->setEnabled(!document_.selection().empty()); };
   connect(&document_, &Document::selection_changed, this, enable_delete);
   enable_delete();
 
+  QMenu* tool = menuBar()->addMenu(tr("&Tool"));
+  tool->addActions(findChild<ToolBar*>()->actions());
+  tool->addSeparator();
+  add(tool, tr("S&maller"), "tool.smaller",
+      [this] { tools_->tool().change_size(1.0 / tool_step); });
+  add(tool, tr("&Larger"), "tool.larger", [this] { tools_->tool().change_size(tool_step); });
+  add(tool, tr("&Thinner"), "tool.weaker",
+      [this] { tools_->tool().change_strength(1.0 / tool_step); });
+  add(tool, tr("&Denser"), "tool.stronger", [this] { tools_->tool().change_strength(tool_step); });
+
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  add(view, tr("Frame &All"), {QKeySequence("Home")}, [this] { viewport_->frame_all(); });
-  add(view, tr("&Frame Selection"), {QKeySequence("F")}, [this] { viewport_->frame_selection(); });
-  add(view, tr("&Scene Camera"), {QKeySequence("0")},
+  add(view, tr("Frame &All"), "view.frame_all", [this] { viewport_->frame_all(); });
+  add(view, tr("&Frame Selection"), "view.frame_selection",
+      [this] { viewport_->frame_selection(); });
+  add(view, tr("&Scene Camera"), "view.scene_camera",
       [this] { viewport_->set_camera(document_.scene().camera); });
-  add(view, tr("S&tore View as Scene Camera"), {QKeySequence("Ctrl+0")}, [this] {
+  add(view, tr("S&tore View as Scene Camera"), "view.store_camera", [this] {
     if (viewport_->camera() != document_.scene().camera) {
       document_.undo_stack().push(new SetCameraCommand(document_, viewport_->camera()));
     }
   });
   view->addSeparator();
-  add(view, tr("Exposure &Up"), {QKeySequence("+"), QKeySequence("=")},
-      [this] { change_exposure(0.5); });
-  add(view, tr("Exposure &Down"), {QKeySequence("-")}, [this] { change_exposure(-0.5); });
+  add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
+  add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
   fill_airlight_menu(view->addMenu(tr("Air&light")));
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(help, tr("&Keys"), {QKeySequence("?"), QKeySequence("F1")}, [this, file, edit, view] {
-    show_keys(this, file->actions() + edit->actions() + view->actions());
+  add(help, tr("&Keys"), "help.keys", [this, file, edit, tool, view] {
+    show_keys(this, file->actions() + edit->actions() + tool->actions() + view->actions());
   });
-  add(help, tr("&About Brume"), {}, [this] { show_about(this); });
+  add(help, tr("&About Brume"), "", [this] { show_about(this); });
 }
 
 void MainWindow::fill_airlight_menu(QMenu* menu) {

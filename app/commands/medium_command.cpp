@@ -10,22 +10,27 @@ MergeId new_merge_id() {
 }
 
 MediumCommand::MediumCommand(Document& document, MediumEdit edit, const QString& text,
-                             MergeId merge_id)
-    : QUndoCommand(text), document_(document), edit_(std::move(edit)), merge_id_(merge_id) {
+                             MergeId merge_id, AfterAdding after_adding)
+    : QUndoCommand(text),
+      document_(document),
+      edit_(std::move(edit)),
+      merge_id_(merge_id),
+      after_adding_(after_adding) {
   setObsolete(edit_.empty());
 }
 
 void MediumCommand::undo() {
-  document_.apply(edit_.inverted());
+  document_.apply(edit_.inverted(), after_adding_ == AfterAdding::select);
 }
 
 void MediumCommand::redo() {
-  if (!edit_.empty()) document_.apply(edit_);
+  if (!edit_.empty()) document_.apply(edit_, after_adding_ == AfterAdding::select);
 }
 
 bool MediumCommand::mergeWith(const QUndoCommand* later) {
   const auto* command = dynamic_cast<const MediumCommand*>(later);
-  if (!command || !edit_.merge(command->edit_)) return false;
+  if (!command) return false;
+  edit_.merge(command->edit_);
   setText(command->text());
   setObsolete(edit_.empty());
   return true;

@@ -78,13 +78,12 @@ void Document::invert_selection() {
   select(std::move(rest));
 }
 
-void Document::apply(const MediumEdit& edit) {
+void Document::apply(const MediumEdit& edit, bool select_added) {
   edit.apply(scene_.medium);
   snapshot_.reset();
-  // What was removed leaves the selection before anybody can ask for it; what came (new, pasted
-  // or back from the dead) is what the user wants to look at.
+  // What was removed leaves the selection before anybody can ask for it.
   std::vector<GaussianId> selected;
-  if (edit.added().empty()) {
+  if (edit.added().empty() || !select_added) {
     selected = selection_;
     if (!edit.removed().empty()) {
       std::erase_if(selected, [this](GaussianId id) { return !medium().index_of(id); });

@@ -44,7 +44,7 @@ class Document : public QObject {
   void invert_selection();
 
   // For commands only: changes without history.
-  void apply(const MediumEdit& edit);
+  void apply(const MediumEdit& edit, bool select_added);
   void set_camera(const Camera& camera);
 
  Q_SIGNALS:

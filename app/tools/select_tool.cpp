@@ -17,12 +17,19 @@ constexpr double drag_threshold = 4.0;  // pixels; a hand is not perfectly still
 
 }  // namespace
 
-SelectTool::SelectTool(Document& document, Viewport& viewport)
-    : document_(document), viewport_(viewport) {}
+QString SelectTool::hint() const {
+  return tr(
+      "Click selects, drag moves the selection. Middle button orbits, with Shift pans, wheel "
+      "zooms.");
+}
 
 void SelectTool::hover(QPointF position) {
   const auto index = viewport_.handles().pick(position);
   viewport_.set_hovered(index ? std::optional(document_.medium().ids()[*index]) : std::nullopt);
+}
+
+void SelectTool::leave() {
+  viewport_.set_hovered(std::nullopt);
 }
 
 void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {

@@ -6,29 +6,29 @@
 #include <vector>
 
 #include "app/commands/medium_command.h"
+#include "app/tools/tool.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {
 
-class Document;
-class Viewport;
-
 // The left mouse button: a click selects, a drag on a selected handle moves the selection in the
 // plane parallel to the film through that handle, a drag anywhere else is a selection rectangle.
 // With Shift the selection grows, with Control it is toggled.
-class SelectTool {
+class SelectTool : public Tool {
+  Q_OBJECT
  public:
-  SelectTool(Document& document, Viewport& viewport);
+  using Tool::Tool;
 
-  void hover(QPointF position);
-  void press(QPointF position, Qt::KeyboardModifiers modifiers);
-  void move(QPointF position);
-  void release(QPointF position);
-  void cancel();  // as if the gesture had not begun
-  // Ends the gesture and leaves everything as it is: for another scene, whose ids are not these.
-  void abandon();
-  // After an edit: a gesture whose Gaussians are gone is over, even if they come back.
-  void medium_changed();
+  [[nodiscard]] QString hint() const override;
+  void hover(QPointF position) override;
+  void leave() override;
+  void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
+  void move(QPointF position) override;
+  void release(QPointF position) override;
+  void cancel() override;
+  void abandon() override;
+  // A gesture whose Gaussians are gone is over, even if they come back.
+  void medium_changed() override;
 
  private:
   enum class Mode { replace, add, toggle };
@@ -40,8 +40,6 @@ class SelectTool {
   [[nodiscard]] bool moved_are_there() const;
   [[nodiscard]] glm::dvec3 on_drag_plane(QPointF position) const;
 
-  Document& document_;
-  Viewport& viewport_;
   Gesture gesture_ = Gesture::none;
   Mode mode_ = Mode::replace;
   QPointF start_;

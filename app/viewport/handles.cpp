@@ -25,33 +25,6 @@ QRgb with_alpha(QRgb color, int alpha) {
   return qRgba(qRed(color), qGreen(color), qBlue(color), alpha);
 }
 
-// The silhouette of the sphere of radius r around a centre, exact in perspective: the circle in
-// which the cone from the eye touches the sphere.
-void add_outline(Overlay& overlay, const CameraRays& rays, const glm::dvec3& center, double radius,
-                 QRgb color) {
-  const glm::dvec3 view = center - rays.eye();
-  const double distance = glm::length(view);
-  if (!(distance > radius)) return;  // the eye is inside: there is no outline
-  const glm::dvec3 axis = view / distance;
-  const double sine = radius / distance;
-  const glm::dvec3 middle = center - axis * (radius * sine);
-  const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(axis, other)) * circle;
-  const glm::dvec3 v = glm::normalize(glm::cross(axis, u)) * circle;
-  constexpr int segments = 64;
-  glm::dvec3 last = rays.project(middle + u);
-  for (int k = 1; k <= segments; ++k) {
-    const double angle = glm::two_pi<double>() * k / segments;
-    const glm::dvec3 next = rays.project(middle + std::cos(angle) * u + std::sin(angle) * v);
-    if (last.z > 0.0 && next.z > 0.0) {
-      overlay.lines.push_back({static_cast<float>(last.x), static_cast<float>(last.y), color});
-      overlay.lines.push_back({static_cast<float>(next.x), static_cast<float>(next.y), color});
-    }
-    last = next;
-  }
-}
-
 }  // namespace
 
 void Handles::project(const Medium& medium, const CameraRays& rays) {
@@ -104,7 +77,8 @@ std::vector<std::size_t> Handles::inside(const QRectF& rectangle) const {
 }
 
 void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
-                   std::span<const GaussianId> selected, std::optional<GaussianId> hovered) const {
+                   std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
+                   bool with_centers) const {
   const QRgb accent = accent_color().rgb();
   const QRgb plain = qRgb(235, 238, 242);
   auto next_selected = selected.begin();
@@ -119,11 +93,11 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     const glm::dvec3& p = positions_[i];
     const bool hidden = i < hidden_.size() && hidden_[i];
     if (is_selected && outlines < max_outlines) {
-      add_outline(overlay, rays, medium.centers()[i], medium.radii()[i],
-                  with_alpha(accent, hidden ? outline_alpha / 2 : outline_alpha));
+      overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i],
+                               with_alpha(accent, hidden ? outline_alpha / 2 : outline_alpha));
       ++outlines;
     }
-    if (p.z <= 0.0) continue;
+    if (p.z <= 0.0 || !with_centers) continue;
     const auto x = static_cast<float>(p.x);
     const auto y = static_cast<float>(p.y);
     if (is_selected) {

@@ -32,9 +32,10 @@ class Handles {
   // Film position and depth of a Gaussian's centre; depth <= 0 is behind the eye.
   [[nodiscard]] const glm::dvec3& position(std::size_t index) const { return positions_[index]; }
 
-  // `selected` are ids, sorted.
+  // `selected` are ids, sorted. Without centres, only the outlines of those.
   void draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
-            std::span<const GaussianId> selected, std::optional<GaussianId> hovered) const;
+            std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
+            bool with_centers) const;
 
  private:
   std::vector<glm::dvec3> positions_;

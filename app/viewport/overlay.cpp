@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "core/math/across.h"
+
 namespace brume {
 
 void Overlay::add_circle(double x, double y, double radius, QRgb color) {
@@ -20,6 +22,34 @@ void Overlay::add_circle(double x, double y, double radius, QRgb color) {
     lines.push_back(at(k));
     lines.push_back(at(k + 1));
   }
+}
+
+void Overlay::add_line(const CameraRays& rays, const glm::dvec3& from, const glm::dvec3& to,
+                       QRgb color) {
+  const glm::dvec3 a = rays.project(from);
+  const glm::dvec3 b = rays.project(to);
+  if (a.z <= 0.0 || b.z <= 0.0) return;
+  lines.push_back({static_cast<float>(a.x), static_cast<float>(a.y), color});
+  lines.push_back({static_cast<float>(b.x), static_cast<float>(b.y), color});
+}
+
+void Overlay::add_ball_outline(const CameraRays& rays, const glm::dvec3& center, double radius,
+                               QRgb color) {
+  const glm::dvec3 view = center - rays.eye();
+  const double distance = glm::length(view);
+  if (!(distance > radius)) return;
+  // The circle in which the cone from the eye touches the ball.
+  const glm::dvec3 axis = view / distance;
+  const double sine = radius / distance;
+  const glm::dvec3 middle = center - axis * (radius * sine);
+  const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
+  const auto [u, v] = across(axis);
+  constexpr int segments = 64;
+  const auto at = [&](int k) {
+    const double angle = glm::two_pi<double>() * k / segments;
+    return middle + circle * (std::cos(angle) * u + std::sin(angle) * v);
+  };
+  for (int k = 0; k < segments; ++k) add_line(rays, at(k), at(k + 1), color);
 }
 
 void add_axes(Overlay& overlay, const CameraRays& rays, const Film& film) {

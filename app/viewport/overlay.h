@@ -28,6 +28,11 @@ struct Overlay {
   static constexpr float line_width = 1.25F;
 
   void add_circle(double x, double y, double radius, QRgb color);
+  // In the world; what is behind the eye is left out.
+  void add_line(const CameraRays& rays, const glm::dvec3& from, const glm::dvec3& to, QRgb color);
+  // The silhouette of a ball, exact in perspective; none if the eye is inside.
+  void add_ball_outline(const CameraRays& rays, const glm::dvec3& center, double radius,
+                        QRgb color);
 };
 
 // The world's axes as a small cross in the lower left corner.

@@ -4,13 +4,16 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "app/document/document.h"
-#include "app/tools/select_tool.h"
+#include "app/tools/tool.h"
 #include "app/viewport/bounds.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport_surface.h"
+#include "core/authoring/contribution.h"
 #include "core/io/number_domain.h"
 #include "render/settings.h"
 
@@ -19,6 +22,7 @@ namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
+constexpr double least_depth = 0.02;  // optical depth of a Gaussian that can be pointed at
 
 bool can_be_stored(const Camera& camera) {
   for (int k = 0; k < 3; ++k) {
@@ -34,7 +38,7 @@ Viewport::Viewport(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       surface_(create_viewport_surface(this)),
-      tool_(std::make_unique<SelectTool>(document, *this)),
+      surfaces_(document),
       band_(QRubberBand::Rectangle, this),
       camera_(document.scene().camera) {
   auto* layout = new QVBoxLayout(this);
@@ -58,18 +62,18 @@ Viewport::Viewport(Document& document, QWidget* parent)
   connect(&quality_, &FrameQuality::failed, this, &Viewport::failed);
   connect(&document_, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
-    tool_->abandon();
+    if (tool_) tool_->abandon();
     if (drag_ == Drag::tool) drag_ = Drag::none;
     hovered_.reset();
     oldest_serial_ = serial_ + 1;
     set_camera(document_.scene().camera);
   });
   connect(&document_, &Document::medium_changed, this, [this] {
-    tool_->medium_changed();
+    if (tool_) tool_->medium_changed();
     refresh_handles();
     request_frame();
   });
-  connect(&document_, &Document::selection_changed, this, [this] { overlay_timer_.start(0); });
+  connect(&document_, &Document::selection_changed, this, [this] { update_overlay(); });
 }
 
 Viewport::~Viewport() = default;
@@ -95,6 +99,34 @@ void Viewport::frame_selection() {
   }
 }
 
+void Viewport::set_tool(Tool* tool) {
+  if (tool_) {
+    if (drag_ == Drag::tool) tool_->cancel();
+    tool_->leave();
+  }
+  if (drag_ == Drag::tool) drag_ = Drag::none;
+  tool_ = tool;
+  setCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
+  if (tool_ && underMouse()) tool_->hover(mapFromGlobal(QCursor::pos()));
+  update_overlay();
+}
+
+glm::dvec3 Viewport::pivot() const {
+  const auto sphere = bounding_sphere(document_.medium(), document_.selection());
+  return sphere ? sphere->center : camera_.target;
+}
+
+std::optional<std::size_t> Viewport::most_visible(QPointF position) {
+  const CameraRays view = rays();
+  const glm::dvec3 direction = view.direction(position.x(), position.y());
+  const auto surface = surfaces_.hit(view.eye(), direction);
+  const double distance = surface ? glm::distance(surface->position, view.eye())
+                                  : std::numeric_limits<double>::infinity();
+  const auto met = contributions(document_.medium(), view.eye(), direction, distance, least_depth);
+  if (met.empty()) return std::nullopt;
+  return met.front().index;
+}
+
 void Viewport::set_exposure(double stops) {
   exposure_ = stops;
   if (shown_) surface_->show_picture(to_picture(shown_->frame, exposure_));
@@ -107,7 +139,7 @@ Film Viewport::film() const {
 void Viewport::set_hovered(std::optional<GaussianId> id) {
   if (id == hovered_) return;
   hovered_ = id;
-  overlay_timer_.start(0);
+  update_overlay();
 }
 
 void Viewport::show_band(const QRect& rectangle) {
@@ -169,7 +201,7 @@ void Viewport::take_frame(std::shared_ptr<const RenderedFrame> frame) {
   if (document_.medium().size() == shown_->request.scene->medium.size()) {
     handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
                          shown_->frame);
-    overlay_timer_.start(0);
+    update_overlay();
   }
   if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
   if (is_settled()) quality_.frame_shown(shown_);
@@ -178,13 +210,15 @@ void Viewport::take_frame(std::shared_ptr<const RenderedFrame> frame) {
 
 void Viewport::refresh_handles() {
   handles_.project(document_.medium(), rays());
-  overlay_timer_.start(0);
+  update_overlay();
 }
 
 void Viewport::draw_overlay() {
   Overlay overlay;
   const CameraRays view = rays();
-  handles_.draw(overlay, document_.medium(), view, document_.selection(), hovered_);
+  handles_.draw(overlay, document_.medium(), view, document_.selection(), hovered_,
+                !tool_ || tool_->shows_handles());
+  if (tool_) tool_->draw(overlay, view);
   add_axes(overlay, view, film());
   surface_->show_overlay(overlay);
 }
@@ -202,11 +236,11 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
   if (event->button() == Qt::MiddleButton) {
     drag_ = alt || shift ? Drag::pan : Drag::orbit;
-  } else if (event->button() == Qt::LeftButton && alt) {
+  } else if (event->button() == Qt::LeftButton && alt && !(tool_ && tool_->takes_alt())) {
     drag_ = Drag::orbit;
   } else if (event->button() == Qt::RightButton && alt) {
     drag_ = Drag::zoom;
-  } else if (event->button() == Qt::LeftButton) {
+  } else if (event->button() == Qt::LeftButton && tool_) {
     drag_ = Drag::tool;
     tool_->press(event->position(), event->modifiers());
   }
@@ -218,7 +252,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const double half_turn = std::numbers::pi / std::max(1, height());
   switch (drag_) {
     case Drag::none:
-      tool_->hover(event->position());
+      if (tool_) tool_->hover(event->position());
       break;
     case Drag::tool:
       tool_->move(event->position());
@@ -259,7 +293,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 }
 
 void Viewport::leaveEvent(QEvent* /*event*/) {
-  set_hovered(std::nullopt);
+  if (tool_) tool_->leave();
 }
 
 }  // namespace brume

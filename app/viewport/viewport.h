@@ -9,11 +9,12 @@
 #include "app/viewport/frame_quality.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/handles.h"
+#include "app/viewport/surface_picker.h"
 
 namespace brume {
 
 class Document;
-class SelectTool;
+class Tool;
 class ViewportSurface;
 
 // The lit picture with the handles over it, and the view's own camera: moving it is no edit.
@@ -32,6 +33,11 @@ class Viewport : public QWidget {
   [[nodiscard]] double exposure() const { return exposure_; }
   void set_exposure(double stops);
 
+  // What has the left button from now on; a gesture in flight is cancelled. nullptr: nothing.
+  void set_tool(Tool* tool);
+  // Soon, as when the tool's cursor has moved.
+  void update_overlay() { overlay_timer_.start(0); }
+
   // How frames are rendered, and how wrong they are.
   [[nodiscard]] FrameQuality& quality() { return quality_; }
   [[nodiscard]] const FrameQuality& quality() const { return quality_; }
@@ -42,6 +48,13 @@ class Viewport : public QWidget {
   [[nodiscard]] const Handles& handles() const { return handles_; }
   void set_hovered(std::optional<GaussianId> id);
   void show_band(const QRect& rectangle);  // null: none
+  // What tools turn around and paint through: the middle of the selection, else the camera's
+  // target.
+  [[nodiscard]] glm::dvec3 pivot() const;
+  // The Gaussian that takes most light from the ray at a position: what a user means who points at
+  // fog. nullopt where there is hardly any.
+  [[nodiscard]] std::optional<std::size_t> most_visible(QPointF position);
+  [[nodiscard]] SurfacePicker& surfaces() { return surfaces_; }
 
   // The frame on screen; nullptr before the first.
   [[nodiscard]] const RenderedFrame* shown() const { return shown_.get(); }
@@ -79,7 +92,8 @@ class Viewport : public QWidget {
 
   Document& document_;
   ViewportSurface* surface_;
-  std::unique_ptr<SelectTool> tool_;
+  Tool* tool_ = nullptr;
+  SurfacePicker surfaces_;
   QRubberBand band_;
 
   Camera camera_;

@@ -135,27 +135,47 @@ void MediumEdit::apply(Medium& medium) const {
   if (homogeneous_density_) medium.homogeneous_density_ = homogeneous_density_->second;
 }
 
-bool MediumEdit::merge(const MediumEdit& later) {
-  if (!added_.empty() || !removed_.empty() || !later.added_.empty() || !later.removed_.empty()) {
-    return false;
+std::vector<MediumEdit::Step> MediumEdit::steps() const {
+  std::vector<Step> steps;
+  steps.reserve(added_.size() + removed_.size() + changed_.size());
+  for (const Entry& e : added_) steps.push_back({e.id, std::nullopt, e.gaussian});
+  for (const Entry& e : removed_) steps.push_back({e.id, e.gaussian, std::nullopt});
+  for (const Change& c : changed_) steps.push_back({c.id, c.before, c.after});
+  by_id(steps);
+  return steps;
+}
+
+void MediumEdit::append(const Step& step) {
+  if (step.before == step.after) return;
+  if (!step.before) {
+    added_.push_back({step.id, *step.after});
+  } else if (!step.after) {
+    removed_.push_back({step.id, *step.before});
+  } else {
+    changed_.push_back({step.id, *step.before, *step.after});
   }
-  for (const Change& change : later.changed_) {
-    const auto at = std::lower_bound(changed_.begin(), changed_.end(), change.id,
-                                     [](const Change& c, GaussianId id) { return c.id < id; });
-    if (at != changed_.end() && at->id == change.id) {
-      at->after = change.after;
-    } else {
-      changed_.insert(at, change);
-    }
+}
+
+void MediumEdit::merge(const MediumEdit& later) {
+  const std::vector<Step> first = steps();
+  const std::vector<Step> second = later.steps();
+  added_.clear();
+  removed_.clear();
+  changed_.clear();
+  auto next = second.begin();
+  for (const Step& step : first) {
+    while (next != second.end() && next->id < step.id) append(*next++);
+    const bool again = next != second.end() && next->id == step.id;
+    append(again ? Step{step.id, step.before, (next++)->after} : step);
   }
-  std::erase_if(changed_, [](const Change& c) { return c.before == c.after; });
+  while (next != second.end()) append(*next++);
+
   if (later.homogeneous_density_) {
     const double before =
         homogeneous_density_ ? homogeneous_density_->first : later.homogeneous_density_->first;
     homogeneous_density_ = {before, later.homogeneous_density_->second};
     if (before == homogeneous_density_->second) homogeneous_density_.reset();
   }
-  return true;
 }
 
 }  // namespace brume

@@ -36,15 +36,24 @@ class MediumEdit {
   [[nodiscard]] MediumEdit inverted() const;
   void apply(Medium& medium) const;
 
-  // Makes this edit followed by `later` into one edit (for drags that merge). Only changes of
-  // Gaussians and of b0 merge: false, and nothing done, if either edit adds or removes.
-  bool merge(const MediumEdit& later);
+  // Makes this edit followed by `later` into one edit, for drags and strokes that are one step.
+  // What comes back to where it was leaves nothing. Costs the size of both edits.
+  void merge(const MediumEdit& later);
 
   [[nodiscard]] const std::vector<Entry>& added() const { return added_; }
   [[nodiscard]] const std::vector<Entry>& removed() const { return removed_; }
   [[nodiscard]] const std::vector<Change>& changed() const { return changed_; }
 
  private:
+  // What an edit does to one Gaussian; nullopt: it is not there.
+  struct Step {
+    GaussianId id = 0;
+    std::optional<Gaussian> before;
+    std::optional<Gaussian> after;
+  };
+  [[nodiscard]] std::vector<Step> steps() const;  // ordered by id
+  void append(const Step& step);
+
   // All three are ordered by id.
   std::vector<Entry> added_;
   std::vector<Entry> removed_;

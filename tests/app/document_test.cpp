@@ -213,7 +213,7 @@ class DocumentTest : public QObject {
   void a_hundred_thousand_rows_stay_fluid() {
     Document document;
     std::vector<Gaussian> many(100000, Gaussian{{}, 1.0, 0.1});
-    document.apply(MediumEdit::add(document.medium(), many));
+    document.apply(MediumEdit::add(document.medium(), many), false);
     GaussianTableModel model(document);
     connect(&document, &Document::medium_changed, &model, &GaussianTableModel::follow);
     std::vector<GaussianId> odd;

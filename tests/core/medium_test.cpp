@@ -54,7 +54,7 @@ TEST(MediumEdit, MergedDragIsOneEdit) {
   drag.apply(medium);
   const MediumEdit second = MediumEdit::change(medium, ids, moved(2.0));
   second.apply(medium);
-  ASSERT_TRUE(drag.merge(second));
+  drag.merge(second);
   EXPECT_EQ(drag.changed().size(), 2u);
 
   Medium replay = start;
@@ -65,14 +65,29 @@ TEST(MediumEdit, MergedDragIsOneEdit) {
 
   // A drag that comes back to where it began leaves nothing to undo.
   const MediumEdit back = MediumEdit::change(medium, ids, moved(-3.0));
-  ASSERT_TRUE(drag.merge(back));
+  drag.merge(back);
   EXPECT_TRUE(drag.empty());
 }
 
-TEST(MediumEdit, AddAndRemoveDoNotMerge) {
-  Medium medium = make_medium(1);
-  MediumEdit add = MediumEdit::add(medium, std::vector{Gaussian{}});
-  EXPECT_FALSE(add.merge(MediumEdit::set_homogeneous_density(medium, 1.0)));
+MediumEdit random_edit(const Medium& medium, std::mt19937& random) {
+  std::vector<GaussianId> some;
+  for (const GaussianId id : medium.ids()) {
+    if (random() % 5 == 0) some.push_back(id);
+  }
+  std::shuffle(some.begin(), some.end(), random);
+  switch (random() % 4) {
+    case 0:
+      return MediumEdit::add(medium, std::vector<Gaussian>(random() % 4, {{1, 2, 3}, 4, 5}));
+    case 1:
+      return MediumEdit::remove(medium, some);
+    case 2: {
+      std::vector<Gaussian> after(some.size());
+      for (Gaussian& g : after) g.radius = 1.0 + static_cast<double>(random() % 100);
+      return MediumEdit::change(medium, some, after);
+    }
+    default:
+      return MediumEdit::set_homogeneous_density(medium, static_cast<double>(random() % 10));
+  }
 }
 
 // Random edits; undoing all restores the start exactly, redoing all the end.
@@ -83,30 +98,8 @@ TEST(MediumEdit, UndoAllRedoAll) {
     const Medium start = medium;
     std::vector<MediumEdit> history;
     for (int step = 0; step < 40; ++step) {
-      std::vector<GaussianId> some;
-      for (const GaussianId id : medium.ids()) {
-        if (random() % 5 == 0) some.push_back(id);
-      }
-      std::shuffle(some.begin(), some.end(), random);
-      MediumEdit edit;
-      switch (random() % 4) {
-        case 0:
-          edit = MediumEdit::add(medium, std::vector<Gaussian>(random() % 4, {{1, 2, 3}, 4, 5}));
-          break;
-        case 1:
-          edit = MediumEdit::remove(medium, some);
-          break;
-        case 2: {
-          std::vector<Gaussian> after(some.size());
-          for (Gaussian& g : after) g.radius = 1.0 + static_cast<double>(random() % 100);
-          edit = MediumEdit::change(medium, some, after);
-          break;
-        }
-        default:
-          edit = MediumEdit::set_homogeneous_density(medium, static_cast<double>(random() % 10));
-      }
-      edit.apply(medium);
-      history.push_back(edit);
+      history.push_back(random_edit(medium, random));
+      history.back().apply(medium);
     }
     const Medium end = medium;
     for (auto edit = history.rbegin(); edit != history.rend(); ++edit) {
@@ -116,6 +109,36 @@ TEST(MediumEdit, UndoAllRedoAll) {
     for (const MediumEdit& edit : history) edit.apply(medium);
     ASSERT_EQ(medium, end);
   }
+}
+
+// A whole history merges into one edit that does and undoes the same.
+TEST(MediumEdit, AnyEditsMerge) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 50; ++round) {
+    Medium medium = make_medium(20);
+    const Medium start = medium;
+    MediumEdit all;
+    for (int step = 0; step < 30; ++step) {
+      const MediumEdit edit = random_edit(medium, random);
+      edit.apply(medium);
+      all.merge(edit);
+      Medium replay = start;
+      all.apply(replay);
+      ASSERT_EQ(replay, medium);
+      all.inverted().apply(replay);
+      ASSERT_EQ(replay, start);
+    }
+    all.merge(all.inverted());
+    EXPECT_TRUE(all.empty());
+  }
+}
+
+TEST(MediumEdit, WhatIsAddedAndRemovedLeavesNothing) {
+  Medium medium = make_medium(3);
+  MediumEdit stroke = MediumEdit::add(medium, std::vector<Gaussian>(5));
+  stroke.apply(medium);
+  stroke.merge(MediumEdit::remove(medium, medium.ids().subspan(3)));
+  EXPECT_TRUE(stroke.empty());
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#include "app/commands/edit_gesture.h"
+
+#include "app/document/document.h"
+
+namespace brume {
+
+void EditGesture::begin() {
+  edit_ = {};
+  merge_id_ = new_merge_id();
+  running_ = true;
+}
+
+void EditGesture::apply(MediumEdit edit, const QString& text) {
+  if (!running_ || edit.empty()) return;
+  edit_.merge(edit);
+  push(std::move(edit), text);
+}
+
+void EditGesture::cancel() {
+  if (running_ && !edit_.empty()) push(edit_.inverted(), {});
+  running_ = false;
+}
+
+void EditGesture::push(MediumEdit edit, const QString& text) {
+  applying_ = true;
+  document_.undo_stack().push(
+      new MediumCommand(document_, std::move(edit), text, merge_id_, AfterAdding::keep_selection));
+  applying_ = false;
+}
+
+}  // namespace brume

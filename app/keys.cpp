@@ -1,0 +1,55 @@
+#include "app/keys.h"
+
+#include <QSettings>
+#include <array>
+#include <string_view>
+
+namespace brume {
+namespace {
+
+constexpr std::array table = std::to_array<KeyEntry>({
+    {"file.new", "Ctrl+N"},
+    {"file.open", "Ctrl+O"},
+    {"file.save", "Ctrl+S"},
+    {"file.save_as", "Ctrl+Shift+S"},
+    {"file.export", "Ctrl+E"},
+    {"file.quit", "Ctrl+Q"},
+    {"edit.undo", "Ctrl+Z"},
+    {"edit.redo", "Ctrl+Shift+Z; Ctrl+Y"},
+    {"edit.add_gaussian", "Shift+A"},
+    {"edit.delete", "Del; X"},
+    {"select.all", "Ctrl+A"},
+    {"select.none", "Ctrl+Shift+A"},
+    {"select.invert", "Ctrl+I"},
+    {"tool.select", "V"},
+    {"tool.paintbrush", "B"},
+    {"tool.eraser", "E"},
+    {"tool.smaller", "["},
+    {"tool.larger", "]"},
+    {"tool.weaker", "Shift+[; {"},
+    {"tool.stronger", "Shift+]; }"},
+    {"view.frame_all", "Home"},
+    {"view.frame_selection", "F"},
+    {"view.scene_camera", "0"},
+    {"view.store_camera", "Ctrl+0"},
+    {"view.exposure_up", "+; ="},
+    {"view.exposure_down", "-"},
+    {"help.keys", "?; F1"},
+});
+
+}  // namespace
+
+std::span<const KeyEntry> key_table() {
+  return table;
+}
+
+QList<QKeySequence> keys_of(const char* action) {
+  for (const KeyEntry& entry : table) {
+    if (std::string_view(entry.action) != action) continue;
+    const QString keys = QSettings().value(QString("keys/") + action, entry.keys).toString();
+    return QKeySequence::listFromString(keys, QKeySequence::PortableText);
+  }
+  return {};
+}
+
+}  // namespace brume

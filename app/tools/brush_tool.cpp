@@ -1,0 +1,63 @@
+#include "app/tools/brush_tool.h"
+
+#include "app/document/document.h"
+#include "app/viewport/viewport.h"
+
+namespace brume {
+
+BrushTool::BrushTool(Document& document, Viewport& viewport)
+    : Tool(document, viewport), gesture_(document) {
+  connect(this, &Tool::options_changed, &viewport, &Viewport::update_overlay);
+}
+
+void BrushTool::hover(QPointF position) {
+  cursor_ = position;
+  viewport_.update_overlay();
+}
+
+void BrushTool::leave() {
+  cursor_.reset();
+  viewport_.update_overlay();
+}
+
+void BrushTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
+  hover(position);
+  pivot_ = viewport_.pivot();
+  gesture_.begin();
+  begin_stroke(position);
+}
+
+void BrushTool::move(QPointF position) {
+  hover(position);
+  if (gesture_.is_running()) extend_stroke(position);
+}
+
+void BrushTool::release(QPointF /*position*/) {
+  gesture_.end();
+}
+
+void BrushTool::cancel() {
+  gesture_.cancel();
+}
+
+void BrushTool::abandon() {
+  gesture_.end();
+}
+
+void BrushTool::medium_changed() {
+  if (!gesture_.is_applying()) gesture_.end();
+}
+
+std::optional<PaintPoint> BrushTool::paint_at(QPointF position) const {
+  const glm::dvec3 pivot = gesture_.is_running() ? pivot_ : viewport_.pivot();
+  return paint_point(plane(), pivot, viewport_.rays(), position, viewport_.surfaces());
+}
+
+void BrushTool::draw(Overlay& overlay, const CameraRays& rays) const {
+  if (!cursor_) return;
+  if (const auto point = paint_at(*cursor_)) {
+    add_brush_cursor(overlay, rays, *point, cursor_radius());
+  }
+}
+
+}  // namespace brume

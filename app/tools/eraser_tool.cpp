@@ -1,0 +1,90 @@
+#include "app/tools/eraser_tool.h"
+
+#include <QLineF>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/document/document.h"
+#include "app/document/gaussian_field.h"
+#include "app/tools/option_widgets.h"
+#include "app/viewport/viewport.h"
+
+namespace brume {
+namespace {
+
+constexpr NumberDomain radius_domain{1.0, 2000.0, "a number of pixels from 1 to 2000"};
+constexpr NumberDomain strength_domain{0.01, 1.0, "a number from 0.01 to 1"};
+constexpr double touch_spacing = 0.25;  // over the radius
+
+}  // namespace
+
+QString EraserTool::hint() const {
+  return tr(
+      "Drag thins the fog, and deletes what has none left. [ and ] change the radius, with "
+      "Shift the strength.");
+}
+
+void EraserTool::add_options(QHBoxLayout& row) {
+  add_number(
+      row, *this,
+      {tr("Radius, pixels"), "eraser_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
+      [this] { return radius_; }, [this](double value) { set(value, strength_); });
+  add_number(
+      row, *this,
+      {tr("Strength"), "eraser_strength", strength_domain, ValueField::Scale::linear, 0.01},
+      [this] { return strength_; }, [this](double value) { set(radius_, value); });
+}
+
+void EraserTool::change_size(double factor) {
+  set(radius_ * factor, strength_);
+}
+
+void EraserTool::change_strength(double factor) {
+  set(radius_, strength_ * factor);
+}
+
+void EraserTool::set(double radius, double strength) {
+  radius_ = std::clamp(radius, radius_domain.least, radius_domain.greatest);
+  strength_ = std::clamp(strength, strength_domain.least, strength_domain.greatest);
+  Q_EMIT options_changed();
+}
+
+double EraserTool::cursor_radius() const {
+  // The radius on the film at the depth of the plane that the cursor is drawn on.
+  const CameraRays rays = viewport_.rays();
+  const double depth = glm::dot(viewport_.pivot() - rays.eye(), rays.forward());
+  return depth * cone_slope(rays);
+}
+
+void EraserTool::begin_stroke(QPointF position) {
+  stroke_.emplace(strength_);
+  touch(position);
+}
+
+void EraserTool::extend_stroke(QPointF position) {
+  // Touches at equal distances, however often the mouse is heard.
+  const double spacing = touch_spacing * radius_;
+  while (QLineF(last_touch_, position).length() >= spacing) {
+    const QPointF way = position - last_touch_;
+    touch(last_touch_ + way * (spacing / QLineF(last_touch_, position).length()));
+  }
+}
+
+void EraserTool::touch(QPointF position) {
+  last_touch_ = position;
+  const CameraRays rays = viewport_.rays();
+  const EraserCone cone{rays.eye(), rays.direction(position.x(), position.y()), cone_slope(rays)};
+  MediumEdit all = gesture_.edit();
+  MediumEdit edit =
+      stroke_->touch(document_.medium(), cone, [](GaussianId /*id*/) { return true; });
+  all.merge(edit);
+  const std::size_t count = all.changed().size() + all.removed().size();
+  gesture_.apply(std::move(edit), tr("Erase %1").arg(gaussians_text(count)));
+}
+
+double EraserTool::cone_slope(const CameraRays& rays) const {
+  return radius_ * std::tan(2.0 * rays.pixel_half_angle());
+}
+
+}  // namespace brume

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "app/tools/brush_tool.h"
+#include "core/authoring/eraser.h"
+
+namespace brume {
+
+// Thins the fog under it, however deep it lies.
+class EraserTool : public BrushTool {
+  Q_OBJECT
+ public:
+  using BrushTool::BrushTool;
+
+  [[nodiscard]] double radius() const { return radius_; }      // on the film [pixels]
+  [[nodiscard]] double strength() const { return strength_; }  // of one touch, in (0, 1]
+
+  [[nodiscard]] QString hint() const override;
+  void add_options(QHBoxLayout& row) override;
+  void change_size(double factor) override;
+  void change_strength(double factor) override;
+
+ protected:
+  [[nodiscard]] double cursor_radius() const override;
+  [[nodiscard]] PaintPlane plane() const override { return PaintPlane::view; }
+  void begin_stroke(QPointF position) override;
+  void extend_stroke(QPointF position) override;
+
+ private:
+  void set(double radius, double strength);
+  void touch(QPointF position);
+  [[nodiscard]] double cone_slope(const CameraRays& rays) const;
+
+  double radius_ = 40.0;
+  double strength_ = 0.3;
+  std::optional<EraserStroke> stroke_;
+  QPointF last_touch_;
+};
+
+}  // namespace brume

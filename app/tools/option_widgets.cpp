@@ -1,0 +1,35 @@
+#include "app/tools/option_widgets.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace brume {
+
+void add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
+                const std::function<double()>& get, const std::function<void(double)>& set) {
+  auto* field = new ValueField(option.title, option.domain, option.scale, option.step);
+  field->setObjectName(option.name);
+  field->setMaximumWidth(160);
+  row.addWidget(field);
+  field->show_value(get());
+  QObject::connect(field, &ValueField::edited, field, [set](double value) { set(value); });
+  QObject::connect(field, &ValueField::refused, &tool, &Tool::refused);
+  QObject::connect(&tool, &Tool::options_changed, field,
+                   [field, get] { field->show_value(get()); });
+}
+
+void add_choice(QHBoxLayout& row, Tool& tool, const ChoiceOption& option,
+                const QStringList& choices, const std::function<int()>& get,
+                const std::function<void(int)>& set) {
+  auto* box = new QComboBox;
+  box->setObjectName(option.name);
+  box->addItems(choices);
+  box->setCurrentIndex(get());
+  row.addWidget(new QLabel(option.title));
+  row.addWidget(box);
+  QObject::connect(box, &QComboBox::activated, box, set);
+  QObject::connect(&tool, &Tool::options_changed, box, [box, get] { box->setCurrentIndex(get()); });
+}
+
+}  // namespace brume

@@ -1,0 +1,65 @@
+#include "app/tools/paint_plane.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "app/application.h"
+#include "app/viewport/overlay.h"
+#include "app/viewport/surface_picker.h"
+#include "core/math/across.h"
+
+namespace brume {
+namespace {
+
+std::optional<PaintPoint> on_plane(const glm::dvec3& through, const glm::dvec3& normal,
+                                   const CameraRays& rays, const glm::dvec3& direction) {
+  const double across = glm::dot(direction, normal);
+  const double t = glm::dot(through - rays.eye(), normal) / across;
+  if (!(t > 0.0) || !std::isfinite(t)) return std::nullopt;
+  return PaintPoint{rays.eye() + t * direction, normal};
+}
+
+}  // namespace
+
+std::optional<PaintPoint> paint_point(PaintPlane plane, const glm::dvec3& pivot,
+                                      const CameraRays& rays, QPointF position,
+                                      SurfacePicker& surfaces) {
+  const glm::dvec3 direction = rays.direction(position.x(), position.y());
+  switch (plane) {
+    case PaintPlane::view:
+      return on_plane(pivot, -rays.forward(), rays, direction);
+    case PaintPlane::ground:
+      return on_plane(glm::dvec3(0.0), {0.0, 1.0, 0.0}, rays, direction);
+    case PaintPlane::surface:
+      if (const auto hit = surfaces.hit(rays.eye(), direction)) {
+        return PaintPoint{hit->position, hit->normal};
+      }
+  }
+  return std::nullopt;
+}
+
+void add_brush_cursor(Overlay& overlay, const CameraRays& rays, const PaintPoint& point,
+                      double radius) {
+  const QColor accent = accent_color();
+  overlay.add_ball_outline(rays, point.position, radius,
+                           qRgba(accent.red(), accent.green(), accent.blue(), 230));
+  // The plane as a net around the brush that fades outwards.
+  const auto [u, v] = across(point.normal);
+  constexpr int cells = 4;
+  for (int k = -cells; k <= cells; ++k) {
+    for (int j = -cells; j < cells; ++j) {
+      const double middle = std::hypot(k, j + 0.5) / cells;
+      if (middle >= 1.0) continue;
+      const QRgb color = qRgba(255, 255, 255, static_cast<int>(70.0 * (1.0 - middle)));
+      const glm::dvec3 at = point.position;
+      const double a = radius * k;
+      const double b = radius * j;
+      const double c = radius * (j + 1);
+      overlay.add_line(rays, at + a * u + b * v, at + a * u + c * v, color);
+      overlay.add_line(rays, at + b * u + a * v, at + c * u + a * v, color);
+    }
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,32 @@
+#include "app/tools/tool_box.h"
+
+#include "app/tools/eraser_tool.h"
+#include "app/tools/paintbrush_tool.h"
+#include "app/tools/select_tool.h"
+#include "app/viewport/viewport.h"
+
+namespace brume {
+
+ToolBox::ToolBox(Document& document, Viewport& viewport, QObject* parent)
+    : QObject(parent), viewport_(viewport) {
+  const auto add = [&]<class T>(const char* name, const QString& title, std::type_identity<T>) {
+    entries_.push_back({name, title, std::make_unique<T>(document, viewport)});
+  };
+  add("select", tr("Select"), std::type_identity<SelectTool>());
+  add("paintbrush", tr("Paintbrush"), std::type_identity<PaintbrushTool>());
+  add("eraser", tr("Eraser"), std::type_identity<EraserTool>());
+  viewport_.set_tool(entries_[active_].tool.get());
+}
+
+ToolBox::~ToolBox() {
+  viewport_.set_tool(nullptr);
+}
+
+void ToolBox::activate(std::size_t index) {
+  if (index == active_) return;
+  active_ = index;
+  viewport_.set_tool(entries_[index].tool.get());
+  Q_EMIT activated(index);
+}
+
+}  // namespace brume

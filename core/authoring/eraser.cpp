@@ -1,0 +1,40 @@
+#include "core/authoring/eraser.h"
+
+#include <glm/geometric.hpp>
+
+namespace brume {
+
+double eraser_cover(const EraserCone& cone, const glm::dvec3& center) {
+  const glm::dvec3 view = center - cone.eye;
+  const double along = glm::dot(view, cone.direction);
+  if (!(along > 0.0)) return 0.0;
+  const double x = glm::length(view - along * cone.direction) / (along * cone.slope);
+  return x < 1.0 ? (1.0 - x * x) * (1.0 - x * x) : 0.0;
+}
+
+MediumEdit EraserStroke::touch(const Medium& medium, const EraserCone& cone,
+                               const std::function<bool(GaussianId)>& may_erase) {
+  std::vector<GaussianId> thinned;
+  std::vector<Gaussian> after;
+  std::vector<GaussianId> gone;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const double cover = eraser_cover(cone, medium.centers()[i]);
+    const GaussianId id = medium.ids()[i];
+    if (!(cover > 0.0) || !may_erase(id)) continue;
+    Touched& touched = touched_.try_emplace(id, Touched{medium.densities()[i], 0.0}).first->second;
+    touched.erased += strength_ * cover;
+    // Rounding shall not leave a trace of what ten tenths have taken away.
+    if (touched.erased > 1.0 - 1e-9) {
+      gone.push_back(id);
+      continue;
+    }
+    thinned.push_back(id);
+    after.push_back(medium.gaussian(i));
+    after.back().density = touched.density * (1.0 - touched.erased);
+  }
+  MediumEdit edit = MediumEdit::change(medium, thinned, after);
+  edit.merge(MediumEdit::remove(medium, gone));
+  return edit;
+}
+
+}  // namespace brume
