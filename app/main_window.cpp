@@ -159,7 +159,7 @@ void MainWindow::connect_document() {
   connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
-  connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, &MainWindow::update_title);
+  connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
   connect(tools_, &ToolBox::activated, this, &MainWindow::update_status);
   for (const ToolBox::Entry& entry : tools_->entries()) {
     connect(entry.tool.get(), &Tool::refused, this, &MainWindow::say);

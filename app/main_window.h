@@ -50,6 +50,7 @@ class MainWindow : public QMainWindow {
   void update_status();
   void update_error();
   void add_gaussian_in_view();
+  void isolate_selection();  // shows all again if anything is hidden
   void export_frame();
   void change_exposure(double stops);
   void say(const QString& message);

@@ -7,8 +7,10 @@
 #include <QMenuBar>
 #include <QSettings>
 
+#include "app/commands/clipboard.h"
 #include "app/commands/edit_medium.h"
-#include "app/commands/set_camera_command.h"
+#include "app/commands/scene_part_command.h"
+#include "app/commands/select_command.h"
 #include "app/frame_export.h"
 #include "app/help_windows.h"
 #include "app/keys.h"
@@ -23,6 +25,13 @@ namespace {
 
 constexpr const char* airlight_key = "view/airlight";
 constexpr double tool_step = 1.15;  // of a tool's size by one key
+
+constexpr double duplicate_shift = 24.0;  // pixels, so that a copy is seen beside its original
+
+std::vector<GaussianId> joined(std::vector<GaussianId> a, const std::vector<GaussianId>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
 
 }  // namespace
 
@@ -64,15 +73,32 @@ void MainWindow::create_actions() {
   edit->addAction(redo);
   edit->addSeparator();
   add(edit, tr("Add &Gaussian"), "edit.add_gaussian", [this] { add_gaussian_in_view(); });
-  QAction* remove =
-      add(edit, tr("&Delete"), "edit.delete", [this] { delete_selection(document_); });
   edit->addSeparator();
-  add(edit, tr("Select &All"), "select.all", [this] { document_.select_all(); });
-  add(edit, tr("Select &None"), "select.none", [this] { document_.select({}); });
-  add(edit, tr("&Invert Selection"), "select.invert", [this] { document_.invert_selection(); });
-  const auto enable_delete = [this, remove] { remove->setEnabled(!document_.selection().empty()); };
-  connect(&document_, &Document::selection_changed, this, enable_delete);
-  enable_delete();
+  add(edit, tr("Cu&t"), "edit.cut", [this] { cut_selection(document_); });
+  add(edit, tr("&Copy"), "edit.copy", [this] { copy_selection(document_); });
+  add(edit, tr("&Paste"), "edit.paste",
+      [this] { paste_gaussians(document_, viewport_->place_under_mouse()); });
+  add(edit, tr("Paste in Pl&ace"), "edit.paste_in_place",
+      [this] { paste_gaussians(document_, std::nullopt); });
+  add(edit, tr("D&uplicate"), "edit.duplicate", [this] {
+    duplicate_selection(document_, viewport_->shift_on_film({duplicate_shift, duplicate_shift}));
+  });
+  add(edit, tr("&Delete"), "edit.delete", [this] { delete_selection(document_, tr("Delete")); });
+
+  QMenu* select = menuBar()->addMenu(tr("&Select"));
+  add(select, tr("&All"), "select.all", [this] { select_all(document_); });
+  add(select, tr("&None"), "select.none", [this] { select_gaussians(document_, {}); });
+  add(select, tr("&Invert"), "select.invert", [this] { invert_selection(document_); });
+  add(select, tr("&Grow"), "select.grow", [this] { grow_selection(document_); });
+  add(select, tr("Shrin&k"), "select.shrink", [this] { shrink_selection(document_); });
+  select->addSeparator();
+  add(select, tr("&Hide"), "select.hide",
+      [this] { document_.hide(joined(document_.hidden(), document_.selection())); });
+  add(select, tr("Isola&te"), "select.isolate", [this] { isolate_selection(); });
+  add(select, tr("&Show All"), "select.show_all", [this] { document_.hide({}); });
+  add(select, tr("&Lock"), "select.lock",
+      [this] { document_.lock(joined(document_.locked(), document_.selection())); });
+  add(select, tr("&Unlock All"), "select.unlock_all", [this] { document_.lock({}); });
 
   QMenu* tool = menuBar()->addMenu(tr("&Tool"));
   tool->addActions(findChild<ToolBar*>()->actions());
@@ -90,11 +116,8 @@ void MainWindow::create_actions() {
       [this] { viewport_->frame_selection(); });
   add(view, tr("&Scene Camera"), "view.scene_camera",
       [this] { viewport_->set_camera(document_.scene().camera); });
-  add(view, tr("S&tore View as Scene Camera"), "view.store_camera", [this] {
-    if (viewport_->camera() != document_.scene().camera) {
-      document_.undo_stack().push(new SetCameraCommand(document_, viewport_->camera()));
-    }
-  });
+  add(view, tr("S&tore View as Scene Camera"), "view.store_camera",
+      [this] { set_scene_part(document_, viewport_->camera(), tr("Store view as scene camera")); });
   view->addSeparator();
   add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
@@ -103,10 +126,24 @@ void MainWindow::create_actions() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(help, tr("&Keys"), "help.keys", [this, file, edit, tool, view] {
-    show_keys(this, file->actions() + edit->actions() + tool->actions() + view->actions());
+  add(help, tr("&Keys"), "help.keys", [this, file, edit, select, tool, view] {
+    show_keys(this, file->actions() + edit->actions() + select->actions() + tool->actions() +
+                        view->actions());
   });
   add(help, tr("&About Brume"), "", [this] { show_about(this); });
+}
+
+void MainWindow::isolate_selection() {
+  if (!document_.hidden().empty()) {
+    document_.hide({});
+    return;
+  }
+  if (document_.selection().empty()) return;
+  std::vector<GaussianId> others;
+  for (const GaussianId id : document_.medium().ids()) {
+    if (!document_.is_selected(id)) others.push_back(id);
+  }
+  document_.hide(std::move(others));
 }
 
 void MainWindow::fill_airlight_menu(QMenu* menu) {

@@ -24,10 +24,17 @@ void add_gaussian(Document& document, const Gaussian& gaussian) {
   push(document, MediumEdit::add(document.medium(), {&added, 1}), tr("Add Gaussian"));
 }
 
-void delete_selection(Document& document) {
+void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb) {
+  std::vector<Gaussian> added;
+  for (const Gaussian& gaussian : gaussians) added.push_back(within_domains(gaussian));
+  push(document, MediumEdit::add(document.medium(), added),
+       QString("%1 %2").arg(verb, gaussians_text(added.size())));
+}
+
+void delete_selection(Document& document, const QString& verb) {
   const std::size_t count = document.selection().size();
   push(document, MediumEdit::remove(document.medium(), document.selection()),
-       tr("Delete %1").arg(gaussians_text(count)));
+       QString("%1 %2").arg(verb, gaussians_text(count)));
 }
 
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
@@ -46,18 +53,12 @@ QString set_field(Document& document, std::span<const GaussianId> ids, GaussianF
   return {};
 }
 
-void move_gaussians(Document& document, std::span<const GaussianId> ids,
-                    std::span<const glm::dvec3> centers, MergeId merge_id) {
-  const Medium& medium = document.medium();
-  std::vector<Gaussian> after;
-  after.reserve(ids.size());
-  for (std::size_t k = 0; k < ids.size(); ++k) {
-    after.push_back(medium.gaussian(*medium.index_of(ids[k])));
-    after.back().center = centers[k];
-    after.back() = within_domains(after.back());
-  }
-  push(document, MediumEdit::change(medium, ids, after),
-       tr("Move %1").arg(gaussians_text(ids.size())), merge_id);
+void change_gaussians(Document& document, std::span<const GaussianId> ids,
+                      std::span<const Gaussian> after, const QString& text, MergeId merge_id) {
+  std::vector<Gaussian> taken;
+  taken.reserve(after.size());
+  for (const Gaussian& gaussian : after) taken.push_back(within_domains(gaussian));
+  push(document, MediumEdit::change(document.medium(), ids, taken), text, merge_id);
 }
 
 }  // namespace brume

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <span>
 
 #include "app/commands/medium_command.h"
@@ -14,15 +13,18 @@ class Document;
 
 // Numbers outside the domains of their fields are brought to their limits.
 void add_gaussian(Document& document, const Gaussian& gaussian);
-void delete_selection(Document& document);
+// They become the selection. `verb` begins the text of the step: "Paste 3 Gaussians".
+void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb);
+void delete_selection(Document& document, const QString& verb);
 
 // Writes one number into Gaussians. A value outside the field's domain changes nothing; the answer
 // then says why (empty: done).
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
                   double value);
 
-// Puts Gaussians at centers[k], as one move of a gesture; no further out than files may hold.
-void move_gaussians(Document& document, std::span<const GaussianId> ids,
-                    std::span<const glm::dvec3> centers, MergeId merge_id);
+// Gives Gaussians other values, after[k] to ids[k], as one move of a gesture called `text`; numbers
+// outside the domains of their fields are brought to their limits.
+void change_gaussians(Document& document, std::span<const GaussianId> ids,
+                      std::span<const Gaussian> after, const QString& text, MergeId merge_id);
 
 }  // namespace brume

@@ -4,34 +4,38 @@
 
 namespace brume {
 
-MergeId new_merge_id() {
-  static MergeId last = no_merge;
-  return ++last;
-}
-
 MediumCommand::MediumCommand(Document& document, MediumEdit edit, const QString& text,
                              MergeId merge_id, AfterAdding after_adding)
-    : QUndoCommand(text),
-      document_(document),
+    : SceneCommand(document, text),
       edit_(std::move(edit)),
       merge_id_(merge_id),
       after_adding_(after_adding) {
   setObsolete(edit_.empty());
 }
 
-void MediumCommand::undo() {
-  document_.apply(edit_.inverted(), after_adding_ == AfterAdding::select);
+void MediumCommand::apply() {
+  if (changes_ids()) selection_before_ = document_.selection();
+  document_.apply(edit_);
+  if (after_adding_ == AfterAdding::select && !edit_.added().empty()) {
+    std::vector<GaussianId> ids;
+    for (const MediumEdit::Entry& entry : edit_.added()) ids.push_back(entry.id);
+    document_.select(std::move(ids));
+  }
 }
 
-void MediumCommand::redo() {
-  if (!edit_.empty()) document_.apply(edit_, after_adding_ == AfterAdding::select);
+void MediumCommand::revert() {
+  document_.apply(edit_.inverted());
+  if (changes_ids()) document_.select(selection_before_);
 }
 
-bool MediumCommand::mergeWith(const QUndoCommand* later) {
-  const auto* command = dynamic_cast<const MediumCommand*>(later);
+bool MediumCommand::changes_ids() const {
+  return !edit_.added().empty() || !edit_.removed().empty();
+}
+
+bool MediumCommand::take(const SceneCommand& later) {
+  const auto* command = dynamic_cast<const MediumCommand*>(&later);
   if (!command) return false;
   edit_.merge(command->edit_);
-  setText(command->text());
   setObsolete(edit_.empty());
   return true;
 }

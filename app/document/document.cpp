@@ -1,7 +1,6 @@
 #include "app/document/document.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "app/document/paths.h"
 #include "core/io/scene_file.h"
@@ -17,6 +16,15 @@ Scene new_scene() {
   return scene;
 }
 
+void sort_unique(std::vector<GaussianId>& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+bool contains(const std::vector<GaussianId>& sorted, GaussianId id) {
+  return std::binary_search(sorted.begin(), sorted.end(), id);
+}
+
 }  // namespace
 
 Document::Document(QObject* parent) : QObject(parent), scene_(new_scene()) {}
@@ -24,6 +32,21 @@ Document::Document(QObject* parent) : QObject(parent), scene_(new_scene()) {}
 std::shared_ptr<const Scene> Document::snapshot() const {
   if (!snapshot_) snapshot_ = std::make_shared<const Scene>(scene_);
   return snapshot_;
+}
+
+std::shared_ptr<const Scene> Document::visible_snapshot() const {
+  if (hidden_.empty()) return snapshot();
+  if (!visible_) {
+    auto scene = std::make_shared<Scene>(scene_);
+    MediumEdit::remove(scene->medium, hidden_).apply(scene->medium);
+    visible_ = std::move(scene);
+  }
+  return visible_;
+}
+
+void Document::scene_changed() {
+  snapshot_.reset();
+  visible_.reset();
 }
 
 QString Document::name() const {
@@ -38,69 +61,88 @@ void Document::save(const std::filesystem::path& file) {
   const std::filesystem::path absolute = std::filesystem::absolute(file);
   save_scene(scene_, absolute);
   file_ = absolute;
+  saved_revision_ = revision_;
   undo_stack_.setClean();
   Q_EMIT file_changed();
+  Q_EMIT modified_changed();
 }
 
 void Document::open(Scene scene, const std::filesystem::path& file) {
   undo_stack_.clear();
   scene_ = std::move(scene);
-  snapshot_.reset();
   selection_.clear();
+  hidden_.clear();
+  locked_.clear();
+  scene_changed();
   file_ = file;
+  revision_ = saved_revision_ = new_revision();
   Q_EMIT scene_replaced();
   Q_EMIT selection_changed();
+  Q_EMIT freedom_changed();
   Q_EMIT file_changed();
+  Q_EMIT modified_changed();
 }
 
 bool Document::is_selected(GaussianId id) const {
-  return std::binary_search(selection_.begin(), selection_.end(), id);
+  return contains(selection_, id);
 }
 
 void Document::select(std::vector<GaussianId> ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  std::erase_if(ids, [this](GaussianId id) { return !medium().index_of(id); });
+  ids = selectable(std::move(ids));
   if (ids == selection_) return;
   selection_ = std::move(ids);
   Q_EMIT selection_changed();
 }
 
-void Document::select_all() {
-  select({medium().ids().begin(), medium().ids().end()});
+std::vector<GaussianId> Document::selectable(std::vector<GaussianId> ids) const {
+  sort_unique(ids);
+  std::erase_if(ids, [this](GaussianId id) { return !medium().index_of(id) || !is_free(id); });
+  return ids;
 }
 
-void Document::invert_selection() {
-  const auto all = medium().ids();
-  std::vector<GaussianId> rest;
-  std::set_difference(all.begin(), all.end(), selection_.begin(), selection_.end(),
-                      std::back_inserter(rest));
-  select(std::move(rest));
+bool Document::is_free(GaussianId id) const {
+  return !contains(hidden_, id) && !contains(locked_, id);
 }
 
-void Document::apply(const MediumEdit& edit, bool select_added) {
+void Document::hide(std::vector<GaussianId> ids) {
+  sort_unique(ids);
+  hidden_ = std::move(ids);
+  visible_.reset();
+  select(selection_);
+  Q_EMIT freedom_changed();
+}
+
+void Document::lock(std::vector<GaussianId> ids) {
+  sort_unique(ids);
+  locked_ = std::move(ids);
+  select(selection_);
+  Q_EMIT freedom_changed();
+}
+
+void Document::apply(const MediumEdit& edit) {
   edit.apply(scene_.medium);
-  snapshot_.reset();
-  // What was removed leaves the selection before anybody can ask for it.
-  std::vector<GaussianId> selected;
-  if (edit.added().empty() || !select_added) {
-    selected = selection_;
-    if (!edit.removed().empty()) {
-      std::erase_if(selected, [this](GaussianId id) { return !medium().index_of(id); });
+  scene_changed();
+  // What was removed leaves these lists before anybody can ask for it.
+  const std::size_t selected = selection_.size();
+  if (!edit.removed().empty()) {
+    for (auto* ids : {&selection_, &hidden_, &locked_}) {
+      std::erase_if(*ids, [this](GaussianId id) { return !medium().index_of(id); });
     }
-  } else {
-    for (const MediumEdit::Entry& entry : edit.added()) selected.push_back(entry.id);
   }
-  const bool selection_differs = selected != selection_;
-  selection_ = std::move(selected);
   Q_EMIT medium_changed(edit);
-  if (selection_differs) Q_EMIT selection_changed();
+  if (selected != selection_.size()) Q_EMIT selection_changed();
 }
 
-void Document::set_camera(const Camera& camera) {
-  scene_.camera = camera;
-  snapshot_.reset();
-  Q_EMIT camera_changed();
+void Document::set_part(const ScenePart& part) {
+  set_scene_part(scene_, part);
+  scene_changed();
+  Q_EMIT part_changed();
+}
+
+void Document::set_revision(std::uint64_t revision) {
+  const bool was_modified = is_modified();
+  revision_ = revision;
+  if (is_modified() != was_modified) Q_EMIT modified_changed();
 }
 
 }  // namespace brume

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/document/scene_part.h"
 #include "core/medium/medium_edit.h"
 #include "core/scene/scene.h"
 
@@ -22,9 +23,12 @@ class Document : public QObject {
   [[nodiscard]] const Medium& medium() const { return scene_.medium; }
   // The scene as it is now, for other threads; copied only when it changed since the last call.
   [[nodiscard]] std::shared_ptr<const Scene> snapshot() const;
+  // The same without hidden Gaussians.
+  [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
-  [[nodiscard]] bool is_modified() const { return !undo_stack_.isClean(); }
+  // Whether the scene differs from the file; what is selected does not count.
+  [[nodiscard]] bool is_modified() const { return revision_ != saved_revision_; }
 
   // The file this scene was loaded from or saved to; empty for a new scene.
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -36,30 +40,52 @@ class Document : public QObject {
   // Keeps the history and marks its present state as saved, or throws InputError.
   void save(const std::filesystem::path& file);
 
-  // Ordered by id; always Gaussians of this medium. Selecting is not an edit.
+  // Ordered by id; always Gaussians of this medium.
   [[nodiscard]] const std::vector<GaussianId>& selection() const { return selection_; }
   [[nodiscard]] bool is_selected(GaussianId id) const;
-  void select(std::vector<GaussianId> ids);
-  void select_all();
-  void invert_selection();
+  // Of some ids in any order those that may be selected, sorted.
+  [[nodiscard]] std::vector<GaussianId> selectable(std::vector<GaussianId> ids) const;
+
+  // State of the editor, in no file and no history. What is hidden or locked cannot be selected and
+  // is left alone by brushes; what is hidden is not seen either. Both ordered by id.
+  [[nodiscard]] const std::vector<GaussianId>& hidden() const { return hidden_; }
+  [[nodiscard]] const std::vector<GaussianId>& locked() const { return locked_; }
+  [[nodiscard]] bool is_free(GaussianId id) const;  // neither
+  void hide(std::vector<GaussianId> ids);           // and nothing else
+  void lock(std::vector<GaussianId> ids);           // and nothing else
 
   // For commands only: changes without history.
-  void apply(const MediumEdit& edit, bool select_added);
-  void set_camera(const Camera& camera);
+  void apply(const MediumEdit& edit);
+  void set_part(const ScenePart& part);
+  void select(std::vector<GaussianId> ids);
+  // Names the state of the scene; two states of one document with the same number are the same.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  [[nodiscard]] std::uint64_t new_revision() { return ++last_revision_; }
+  void set_revision(std::uint64_t revision);
 
  Q_SIGNALS:
   void scene_replaced();
   void medium_changed(const brume::MediumEdit& edit);
-  void camera_changed();
+  void part_changed();  // of the scene, other than its Gaussians
   void selection_changed();
+  void freedom_changed();  // what is hidden or locked
   void file_changed();
+  void modified_changed();
 
  private:
+  void scene_changed();  // the copies of it are stale
+
   Scene scene_;
   mutable std::shared_ptr<const Scene> snapshot_;
+  mutable std::shared_ptr<const Scene> visible_;
   QUndoStack undo_stack_;
   std::filesystem::path file_;
   std::vector<GaussianId> selection_;
+  std::vector<GaussianId> hidden_;
+  std::vector<GaussianId> locked_;
+  std::uint64_t revision_ = 0;
+  std::uint64_t last_revision_ = 0;
+  std::uint64_t saved_revision_ = 0;
 };
 
 }  // namespace brume

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/panels/gaussian_form.h"
 #include "app/panels/gaussian_table_model.h"
@@ -102,7 +103,7 @@ void GaussianPanel::take_selection() {
     for (int row = range.top(); row <= range.bottom(); ++row) ids.push_back(model_->id(row));
   }
   syncing_ = true;
-  document_.select(std::move(ids));
+  select_gaussians(document_, std::move(ids));
   syncing_ = false;
   table_->viewport()->update();
 }

@@ -76,8 +76,8 @@ void EraserTool::touch(QPointF position) {
   const CameraRays rays = viewport_.rays();
   const EraserCone cone{rays.eye(), rays.direction(position.x(), position.y()), cone_slope(rays)};
   MediumEdit all = gesture_.edit();
-  MediumEdit edit =
-      stroke_->touch(document_.medium(), cone, [](GaussianId /*id*/) { return true; });
+  MediumEdit edit = stroke_->touch(document_.medium(), cone,
+                                   [this](GaussianId id) { return document_.is_free(id); });
   all.merge(edit);
   const std::size_t count = all.changed().size() + all.removed().size();
   gesture_.apply(std::move(edit), tr("Erase %1").arg(gaussians_text(count)));

@@ -111,11 +111,12 @@ void PaintbrushTool::extend_stroke(QPointF position) {
 }
 
 void PaintbrushTool::pick(QPointF position) {
-  const auto index = viewport_.most_visible(position);
-  if (!index) return;
+  const auto id = viewport_.most_visible(position);
+  if (!id) return;
+  const Gaussian gaussian = document_.medium().gaussian(*document_.medium().index_of(*id));
   Paintbrush brush = brush_;
-  brush.radius = document_.medium().radii()[*index];
-  brush.density = document_.medium().densities()[*index];
+  brush.radius = gaussian.radius;
+  brush.density = gaussian.density;
   set_brush(brush);
 }
 

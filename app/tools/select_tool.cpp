@@ -4,7 +4,6 @@
 #include <QRectF>
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <iterator>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
@@ -25,7 +24,8 @@ QString SelectTool::hint() const {
 
 void SelectTool::hover(QPointF position) {
   const auto index = viewport_.handles().pick(position);
-  viewport_.set_hovered(index ? std::optional(document_.medium().ids()[*index]) : std::nullopt);
+  viewport_.set_hovered(index ? std::optional(document_.medium().ids()[*index])
+                              : viewport_.most_visible(position));
 }
 
 void SelectTool::leave() {
@@ -35,15 +35,18 @@ void SelectTool::leave() {
 void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   start_ = position;
   gesture_ = Gesture::undecided;
-  mode_ = modifiers.testFlag(Qt::ControlModifier) ? Mode::toggle
-          : modifiers.testFlag(Qt::ShiftModifier) ? Mode::add
-                                                  : Mode::replace;
+  area_mode_ = click_mode_ = mode_with(modifiers);
+  if (click_mode_ == SelectMode::remove && mode() != SelectMode::remove) {
+    click_mode_ = SelectMode::toggle;
+  }
   pressed_.reset();
   if (const auto index = viewport_.handles().pick(position)) {
     pressed_ = document_.medium().ids()[*index];
     // At once, so that press and drag in one go moves it. One that is selected already waits for
     // the release: the drag may be meant for the whole selection.
-    if (mode_ != Mode::replace || !document_.is_selected(*pressed_)) select({*pressed_}, mode_);
+    if (click_mode_ != SelectMode::set || !document_.is_selected(*pressed_)) {
+      choose(document_.selection(), {*index}, click_mode_);
+    }
   }
 }
 
@@ -63,15 +66,18 @@ void SelectTool::move(QPointF position) {
 }
 
 void SelectTool::release(QPointF position) {
+  const Medium& medium = document_.medium();
   if (gesture_ == Gesture::band) {
-    std::vector<GaussianId> ids;
-    for (const std::size_t index :
-         viewport_.handles().inside(QRectF(start_, position).normalized())) {
-      ids.push_back(document_.medium().ids()[index]);
-    }
-    select(ids, mode_);
-  } else if (gesture_ == Gesture::undecided && mode_ == Mode::replace) {
-    select(pressed_ ? std::vector{*pressed_} : std::vector<GaussianId>{}, Mode::replace);
+    const QRectF band = QRectF(start_, position).normalized();
+    choose(document_.selection(),
+           viewport_.handles().inside([&band](QPointF at) { return band.contains(at); }),
+           area_mode_);
+  } else if (gesture_ == Gesture::undecided && !pressed_) {
+    const auto seen = viewport_.most_visible(position);
+    choose(document_.selection(),
+           seen ? std::vector{*medium.index_of(*seen)} : std::vector<std::size_t>{}, click_mode_);
+  } else if (gesture_ == Gesture::undecided && click_mode_ == SelectMode::set) {
+    choose(document_.selection(), {*medium.index_of(*pressed_)}, SelectMode::set);
   }
   abandon();
 }
@@ -93,35 +99,22 @@ void SelectTool::medium_changed() {
   if (pressed_is_gone || (gesture_ == Gesture::moving && !moved_are_there())) abandon();
 }
 
-void SelectTool::select(const std::vector<GaussianId>& ids, Mode mode) {
-  const std::vector<GaussianId>& old = document_.selection();
-  std::vector<GaussianId> selection;
-  if (mode == Mode::replace) {
-    selection = ids;
-  } else if (mode == Mode::add) {
-    std::set_union(old.begin(), old.end(), ids.begin(), ids.end(), std::back_inserter(selection));
-  } else {
-    std::set_symmetric_difference(old.begin(), old.end(), ids.begin(), ids.end(),
-                                  std::back_inserter(selection));
-  }
-  document_.select(std::move(selection));
-}
-
 void SelectTool::begin_move() {
   const Medium& medium = document_.medium();
   gesture_ = Gesture::moving;
   merge_id_ = new_merge_id();
   ids_ = document_.selection();
-  centers_.clear();
-  for (const GaussianId id : ids_) centers_.push_back(medium.centers()[*medium.index_of(id)]);
+  gaussians_.clear();
+  for (const GaussianId id : ids_) gaussians_.push_back(medium.gaussian(*medium.index_of(id)));
   depth_ = viewport_.handles().position(*medium.index_of(*pressed_)).z;
 }
 
 void SelectTool::move_selection(QPointF position) {
   const glm::dvec3 shift = on_drag_plane(position) - on_drag_plane(start_);
-  std::vector<glm::dvec3> centers = centers_;
-  for (glm::dvec3& center : centers) center += shift;
-  move_gaussians(document_, ids_, centers, merge_id_);
+  std::vector<Gaussian> moved = gaussians_;
+  for (Gaussian& gaussian : moved) gaussian.center += shift;
+  change_gaussians(document_, ids_, moved, tr("Move %1").arg(gaussians_text(ids_.size())),
+                   merge_id_);
 }
 
 bool SelectTool::moved_are_there() const {

@@ -5,19 +5,19 @@
 #include <optional>
 #include <vector>
 
-#include "app/commands/medium_command.h"
-#include "app/tools/tool.h"
+#include "app/commands/merge_id.h"
+#include "app/tools/selection_tool.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {
 
 // The left mouse button: a click selects, a drag on a selected handle moves the selection in the
 // plane parallel to the film through that handle, a drag anywhere else is a selection rectangle.
-// With Shift the selection grows, with Control it is toggled.
-class SelectTool : public Tool {
+// A click beside the handles selects the Gaussian that takes most light there.
+class SelectTool : public SelectionTool {
   Q_OBJECT
  public:
-  using Tool::Tool;
+  using SelectionTool::SelectionTool;
 
   [[nodiscard]] QString hint() const override;
   void hover(QPointF position) override;
@@ -31,23 +31,22 @@ class SelectTool : public Tool {
   void medium_changed() override;
 
  private:
-  enum class Mode { replace, add, toggle };
   enum class Gesture { none, undecided, moving, band };
 
-  void select(const std::vector<GaussianId>& ids, Mode mode);
   void begin_move();
   void move_selection(QPointF position);
   [[nodiscard]] bool moved_are_there() const;
   [[nodiscard]] glm::dvec3 on_drag_plane(QPointF position) const;
 
   Gesture gesture_ = Gesture::none;
-  Mode mode_ = Mode::replace;
+  SelectMode area_mode_ = SelectMode::set;   // of a rectangle
+  SelectMode click_mode_ = SelectMode::set;  // of a click
   QPointF start_;
   std::optional<GaussianId> pressed_;  // the handle under the mouse when it went down
 
   // While moving: what is moved, and from where.
   std::vector<GaussianId> ids_;
-  std::vector<glm::dvec3> centers_;
+  std::vector<Gaussian> gaussians_;
   double depth_ = 0.0;  // of the pressed handle along the view
   MergeId merge_id_ = no_merge;
 };

@@ -1,8 +1,10 @@
 #include "app/tools/tool_box.h"
 
+#include "app/tools/brush_select_tool.h"
 #include "app/tools/eraser_tool.h"
+#include "app/tools/lasso_tool.h"
 #include "app/tools/paintbrush_tool.h"
-#include "app/tools/select_tool.h"
+#include "app/tools/transform_tool.h"
 #include "app/viewport/viewport.h"
 
 namespace brume {
@@ -13,6 +15,11 @@ ToolBox::ToolBox(Document& document, Viewport& viewport, QObject* parent)
     entries_.push_back({name, title, std::make_unique<T>(document, viewport)});
   };
   add("select", tr("Select"), std::type_identity<SelectTool>());
+  add("lasso", tr("Lasso"), std::type_identity<LassoTool>());
+  add("brush_select", tr("Brush Selection"), std::type_identity<BrushSelectTool>());
+  add("move", tr("Move"), std::type_identity<MoveTool>());
+  add("rotate", tr("Rotate"), std::type_identity<RotateTool>());
+  add("scale", tr("Scale"), std::type_identity<ScaleTool>());
   add("paintbrush", tr("Paintbrush"), std::type_identity<PaintbrushTool>());
   add("eraser", tr("Eraser"), std::type_identity<EraserTool>());
   viewport_.set_tool(entries_[active_].tool.get());

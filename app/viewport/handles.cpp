@@ -27,14 +27,18 @@ QRgb with_alpha(QRgb color, int alpha) {
 
 }  // namespace
 
-void Handles::project(const Medium& medium, const CameraRays& rays) {
+void Handles::project(const Medium& medium, const CameraRays& rays,
+                      std::span<const GaussianId> hidden, std::span<const GaussianId> locked) {
   positions_.resize(medium.size());
   std::transform(medium.centers().begin(), medium.centers().end(), positions_.begin(),
                  [&rays](const glm::dvec3& center) { return rays.project(center); });
+  for (const GaussianId id : hidden) positions_[*medium.index_of(id)] = glm::dvec3(0.0);
+  locked_.assign(medium.size(), false);
+  for (const GaussianId id : locked) locked_[*medium.index_of(id)] = true;
 }
 
 void Handles::judge_depth(const Medium& medium, const CameraRays& rays, const Frame& frame) {
-  hidden_.assign(medium.size(), false);
+  behind_.assign(medium.size(), false);
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const glm::dvec3& center = medium.centers()[i];
     const glm::dvec3 at = rays.project(center);
@@ -45,7 +49,7 @@ void Handles::judge_depth(const Medium& medium, const CameraRays& rays, const Fr
     }
     const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
                        static_cast<std::size_t>(x);
-    hidden_[i] = glm::distance(center, rays.eye()) > static_cast<double>(frame.depth[pixel]);
+    behind_[i] = glm::distance(center, rays.eye()) > static_cast<double>(frame.depth[pixel]);
   }
 }
 
@@ -55,7 +59,7 @@ std::optional<std::size_t> Handles::pick(QPointF position) const {
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const glm::dvec3& p = positions_[i];
     const double distance = std::hypot(p.x - position.x(), p.y - position.y());
-    if (p.z <= 0.0 || !(distance <= pick_radius)) continue;
+    if (p.z <= 0.0 || locked_[i] || !(distance <= pick_radius)) continue;
     // Less than two pixels nearer is no reason to take one from behind.
     const bool nearer = !best || distance < best_distance - 2.0 ||
                         (distance < best_distance + 2.0 && p.z < positions_[*best].z);
@@ -67,11 +71,11 @@ std::optional<std::size_t> Handles::pick(QPointF position) const {
   return best;
 }
 
-std::vector<std::size_t> Handles::inside(const QRectF& rectangle) const {
+std::vector<std::size_t> Handles::inside(const std::function<bool(QPointF)>& area) const {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const glm::dvec3& p = positions_[i];
-    if (p.z > 0.0 && rectangle.contains(QPointF(p.x, p.y))) indices.push_back(i);
+    if (p.z > 0.0 && !locked_[i] && area(QPointF(p.x, p.y))) indices.push_back(i);
   }
   return indices;
 }
@@ -91,10 +95,10 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     while (next_selected != selected.end() && *next_selected < id) ++next_selected;
     const bool is_selected = next_selected != selected.end() && *next_selected == id;
     const glm::dvec3& p = positions_[i];
-    const bool hidden = i < hidden_.size() && hidden_[i];
+    const bool dim = locked_[i] || (i < behind_.size() && behind_[i]);
     if (is_selected && outlines < max_outlines) {
       overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i],
-                               with_alpha(accent, hidden ? outline_alpha / 2 : outline_alpha));
+                               with_alpha(accent, dim ? outline_alpha / 2 : outline_alpha));
       ++outlines;
     }
     if (p.z <= 0.0 || !with_centers) continue;
@@ -103,9 +107,12 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
     if (is_selected) {
       // Small ones in a crowd, for the same reason.
       auto& shapes = selected.size() > max_marks ? overlay.dots : overlay.marks;
-      shapes.push_back({x, y, with_alpha(accent, hidden ? mark_alpha / 2 : mark_alpha)});
+      shapes.push_back({x, y, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha)});
     } else {
-      overlay.dots.push_back({x, y, with_alpha(plain, hidden ? dot_alpha / 3 : dot_alpha)});
+      overlay.dots.push_back({x, y, with_alpha(plain, dim ? dot_alpha / 3 : dot_alpha)});
+    }
+    if (hovered == id && !is_selected) {
+      overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i], with_alpha(plain, 90));
     }
     if (hovered == id) overlay.add_circle(p.x, p.y, 7.0, with_alpha(plain, 255));
   }

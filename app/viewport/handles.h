@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QPointF>
-#include <QRectF>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -18,16 +18,18 @@ namespace brume {
 // outline at 1/e of the density. Works on film positions, so picking needs no OpenGL.
 class Handles {
  public:
-  // Where the centres are on the film.
-  void project(const Medium& medium, const CameraRays& rays);
+  // Where the centres are on the film. Of the sorted ids, hidden ones are nowhere, and locked ones
+  // cannot be picked.
+  void project(const Medium& medium, const CameraRays& rays, std::span<const GaussianId> hidden,
+               std::span<const GaussianId> locked);
 
   // Which Gaussians lie behind a surface, judged by a frame and the camera it was made with.
   void judge_depth(const Medium& medium, const CameraRays& rays, const Frame& frame);
 
   // Indices of Gaussians: the one under the mouse (the front one of those equally near), and all
-  // whose centre is inside a rectangle.
+  // whose centre is inside an area.
   [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
-  [[nodiscard]] std::vector<std::size_t> inside(const QRectF& rectangle) const;
+  [[nodiscard]] std::vector<std::size_t> inside(const std::function<bool(QPointF)>& area) const;
 
   // Film position and depth of a Gaussian's centre; depth <= 0 is behind the eye.
   [[nodiscard]] const glm::dvec3& position(std::size_t index) const { return positions_[index]; }
@@ -39,7 +41,8 @@ class Handles {
 
  private:
   std::vector<glm::dvec3> positions_;
-  std::vector<bool> hidden_;  // empty while unknown
+  std::vector<bool> behind_;  // a surface; empty while unknown
+  std::vector<bool> locked_;
 };
 
 }  // namespace brume

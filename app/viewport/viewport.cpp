@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/document/document.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
 #include "app/viewport/bounds.h"
 #include "app/viewport/navigation.h"
@@ -73,6 +74,11 @@ Viewport::Viewport(Document& document, QWidget* parent)
     refresh_handles();
     request_frame();
   });
+  connect(&document_, &Document::part_changed, this, &Viewport::request_frame);
+  connect(&document_, &Document::freedom_changed, this, [this] {
+    refresh_handles();
+    request_frame();
+  });
   connect(&document_, &Document::selection_changed, this, [this] { update_overlay(); });
 }
 
@@ -116,15 +122,33 @@ glm::dvec3 Viewport::pivot() const {
   return sphere ? sphere->center : camera_.target;
 }
 
-std::optional<std::size_t> Viewport::most_visible(QPointF position) {
+glm::dvec3 Viewport::place_under_mouse() const {
+  if (!underMouse()) return camera_.target;
+  const CameraRays view = rays();
+  const QPointF at = mapFromGlobal(QPointF(QCursor::pos()));
+  const glm::dvec3 direction = view.direction(at.x(), at.y());
+  const double depth = glm::dot(camera_.target - view.eye(), view.forward());
+  return view.eye() + direction * (depth / glm::dot(direction, view.forward()));
+}
+
+glm::dvec3 Viewport::shift_on_film(QPointF pixels) const {
+  const QPointF middle = QRectF(rect()).center();
+  return dragged_across(pivot(), rays(), middle, middle + pixels);
+}
+
+std::optional<GaussianId> Viewport::most_visible(QPointF position) {
   const CameraRays view = rays();
   const glm::dvec3 direction = view.direction(position.x(), position.y());
   const auto surface = surfaces_.hit(view.eye(), direction);
   const double distance = surface ? glm::distance(surface->position, view.eye())
                                   : std::numeric_limits<double>::infinity();
-  const auto met = contributions(document_.medium(), view.eye(), direction, distance, least_depth);
-  if (met.empty()) return std::nullopt;
-  return met.front().index;
+  const auto scene = document_.visible_snapshot();
+  for (const Contribution& met :
+       contributions(scene->medium, view.eye(), direction, distance, least_depth)) {
+    const GaussianId id = scene->medium.ids()[met.index];
+    if (document_.is_free(id)) return id;
+  }
+  return std::nullopt;
 }
 
 void Viewport::set_exposure(double stops) {
@@ -157,7 +181,7 @@ QString Viewport::gl_problem() const {
 }
 
 FrameRequest Viewport::frame_request(bool moving) const {
-  const auto scene = document_.snapshot();
+  const auto scene = document_.visible_snapshot();
   const Settings rest = quality_.settings();
   Settings settings = rest;
   if (moving) {
@@ -183,7 +207,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
 // Everything that changes the picture comes here: something soon, the full frame once it rests.
 void Viewport::request_frame() {
   ++serial_;
-  quality_.picture_changes(document_.scene(), camera_);
+  quality_.picture_changes(*document_.visible_snapshot(), camera_);
   frames_.request(frame_request(true));
   rest_timer_.start(rest_after);
 }
@@ -198,18 +222,16 @@ void Viewport::take_frame(std::shared_ptr<const RenderedFrame> frame) {
   surface_->show_picture(shown_->request.exposure == exposure_
                              ? shown_->picture
                              : to_picture(shown_->frame, exposure_));
-  if (document_.medium().size() == shown_->request.scene->medium.size()) {
-    handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
-                         shown_->frame);
-    update_overlay();
-  }
+  handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
+                       shown_->frame);
+  update_overlay();
   if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
   if (is_settled()) quality_.frame_shown(shown_);
   Q_EMIT frame_shown();
 }
 
 void Viewport::refresh_handles() {
-  handles_.project(document_.medium(), rays());
+  handles_.project(document_.medium(), rays(), document_.hidden(), document_.locked());
   update_overlay();
 }
 

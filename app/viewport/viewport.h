@@ -51,9 +51,14 @@ class Viewport : public QWidget {
   // What tools turn around and paint through: the middle of the selection, else the camera's
   // target.
   [[nodiscard]] glm::dvec3 pivot() const;
-  // The Gaussian that takes most light from the ray at a position: what a user means who points at
-  // fog. nullopt where there is hardly any.
-  [[nodiscard]] std::optional<std::size_t> most_visible(QPointF position);
+  // The point under the mouse on the plane across the view through the camera's target; the target
+  // itself if the mouse is elsewhere.
+  [[nodiscard]] glm::dvec3 place_under_mouse() const;
+  // What a shift on the film by some pixels is in the world, at the depth of the pivot.
+  [[nodiscard]] glm::dvec3 shift_on_film(QPointF pixels) const;
+  // Of the Gaussians that are not locked the one that takes most light from the ray at a position:
+  // what a user means who points at fog. nullopt where there is hardly any.
+  [[nodiscard]] std::optional<GaussianId> most_visible(QPointF position);
   [[nodiscard]] SurfacePicker& surfaces() { return surfaces_; }
 
   // The frame on screen; nullptr before the first.

@@ -18,6 +18,8 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianTerm<double> g(medium.gaussian(i));
     const LineProfile<double> line = line_profile(g, eye, direction);
+    // At most this: most Gaussians are far from the ray.
+    if (1.7725 * medium.radii()[i] * medium.densities()[i] * std::exp(-line.e) < least) continue;
     const double depth = optical_depth(g, line, distance);
     if (depth >= least) met.push_back({truncated_mean(g, line, distance), {i, depth, 0.0}});
   }

@@ -13,6 +13,7 @@
 #include <random>
 
 #include "app/commands/edit_medium.h"
+#include "app/commands/select_command.h"
 #include "app/message_bar.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/panels/number_field.h"
@@ -97,7 +98,7 @@ class EditorTest : public QObject {
 
   void opening_a_cell_changes_nothing() {
     TestWindow window;
-    window->document().select_all();
+    select_all(window->document());
     QTableView* table = table_of(*window);
     table->setFocus();
     QTest::keyClick(table, Qt::Key_F2);
@@ -162,11 +163,12 @@ class EditorTest : public QObject {
     QVERIFY(document.selection().empty());
     QCOMPARE(table_of(*window)->model()->rowCount(), 4);
     const Scene after = document.scene();
-    QCOMPARE(window->findChild<QUndoView*>()->model()->rowCount(), 4);
-    for (int k = 0; k < 3; ++k) window.key(Qt::Key_Z, Qt::ControlModifier);
+    // Add, select, move, select all, select nothing, delete; and where it began.
+    QCOMPARE(window->findChild<QUndoView*>()->model()->rowCount(), 7);
+    for (int k = 0; k < 6; ++k) window.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.scene() == before);
     QVERIFY(!window->isWindowModified());
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 6; ++k) {
       window.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     }
     QVERIFY(document.scene() == after);

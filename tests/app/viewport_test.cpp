@@ -77,6 +77,7 @@ class ViewportTest : public QObject {
     const Scene before = document.scene();
     Viewport& view = window->viewport();
     const QPoint from = window.handle(1);
+    document.select({2});
     QTest::mousePress(&view, Qt::LeftButton, {}, from);
     window.move(from + QPoint(30, 0));
     QVERIFY(document.is_modified());

@@ -1,0 +1,96 @@
+#include "app/commands/clipboard.h"
+
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QRegularExpression>
+#include <glm/common.hpp>
+
+#include "app/commands/edit_medium.h"
+#include "app/document/document.h"
+
+namespace brume {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Undo", text);
+}
+
+const QString heading = "x\ty\tz\tradius\tdensity";
+
+std::vector<Gaussian> selected(const Document& document) {
+  std::vector<Gaussian> gaussians;
+  for (const GaussianId id : document.selection()) {
+    gaussians.push_back(document.medium().gaussian(*document.medium().index_of(id)));
+  }
+  return gaussians;
+}
+
+glm::dvec3 middle_of(const std::vector<Gaussian>& gaussians) {
+  glm::dvec3 low = gaussians.front().center;
+  glm::dvec3 high = low;
+  for (const Gaussian& gaussian : gaussians) {
+    low = glm::min(low, gaussian.center);
+    high = glm::max(high, gaussian.center);
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+QString gaussians_to_text(const std::vector<Gaussian>& gaussians) {
+  QString text = heading + '\n';
+  for (const Gaussian& gaussian : gaussians) {
+    QStringList numbers;
+    for (const GaussianField field : gaussian_fields) {
+      numbers << exact_number_text(field_value(gaussian, field));
+    }
+    text += numbers.join('\t') + '\n';
+  }
+  return text;
+}
+
+std::vector<Gaussian> gaussians_from_text(const QString& text) {
+  QStringList lines = text.split(QRegularExpression("[\r\n]+"), Qt::SkipEmptyParts);
+  if (lines.isEmpty() || lines.takeFirst() != heading) return {};
+  std::vector<Gaussian> gaussians;
+  for (const QString& line : lines) {
+    const QStringList numbers = line.split('\t');
+    if (numbers.size() != static_cast<qsizetype>(gaussian_fields.size())) return {};
+    Gaussian& gaussian = gaussians.emplace_back();
+    for (std::size_t k = 0; k < gaussian_fields.size(); ++k) {
+      const double value = parse_number(numbers[static_cast<qsizetype>(k)]);
+      if (!field_problem(gaussian_fields[k], value).isEmpty()) return {};
+      set_field_value(gaussian, gaussian_fields[k], value);
+    }
+  }
+  return gaussians;
+}
+
+void copy_selection(const Document& document) {
+  if (document.selection().empty()) return;
+  QGuiApplication::clipboard()->setText(gaussians_to_text(selected(document)));
+}
+
+void cut_selection(Document& document) {
+  copy_selection(document);
+  delete_selection(document, tr("Cut"));
+}
+
+void paste_gaussians(Document& document, std::optional<glm::dvec3> middle) {
+  std::vector<Gaussian> gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
+  if (gaussians.empty()) return;
+  if (middle) {
+    const glm::dvec3 shift = *middle - middle_of(gaussians);
+    for (Gaussian& gaussian : gaussians) gaussian.center += shift;
+  }
+  add_gaussians(document, gaussians, tr("Paste"));
+}
+
+void duplicate_selection(Document& document, const glm::dvec3& shift) {
+  std::vector<Gaussian> gaussians = selected(document);
+  for (Gaussian& gaussian : gaussians) gaussian.center += shift;
+  add_gaussians(document, gaussians, tr("Duplicate"));
+}
+
+}  // namespace brume

@@ -1,0 +1,37 @@
+#include "app/commands/scene_part_command.h"
+
+#include "app/document/document.h"
+
+namespace brume {
+
+ScenePartCommand::ScenePartCommand(Document& document, ScenePart part, const QString& text,
+                                   MergeId merge_id)
+    : SceneCommand(document, text),
+      before_(scene_part(document.scene(), part.index())),
+      after_(std::move(part)),
+      merge_id_(merge_id) {
+  setObsolete(before_ == after_);
+}
+
+void ScenePartCommand::apply() {
+  document_.set_part(after_);
+}
+
+void ScenePartCommand::revert() {
+  document_.set_part(before_);
+}
+
+bool ScenePartCommand::take(const SceneCommand& later) {
+  const auto* command = dynamic_cast<const ScenePartCommand*>(&later);
+  if (!command || command->after_.index() != after_.index()) return false;
+  after_ = command->after_;
+  setObsolete(before_ == after_);
+  return true;
+}
+
+void set_scene_part(Document& document, ScenePart part, const QString& text, MergeId merge_id) {
+  if (scene_part(document.scene(), part.index()) == part) return;
+  document.undo_stack().push(new ScenePartCommand(document, std::move(part), text, merge_id));
+}
+
+}  // namespace brume

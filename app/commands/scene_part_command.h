@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/commands/merge_id.h"
+#include "app/commands/scene_command.h"
+#include "app/document/scene_part.h"
+
+namespace brume {
+
+// Gives a part of the scene another value. One that is the same leaves no step.
+class ScenePartCommand : public SceneCommand {
+ public:
+  ScenePartCommand(Document& document, ScenePart part, const QString& text, MergeId merge_id);
+
+  [[nodiscard]] int id() const override { return merge_id_; }
+
+ protected:
+  void apply() override;
+  void revert() override;
+  bool take(const SceneCommand& later) override;
+
+ private:
+  ScenePart before_;
+  ScenePart after_;
+  MergeId merge_id_;
+};
+
+void set_scene_part(Document& document, ScenePart part, const QString& text,
+                    MergeId merge_id = no_merge);
+
+}  // namespace brume

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <variant>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// What of a scene is edited as a whole, the Gaussians being edited one by one.
+using Lights = std::vector<PointLight>;
+using Surfaces = std::vector<Surface>;
+using ScenePart = std::variant<Camera, Lights, std::optional<Environment>, MediumOptics, Surfaces>;
+
+// The part of a scene that has an index of the variant; and a scene with another part.
+ScenePart scene_part(const Scene& scene, std::size_t index);
+void set_scene_part(Scene& scene, const ScenePart& part);
+
+}  // namespace brume

@@ -1,0 +1,95 @@
+#include "app/tools/brush_select_tool.h"
+
+#include <algorithm>
+
+#include "app/application.h"
+#include "app/commands/select_command.h"
+#include "app/document/document.h"
+#include "app/tools/option_widgets.h"
+#include "app/viewport/viewport.h"
+
+namespace brume {
+namespace {
+
+constexpr NumberDomain radius_domain{1.0, 2000.0, "a number of pixels from 1 to 2000"};
+
+double distance_to_segment(QPointF point, QPointF from, QPointF to) {
+  const QPointF way = to - from;
+  const double square = QPointF::dotProduct(way, way);
+  const double t =
+      square > 0.0 ? std::clamp(QPointF::dotProduct(point - from, way) / square, 0.0, 1.0) : 0.0;
+  const QPointF gap = point - (from + t * way);
+  return std::sqrt(QPointF::dotProduct(gap, gap));
+}
+
+}  // namespace
+
+QString BrushSelectTool::hint() const {
+  return tr(
+      "Drag over what you want to select. Shift adds, Ctrl removes, both intersect; [ and ] "
+      "change the radius.");
+}
+
+void BrushSelectTool::add_options(QHBoxLayout& row) {
+  SelectionTool::add_options(row);
+  add_number(
+      row, *this,
+      {tr("Radius, pixels"), "select_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
+      [this] { return radius_; }, [this](double value) { set_radius(value); });
+}
+
+void BrushSelectTool::set_radius(double radius) {
+  radius_ = std::clamp(radius, radius_domain.least, radius_domain.greatest);
+  viewport_.update_overlay();
+  Q_EMIT options_changed();
+}
+
+void BrushSelectTool::hover(QPointF position) {
+  cursor_ = position;
+  viewport_.update_overlay();
+}
+
+void BrushSelectTool::leave() {
+  cursor_.reset();
+  viewport_.update_overlay();
+}
+
+void BrushSelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
+  hover(position);
+  running_ = true;
+  gesture_mode_ = mode_with(modifiers);
+  merge_id_ = new_merge_id();
+  before_ = document_.selection();
+  passed_.clear();
+  pass(position, position);
+}
+
+void BrushSelectTool::move(QPointF position) {
+  hover(position);
+  if (running_) pass(last_, position);
+}
+
+void BrushSelectTool::release(QPointF /*position*/) {
+  running_ = false;
+}
+
+void BrushSelectTool::cancel() {
+  if (running_) select_gaussians(document_, before_, merge_id_);
+  running_ = false;
+}
+
+void BrushSelectTool::pass(QPointF from, QPointF to) {
+  last_ = to;
+  const auto more = viewport_.handles().inside(
+      [&](QPointF at) { return distance_to_segment(at, from, to) <= radius_; });
+  passed_.insert(passed_.end(), more.begin(), more.end());
+  std::sort(passed_.begin(), passed_.end());
+  passed_.erase(std::unique(passed_.begin(), passed_.end()), passed_.end());
+  choose(before_, passed_, gesture_mode_, merge_id_);
+}
+
+void BrushSelectTool::draw(Overlay& overlay, const CameraRays& /*rays*/) const {
+  if (cursor_) overlay.add_circle(cursor_->x(), cursor_->y(), radius_, accent_color().rgba());
+}
+
+}  // namespace brume

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "app/tools/selection_tool.h"
+
+namespace brume {
+
+// Selects the Gaussians whose centre a circle passes over.
+class BrushSelectTool : public SelectionTool {
+  Q_OBJECT
+ public:
+  using SelectionTool::SelectionTool;
+
+  [[nodiscard]] QString hint() const override;
+  void add_options(QHBoxLayout& row) override;
+  void hover(QPointF position) override;
+  void leave() override;
+  void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
+  void move(QPointF position) override;
+  void release(QPointF position) override;
+  void cancel() override;
+  void abandon() override { running_ = false; }
+  void medium_changed() override { running_ = false; }
+  void draw(Overlay& overlay, const CameraRays& rays) const override;
+  [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  void change_size(double factor) override { set_radius(radius_ * factor); }
+
+ private:
+  void set_radius(double radius);
+  void pass(QPointF from, QPointF to);
+
+  double radius_ = 30.0;  // pixels
+  std::optional<QPointF> cursor_;
+  // Of the gesture: what it found, what it has passed over, and where it is.
+  bool running_ = false;
+  SelectMode gesture_mode_ = SelectMode::set;
+  MergeId merge_id_ = no_merge;
+  std::vector<GaussianId> before_;
+  std::vector<std::size_t> passed_;
+  QPointF last_;
+};
+
+}  // namespace brume

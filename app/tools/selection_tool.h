@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "app/commands/merge_id.h"
+#include "app/tools/tool.h"
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+// What a newly chosen set of Gaussians does to the selection.
+enum class SelectMode { set, add, remove, intersect, toggle };
+
+// Both sides sorted by id, and so is the result.
+std::vector<GaussianId> combined(const std::vector<GaussianId>& selection,
+                                 const std::vector<GaussianId>& chosen, SelectMode mode);
+
+// What tools that select have in common: the mode, from the options or from the modifiers. Shift
+// adds, Ctrl removes, both intersect.
+class SelectionTool : public Tool {
+  Q_OBJECT
+ public:
+  using Tool::Tool;
+
+  void add_options(QHBoxLayout& row) override;
+  [[nodiscard]] SelectMode mode() const { return mode_; }
+  void set_mode(SelectMode mode);
+
+ protected:
+  [[nodiscard]] SelectMode mode_with(Qt::KeyboardModifiers modifiers) const;
+  // `indices` of the medium, in any order.
+  void choose(const std::vector<GaussianId>& before, const std::vector<std::size_t>& indices,
+              SelectMode mode, MergeId merge_id = no_merge);
+
+ private:
+  SelectMode mode_ = SelectMode::set;
+};
+
+}  // namespace brume

@@ -1,0 +1,326 @@
+// Selecting, the clipboard, hiding and locking, and the handles that transform.
+
+#include <QClipboard>
+#include <glm/geometric.hpp>
+
+#include "app/commands/clipboard.h"
+#include "app/commands/select_command.h"
+#include "app/scene_files.h"
+#include "app/tools/gizmo.h"
+#include "app/tools/selection_tool.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+using Ids = std::vector<GaussianId>;
+
+namespace {
+
+// Draws a closed line around some places.
+void lasso(TestWindow& window, const std::vector<QPoint>& line, Qt::KeyboardModifiers modifiers) {
+  Viewport& view = window->viewport();
+  QTest::mousePress(&view, Qt::LeftButton, modifiers, line.front());
+  for (const QPoint& point : line) window.move(point, Qt::LeftButton, modifiers);
+  QTest::mouseRelease(&view, Qt::LeftButton, modifiers, line.back());
+}
+
+std::vector<QPoint> triangle(QPoint around) {
+  return {around + QPoint(-30, 25), around + QPoint(30, 25), around + QPoint(0, -35)};
+}
+
+glm::dvec3 center(TestWindow& window, std::size_t index) {
+  return window->document().medium().centers()[index];
+}
+
+}  // namespace
+
+class SelectionTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void sets_combine() {
+    const Ids a{1, 2, 3};
+    const Ids b{2, 3, 4};
+    QCOMPARE(combined(a, b, SelectMode::set), b);
+    QCOMPARE(combined(a, b, SelectMode::add), (Ids{1, 2, 3, 4}));
+    QCOMPARE(combined(a, b, SelectMode::remove), Ids{1});
+    QCOMPARE(combined(a, b, SelectMode::intersect), (Ids{2, 3}));
+    QCOMPARE(combined(a, b, SelectMode::toggle), (Ids{1, 4}));
+  }
+
+  void selecting_is_a_step_but_no_change() {
+    TestWindow window;
+    Document& document = window->document();
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, window.handle(2));
+    QCOMPARE(document.undo_stack().undoText(), QString("Select Gaussian"));
+    QVERIFY(!document.is_modified() && !window->isWindowModified());
+    window.key(Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(document.selection().size(), std::size_t{5});
+    window.key(Qt::Key_A, Qt::ControlModifier);  // they are already
+    QCOMPARE(document.undo_stack().count(), 2);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.selection(), Ids{3});
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.selection().empty());
+    window.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(document.selection(), Ids{3});
+    // A change, a selection and the change undone: saved again.
+    window.key(Qt::Key_Delete);
+    window.key(Qt::Key_A, Qt::ControlModifier);
+    QVERIFY(document.is_modified());
+    document.undo_stack().setIndex(1);
+    QVERIFY(!document.is_modified());
+    QCOMPARE(document.selection(), Ids{3});
+  }
+
+  void a_click_into_the_fog_takes_what_is_seen() {
+    TestWindow window;
+    // Well inside the outline, far from the handle.
+    const QPoint beside = window.handle(1) + QPoint(22, 0);
+    QVERIFY(!window->viewport().handles().pick(beside));
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, beside);
+    QCOMPARE(window->document().selection(), Ids{2});
+  }
+
+  void a_lasso_selects_what_is_inside() {
+    TestWindow window;
+    Document& document = window->document();
+    window.key(Qt::Key_L);
+    lasso(window, triangle(window.handle(1)), {});
+    QCOMPARE(document.selection(), Ids{2});
+    lasso(window, triangle(window.handle(3)), Qt::ShiftModifier);
+    QCOMPARE(document.selection(), (Ids{2, 4}));
+    lasso(window, triangle(window.handle(3)), Qt::ShiftModifier | Qt::ControlModifier);
+    QCOMPARE(document.selection(), Ids{4});
+    lasso(window, triangle(window.handle(3)), Qt::ControlModifier);
+    QVERIFY(document.selection().empty());
+    QCOMPARE(document.undo_stack().count(), 4);
+    dynamic_cast<SelectionTool&>(window->tools().tool()).set_mode(SelectMode::add);
+    lasso(window, triangle(window.handle(0)), {});
+    lasso(window, triangle(window.handle(1)), {});
+    QCOMPARE(document.selection(), (Ids{1, 2}));
+  }
+
+  void a_brush_selects_what_it_passes_as_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    window.key(Qt::Key_C);
+    window.drag(window.handle(0), window.handle(1));
+    QVERIFY(document.is_selected(1) && document.is_selected(2));
+    QVERIFY(!document.is_selected(3));
+    QCOMPARE(document.undo_stack().count(), 1);
+    window.drag(window.handle(1), window.handle(1) + QPoint(5, 0), Qt::LeftButton,
+                Qt::ControlModifier);
+    QVERIFY(!document.is_selected(2));
+    const Ids before = document.selection();
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, window.handle(2));
+    QCOMPARE(document.selection(), Ids{3});
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, window.handle(2));
+    QCOMPARE(document.selection(), before);
+    QCOMPARE(document.undo_stack().count(), 2);
+  }
+
+  void it_grows_and_shrinks_by_touch() {
+    Scene scene = small_scene();
+    scene.medium = {};
+    for (int k = 0; k < 6; ++k) scene.medium.append({{0.5 * k - 1.5, 0, 0}, 0.3, 0.5});
+    TestWindow window(scene);
+    Document& document = window->document();
+    document.select({3});
+    window.key(Qt::Key_Plus, Qt::ControlModifier);
+    QCOMPARE(document.selection(), (Ids{2, 3, 4}));
+    window.key(Qt::Key_Plus, Qt::ControlModifier);
+    QCOMPARE(document.selection(), (Ids{1, 2, 3, 4, 5}));
+    window.key(Qt::Key_Minus, Qt::ControlModifier);
+    QCOMPARE(document.selection(), (Ids{1, 2, 3, 4}));
+    QCOMPARE(document.undo_stack().undoText(), QString("Select 4 Gaussians"));
+  }
+
+  void what_is_hidden_is_not_seen_and_not_touched() {
+    TestWindow window;
+    Document& document = window->document();
+    document.select({2});
+    const QPoint at = window.handle(1);
+    window.key(Qt::Key_H);
+    QCOMPARE(document.hidden(), Ids{2});
+    QVERIFY(document.selection().empty());
+    QVERIFY(!document.is_modified());
+    QVERIFY(window.settle());
+    QCOMPARE(window->viewport().shown()->request.scene->medium.size(), std::size_t{4});
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    window.key(Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(document.selection(), (Ids{1, 3, 4, 5}));
+    window.key(Qt::Key_E);
+    window.drag(at - QPoint(60, 0), at + QPoint(60, 0));
+    QCOMPARE(document.medium().densities()[1], 0.8);
+    // The file gets all of it.
+    QVERIFY(window->files().save_to(window.file("all.brume")));
+    QCOMPARE(load_scene(window.file("all.brume")).medium.size(), std::size_t{5});
+    window.key(Qt::Key_H, Qt::ShiftModifier);
+    QVERIFY(document.hidden().empty());
+    QVERIFY(window.settle());
+    QCOMPARE(window->viewport().shown()->request.scene->medium.size(), std::size_t{5});
+  }
+
+  void isolating_hides_the_rest_and_shows_it_again() {
+    TestWindow window;
+    Document& document = window->document();
+    document.select({2, 3});
+    window.key(Qt::Key_Slash);
+    QCOMPARE(document.hidden(), (Ids{1, 4, 5}));
+    QCOMPARE(document.selection(), (Ids{2, 3}));
+    window.key(Qt::Key_Slash);
+    QVERIFY(document.hidden().empty());
+  }
+
+  void what_is_locked_is_seen_but_not_touched() {
+    TestWindow window;
+    Document& document = window->document();
+    document.select({2});
+    const QPoint at = window.handle(1);
+    window.key(Qt::Key_K);
+    QVERIFY(document.selection().empty());
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    QVERIFY(document.selection().empty());
+    window.key(Qt::Key_E);
+    window.drag(at - QPoint(60, 0), at + QPoint(60, 0));
+    QCOMPARE(document.medium().densities()[1], 0.8);
+    QVERIFY(!document.is_modified());
+    QCOMPARE(document.visible_snapshot()->medium.size(), std::size_t{5});
+    window.key(Qt::Key_K, Qt::ShiftModifier);
+    window.key(Qt::Key_V);
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(document.selection(), Ids{2});
+  }
+
+  void copies_can_be_pasted_here_and_there() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({2, 3});
+    window.key(Qt::Key_C, Qt::ControlModifier);
+    window.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(document.undo_stack().undoText(), QString("Paste 2 Gaussians"));
+    QCOMPARE(document.selection(), (Ids{6, 7}));
+    QVERIFY(document.medium().gaussian(5) == before.medium.gaussian(1));
+    QVERIFY(document.medium().gaussian(6) == before.medium.gaussian(2));
+    window.key(Qt::Key_V, Qt::ControlModifier);  // somewhere in view, the two as they lie
+    const glm::dvec3 shift = center(window, 7) - center(window, 5);
+    QVERIFY(glm::distance(center(window, 8) - center(window, 6), shift) < 1e-12);
+    window.key(Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(document.undo_stack().undoText(), QString("Duplicate 2 Gaussians"));
+    QCOMPARE(document.medium().size(), std::size_t{11});
+    window.key(Qt::Key_X, Qt::ControlModifier);
+    QCOMPARE(document.undo_stack().undoText(), QString("Cut 2 Gaussians"));
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    QCOMPARE(document.selection(), (Ids{2, 3}));
+  }
+
+  void the_clipboard_keeps_every_digit_and_refuses_nonsense() {
+    const std::vector<Gaussian> gaussians{{{0.1, -1.0 / 3.0, 1e12}, 1e-12, 0.0},
+                                          {{1e-300, 2, 3}, 0.1 + 0.2, 7.7}};
+    const QString text = gaussians_to_text(gaussians);
+    QVERIFY(gaussians_from_text(text) == gaussians);
+    for (QString bad : {QString(), QString("fog"), text + "1\t2\t3\t0\t1\n", text + "1\t2\t3\n",
+                        text + "1\t2\t3\tnan\t1\n", text + "1\t2\t3\t1\t-1\n"}) {
+      QVERIFY2(gaussians_from_text(bad).empty(), qPrintable(bad));
+    }
+    TestWindow window;
+    QGuiApplication::clipboard()->setText("fog");
+    window.key(Qt::Key_V, Qt::ControlModifier);
+    QVERIFY(!window->document().is_modified());
+  }
+
+  void an_arrow_moves_along_its_axis() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({2, 3});
+    window.key(Qt::Key_G);
+    const QPoint pivot = film_position(window, window->viewport().pivot());
+    window.drag(pivot + QPoint(60, 0), pivot + QPoint(110, 30));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move 2 Gaussians"));
+    QCOMPARE(document.undo_stack().count(), 1);
+    for (const std::size_t k : {1U, 2U}) {
+      const glm::dvec3 moved = center(window, k) - before.medium.centers()[k];
+      QVERIFY(moved.x > 0.1 && moved.y == 0.0 && moved.z == 0.0);
+    }
+    // The pivot went along with the mouse.
+    QVERIFY(std::abs(film_position(window, window->viewport().pivot()).x() - pivot.x() - 50) <= 1);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene() == before);
+    // The ring in the middle: across the view.
+    window.drag(pivot + QPoint(0, 9), pivot + QPoint(-40, 40));
+    const glm::dvec3 moved = center(window, 1) - before.medium.centers()[1];
+    QVERIFY(moved.x < -0.1 && moved.y < -0.1 && std::abs(moved.z) < 1e-12);
+  }
+
+  void a_ring_turns() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({1, 2, 3});
+    window.key(Qt::Key_R);
+    const glm::dvec3 pivot = window->viewport().pivot();
+    const QPoint middle = film_position(window, pivot);
+    // Around the view, a quarter of a turn counterclockwise.
+    window.drag(middle + QPoint(96, 0), middle + QPoint(0, -96));
+    QCOMPARE(document.undo_stack().undoText(), QString("Rotate 3 Gaussians"));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 was = before.medium.centers()[k] - pivot;
+      const glm::dvec3 is = center(window, k) - pivot;
+      QVERIFY(std::abs(glm::length(is) - glm::length(was)) < 1e-12);
+      const glm::dvec3 axis = glm::normalize(document.scene().camera.eye - pivot);
+      QVERIFY(std::abs(glm::dot(is, axis) - glm::dot(was, axis)) < 1e-12);
+      const glm::dvec3 quarter = glm::cross(axis, was) + axis * glm::dot(axis, was);
+      QVERIFY(glm::distance(is, quarter) < 0.02);
+      QCOMPARE(document.medium().radii()[k], before.medium.radii()[k]);
+    }
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, middle + QPoint(96, 0));
+    window.move(middle + QPoint(70, 70));
+    QVERIFY(document.is_modified());
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, middle);
+    QVERIFY(document.scene() == before);
+  }
+
+  void scaling_scales_radii_too() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({1, 2, 3});
+    window.key(Qt::Key_S);
+    const glm::dvec3 pivot = window->viewport().pivot();
+    const QPoint middle = film_position(window, pivot);
+    window.drag(middle + QPoint(0, 10), middle + QPoint(0, 20));
+    QCOMPARE(document.undo_stack().undoText(), QString("Scale 3 Gaussians"));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double factor = document.medium().radii()[k] / before.medium.radii()[k];
+      QVERIFY(std::abs(factor - 2.0) < 0.1);
+      QVERIFY(glm::distance(center(window, k) - pivot,
+                            factor * (before.medium.centers()[k] - pivot)) < 1e-12);
+    }
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    window.drag(middle + QPoint(60, 0), middle + QPoint(90, 0));
+    for (std::size_t k = 0; k < 3; ++k) {
+      QCOMPARE(document.medium().radii()[k], before.medium.radii()[k]);
+      QCOMPARE(center(window, k).y, before.medium.centers()[k].y);
+    }
+    QVERIFY(center(window, 1).x > before.medium.centers()[1].x);
+  }
+
+ private:
+  static QPoint film_position(TestWindow& window, const glm::dvec3& point) {
+    const glm::dvec3 at = window->viewport().rays().project(point);
+    return QPointF(at.x, at.y).toPoint();
+  }
+};
+
+BRUME_TEST_MAIN(SelectionTest)
+#include "selection_test.moc"
