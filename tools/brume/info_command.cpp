@@ -3,10 +3,12 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/io/gaussian_csv.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/number_domain.h"
 #include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
+#include "core/io/volume_file.h"
 #include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
 #include "render/frame_file.h"
@@ -66,6 +68,20 @@ Json scene_json(const Scene& scene) {
   return json;
 }
 
+Json grids_json(const std::string& file) {
+  Json json = Json::array();
+  for (const VolumeGridInfo& grid : volume_grids(file)) {
+    Json entry;
+    entry["name"] = grid.name;
+    entry["type"] = grid.type;
+    entry["voxels"] = grid.voxels;
+    if (grid.voxels > 0) entry["bounds"] = bounds(grid.least, grid.greatest);
+    entry["voxel_size"] = to_json(grid.voxel_size);
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
 // A value on one line: numbers bare, lists with spaces.
 std::string as_words(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
@@ -101,7 +117,8 @@ void print_lines(std::ostream& out, const Json& json, const std::string& indent)
 class InfoCommand final : public Command {
  public:
   explicit InfoCommand(CLI::App& app) {
-    app.add_option("FILE", file_, "a scene, .brume, or Gaussians, .ply")->required();
+    app.add_option("FILE", file_, "a scene, .brume, Gaussians, .ply or .csv, or a volume, .vdb")
+        ->required();
     app.add_flag("--json", as_json_, "print JSON");
     app.footer(
         "Peak density and greatest optical depth are searched for, so they are lower bounds: the\n"
@@ -115,11 +132,12 @@ class InfoCommand final : public Command {
     json["file"] = file_;
     const std::string extension = lower_case_extension(file_);
     if (extension == ".vdb") {
-      throw InputError(file_, "", "volumes are not supported in this version");
-    }
-    if (extension == ".ply") {
+      json["grids"] = grids_json(file_);
+    } else if (extension == ".ply" || extension == ".csv") {
       Medium medium;
-      for (const Gaussian& gaussian : read_gaussians(file_)) medium.append(gaussian);
+      const auto gaussians =
+          extension == ".csv" ? read_gaussians_csv(file_) : read_gaussians(file_);
+      for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
       json["medium"] = medium_json(medium);
     } else if (extension == ".brume") {
       std::vector<std::string> warnings;
@@ -127,8 +145,9 @@ class InfoCommand final : public Command {
       print_warnings(warnings);
       json.update(scene_json(scene));
     } else {
-      throw InputError(file_, "",
-                       "found the extension " + shown(extension) + "; allowed: .brume, .ply");
+      throw InputError(
+          file_, "",
+          "found the extension " + shown(extension) + "; allowed: .brume, .ply, .csv, .vdb");
     }
     std::ostringstream text;
     if (as_json_) {

@@ -66,9 +66,13 @@ int run(int argc, char** argv) {
   CLI::App& render = *app.add_subcommand("render", "render a frame of a scene");
   CLI::App& compare = *app.add_subcommand("compare", "compare two EXR images");
   CLI::App& info = *app.add_subcommand("info", "say what a scene or a medium holds");
+  CLI::App& fit = *app.add_subcommand("fit", "fit Gaussians to a volume");
+  CLI::App& exports = *app.add_subcommand("export", "write the medium of a scene for others");
   const auto render_command = make_render_command(render);
   const auto compare_command = make_compare_command(compare);
   const auto info_command = make_info_command(info);
+  const auto fit_command = make_fit_command(fit);
+  const auto export_command = make_export_command(exports);
 
   try {
     check_names(app, {argv + 1, argv + argc});
@@ -81,7 +85,10 @@ int run(int argc, char** argv) {
   if (render.parsed()) return render_command->run();
   if (compare.parsed()) return compare_command->run();
   if (info.parsed()) return info_command->run();
-  throw UsageError("a subcommand is missing: render, compare or info; brume -h explains them");
+  if (fit.parsed()) return fit_command->run();
+  if (exports.parsed()) return export_command->run();
+  throw UsageError(
+      "a subcommand is missing: render, compare, info, fit or export; brume -h explains them");
 }
 
 }  // namespace

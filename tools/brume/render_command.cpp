@@ -1,6 +1,5 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +19,7 @@
 #include "render/transfer/transfer_store.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
+#include "tools/brume/progress_line.h"
 #include "tools/brume/render_statistics.h"
 
 namespace brume {
@@ -73,31 +73,6 @@ Film parse_size(const std::string& text) {
   return {side(view.substr(0, cross)),
           side(cross == std::string::npos ? std::string_view{} : view.substr(cross + 1))};
 }
-
-// Says on the terminal how far something is, if somebody watches, and is gone in the end.
-class ProgressLine {
- public:
-  explicit ProgressLine(std::string what)
-      : what_(std::move(what)), is_watched_(::isatty(STDERR_FILENO) != 0) {}
-  ~ProgressLine() {
-    if (is_watched_) std::cerr << "\r\033[K" << std::flush;
-  }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  [[nodiscard]] std::function<void(double)> progress() const {
-    if (!is_watched_) return {};
-    return [what = what_, shown = -1](double share) mutable {
-      const int percent = static_cast<int>(100.0 * share);
-      if (percent == std::exchange(shown, percent)) return;
-      std::cerr << '\r' << what << ": " << percent << "%\033[K" << std::flush;
-    };
-  }
-
- private:
-  std::string what_;
-  bool is_watched_;
-};
 
 class RenderCommand final : public Command {
  public:

@@ -1,0 +1,117 @@
+#include "core/fit/fit_start.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <queue>
+#include <span>
+
+namespace brume {
+namespace {
+
+struct Sample {
+  glm::dvec3 p;   // [u]
+  double weight;  // density
+};
+
+struct Group {
+  std::span<Sample> samples;
+  double weight = 0.0;
+  glm::dvec3 mean{0.0};
+  glm::dmat3 inertia{0.0};  // sum of weight d d^T
+
+  explicit Group(std::span<Sample> of) : samples(of) {
+    for (const Sample& s : samples) {
+      weight += s.weight;
+      mean += s.weight * s.p;
+    }
+    mean /= weight;
+    for (const Sample& s : samples) {
+      const glm::dvec3 d = s.p - mean;
+      inertia += s.weight * glm::outerProduct(d, d);
+    }
+  }
+  [[nodiscard]] double trace() const { return inertia[0][0] + inertia[1][1] + inertia[2][2]; }
+  bool operator<(const Group& other) const { return trace() < other.trace(); }
+};
+
+// The direction of the greatest inertia, by power iteration; near enough for a cut.
+glm::dvec3 longest_axis(const glm::dmat3& inertia) {
+  glm::dvec3 axis(1.0, 0.7, 0.4);
+  for (int i = 0; i < 20; ++i) {
+    const glm::dvec3 next = inertia * axis;
+    const double length = glm::length(next);
+    if (!(length > 0.0)) return {1.0, 0.0, 0.0};
+    axis = next / length;
+  }
+  return axis;
+}
+
+// Sorts the group's samples and cuts at half its weight, between voxels.
+std::array<std::span<Sample>, 2> cut(const Group& group) {
+  const glm::dvec3 axis = longest_axis(group.inertia);
+  std::sort(group.samples.begin(), group.samples.end(), [&](const Sample& a, const Sample& b) {
+    return glm::dot(a.p, axis) < glm::dot(b.p, axis);
+  });
+  double weight = 0.0;
+  std::size_t count = 0;
+  while (count + 1 < group.samples.size() && weight < 0.5 * group.weight) {
+    weight += group.samples[count++].weight;
+  }
+  count = std::max<std::size_t>(count, 1);
+  return {group.samples.first(count), group.samples.subspan(count)};
+}
+
+}  // namespace
+
+std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size_t count) {
+  std::vector<Sample> samples;
+  for (const DensityGrid::Block& block : grid.blocks) {
+    std::size_t i = 0;
+    for (int x = 0; x < DensityGrid::side; ++x) {
+      for (int y = 0; y < DensityGrid::side; ++y) {
+        for (int z = 0; z < DensityGrid::side; ++z) {
+          const auto value = static_cast<double>(block.values[i++]);
+          if (!(value > 0.0)) continue;
+          samples.push_back({grid.spacing * glm::dvec3(block.corner + glm::ivec3(x, y, z)), value});
+        }
+      }
+    }
+  }
+  if (samples.empty() || count == 0) return {};
+
+  std::priority_queue<Group> groups;
+  std::vector<Group> single;  // groups of one voxel
+  groups.emplace(std::span(samples));
+  while (groups.size() + single.size() < count && !groups.empty()) {
+    const Group group = groups.top();
+    groups.pop();
+    if (group.samples.size() < 2) {
+      single.push_back(group);
+      continue;
+    }
+    for (const std::span<Sample> half : cut(group)) groups.emplace(half);
+  }
+
+  const double own = glm::dot(grid.spacing, grid.spacing) / 12.0;  // a voxel is a little box
+  const double sharpest =
+      FitProblem::sharpest /
+      std::max({std::abs(grid.spacing.x), std::abs(grid.spacing.y), std::abs(grid.spacing.z)});
+  std::vector<FitGaussian> gaussians;
+  const auto add = [&](const Group& group) {
+    FitGaussian g;
+    g.b = group.mean;
+    const double variance = (group.trace() / group.weight + own) / 3.0;
+    g.a = std::min(1.0 / std::sqrt(2.0 * variance), sharpest);
+    g.c = group.weight * grid.voxel_volume() * std::pow(g.a, 3.0) / std::pow(std::numbers::pi, 1.5);
+    gaussians.push_back(g);
+  };
+  for (const Group& group : single) add(group);
+  for (; !groups.empty(); groups.pop()) add(groups.top());
+  return gaussians;
+}
+
+}  // namespace brume

@@ -1,0 +1,329 @@
+#include "core/fit/gaussian_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "core/fit/fit_problem.h"
+#include "core/fit/fit_start.h"
+
+namespace brume {
+namespace {
+
+using Steps = std::vector<FitStep>;
+
+double dot(const Steps& a, const Steps& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < a[i].size(); ++k) sum += a[i][k] * b[i][k];
+  }
+  return sum;
+}
+
+// a += s b
+void add(Steps& a, double s, const Steps& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < a[i].size(); ++k) a[i][k] += s * b[i][k];
+  }
+}
+
+class Fitting {
+ public:
+  Fitting(const DensityGrid& grid, const std::stop_token& stop,
+          const std::function<void(double)>& progress)
+      : grid_(grid), problem_(grid), stop_(stop), progress_(progress) {
+    residuals_.resize(problem_.size());
+    trial_residuals_.resize(problem_.size());
+    along_.resize(problem_.size());
+    const glm::dvec3 h = glm::abs(grid.spacing);
+    sharpest_ = FitProblem::sharpest / std::max({h.x, h.y, h.z});
+  }
+
+  void begin(std::vector<FitGaussian> gaussians) {
+    gaussians_ = std::move(gaussians);
+    for (FitGaussian& g : gaussians_) limit(g);
+    renewed_.assign(gaussians_.size(), false);
+    evaluate();
+    damping_ = 1e-2;
+  }
+
+  [[nodiscard]] double error() const {
+    return std::sqrt(squares_.voxels / std::max(problem_.sum_of_squares(), 1e-300));
+  }
+
+  // Up to `steps` steps, ending early where they no longer help. False when stopped.
+  bool descend(int steps, double error_wanted, double from, double to) {
+    for (int i = 0; i < steps; ++i) {
+      if (stop_.stop_requested()) return false;
+      if (progress_) progress_(from + (to - from) * i / steps);
+      const double before = squares_.all;
+      if (error() <= error_wanted) break;
+      if (!step()) break;
+      if (squares_.all > (1.0 - 1e-4) * before) break;
+    }
+    return !stop_.stop_requested();
+  }
+
+  // Gaussians that are worth least begin anew where most is missing, and all descend again; undone
+  // where that is no better after all. Returns false when stopped.
+  bool renew_and_descend(int steps, double error_wanted, double from, double to) {
+    const std::vector<FitGaussian> gaussians = gaussians_;
+    const std::vector<bool> renewed = renewed_;
+    const double squares = squares_.all;
+    renew();
+    if (!descend(steps, error_wanted, from, to)) return false;
+    if (squares_.all < squares) return true;
+    gaussians_ = gaussians;
+    renewed_ = renewed;
+    evaluate();
+    return true;
+  }
+
+  void scale_mass() {
+    double mass = 0.0;
+    for (const FitGaussian& g : gaussians_) mass += g.mass();
+    if (!(mass > 0.0)) return;
+    const double factor = grid_.mass() / mass;
+    for (FitGaussian& g : gaussians_) g.c *= factor;
+    evaluate();
+  }
+
+  [[nodiscard]] Fit result() const {
+    Fit fit;
+    fit.density_error = error();
+    for (const FitGaussian& g : gaussians_) {
+      fit.gaussians.push_back({grid_.to_world(g.b / grid_.spacing), 1.0 / g.a, g.c});
+    }
+    return fit;
+  }
+  [[nodiscard]] const std::vector<bool>& renewed() const { return renewed_; }
+
+ private:
+  void limit(FitGaussian& g) const { g.a = std::min(g.a, sharpest_); }
+  void evaluate() {
+    problem_.set(gaussians_);
+    squares_ = problem_.residuals(residuals_);
+  }
+  void renew();
+  // One accepted step; false if none helps.
+  bool step();
+  Steps solve(const Steps& gradient, std::span<const double> weights);
+
+  const DensityGrid& grid_;
+  FitProblem problem_;
+  std::stop_token stop_;
+  const std::function<void(double)>& progress_;
+  double sharpest_;
+  double damping_ = 1e-2;
+  FitProblem::Squares squares_;
+  std::vector<FitGaussian> gaussians_;
+  std::vector<bool> renewed_;
+  std::vector<float> residuals_, trial_residuals_, along_;
+};
+
+// The part of J^T J that belongs to one Gaussian alone, for many voxels per radius: with
+// w = integral of g^2, it is w for a db, and w ((15/4, -3/2), (-3/2, 1)) for log a and log c.
+// Returns the solution of (that, with `damping` of its diagonal added) x = r.
+FitStep solve_own(const FitStep& r, double w, double damping) {
+  const double more = 1.0 + damping;
+  const double aa = 3.75 * w * more;
+  const double cc = w * more;
+  const double ac = -1.5 * w;
+  const double determinant = aa * cc - ac * ac;
+  return {r[0] / cc, r[1] / cc, r[2] / cc, (cc * r[3] - ac * r[4]) / determinant,
+          (aa * r[4] - ac * r[3]) / determinant};
+}
+
+// (J^T J + damping D) x = -gradient by preconditioned conjugate gradients.
+Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
+  constexpr int most = 16;
+  constexpr double enough = 0.05;  // of the gradient
+  const std::size_t n = gradient.size();
+  Steps x(n, FitStep{});
+  Steps r = gradient;
+  for (FitStep& s : r) {
+    for (double& v : s) v = -v;
+  }
+  Steps z(n);
+  const auto precondition = [&] {
+    for (std::size_t i = 0; i < n; ++i) z[i] = solve_own(r[i], weights[i], damping_);
+  };
+  precondition();
+  Steps p = z;
+  Steps q(n);
+  double rz = dot(r, z);
+  const double first = rz;
+  for (int k = 0; k < most && rz > enough * enough * first; ++k) {
+    problem_.apply(p, along_);
+    problem_.apply_transposed(along_, q);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t c = 0; c < q[i].size(); ++c) {
+        q[i][c] += damping_ * (c == 3 ? 3.75 : 1.0) * weights[i] * p[i][c];
+      }
+    }
+    const double curvature = dot(p, q);
+    if (!(curvature > 0.0)) break;
+    const double length = rz / curvature;
+    add(x, length, p);
+    add(r, -length, q);
+    precondition();
+    const double next = dot(r, z);
+    const double keep = next / rz;
+    rz = next;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t c = 0; c < p[i].size(); ++c) p[i][c] = z[i][c] + keep * p[i][c];
+    }
+  }
+  return x;
+}
+
+bool Fitting::step() {
+  const std::size_t n = gaussians_.size();
+  Steps gradient(n);
+  problem_.apply_transposed(residuals_, gradient);
+  std::vector<double> weights(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const FitGaussian& g = gaussians_[i];
+    weights[i] = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
+                 (g.a * g.a * g.a * grid_.voxel_volume());
+  }
+  // A Gaussian that is almost nothing has no weight to hold it.
+  const double least =
+      1e-6 * std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(n);
+  for (double& w : weights) w = std::max(w, least);
+
+  const std::vector<FitGaussian> before = gaussians_;
+  const double squares_before = squares_.all;
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    const Steps change = solve(gradient, weights);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto bounded = [&](std::size_t k) { return std::clamp(change[i][k], -0.7, 0.7); };
+      FitGaussian& g = gaussians_[i];
+      g = before[i];
+      g.b += glm::dvec3(bounded(0), bounded(1), bounded(2)) / before[i].a;
+      g.a *= std::exp(bounded(3));
+      g.c *= std::exp(bounded(4));
+      limit(g);
+    }
+    problem_.set(gaussians_);
+    squares_ = problem_.residuals(trial_residuals_);
+    if (squares_.all < squares_before) {
+      std::swap(residuals_, trial_residuals_);
+      damping_ = std::max(0.3 * damping_, 1e-5);
+      return true;
+    }
+    damping_ = std::max(10.0 * damping_, 1e-3);
+  }
+  gaussians_ = before;
+  evaluate();
+  return false;
+}
+
+void Fitting::renew() {
+  constexpr double share = 0.1;  // of the Gaussians, at most
+  // A Gaussian's neighbours make up for most of its loss.
+  constexpr double lost = 0.3;
+  const std::size_t n = gaussians_.size();
+  const auto most = static_cast<std::size_t>(share * static_cast<double>(n));
+  // What a Gaussian is worth: about what the squares would grow by without it, by its own gradient.
+  Steps gradient(n);
+  problem_.apply_transposed(residuals_, gradient);
+  std::vector<std::pair<double, std::size_t>> worth;
+  for (std::size_t i = 0; i < n; ++i) {
+    const FitGaussian& g = gaussians_[i];
+    const double own = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
+                       (g.a * g.a * g.a * grid_.voxel_volume());
+    worth.emplace_back(own - 2.0 * gradient[i][4], i);
+  }
+  std::sort(worth.begin(), worth.end());
+
+  // Where most is missing, as cubes of voxels: a Gaussian there takes about this off the squares.
+  struct Place {
+    double gain;
+    FitGaussian gaussian;
+  };
+  std::vector<Place> places;
+  for (const int side : {2, 4}) {
+    problem_.each_cube(side, residuals_, [&](const glm::dvec3& center, double sum) {
+      if (!(sum < 0.0)) return;
+      const double variance = side * side / 12.0 * glm::dot(grid_.spacing, grid_.spacing) / 3.0;
+      FitGaussian g;
+      g.b = center;
+      g.a = std::min(1.0 / std::sqrt(2.0 * variance), sharpest_);
+      g.c = -sum * grid_.voxel_volume() * std::pow(g.a, 3.0) / std::pow(std::numbers::pi, 1.5);
+      places.push_back({sum * sum / (side * side * side), g});
+    });
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.gain > b.gain; });
+  for (std::size_t k = 0; k < std::min(most, places.size()); ++k) {
+    if (places[k].gain < lost * worth[k].first) break;
+    gaussians_[worth[k].second] = places[k].gaussian;
+    renewed_[worth[k].second] = true;
+  }
+  evaluate();
+}
+
+}  // namespace
+
+std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& options,
+                                 const std::stop_token& stop,
+                                 const std::function<void(double)>& progress) {
+  Fitting fitting(grid, stop, progress);
+  const auto fit = [&](std::size_t count, double from, double to) {
+    constexpr int rounds = 4;
+    constexpr int steps = 15;
+    fitting.begin(split_into_gaussians(grid, count));
+    for (int round = 0; round < rounds; ++round) {
+      const double begin = from + (to - from) * round / rounds;
+      const double end = begin + (to - from) / rounds;
+      const bool goes_on = round == 0
+                               ? fitting.descend(steps, options.max_error, begin, end)
+                               : fitting.renew_and_descend(steps, options.max_error, begin, end);
+      if (!goes_on) return false;
+      if (fitting.error() <= options.max_error) break;
+    }
+    return true;
+  };
+  if (!(options.max_error > 0.0)) {
+    if (!fit(options.count, 0.0, 1.0)) return std::nullopt;
+  } else {
+    // Twice as many each time: in all no more than twice the work of the last.
+    for (std::size_t count = std::min<std::size_t>(options.count, 32);;
+         count = std::min(2 * count, options.count)) {
+      const double share = static_cast<double>(count) / static_cast<double>(options.count);
+      if (!fit(count, 0.5 * share, share)) return std::nullopt;
+      if (fitting.error() <= options.max_error || count == options.count) break;
+    }
+  }
+  fitting.scale_mass();
+  return fitting.result();
+}
+
+std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Gaussian> start,
+                                     const std::stop_token& stop,
+                                     const std::function<void(double)>& progress) {
+  Fitting fitting(grid, stop, progress);
+  std::vector<FitGaussian> gaussians;
+  for (const Gaussian& g : start) {
+    gaussians.push_back({grid.spacing * grid.to_voxel(g.center), 1.0 / g.radius, g.density});
+  }
+  fitting.begin(std::move(gaussians));
+  constexpr int rounds = 5;
+  constexpr int steps = 8;
+  for (int round = 0; round < rounds; ++round) {
+    const double begin = round / static_cast<double>(rounds);
+    const double end = (round + 1) / static_cast<double>(rounds);
+    const bool goes_on = round == 0 ? fitting.descend(steps, 0.0, begin, end)
+                                    : fitting.renew_and_descend(steps, 0.0, begin, end);
+    if (!goes_on) return std::nullopt;
+  }
+  fitting.scale_mass();
+  return Refit{fitting.result(), fitting.renewed()};
+}
+
+}  // namespace brume

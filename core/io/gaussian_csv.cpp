@@ -1,0 +1,106 @@
+#include "core/io/gaussian_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/limits.h"
+#include "core/io/number_domain.h"
+#include "core/io/text_scanner.h"
+
+namespace brume {
+namespace {
+
+constexpr std::array<std::string_view, 5> names{"x", "y", "z", "radius", "density"};
+constexpr std::array<const NumberDomain*, 5> domains{&domain::coordinate, &domain::coordinate,
+                                                     &domain::coordinate, &domain::length,
+                                                     &domain::density};
+
+// The cells of a line, without the blanks around them.
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> result;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    std::string_view cell = line.substr(0, comma);
+    const std::size_t first = cell.find_first_not_of(" \t");
+    cell = first == std::string_view::npos ? std::string_view{} : cell.substr(first);
+    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t')) cell.remove_suffix(1);
+    result.push_back(cell);
+    if (comma == std::string_view::npos) return result;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
+                                        const std::vector<std::string_view>& header) {
+  std::array<std::size_t, 5> columns{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto at = std::find(header.begin(), header.end(), names[i]);
+    if (at == header.end()) {
+      throw InputError(
+          file, "line 1",
+          "there is no column " + std::string(names[i]) + "; needed: x,y,z,radius,density");
+    }
+    columns[i] = static_cast<std::size_t>(at - header.begin());
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file) {
+  const std::string bytes = read_bytes(file);
+  TextScanner text(bytes);
+  if (!text.next_line()) throw InputError(file, "", "the file is empty");
+  const std::array<std::size_t, 5> columns = find_columns(file, cells(text.rest_of_line()));
+  std::vector<Gaussian> gaussians;
+  while (text.next_line()) {
+    const std::vector<std::string_view> row = cells(text.rest_of_line());
+    if (row.size() == 1 && row[0].empty()) continue;
+    std::array<double, 5> value{};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string place = text.place() + ", " + std::string(names[i]);
+      if (columns[i] >= row.size()) throw InputError(file, place, "is missing");
+      const auto number = parse_number(row[columns[i]]);
+      if (!number) {
+        throw InputError(file, place,
+                         "found " + shown(row[columns[i]]) + "; allowed: " + domains[i]->allowed);
+      }
+      if (!domains[i]->contains(*number)) {
+        throw InputError(file, place, domains[i]->refusal(*number));
+      }
+      value[i] = *number;
+    }
+    if (gaussians.size() == limits::gaussians) {
+      throw InputError(file, text.place(),
+                       "found more than " + std::to_string(limits::gaussians) + " Gaussians");
+    }
+    gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
+  }
+  return gaussians;
+}
+
+void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians) {
+  std::string text = "x,y,z,radius,density\n";
+  const auto append = [&](double value, char after) {
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+    text += after;
+  };
+  for (const Gaussian& g : gaussians) {
+    append(g.center.x, ',');
+    append(g.center.y, ',');
+    append(g.center.z, ',');
+    append(g.radius, ',');
+    append(g.density, '\n');
+  }
+  write_atomically(file, text);
+}
+
+}  // namespace brume

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+// Gaussians as a table of comma-separated values: the first line names the columns, among them x,
+// y, z, radius and density in any order; others are skipped, and so are empty lines. Throws
+// InputError naming file and line.
+std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file);
+
+// Writes x,y,z,radius,density with the fewest digits that read back the same.
+void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians);
+
+}  // namespace brume

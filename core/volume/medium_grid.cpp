@@ -1,0 +1,128 @@
+#include "core/volume/medium_grid.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+
+namespace brume {
+namespace {
+
+constexpr int side = DensityGrid::side;
+constexpr double reach = 3.035;          // radii: exp(-reach^2) = 1e-4
+constexpr double most_voxels = 1 << 28;  // from the origin, along each axis
+
+struct CornerHash {
+  std::size_t operator()(const glm::ivec3& c) const {
+    // Three large primes (Teschner et al. 2003).
+    const auto part = [](int x, std::size_t prime) {
+      return static_cast<std::size_t>(static_cast<std::uint32_t>(x / side)) * prime;
+    };
+    return part(c.x, 73856093) ^ part(c.y, 19349663) ^ part(c.z, 83492791);
+  }
+};
+
+// Calls visit(corner) for the blocks that a Gaussian reaches; false if it goes too far to count.
+template <class Visit>
+bool each_block(const Gaussian& g, double voxel_size, Visit visit) {
+  const glm::dvec3 middle = g.center / voxel_size;
+  const double radius = reach * g.radius / voxel_size;
+  const glm::dvec3 extent = glm::abs(middle) + radius;
+  if (!(std::max({extent.x, extent.y, extent.z}) < most_voxels)) return false;
+  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
+  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
+  for (int x = low.x; x <= high.x; x += side) {
+    for (int y = low.y; y <= high.y; y += side) {
+      for (int z = low.z; z <= high.z; z += side) {
+        const glm::dvec3 first(x, y, z);
+        const glm::dvec3 gap = glm::clamp(middle, first, first + double(side - 1)) - middle;
+        if (glm::dot(gap, gap) > radius * radius) continue;
+        if (!visit(glm::ivec3(x, y, z))) return false;
+      }
+    }
+  }
+  return true;
+}
+
+void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
+         std::array<double, DensityGrid::block_size>& values) {
+  std::array<std::array<double, side>, 3> along;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < side; ++k) {
+      const double t = (voxel_size * (corner[axis] + k) - g.center[axis]) / g.radius;
+      along[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)] = std::exp(-t * t);
+    }
+  }
+  std::size_t i = 0;
+  for (const double ex : along[0]) {
+    for (const double ey : along[1]) {
+      const double e = g.density * ex * ey;
+      for (const double ez : along[2]) values[i++] += e * ez;
+    }
+  }
+}
+
+}  // namespace
+
+double fitting_voxel_size(const Medium& medium) {
+  double least = 0.0;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    if (!(medium.densities()[i] > 0.0)) continue;
+    if (least == 0.0 || medium.radii()[i] < least) least = medium.radii()[i];
+  }
+  return 0.5 * least;
+}
+
+std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double voxel_size,
+                                                   std::size_t most) {
+  MediumSampling result(medium, voxel_size);
+  std::unordered_map<glm::ivec3, std::size_t, CornerHash> places;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const Gaussian g = medium.gaussian(i);
+    if (!(g.density > 0.0)) continue;
+    const bool fits = each_block(g, voxel_size, [&](const glm::ivec3& corner) {
+      const auto [place, is_new] = places.try_emplace(corner, result.corners_.size());
+      if (is_new) {
+        if (result.corners_.size() == most) return false;
+        result.corners_.push_back(corner);
+        result.gaussians_.emplace_back();
+      }
+      result.gaussians_[place->second].push_back(static_cast<std::uint32_t>(i));
+      return true;
+    });
+    if (!fits) return std::nullopt;
+  }
+  return result;
+}
+
+std::optional<DensityGrid> MediumSampling::sample(
+    const std::stop_token& stop, const std::function<void(double)>& progress) const {
+  DensityGrid grid;
+  grid.spacing = glm::dvec3(voxel_size_);
+  grid.blocks.resize(blocks());
+  std::atomic<std::size_t> done = 0;
+  tbb::parallel_for(std::size_t{0}, blocks(), [&](std::size_t b) {
+    if (stop.stop_requested()) return;
+    std::array<double, DensityGrid::block_size> values{};
+    for (const std::uint32_t i : gaussians_[b]) {
+      add(medium_->gaussian(i), corners_[b], voxel_size_, values);
+    }
+    DensityGrid::Block& block = grid.blocks[b];
+    block.corner = corners_[b];
+    std::transform(values.begin(), values.end(), block.values.begin(),
+                   [](double v) { return static_cast<float>(v); });
+    const std::size_t count = ++done;
+    if (progress && count % 256 == 0) {
+      progress(static_cast<double>(count) / static_cast<double>(blocks()));
+    }
+  });
+  if (stop.stop_requested()) return std::nullopt;
+  grid.sort();
+  return grid;
+}
+
+}  // namespace brume
