@@ -4,7 +4,10 @@
 
 #include "app/document/paths.h"
 #include "render/frame_file.h"
+#include "render/render_plan.h"
 #include "render/renderer.h"
+#include "render/transfer/transfer_cache.h"
+#include "render/transfer/transfer_store.h"
 
 namespace brume {
 
@@ -32,8 +35,14 @@ void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera
         QMetaObject::invokeMethod(
             this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
       };
-      Renderer renderer;
-      const auto frame = renderer.render(*scene, camera, scene->film, settings, stop, progress);
+      const Job job{stop, progress};
+      const std::vector<TransferRequest> needed = RenderPlan(*scene, settings.airlight).transfers;
+      const double first = needed.empty() ? 0.0 : 0.5;
+      const auto transfers = std::make_shared<TransferStore>();
+      transfers->make(needed, cache_folder(), job.part(0.0, first));
+      Renderer renderer(transfers);
+      const auto frame = renderer.render(*scene, camera, scene->film, settings, stop,
+                                         job.part(first, 1.0).progress);
       if (frame && !stop.stop_requested()) {
         write_frame(file, *frame, info);
         outcome = Outcome::written;

@@ -134,6 +134,7 @@ void MainWindow::create_status_bar() {
   frame_export_ = new FrameExport(this);
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(&files_->loading());
+  statusBar()->addPermanentWidget(&viewport_->transfer_job());
   statusBar()->addPermanentWidget(frame_export_);
   statusBar()->addPermanentWidget(numbers_);
   statusBar()->addPermanentWidget(error_);
@@ -152,6 +153,7 @@ void MainWindow::connect_document() {
   connect(&files_->loading(), &SceneLoad::cancelled, this, [this] { say(tr("Not opened")); });
   connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
   connect(viewport_, &Viewport::failed, this, fail);
+  connect(&viewport_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
   connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_status);
   connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_error);
   connect(&viewport_->quality(), &FrameQuality::error_changed, this, &MainWindow::update_error);
@@ -242,6 +244,7 @@ void MainWindow::export_frame_to(const std::filesystem::path& file) {
 void MainWindow::quit_with_screenshot(const QString& file) {
   const auto take = [this, file] {
     if (!viewport_->is_measured() || files_->loading().is_running()) return;
+    if (viewport_->transfer_job().is_running()) return;
     viewport_->quality().disconnect(this);
     // Once more through the event loop: all has come, but is not painted yet.
     QTimer::singleShot(200, this, [this, file] {

@@ -30,8 +30,11 @@ QImage to_picture(const Frame& frame, double exposure) {
   return image;
 }
 
-FrameService::FrameService(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& quit) { work(quit); }) {}
+FrameService::FrameService(std::shared_ptr<const TransferStore> transfers, QObject* parent)
+    : QObject(parent),
+      thread_([this, transfers = std::move(transfers)](const std::stop_token& quit) {
+        work(quit, transfers);
+      }) {}
 
 FrameService::~FrameService() {
   thread_.request_stop();
@@ -66,8 +69,9 @@ int FrameService::motion_divisor(const Film& film) const {
   return max_divisor;
 }
 
-void FrameService::work(const std::stop_token& quit) {
-  Renderer renderer;
+void FrameService::work(const std::stop_token& quit,
+                        const std::shared_ptr<const TransferStore>& transfers) {
+  Renderer renderer(transfers);
   while (true) {
     FrameRequest request;
     int divisor = 1;

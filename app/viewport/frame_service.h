@@ -13,6 +13,7 @@
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/settings.h"
+#include "render/transfer/transfer_store.h"
 
 namespace brume {
 
@@ -42,7 +43,8 @@ QImage to_picture(const Frame& frame, double exposure);
 class FrameService : public QObject {
   Q_OBJECT
  public:
-  explicit FrameService(QObject* parent = nullptr);
+  // `transfers` as of Renderer.
+  explicit FrameService(std::shared_ptr<const TransferStore> transfers, QObject* parent = nullptr);
   ~FrameService() override;  // gives up the frame in flight
 
   void request(FrameRequest request);
@@ -52,7 +54,7 @@ class FrameService : public QObject {
   void failed(const QString& message);
 
  private:
-  void work(const std::stop_token& quit);
+  void work(const std::stop_token& quit, const std::shared_ptr<const TransferStore>& transfers);
   int motion_divisor(const Film& film) const;
 
   std::mutex mutex_;

@@ -40,8 +40,10 @@ Viewport::Viewport(Document& document, QWidget* parent)
       document_(document),
       surface_(create_viewport_surface(this)),
       surfaces_(document),
+      transfer_job_(new TransferJob(this)),
       band_(QRubberBand::Rectangle, this),
-      camera_(document.scene().camera) {
+      camera_(document.scene().camera),
+      frames_(transfer_job_->transfers()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(surface_->widget());
@@ -61,6 +63,8 @@ Viewport::Viewport(Document& document, QWidget* parent)
   connect(&quality_, &FrameQuality::settings_changed, this,
           [this] { frames_.request(frame_request(false)); });
   connect(&quality_, &FrameQuality::failed, this, &Viewport::failed);
+  connect(transfer_job_, &TransferJob::made, this, &Viewport::request_frame);
+  connect(transfer_job_, &TransferJob::failed, this, &Viewport::failed);
   connect(&document_, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
     if (tool_) tool_->abandon();
@@ -208,6 +212,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
 void Viewport::request_frame() {
   ++serial_;
   quality_.picture_changes(*document_.visible_snapshot(), camera_);
+  transfer_job_->follow(document_.scene());
   frames_.request(frame_request(true));
   rest_timer_.start(rest_after);
 }

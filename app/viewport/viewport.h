@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/transfer_job.h"
 #include "app/viewport/frame_quality.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/handles.h"
@@ -41,6 +42,9 @@ class Viewport : public QWidget {
   // How frames are rendered, and how wrong they are.
   [[nodiscard]] FrameQuality& quality() { return quality_; }
   [[nodiscard]] const FrameQuality& quality() const { return quality_; }
+
+  // Makes the radiance transfer of frames; for the status bar.
+  [[nodiscard]] TransferJob& transfer_job() { return *transfer_job_; }
 
   // The view in widget coordinates.
   [[nodiscard]] Film film() const;
@@ -99,6 +103,7 @@ class Viewport : public QWidget {
   ViewportSurface* surface_;
   Tool* tool_ = nullptr;
   SurfacePicker surfaces_;
+  TransferJob* transfer_job_;
   QRubberBand band_;
 
   Camera camera_;

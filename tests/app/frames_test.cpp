@@ -2,13 +2,17 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QToolButton>
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "app/commands/edit_medium.h"
 #include "app/frame_export.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/viewport.h"
 #include "core/io/image_file.h"
+#include "core/io/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -40,6 +44,31 @@ FrameRequest endless_request(std::uint64_t serial) {
   request.settings.reference_tolerance = 1e-7;
   request.serial = serial;
   return request;
+}
+
+// The small scene with a wavy sheet of n x n vertices that shadows itself.
+Scene scene_with_transfer(const std::filesystem::path& mesh, int n) {
+  std::ofstream off(mesh);
+  off << "OFF\n" << n * n << ' ' << (n - 1) * (n - 1) << " 0\n";
+  for (int i = 0; i < n * n; ++i) {
+    const double x = 2.0 * (i % n) / (n - 1) - 1.0;
+    const double y = 2.0 * (i / n) / (n - 1) - 1.0;
+    off << x << ' ' << y << ' ' << 0.2 * std::sin(9.0 * x) * std::sin(9.0 * y) - 1.0 << '\n';
+  }
+  for (int i = 0; i < n * (n - 1); ++i) {
+    if (i % n == n - 1) continue;
+    off << "4 " << i << ' ' << i + 1 << ' ' << i + n + 1 << ' ' << i + n << '\n';
+  }
+  Scene scene = small_scene();
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh_file = mesh;
+  surface.transfer = Surface::Transfer::shadow;
+  return scene;
+}
+
+bool misses_transfer(const Frame& frame) {
+  return std::ranges::any_of(frame.statistics.skipped,
+                             [](const SkippedStage& s) { return s.stage == "transfer"; });
 }
 
 }  // namespace
@@ -151,7 +180,7 @@ class FramesTest : public QObject {
   }
 
   void slow_frames_in_motion_do_not_queue_up() {
-    FrameService service;
+    FrameService service(std::make_shared<TransferStore>());
     std::vector<std::uint64_t> came;
     connect(&service, &FrameService::frame_ready, this,
             [&](const std::shared_ptr<const RenderedFrame>& frame) {
@@ -170,7 +199,7 @@ class FramesTest : public QObject {
   }
 
   void a_long_frame_does_not_block_and_gives_way() {
-    FrameService service;
+    FrameService service(std::make_shared<TransferStore>());
     std::vector<std::uint64_t> came;
     connect(&service, &FrameService::frame_ready, this,
             [&](const std::shared_ptr<const RenderedFrame>& frame) {
@@ -195,7 +224,7 @@ class FramesTest : public QObject {
   }
 
   void in_motion_the_resolution_drops() {
-    FrameService service;
+    FrameService service(std::make_shared<TransferStore>());
     std::shared_ptr<const RenderedFrame> frame;
     connect(&service, &FrameService::frame_ready, this,
             [&](const std::shared_ptr<const RenderedFrame>& f) { frame = f; });
@@ -207,6 +236,50 @@ class FramesTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(frame, 30000);
     QCOMPARE(frame->divisor, 4);
     QCOMPARE(frame->frame.film, (Film{100, 75}));
+  }
+
+  // Frames come meanwhile, and again once it is there.
+  void radiance_transfer_is_made_in_the_background() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    save_scene(scene_with_transfer(window.file("ball.off"), 200), window.file("transfer.brume"));
+    QSignalSpy made(&view.transfer_job(), &TransferJob::made);
+    QVERIFY(window.open("transfer.brume"));
+    QTRY_VERIFY(view.transfer_job().isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(view.shown() && !view.shown()->request.scene->surfaces.empty(), 30000);
+    QVERIFY(view.transfer_job().is_running());
+    QVERIFY(misses_transfer(view.shown()->frame));
+    QVERIFY(made.wait(60000));
+    QVERIFY(!view.transfer_job().isVisible());
+    QVERIFY(window.settle());
+    QVERIFY(!misses_transfer(view.shown()->frame));
+    // An edit of the fog asks for no other.
+    window->document().select({5});
+    window.key(Qt::Key_Delete);
+    QVERIFY(window.settle());
+    QVERIFY(!misses_transfer(view.shown()->frame));
+    QCOMPARE(made.count(), 1);
+  }
+
+  void radiance_transfer_can_be_cancelled() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    save_scene(scene_with_transfer(window.file("big.off"), 900), window.file("transfer.brume"));
+    QVERIFY(window.open("transfer.brume"));
+    QTRY_VERIFY(view.transfer_job().isVisible());
+    view.transfer_job().findChild<QToolButton*>()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!view.transfer_job().is_running(), 10000);
+    QVERIFY(window.settle());
+    QVERIFY(misses_transfer(view.shown()->frame));
+    // Another scene gives it up too.
+    save_scene(scene_with_transfer(window.file("small.off"), 10), window.file("small.brume"));
+    QVERIFY(window.open("transfer.brume"));
+    QTRY_VERIFY(view.transfer_job().is_running());
+    QSignalSpy made(&view.transfer_job(), &TransferJob::made);
+    QVERIFY(window.open("small.brume"));
+    QVERIFY(made.wait(30000));
+    QVERIFY(window.settle());
+    QVERIFY(!misses_transfer(view.shown()->frame));
   }
 
   void export_writes_the_scene_film_in_the_background() {

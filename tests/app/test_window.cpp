@@ -85,6 +85,7 @@ void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
 int start_test(int argc, char** argv, int (*run)(int, char**)) {
   const QTemporaryDir settings;
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+  qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
   QApplication application(argc, argv);
   set_up_application(application);
   return run(argc, argv);

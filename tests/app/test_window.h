@@ -39,7 +39,7 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
-// Runs a test program with settings of its own: the user's stay untouched.
+// Runs a test program with settings and a cache of its own: the user's stay untouched.
 int start_test(int argc, char** argv, int (*run)(int, char**));
 
 }  // namespace brume
