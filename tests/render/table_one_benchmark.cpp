@@ -3,8 +3,9 @@
 // kinds, with the fewest slices that keep an error of 2%. The paper's frames per second (on a GPU
 // of 2007) stand beside ours. cpu_share is the CPU time over the time of all cores: far below 1
 // means that others used the machine too, and that frames per second say little; fps_alone is what
-// the CPU time gives on all cores at once. With BRUME_BENCHMARK_IMAGES=folder each scene's last
-// frame is written there.
+// the CPU time gives on all cores at once. surfaces_share is that of the stage in the frame's time;
+// transfer_s is what radiance transfer took before, once. With BRUME_BENCHMARK_IMAGES=folder each
+// scene's last frame is written there.
 
 #include <benchmark/benchmark.h>
 
@@ -23,7 +24,9 @@
 
 #include "core/scene/mesh.h"
 #include "render/error_estimate.h"
+#include "render/render_plan.h"
 #include "render/renderer.h"
+#include "render/transfer/transfer_store.h"
 #include "tests/render/benchmark_scenes.h"
 #include "tests/render/table_one_scenes.h"
 
@@ -63,7 +66,12 @@ double median(std::vector<double> values) {
 void table_one(benchmark::State& state, const TableOneScene& kind) {
   const Scene scene = kind.make();
   check_counts(kind, scene);
-  Renderer renderer;
+  const auto transfers = std::make_shared<TransferStore>();
+  const auto transfer_begin = std::chrono::steady_clock::now();
+  transfers->make(RenderPlan(scene, AirlightMethod::sliced).transfers, {});
+  state.counters["transfer_s"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - transfer_begin).count();
+  Renderer renderer(transfers);
   const Settings settings = fewest_slices(renderer, scene);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
 
@@ -110,6 +118,7 @@ void table_one(benchmark::State& state, const TableOneScene& kind) {
   state.counters["exact_share"] = static_cast<double>(frame.statistics.exact_pixels) /
                                   (static_cast<double>(scene.film.width) * scene.film.height);
   for (const auto& [name, times] : stages) state.counters["ms_" + name] = median(times);
+  state.counters["surfaces_share"] = median(stages["surfaces"]) / (1e3 * median(seconds));
 }
 
 [[maybe_unused]] const bool registered = [] {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <numbers>
 #include <vector>
 
+#include "core/io/radiance_map_file.h"
 #include "core/medium/medium_summary.h"
 #include "tests/random.h"
 #include "tests/render/benchmark_meshes.h"
@@ -34,6 +36,20 @@ Surface surface(MeshBuilder& mesh, const glm::dvec3& reflectance) {
   result.mesh = mesh.finish();
   result.material.reflectance = reflectance;
   return result;
+}
+
+// An environment of resources/environments, and radiance transfer for it.
+void light_by(const char* environment, double intensity, double rotation, Scene& scene) {
+  Environment& sky = scene.environment.emplace();
+  sky.map = read_radiance_map(std::filesystem::path(BRUME_ENVIRONMENTS) / environment);
+  sky.intensity = intensity;
+  sky.rotation = rotation;
+  for (Surface& s : scene.surfaces) s.transfer = Surface::Transfer::interreflection;
+}
+
+Scene without_lamps(Scene scene) {
+  scene.lights.clear();
+  return scene;
 }
 
 // A floor at height y.
@@ -156,6 +172,7 @@ Scene terrain_scene() {
   }
   scene.medium = with_depth(fog, 4.0);
   scene.lights = {{{-16.0, 18.0, 4.0}, {2600, 2400, 2100}, {}}};
+  light_by("dawn.exr", 1.0, 0.0, scene);
   return scene;
 }
 
@@ -174,9 +191,9 @@ Scene city_scene() {
       blocks.box({x - width, 0.0, z - depth}, {x + width, top, z + depth}, 9);
     }
   }
-  MeshBuilder ground;
-  ground.sheet(77226 - blocks.size(), level(9.0, 0.0));
-  scene.surfaces = {surface(blocks, {0.36, 0.33, 0.3}), surface(ground, {0.2, 0.2, 0.22})};
+  // One mesh: the blocks take light from the ground.
+  blocks.sheet(77226 - blocks.size(), level(9.0, 0.0));
+  scene.surfaces = {surface(blocks, {0.33, 0.31, 0.29})};
 
   // Patches in the streets.
   std::vector<Gaussian> fog;
@@ -190,6 +207,7 @@ Scene city_scene() {
   }
   scene.medium = with_depth(fog, 4.0);
   scene.lights = {{{-14.0, 18.0, -2.0}, {2400, 2200, 1900}, {}}};
+  light_by("sunset.exr", 1.0, 0.0, scene);
   return scene;
 }
 
@@ -244,6 +262,11 @@ Scene machine_scene() {
   ground.sheet(44430 - metal.size() - rubber.size(), level(5.0, 0.0));
   scene.surfaces = {surface(metal, {0.62, 0.6, 0.58}), surface(rubber, {0.16, 0.15, 0.15}),
                     surface(ground, {0.4, 0.38, 0.36})};
+  Material& shiny = scene.surfaces[0].material;
+  shiny.type = Material::Type::phong;
+  shiny.reflectance *= 0.5;
+  shiny.specular = glm::dvec3(0.45);
+  shiny.exponent = 30.0;
 
   Random random(5);
   std::vector<Gaussian> steam;
@@ -262,7 +285,20 @@ Scene machine_scene() {
   }
   scene.medium = with_depth(steam, 3.0);
   scene.lights = {{{-1.6, 2.6, 1.6}, {30, 28, 25}, {}}};
+  light_by("sunset.exr", 1.0, 90.0, scene);
   return scene;
+}
+
+Scene terrain_sky_scene() {
+  return without_lamps(terrain_scene());
+}
+
+Scene city_sky_scene() {
+  return without_lamps(city_scene());
+}
+
+Scene machine_sky_scene() {
+  return without_lamps(machine_scene());
 }
 
 }  // namespace brume

@@ -7,8 +7,10 @@
 namespace brume {
 
 // Scenes of the kinds that Table 1 of the paper times, with its numbers of vertices, Gaussians and
-// lights, made in memory. The paper's own meshes and fogs are not published: shapes are ours, and
-// where it has an environment there is a point light. Frames of 800 x 600 as in the paper.
+// lights, made in memory. The paper's own meshes and fogs are not published: shapes are ours. Where
+// it has an environment, surfaces have radiance transfer with interreflection, and there is a lamp
+// besides for everything to be on; with the suffix _sky there is none, as in the paper. Frames of
+// 800 x 600 as there.
 struct TableOneScene {
   const char* name;
   Scene (*make)();
@@ -22,6 +24,9 @@ Scene open_box_scene();
 Scene terrain_scene();
 Scene city_scene();
 Scene machine_scene();
+Scene terrain_sky_scene();
+Scene city_sky_scene();
+Scene machine_sky_scene();
 
 inline constexpr std::array table_one_scenes{
     TableOneScene{"statue", statue_scene, 78054, 34, 101.0},
@@ -29,6 +34,9 @@ inline constexpr std::array table_one_scenes{
     TableOneScene{"terrain", terrain_scene, 65047, 292, 92.0},
     TableOneScene{"city", city_scene, 77226, 353, 162.0},
     TableOneScene{"machine", machine_scene, 44430, 1223, 31.0},
+    TableOneScene{"terrain_sky", terrain_sky_scene, 65047, 292, 92.0},
+    TableOneScene{"city_sky", city_sky_scene, 77226, 353, 162.0},
+    TableOneScene{"machine_sky", machine_sky_scene, 44430, 1223, 31.0},
 };
 
 }  // namespace brume

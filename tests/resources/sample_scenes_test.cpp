@@ -109,6 +109,17 @@ TEST(SampleScenes, GroundFogOverTerrain) {
   EXPECT_LT(fs::file_size(scenes / "terrain.ply"), 2'600'000u);
 }
 
+TEST(SampleScenes, CourtShadowsAndLightsItself) {
+  const Scene scene = load("courtyard.brume");
+  ASSERT_EQ(scene.surfaces.size(), 2u);
+  for (const Surface& surface : scene.surfaces) {
+    EXPECT_EQ(surface.transfer, Surface::Transfer::interreflection);
+  }
+  EXPECT_EQ(scene.surfaces[0].mesh->n_vertices(), 15'315u);
+  ASSERT_TRUE(scene.environment);
+  EXPECT_LT(fs::file_size(scenes / "courtyard.ply"), 500'000u);
+}
+
 // Lines through every centre in 500 directions of a spiral: other lines than the generator's.
 TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
   const Medium medium = load("dense_cloud.brume").medium;

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     brume::write_object_scenes(folder);
     brume::write_cloud_scenes(folder);
     brume::write_terrain_scene(folder);
+    brume::write_courtyard_scene(folder);
   } catch (const std::exception& error) {
     std::cerr << "brume-make-scenes: " << error.what() << '\n';
     return 2;

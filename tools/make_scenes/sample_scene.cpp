@@ -59,11 +59,16 @@ std::string environment_text(const SampleScene& scene) {
   return concat("  \"environment\": { \"file\": \"", scene.environment, "\" },\n");
 }
 
+std::string transfer_text(const SampleSurface& s) {
+  return s.transfer.empty() ? "" : concat(R"(, "transfer": ")", s.transfer, "\"");
+}
+
 std::string surface_text(const SampleSurface& s) {
   return concat(R"({ "mesh": ")", s.mesh, R"(", "translate": )", triple(s.translate),
                 R"(, "scale": )", number(s.scale), ",\n      \"material\": { \"type\": \"",
                 s.specular > 0.0 ? "phong" : "diffuse",
-                "\", \"reflectance\": ", triple(s.reflectance), highlight_text(s), " } }");
+                "\", \"reflectance\": ", triple(s.reflectance), highlight_text(s), " }",
+                transfer_text(s), " }");
 }
 
 std::string medium_text(const SampleScene& scene) {

@@ -22,6 +22,7 @@ struct SampleSurface {
   glm::dvec3 reflectance{0.5};
   double specular = 0.0;  // above 0: phong
   double exponent = 1.0;
+  std::string transfer = {};  // "" for none
 };
 
 // What a sample scene holds: a small part of what a scene file can.

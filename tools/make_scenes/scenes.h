@@ -16,4 +16,7 @@ void write_cloud_scenes(const std::filesystem::path& folder);
 // ground_fog.
 void write_terrain_scene(const std::filesystem::path& folder);
 
+// courtyard.
+void write_courtyard_scene(const std::filesystem::path& folder);
+
 }  // namespace brume
