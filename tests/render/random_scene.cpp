@@ -3,7 +3,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/scene/measured_brdf.h"
 #include "core/scene/mesh.h"
+#include "core/scene/radiance_map.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -27,6 +29,7 @@ class RandomScene {
     if (one_in(4)) scene_.optics.albedo = {albedo(), albedo(), albedo()};
     if (one_in(8)) scene_.optics.albedo = glm::dvec3(albedo());
     if (one_in(4)) add_noise();
+    if (one_in(12)) add_environment();
     return std::move(scene_);
   }
 
@@ -126,13 +129,46 @@ class RandomScene {
     }
     surface.mesh = mesh;
     surface.material.reflectance = {random_.uniform(0, 1), one_in(3) ? 0.0 : 1.0, 0.5};
+    if (one_in(4)) {
+      surface.transfer = one_in(2) ? Surface::Transfer::shadow : Surface::Transfer::interreflection;
+    }
     // Rarely: what is prepared for one takes as long as the frame.
-    if (one_in(40)) {
+    if (one_in(200)) {
+      surface.material.type = Material::Type::measured;
+      surface.material.measured = measured();
+    } else if (one_in(40)) {
       surface.material.type = Material::Type::phong;
       surface.material.specular = glm::dvec3(random_.uniform(0, 1));
       surface.material.exponent = one_in(6) ? 0.0 : random_.power(-1, one_in(3) ? 12 : 3);
     }
     scene_.surfaces.push_back(surface);
+  }
+
+  // With dark, bright and black pixels.
+  void add_environment() {
+    auto map = std::make_shared<RadianceMap>(RadianceMap{whole(1, 6), whole(1, 4), {}});
+    for (int i = map->width * map->height; i > 0; --i) {
+      const double radiance = one_in(4) ? 0.0 : spread(random_.power(-2, 2), -20, 20);
+      map->pixels.emplace_back(glm::dvec3(radiance, 1e-3 * radiance, random_.uniform(0, 1)));
+    }
+    Environment& environment = scene_.environment.emplace();
+    environment.map = map;
+    environment.intensity = one_in(8) ? 0.0 : spread(1.0, -9, 9);
+    environment.rotation = random_.uniform(-360, 360);
+  }
+
+  // One for all scenes, since it is large: nothing in it is smooth, and a part was not measured.
+  static std::shared_ptr<const MeasuredBrdf> measured() {
+    static const auto brdf = [] {
+      Random random(1);
+      std::vector<glm::vec3> values(MeasuredBrdf::samples);
+      for (glm::vec3& value : values) {
+        const double x = random.power(-3, 3);
+        value = random.uniform(0, 1) < 0.1 ? glm::vec3(-1.0f) : glm::vec3(glm::dvec3(x, 0.1, 0.0));
+      }
+      return std::make_shared<const MeasuredBrdf>(std::move(values));
+    }();
+    return brdf;
   }
 
   Random random_;
