@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "core/scene/mesh.h"
 #include "render/cpu/surface_kernels.h"
@@ -100,6 +101,8 @@ TransferredLight::TransferredLight(const MediumIndex& medium, const SurfaceLight
                                    std::uint64_t& pairs)
     : mesh_(surface.mesh),
       rotate_(surface.rotate),
+      to_world_(glm::mat3_cast(surface.rotate)),
+      triangles_(triangles_of(*surface.mesh)),
       material_(shading.material),
       order_(shading.transfer->settings.order) {
   const RadianceTransfer& transfer = *shading.transfer;
@@ -152,20 +155,25 @@ void TransferredLight::receive(const RadianceTransfer& transfer, std::size_t ver
 void TransferredLight::add(std::span<const SurfaceHit> hits, const SurfacePoints& points,
                            PointRadiance& radiance) const {
   for (std::size_t p = 0; p < hits.size(); ++p) {
-    const MeshPoint at = mesh_point(*mesh_, hits[p].triangle, static_cast<double>(hits[p].u),
-                                    static_cast<double>(hits[p].v));
-    const Side& side = sides_[static_cast<std::size_t>(seen_side(at, points.normal[p]))];
+    const glm::uvec3& corners = triangles_[hits[p].triangle];
+    const glm::vec3 weights(1.0f - hits[p].u - hits[p].v, hits[p].u, hits[p].v);
+    const glm::vec3 normal(points.normal.x[p], points.normal.y[p], points.normal.z[p]);
+    const Side& side = sides_[static_cast<std::size_t>(seen_side(corners, weights, normal))];
     if (side.radiance.empty()) continue;
-    ReceivedLight light;
-    if (!side.incident.empty()) light.incident = ShVector<glm::dvec3>(order_);
-    for (int k = 0; k < 3; ++k) {
-      light.radiance += at.weights[k] * glm::dvec3(side.radiance[at.corners[k]]);
-      for (std::size_t i = 0; i < light.incident.size(); ++i) {
-        light.incident[i] +=
-            at.weights[k] * glm::dvec3(side.incident[at.corners[k] * light.incident.size() + i]);
+    glm::vec3 sent(0.0f);
+    for (int k = 0; k < 3; ++k) sent += weights[k] * side.radiance[corners[k]];
+    if (side.incident.empty()) {
+      sent = glm::max(sent, 0.0f);
+    } else {
+      ReceivedLight light{ShVector<glm::dvec3>(order_), glm::dvec3(sent)};
+      const std::size_t size = light.incident.size();
+      for (std::size_t i = 0; i < size; ++i) {
+        light.incident[i] = glm::dvec3(weights[0] * side.incident[corners[0] * size + i] +
+                                       weights[1] * side.incident[corners[1] * size + i] +
+                                       weights[2] * side.incident[corners[2] * size + i]);
       }
+      sent = glm::vec3(material_->reflected(light, glm::dvec3(normal), points.to_eye[p]));
     }
-    const glm::vec3 sent(material_->reflected(light, points.normal[p], points.to_eye[p]));
     radiance.r[p] += sent.r;
     radiance.g[p] += sent.g;
     radiance.b[p] += sent.b;
@@ -173,13 +181,14 @@ void TransferredLight::add(std::span<const SurfaceHit> hits, const SurfacePoints
 }
 
 // By the normal, which is on the side that is seen.
-MeshSide TransferredLight::seen_side(const MeshPoint& at, const glm::dvec3& normal) const {
-  glm::dvec3 front(0.0);
+MeshSide TransferredLight::seen_side(const glm::uvec3& corners, const glm::vec3& weights,
+                                     const glm::vec3& normal) const {
+  glm::vec3 front(0.0f);
   for (int k = 0; k < 3; ++k) {
-    const OpenMesh::VertexHandle corner(static_cast<int>(at.corners[k]));
-    front += at.weights[k] * to_dvec3(mesh_->normal(corner));
+    const OpenMesh::Vec3f& n = mesh_->vertex_normals()[corners[k]];
+    front += weights[k] * glm::vec3(n[0], n[1], n[2]);
   }
-  return glm::dot(rotate_ * front, normal) < 0.0 ? MeshSide::back : MeshSide::front;
+  return glm::dot(to_world_ * front, normal) < 0.0f ? MeshSide::back : MeshSide::front;
 }
 
 }  // namespace brume

@@ -113,17 +113,6 @@ std::vector<Ray> rays_around_z(const TransferSettings& settings) {
   return rays;
 }
 
-using Triangles = std::vector<glm::uvec3>;
-
-Triangles triangles_of(const TriangleMesh& mesh) {
-  Triangles triangles;
-  triangles.reserve(mesh.n_faces());
-  for (const auto face : mesh.faces()) {
-    triangles.push_back(mesh_point(mesh, static_cast<std::uint32_t>(face.idx()), 0, 0).corners);
-  }
-  return triangles;
-}
-
 template <class Real>
 void store(const ShVector<Real>& f, std::vector<float>& values, std::size_t index) {
   std::transform(f.values().begin(), f.values().end(),
@@ -255,7 +244,7 @@ class Transfer {
 
   const TriangleMesh& mesh_;
   MeshGeometry geometry_;
-  Triangles triangles_;
+  std::vector<glm::uvec3> triangles_;
   std::vector<Enclosed> enclosed_;
   std::vector<Ray> rays_;
   std::optional<Visibility> visibility_;
@@ -272,6 +261,15 @@ MeshPoint mesh_point(const TriangleMesh& mesh, std::uint32_t triangle, double u,
     point.corners[k++] = static_cast<unsigned>(corner.idx());
   }
   return point;
+}
+
+std::vector<glm::uvec3> triangles_of(const TriangleMesh& mesh) {
+  std::vector<glm::uvec3> triangles;
+  triangles.reserve(mesh.n_faces());
+  for (const auto face : mesh.faces()) {
+    triangles.push_back(mesh_point(mesh, static_cast<std::uint32_t>(face.idx()), 0, 0).corners);
+  }
+  return triangles;
 }
 
 MeshPoint at_vertex(std::uint32_t vertex) {

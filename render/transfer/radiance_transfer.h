@@ -35,6 +35,8 @@ struct MeshPoint {
 
 // u and v are the weights of the triangle's second and third corner, as in SurfaceHit.
 MeshPoint mesh_point(const TriangleMesh& mesh, std::uint32_t triangle, double u, double v);
+// The vertices of all triangles.
+std::vector<glm::uvec3> triangles_of(const TriangleMesh& mesh);
 MeshPoint at_vertex(std::uint32_t vertex);
 
 // What is known at the vertices of a mesh, in the mesh's own frame: turning, moving and scaling the

@@ -3,11 +3,15 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/scene/radiance_map.h"
+#include "render/renderer.h"
 #include "render/transfer/radiance_transfer.h"
+#include "render/transfer/transfer_store.h"
 #include "tests/render/benchmark_scenes.h"
 #include "tests/render/test_meshes.h"
 
@@ -68,6 +72,43 @@ BENCHMARK(transfer_of_70000_vertices)
     ->Iterations(1)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);
+
+// The light at its vertices after fog, lamps or environment have changed: a frame of one pixel, the
+// lamp a little brighter each time. With interreflection; of a diffuse material and of Phong's.
+void light_of_70000_vertices(benchmark::State& state) {
+  Scene scene;
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh = bumpy_ball();
+  surface.transfer = Surface::Transfer::interreflection;
+  if (state.range(0) != 0) {
+    surface.material.type = Material::Type::phong;
+    surface.material.specular = glm::dvec3(0.4);
+    surface.material.exponent = 20.0;
+  }
+  scene.medium.append({{0.5, 0.5, 1.0}, 1.0, 0.3});
+  scene.lights.push_back({{2, 3, 2}, {10, 10, 10}, {}});
+  scene.environment.emplace().map =
+      std::make_shared<const RadianceMap>(RadianceMap{1, 1, {glm::vec3(1.0f)}});
+  scene.camera.eye = {0, 0, 4};
+  const auto transfers = std::make_shared<TransferStore>();
+  transfers->make(std::array{transfer_request(surface)}, {});
+  Renderer renderer(transfers);
+  const auto render = [&] { static_cast<void>(renderer.render(scene, scene.camera, {1, 1}, {})); };
+  render();
+  const double before = cpu_seconds();
+  for (auto _ : state) {
+    scene.lights[0].intensity *= 1.01;
+    render();
+  }
+  state.counters["cpu_ms"] =
+      1e3 * (cpu_seconds() - before) / static_cast<double>(state.iterations());
+}
+BENCHMARK(light_of_70000_vertices)
+    ->ArgName("phong")
+    ->Arg(0)
+    ->Arg(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace brume
