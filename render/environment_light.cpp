@@ -54,8 +54,8 @@ glm::vec3 EnvironmentLight::radiance(const glm::dvec3& w) const {
   return glm::vec3(environment_radiance(environment_, w));
 }
 
-glm::vec3 EnvironmentLight::glow(const glm::dvec3& w, float T, double albedo) const {
-  return static_cast<float>(albedo) * banded(light_float_, (*scattering_)(T), w);
+glm::vec3 EnvironmentLight::glow(const glm::dvec3& w, float T) const {
+  return banded(light_float_, (*scattering_)(T), w);
 }
 
 ShVector<glm::dvec3> EnvironmentLight::incident(float Tbar, double albedo) const {

@@ -21,9 +21,9 @@ class EnvironmentLight {
   // Radiance from a unit direction without the medium.
   [[nodiscard]] glm::vec3 radiance(const glm::dvec3& w) const;
 
-  // What a medium of optical depth T along a view ray scatters into it: T e^-T (L * spread)(w)
-  // (eq. 28), times the albedo.
-  [[nodiscard]] glm::vec3 glow(const glm::dvec3& w, float T, double albedo) const;
+  // What a medium of optical depth T along a view ray scatters into it as the paper has it:
+  // T e^-T (L * spread)(w) (eq. 28), here also in front of surfaces, where its mist would be black.
+  [[nodiscard]] glm::vec3 glow(const glm::dvec3& w, float T) const;
 
   // Coefficients of what arrives at a point of average optical depth Tbar (eq. 27).
   [[nodiscard]] ShVector<glm::dvec3> incident(float Tbar, double albedo) const;

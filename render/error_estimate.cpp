@@ -61,7 +61,7 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
   const CameraRays rays(camera, guide.film);
   const Visibility visibility(scene.surfaces);
   const Occluders occluders(scene.surfaces);
-  const double fog_end = FogEnd(scene).of_rays(rays.eye());
+  const FogEnd fog_end(scene);
   std::vector<ReferenceLight> lights;
   for (const PointLight& light : plan.lights) {
     lights.push_back(
@@ -72,15 +72,23 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
     MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
                        scene.optics.anisotropy);
     medium.set_noise(RayNoise(scene.optics.noise, guide.time));
+    std::optional<ReferenceEnvironment> environment;
+    if (plan.environment) {
+      environment.emplace(*scene.environment, scene.optics.anisotropy,
+                          fog_end.depth_of_surfaces(medium.homogeneous_density()), tolerance);
+    }
     tbb::parallel_for(std::size_t{0}, sample.pixels_.size(), [&](std::size_t k) {
       if (stop.stop_requested()) return;
       Pixel& pixel = sample.pixels_[k];
       const auto width = static_cast<std::size_t>(guide.film.width);
       const glm::dvec3 w = rays.direction(static_cast<double>(pixel.index % width) + 0.5,
                                           static_cast<double>(pixel.index / width) + 0.5);
-      const double length = std::min(visibility.first_hit(rays.eye(), w).distance, fog_end);
+      const double length =
+          std::min(visibility.first_hit(rays.eye(), w).distance, fog_end.of_rays(rays.eye()));
       const glm::dvec3 airlight =
-          reference_airlight(medium, occluders, lights, rays.eye(), w, length, tolerance).airlight;
+          reference_airlight(medium, occluders, lights, environment ? &*environment : nullptr,
+                             rays.eye(), w, length, tolerance)
+              .airlight;
       for (const std::size_t c : group.channels) {
         pixel.airlight[static_cast<int>(c)] = group.albedo * airlight[static_cast<int>(c)];
       }

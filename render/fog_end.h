@@ -15,6 +15,10 @@ class FogEnd {
 
   // D, for points of the scene [u]; +inf where fog is endless, or there is none.
   [[nodiscard]] double of_surfaces() const { return distance_; }
+  // The optical depth of fog of density b0 [1/u] up to there; 0 without fog.
+  [[nodiscard]] double depth_of_surfaces(double b0) const {
+    return b0 > 0.0 ? b0 * distance_ : 0.0;
+  }
   // What a view ray without a hit is cut off at: D behind the middle of the scene.
   [[nodiscard]] double of_rays(const glm::dvec3& eye) const;
 

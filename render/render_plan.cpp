@@ -26,8 +26,9 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   gaussians = std::any_of(densities.begin(), densities.end(), [](double c) { return c > 0.0; });
   homogeneous = scene.medium.homogeneous_density() > 0.0;
   noise = gaussians && scene.optics.noise.amplitude > 0.0;
-  airlight = (gaussians || homogeneous) && !lights.empty();
-  scattered_on_surfaces = airlight && surfaces;
+  const bool medium = gaussians || homogeneous;
+  airlight = medium && (environment || !lights.empty());
+  scattered_on_surfaces = medium && surfaces && !lights.empty();
 
   if (!surfaces) skip("visibility", "the scene has no surfaces");
   if (surfaces && !lit_surfaces) skip("surfaces", "no light shines");
@@ -43,14 +44,14 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
                      : !lit_surfaces ? "no light shines"
                                      : "all light comes straight from lamps");
   }
-  if (lit_surfaces && !gaussians && !homogeneous) skip("surface_scattering", "the medium is empty");
+  if (lit_surfaces && !medium) skip("surface_scattering", "the medium is empty");
   if (!environment) {
     skip("environment", scene.environment ? "its intensity is 0" : "the scene has none");
   }
   // What goes before the airlight is the method's own.
-  const char* const no_airlight = lights.empty() ? "no light shines" : "the medium is empty";
-  const char* const no_gaussians =
-      lights.empty() ? "no light shines" : "the medium has no Gaussians";
+  const char* const no_lights = "no light shines";
+  const char* const no_medium = "the medium is empty";
+  const char* const no_gaussians = lights.empty() ? no_lights : "the medium has no Gaussians";
   if (!gaussians || lights.empty()) {
     if (method == AirlightMethod::paper) {
       skip("light_depth", no_gaussians);
@@ -59,15 +60,17 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
       skip("light_table", no_gaussians);
     }
   }
-  if (method == AirlightMethod::sliced && !(surfaces && airlight)) {
-    skip("shadow_map", surfaces ? no_airlight : "the scene has no surfaces");
+  if (method == AirlightMethod::sliced && !scattered_on_surfaces) {
+    skip("shadow_map", !surfaces        ? "the scene has no surfaces"
+                       : lights.empty() ? no_lights
+                                        : no_medium);
   }
   if (!homogeneous) skip("homogeneous", "the medium's homogeneous density is 0");
   if (!noise) {
     skip("noise", gaussians ? "its amplitude is 0" : "the medium has no Gaussians");
   }
   if (!airlight) {
-    skip("airlight", no_airlight);
+    skip("airlight", medium ? no_lights : no_medium);
   }
   if (off > 0) skip("lights", "switched off: " + std::to_string(off));
   if (black > 0) skip("lights", std::to_string(black) + " lights of intensity 0");

@@ -16,8 +16,8 @@ struct RenderPlan {
   bool gaussians = false;                  // any that takes light away
   bool homogeneous = false;                // b0 > 0
   bool noise = false;                      // Gaussians and noise that bends view rays through them
-  bool airlight = false;                   // a medium and lights
   bool environment = false;                // one that gives light
+  bool airlight = false;                   // a medium, and lights or an environment
   bool scattered_on_surfaces = false;      // surfaces, lights and a medium that scatters on the way
   std::vector<PointLight> lights;          // those that give light
   std::vector<TransferRequest> transfers;  // each once

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "render/albedo.h"
 #include "render/cpu/marched_airlight.h"
@@ -16,6 +17,7 @@
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/surfaces.h"
 #include "render/cpu/visibility.h"
+#include "render/environment_source.h"
 #include "render/film_airlight.h"
 #include "render/fog_end.h"
 #include "render/job.h"
@@ -50,6 +52,7 @@ class StageClock {
 struct Renderer::Impl {
   PreparedScene prepared;
   PreparedShading shading;
+  EnvironmentSource source;
   // Kept from frame to frame for their memory only.
   std::vector<SurfaceHit> hits;
   std::vector<glm::vec3> surface_radiance;
@@ -73,11 +76,20 @@ struct Renderer::Impl {
   std::optional<Frame> render(Work& work);
   static bool find_transfers(Work& work);
   void find_surfaces(Work& work, double ray_end);
+  bool prepare_source(const Work& work, StageClock& clock);
   TileMethod airlight_method(Work& work, StageClock& clock);
   TileMethod paper(Work& work, StageClock& clock);
   TileMethod sliced(Work& work, StageClock& clock);
   TileMethod march(const Work& work) const;
   TileMethod reference(Work& work) const;
+  // Null: there is none to scatter.
+  const EnvironmentSource* scattered_environment(const Work& work) const {
+    return work.plan.environment ? &source : nullptr;
+  }
+  // Of b0, from any point to where the fog ends.
+  double fog_depth(const Work& work) const {
+    return work.fog_end.depth_of_surfaces(prepared.medium().homogeneous_density());
+  }
   void shade_surfaces(Work& work);
   void composite(Work& work) const;
 
@@ -186,6 +198,7 @@ std::optional<Frame> Renderer::Impl::render(Work& work) {
     find_surfaces(work, ray_end);
     clock.finish("visibility");
   }
+  if (!prepare_source(work, clock)) return std::nullopt;
   if (work.plan.gaussians || work.plan.homogeneous) {
     const TileMethod method = airlight_method(work, clock);
     const FilmAirlight film = film_airlight(prepared.medium(), work.rays, work.settings, method,
@@ -239,6 +252,21 @@ void Renderer::Impl::find_surfaces(Work& work, double ray_end) {
   });
 }
 
+// False: the job was stopped.
+bool Renderer::Impl::prepare_source(const Work& work, StageClock& clock) {
+  const AirlightMethod method = work.settings.airlight;
+  if (!work.plan.environment || !work.plan.airlight) {
+    source.clear();
+    return true;
+  }
+  if (method != AirlightMethod::sliced && method != AirlightMethod::march) return true;
+  const bool made =
+      source.update(*work.scene.environment, work.scene.medium, work.scene.optics.anisotropy,
+                    fog_depth(work), work.settings.source_grid, work.job);
+  clock.finish("environment");
+  return made;
+}
+
 TileMethod Renderer::Impl::airlight_method(Work& work, StageClock& clock) {
   switch (work.settings.airlight) {
     case AirlightMethod::paper:
@@ -265,7 +293,7 @@ TileMethod Renderer::Impl::paper(Work& work, StageClock& clock) {
     l.intensity = light.intensity;
     l.h_min = least_light_distance(work.rays, work.camera, light.position);
   }
-  if (work.plan.airlight && work.plan.gaussians) {
+  if (!paper.lights.empty() && work.plan.gaussians) {
     const bool conserve_energy =
         work.settings.paper.conserve_energy && !is_in_dense_gaussian(medium, eye);
     for (PaperLight& light : paper.lights) {
@@ -297,8 +325,14 @@ TileMethod Renderer::Impl::paper(Work& work, StageClock& clock) {
   }
   return [this, &work, lights = std::move(paper)](auto gaussians, const TileRays& rays,
                                                   const TileAirlight& out) {
-    return paper_airlight(prepared.medium(), gaussians, lights, rays, work.settings.arithmetic,
-                          out);
+    const std::uint64_t pairs =
+        paper_airlight(prepared.medium(), gaussians, lights, rays, work.settings.arithmetic, out);
+    if (const EnvironmentLight* environment = shading.environment()) {
+      for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+        out.airlight[k] += environment->glow(rays.directions[k], static_cast<float>(out.depths[k]));
+      }
+    }
+    return pairs;
   };
 }
 
@@ -327,7 +361,8 @@ TileMethod Renderer::Impl::sliced(Work& work, StageClock& clock) {
   }
   return [this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
                                                    const TileAirlight& out) {
-    return sliced_airlight(prepared.medium(), gaussians, lights, rays, work.settings.slices, out);
+    return sliced_airlight(prepared.medium(), gaussians, lights, scattered_environment(work), rays,
+                           work.settings.slices, out);
   };
 }
 
@@ -339,8 +374,8 @@ TileMethod Renderer::Impl::march(const Work& work) const {
   }
   return [this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
                                                    const TileAirlight& out) {
-    return marched_airlight(prepared.medium(), gaussians, prepared.visibility(), lights, rays,
-                            work.settings.march_steps, out);
+    return marched_airlight(prepared.medium(), gaussians, prepared.visibility(), lights,
+                            scattered_environment(work), rays, work.settings.march_steps, out);
   };
 }
 
@@ -350,15 +385,20 @@ TileMethod Renderer::Impl::reference(Work& work) const {
     lights.push_back({light.position, light.intensity,
                       least_light_distance(work.rays, work.camera, light.position)});
   }
-  return [this, &work, lights = std::move(lights)](auto, const TileRays& rays,
-                                                   const TileAirlight& out) {
+  std::optional<ReferenceEnvironment> environment;
+  if (work.plan.environment) {
+    environment.emplace(*work.scene.environment, work.scene.optics.anisotropy, fog_depth(work),
+                        work.settings.reference_tolerance);
+  }
+  return [this, &work, lights = std::move(lights), environment = std::move(environment)](
+             auto, const TileRays& rays, const TileAirlight& out) {
     std::uint64_t view_pairs = 0;
     std::uint64_t light_pairs = 0;
     for (std::size_t k = 0; k < rays.directions.size(); ++k) {
       if (work.job.stop.stop_requested()) break;
-      const ReferenceRay ray = reference_airlight(prepared.medium(), prepared.occluders(), lights,
-                                                  rays.eye, rays.directions[k], rays.lengths[k],
-                                                  work.settings.reference_tolerance);
+      const ReferenceRay ray = reference_airlight(
+          prepared.medium(), prepared.occluders(), lights, environment ? &*environment : nullptr,
+          rays.eye, rays.directions[k], rays.lengths[k], work.settings.reference_tolerance);
       out.airlight[k] = glm::vec3(ray.airlight);
       out.depths[k] = ray.depth;
       view_pairs += ray.view_pairs;
@@ -376,9 +416,7 @@ void Renderer::Impl::shade_surfaces(Work& work) {
   SurfaceLighting lighting;
   lighting.environment = shading.environment();
   lighting.albedo = work.albedo;
-  if (work.plan.homogeneous && lighting.environment) {
-    lighting.fog_depth = prepared.medium().homogeneous_density() * work.fog_end.of_surfaces();
-  }
+  if (lighting.environment) lighting.fog_depth = fog_depth(work);
   if (work.plan.scattered_on_surfaces) {
     const bool paper = work.settings.paper_spread;
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
@@ -443,9 +481,7 @@ void Renderer::Impl::shade_surfaces(Work& work) {
   work.frame.statistics.light_pairs += pairs;
 }
 
-// Eq. 29. An environment is what is seen where nothing is hit, and the medium scatters its light
-// into every ray (eq. 28): the paper leaves that out in front of surfaces, where mist would be
-// black.
+// Eq. 29. An environment is what is seen where nothing is hit.
 void Renderer::Impl::composite(Work& work) const {
   Frame& frame = work.frame;
   const EnvironmentLight* environment = shading.environment();
@@ -456,19 +492,13 @@ void Renderer::Impl::composite(Work& work) const {
       const float transmittance = frame.transmittance[3 * i];
       const bool is_open = !std::isfinite(frame.depth[i]);
       glm::vec3 behind = surface_radiance.empty() ? glm::vec3(0.0f) : surface_radiance[i];
-      glm::vec3 glow(0.0f);
-      if (environment) {
-        const glm::dvec3 w =
-            work.rays.direction(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-        if (is_open) behind = environment->radiance(w);
-        if (transmittance < 1.0f && transmittance > 0.0f) {
-          glow = environment->glow(w, -std::log(transmittance), work.albedo);
-        }
+      if (environment && is_open) {
+        behind = environment->radiance(
+            work.rays.direction(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5));
       }
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto c = static_cast<int>(k);
         frame.beauty[4 * i + k] =
-            finite(frame.airlight[3 * i + k] + transmittance * behind[c] + glow[c]);
+            finite(frame.airlight[3 * i + k] + transmittance * behind[static_cast<int>(k)]);
       }
       frame.beauty[4 * i + 3] = is_open ? 1.0f - transmittance : 1.0f;
     }

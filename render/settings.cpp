@@ -41,6 +41,10 @@ Settings sliced_settings(Settings settings, int slices) {
                                                 : 0.002;
   settings.depth_error = slices < 48 ? 1e-3 : 1e-4;
   settings.shadow_cells = std::clamp(16 * slices, 256, 1024);
+  settings.source_grid = slices < 12   ? SourceGridSize{8'000, 48}
+                         : slices < 24 ? SourceGridSize{20'000, 64}
+                         : slices < 48 ? SourceGridSize{40'000, 96}
+                                       : SourceGridSize{120'000, 128};
   return settings;
 }
 

@@ -19,6 +19,14 @@ struct LightTableSize {
   bool operator==(const LightTableSize&) const = default;
 };
 
+// How fine the grid of an environment's light in the medium is; see SourceGrid.
+struct SourceGridSize {
+  int nodes = 40'000;   // at most, > 8
+  int directions = 96;  // that light comes from, at most
+
+  bool operator==(const SourceGridSize&) const = default;
+};
+
 // Departures of `paper` from what was published.
 struct PaperOptions {
   // The light of a Gaussian is taken at its mean on the ray, not at the projection of its centre:
@@ -52,6 +60,8 @@ struct Settings {
   LightTableSize light_table;
   // `sliced`: its square is the number of cells of the map of surfaces around a light.
   int shadow_cells = 384;
+  // `sliced` and `march`: the light of an environment in the medium.
+  SourceGridSize source_grid;
 
   // Light that the medium scatters onto surfaces, and the glow of an environment: by the paper's
   // one point spread function for all lights and depths, not by that of each.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <vector>
 
 #include "render/cpu/march_kernels.h"
@@ -40,6 +41,8 @@ struct Scratch {
   std::vector<glm::dvec3> points;
   std::vector<std::int32_t> no_self;
   std::vector<double> exact;
+  std::vector<SourceWeights> source_weights;
+  std::vector<glm::vec3> environment;  // per ray
 };
 
 // Sets up the steps of every ray and clears what is summed over them.
@@ -109,17 +112,35 @@ std::uint64_t add_light(const MediumIndex& medium, const Visibility& visibility,
   return pairs;
 }
 
+// Adds what the samples scatter of the environment.
+void add_environment(const EnvironmentSource& environment, const TileRays& rays, Scratch& s) {
+  const SourceLookUp source(environment.grid(), rays.eye);
+  for (const std::size_t k : s.kept) {
+    const float share = s.weights[k] * std::exp(-s.depths[k]);
+    s.environment[k] += source(glm::vec3(rays.directions[k]), std::span(&s.t[k], 1),
+                               std::span(&share, 1), s.source_weights[k]);
+  }
+}
+
 }  // namespace
 
 std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                                const Visibility& visibility, std::span<const MarchedLight> lights,
-                               const TileRays& rays, int steps, const TileAirlight& out) {
+                               const EnvironmentSource* environment, const TileRays& rays,
+                               int steps, const TileAirlight& out) {
   thread_local Scratch s;
   prepare(medium, gaussians, lights.size(), rays, steps, s);
   std::uint64_t pairs = 0;
-  for (int index = 0; index < steps && !lights.empty(); ++index) {
+  s.source_weights.clear();
+  for (std::size_t k = 0; environment && k < rays.directions.size(); ++k) {
+    s.source_weights.push_back(environment->weights(rays.directions[k]));
+  }
+  s.environment.assign(rays.directions.size(), glm::vec3(0.0f));
+  const bool is_lit = environment || !lights.empty();
+  for (int index = 0; index < steps && is_lit; ++index) {
     pairs += take_samples(medium, rays, index, steps, s);
     if (s.kept.empty()) continue;
+    if (environment) add_environment(*environment, rays, s);
     for (std::size_t l = 0; l < lights.size(); ++l) {
       pairs += add_light(medium, visibility, lights[l], rays.eye, s, s.radiance[l]);
     }
@@ -130,7 +151,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
   const double b0 = medium.homogeneous_density();
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rays.lengths[k] : 0.0);
-    out.airlight[k] = glm::vec3(0.0f);
+    out.airlight[k] = glm::max(s.environment[k], 0.0f);
     for (std::size_t l = 0; l < lights.size(); ++l) {
       out.airlight[k] += glm::vec3(lights[l].intensity) * s.radiance[l][k];
     }

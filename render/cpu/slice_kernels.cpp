@@ -229,7 +229,7 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
 
 void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
                float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
-               float* depths, const std::array<float*, light_pack>& radiance) {
+               float* depths, float* shares, const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
@@ -261,6 +261,7 @@ void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const f
       const V increment = hn::MulAdd(set(b0), width, gaussians);
       const V next_depth = hn::Add(depth, increment);
       const auto matters = hn::And(hn::Gt(increment, set(negligible)), hn::Lt(depth, set(20.0f)));
+      if (shares) hn::StoreU(zero, d, shares + k * stride + i);
       if (!hn::AllFalse(d, matters)) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
         const V lost = hn::Mul(
@@ -268,6 +269,7 @@ void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const f
             hn::IfThenElse(hn::Lt(increment, set(1e-3f)),
                            hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
                            hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
+        if (shares) hn::StoreU(hn::IfThenElseZero(matters, lost), d, shares + k * stride + i);
         const V middle = hn::Mul(set(0.5f), hn::Add(begin, end));
         for (std::size_t l = 0; l < lights.size(); ++l) {
           const V falloff = MeanInverseSquare(hn::Sub(begin, ts[l]), hn::Sub(end, ts[l]), h2[l]);
@@ -324,9 +326,9 @@ void look_up_depths(const LightTable& table, const PathBatch& paths, float* dept
 
 void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
                 float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, const std::array<float*, light_pack>& radiance) {
+                float* depths, float* shares, const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, boundaries, increments, b0, anisotropy, negligible, lights, depths, radiance);
+  (rays, boundaries, increments, b0, anisotropy, negligible, lights, depths, shares, radiance);
 }
 
 }  // namespace brume

@@ -35,9 +35,10 @@ struct SliceLight {
 //   (times henyey_greenstein() at x_k, the middle of the slice)
 // radiance[l][i] += that per unit of the light's intensity [1/u^2]; depths[i] = T(v, p) of
 // Gaussians and b0 up to t_K. A slice whose depth is below `negligible` gives no light. At most
-// light_pack lights.
+// light_pack lights. Unless null, shares[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)),
+// what slice k of ray i scatters towards the eye of a light that is 1 all around.
 void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
                 float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, const std::array<float*, light_pack>& radiance);
+                float* depths, float* shares, const std::array<float*, light_pack>& radiance);
 
 }  // namespace brume

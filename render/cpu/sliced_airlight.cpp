@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "render/cpu/kernels.h"
 #include "render/cpu/slice_boundaries.h"
@@ -17,14 +18,36 @@ struct Scratch {
   PathBatch rays;
   std::vector<float> increments;
   std::vector<float> depths;
+  std::vector<float> shares;               // of the slices of all rays
+  std::vector<float> middles, ray_shares;  // of those of one
   std::array<std::vector<float>, light_pack> radiance;
 };
+
+// Adds what the slices scatter of the environment's light, taken in the middle of each.
+void add_environment(const EnvironmentSource& environment, const TileRays& rays, Scratch& s,
+                     std::span<glm::vec3> airlight) {
+  const SourceLookUp source(environment.grid(), rays.eye);
+  const std::size_t stride = s.rays.padded_size();
+  const std::size_t slices = s.boundaries.size() - 1;
+  s.middles.resize(slices);
+  s.ray_shares.resize(slices);
+  for (std::size_t i = 0; i < rays.directions.size(); ++i) {
+    for (std::size_t k = 0; k < slices; ++k) {
+      s.middles[k] = 0.5f * (s.boundaries[k] + std::min(s.boundaries[k + 1], s.rays.length[i]));
+      s.ray_shares[k] = s.shares[k * stride + i];
+    }
+    const glm::dvec3& w = rays.directions[i];
+    airlight[i] +=
+        glm::max(source(glm::vec3(w), s.middles, s.ray_shares, environment.weights(w)), 0.0f);
+  }
+}
 
 }  // namespace
 
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                              std::span<const SlicedLight> lights, const TileRays& rays, int slices,
-                              const TileAirlight& out) {
+                              std::span<const SlicedLight> lights,
+                              const EnvironmentSource* environment, const TileRays& rays,
+                              int slices, const TileAirlight& out) {
   thread_local Scratch s;
   const std::size_t count = rays.directions.size();
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
@@ -43,6 +66,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   const double b0 = medium.homogeneous_density();
   const auto negligible = static_cast<float>(0.1 * medium.tolerance());
   s.depths.resize(stride);
+  if (environment) s.shares.resize(s.increments.size());
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
     std::array<SliceLight, light_pack> pack;
     std::array<float*, light_pack> radiance{};
@@ -56,12 +80,13 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     }
     sum_slices(s.rays, s.boundaries, s.increments.data(), static_cast<float>(b0),
                static_cast<float>(medium.anisotropy()), negligible, std::span(pack).first(size),
-               s.depths.data(), radiance);
+               s.depths.data(), environment && first == 0 ? s.shares.data() : nullptr, radiance);
     for (std::size_t l = 0; l < size; ++l) {
       const glm::vec3 intensity(lights[first + l].intensity);
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];
     }
   }
+  if (environment) add_environment(*environment, rays, s, out.airlight);
   for (std::size_t k = 0; k < count; ++k) {
     const double length = rays.lengths[k];
     const double sliced = std::min(length, s.exact_boundaries.back());

@@ -3,12 +3,14 @@
 #include "render/cpu/light_table.h"
 #include "render/cpu/shadow_map.h"
 #include "render/cpu/tile_rays.h"
+#include "render/environment_source.h"
 
 namespace brume {
 
 // The sliced airlight for the pixels of one tile: every ray is cut into slices, the optical depth
 // of each is exact, light is attenuated by the table of its light, and the mean of 1/r^2 over a
-// slice is exact. Light that changes within a slice is what the error is made of.
+// slice is exact. Light of an environment comes from a grid. Light that changes within a slice is
+// what the error is made of.
 
 struct SlicedLight {
   glm::dvec3 position{0.0};
@@ -18,10 +20,11 @@ struct SlicedLight {
   const ShadowMap* shadows = nullptr;  // of this position; null without surfaces
 };
 
-// Overwrites `out`. `gaussians`: the medium's that reach the tile; `slices` >= 2. Returns the
-// number of Gaussian x ray pairs evaluated. Thread-safe.
+// Overwrites `out`. `gaussians`: the medium's that reach the tile; `environment`: null if there is
+// none; `slices` >= 2. Returns the number of Gaussian x ray pairs evaluated. Thread-safe.
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                              std::span<const SlicedLight> lights, const TileRays& rays, int slices,
-                              const TileAirlight& out);
+                              std::span<const SlicedLight> lights,
+                              const EnvironmentSource* environment, const TileRays& rays,
+                              int slices, const TileAirlight& out);
 
 }  // namespace brume

@@ -9,7 +9,8 @@
 namespace brume {
 
 ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occluders,
-                                std::span<const ReferenceLight> lights, const glm::dvec3& eye,
+                                std::span<const ReferenceLight> lights,
+                                const ReferenceEnvironment* environment, const glm::dvec3& eye,
                                 const glm::dvec3& w, double length, double tolerance) {
   ReferenceRay result;
   std::vector<GaussianTerm<double>> along;
@@ -28,6 +29,8 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occl
   // The part of the ray that scatters at all; past it shadows are of no interest.
   double end = ray.parameter_at_depth(50.0);
   if (!(b0 > 0.0)) end = std::min(end, last);
+  const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise());
+  if (environment) result.airlight = environment->airlight(medium, lit, tolerance);
   for (const ReferenceLight& light : lights) {
     LightSource<double> source{light.position, light.h_min, {}, medium.anisotropy(), std::nullopt};
     std::vector<GaussianTerm<double>> toward_light;
@@ -41,7 +44,6 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occl
     if (!occluders.empty()) {
       source.lit = occluders.lit(light.position, eye, w, std::min(end, 1e15));
     }
-    const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise());
     result.airlight += light.intensity * airlight_integral(lit, source, tolerance);
   }
   return result;

@@ -1,0 +1,141 @@
+#include "render/cpu/source_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/math/spherical_harmonics.h"
+#include "render/cpu/density_grid.h"
+#include "render/cpu/kernels.h"
+
+namespace brume {
+namespace {
+
+// How much of each Gaussian the fine grid holds [radii]: beyond is 1% of what it takes away, and
+// light is looked up at the border.
+constexpr double core_radii = 2.5;
+
+// So many sweeps are held at a time.
+constexpr std::size_t batch = 32;
+
+// Nodes are summed in blocks of so many.
+constexpr std::size_t block = 1024;
+
+struct Bounds {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+  double least_radius = std::numeric_limits<double>::infinity();
+
+  explicit Bounds(std::span<const GaussianTerm<double>> gaussians) {
+    for (const GaussianTerm<double>& g : gaussians) {
+      if (!(g.c > 0.0)) continue;
+      low = glm::min(low, g.b - core_radii / g.a);
+      high = glm::max(high, g.b + core_radii / g.a);
+      least_radius = std::min(least_radius, 1.0 / g.a);
+    }
+  }
+  [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+};
+
+// Nodes from `low` to `high` at the least spacing that makes no more than `most` of them, but not
+// less than `least`. The spacing is in float, so that it is the same wherever it is used.
+SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double least, int most) {
+  SourceGrid::Level level;
+  const glm::dvec3 extent = high - low;
+  double spacing = std::max(least, std::cbrt(extent.x * extent.y * extent.z / most));
+  for (;; spacing *= 1.02) {
+    level.nodes.spacing = static_cast<float>(spacing);
+    const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
+    if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(most)) continue;
+    level.nodes.count = glm::max(glm::ivec3(cells) + 1, 2);
+    const glm::dvec3 covered =
+        glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
+    level.first = 0.5 * (low + high) - 0.5 * covered;
+    return level;
+  }
+}
+
+// What a light adds to each basis function of what arrives, R G B one after the other.
+void append_weights(const DistantLight& light, int bands, std::vector<float>& to) {
+  const ShVector<double> basis = sh_basis(bands, light.direction);
+  for (std::size_t i = 0; i < basis.size(); ++i) {
+    for (int c = 0; c < 3; ++c) to.push_back(static_cast<float>(basis[i] * light.flux[c]));
+  }
+}
+
+void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussians,
+          std::span<const DistantLight> lights, int bands, const Job& job) {
+  const std::vector<float> density = density_on_grid(gaussians, level.first, level.nodes, job);
+  const std::size_t nodes = level.nodes.size();
+  const std::size_t stride = padded(nodes);
+  const auto functions = sh_size(bands);
+  const std::size_t channels = 3 * functions;
+  std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
+  std::vector<float> sums(channels * stride, 0.0f);
+  for (std::size_t first = 0; first < lights.size(); first += batch) {
+    const auto now = lights.subspan(first, std::min(batch, lights.size() - first));
+    std::vector<float> weights;
+    for (const DistantLight& light : now) append_weights(light, bands, weights);
+    job.each(now.size(), [&](std::size_t k) {
+      sweep_transmittance(level.nodes, density, glm::vec3(now[k].direction),
+                          std::span(transmittances).subspan(k * stride, nodes));
+    });
+    job.each((stride + block - 1) / block, [&](std::size_t b) {
+      add_weighted(transmittances, weights, channels, stride, b * block,
+                   std::min((b + 1) * block, stride), sums);
+    });
+  }
+  level.values.resize(4 * functions * nodes);
+  job.each((nodes + block - 1) / block, [&](std::size_t b) {
+    for (std::size_t i = b * block; i < std::min((b + 1) * block, nodes); ++i) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        level.values[4 * (functions * i + c / 3) + c % 3] = sums[c * stride + i];
+      }
+    }
+  });
+}
+
+}  // namespace
+
+PhaseBands::PhaseBands(double anisotropy) : count_(anisotropy == 0.0 ? 1 : most) {
+  double factor = 1.0;
+  for (double& f : factors_) {
+    f = factor;
+    factor *= anisotropy;
+  }
+}
+
+std::array<float, sh_size(PhaseBands::most)> PhaseBands::at(const glm::dvec3& w) const {
+  const ShVector<double> basis = sh_basis(count_, w);
+  std::array<float, sh_size(most)> result{};
+  for (int l = 0; l < count_; ++l) {
+    for (int m = -l; m <= l; ++m) {
+      const std::size_t i = sh_index(l, m);
+      result[i] = static_cast<float>(factors_[static_cast<std::size_t>(l)] * basis[i]);
+    }
+  }
+  return result;
+}
+
+SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
+                       std::span<const DistantLight> lights, int bands, const SourceGridSize& size,
+                       bool surroundings, const Job& job)
+    : bands_(bands) {
+  const Bounds bounds(gaussians);
+  if (bounds.empty()) {
+    levels_.push_back(Level{glm::dvec3(0.0), GridNodes{}, {}});
+  } else {
+    levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.least_radius, size.nodes));
+    if (surroundings) {
+      const double beyond = glm::length(bounds.high - bounds.low);
+      levels_.push_back(layout(bounds.low - beyond, bounds.high + beyond,
+                               2.0 * static_cast<double>(levels_[0].nodes.spacing),
+                               size.nodes / 2));
+    }
+  }
+  for (Level& level : levels_) fill(level, gaussians, lights, bands, job);
+}
+
+}  // namespace brume

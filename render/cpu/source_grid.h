@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/math/spherical_harmonics.h"
+#include "core/transport/optical_depth.h"
+#include "render/cpu/sweep_kernels.h"
+#include "render/distant_lights.h"
+#include "render/job.h"
+#include "render/settings.h"
+
+namespace brume {
+
+// The bands of the Henyey-Greenstein phase function that a SourceGrid keeps: band l of the light
+// around a point times g^l is that band of what is scattered there.
+class PhaseBands {
+ public:
+  static constexpr int most = 4;
+
+  // One band for isotropic scattering, else four.
+  explicit PhaseBands(double anisotropy);
+
+  [[nodiscard]] int count() const { return count_; }
+  // All basis functions of the bands at a unit direction, each times its band's factor.
+  [[nodiscard]] std::array<float, sh_size(most)> at(const glm::dvec3& w) const;
+
+ private:
+  int count_;
+  std::array<double, most> factors_;
+};
+
+// The source function of single scattering, without the scattering coefficient:
+//   J(x, w) = integral over directions w' of p(w, w') L(w') exp(-T(x, w')),
+// what a medium of Gaussians scatters at x towards an eye that looks along w, of light L from far
+// away. Kept on a grid around the Gaussians as the first bands of spherical harmonics of the light
+// that arrives, and interpolated linearly. The transmittance towards each light is swept through
+// the grid, so the cost is nodes x lights and depends little on the number of Gaussians.
+class SourceGrid {
+ public:
+  // `surroundings`: a second, coarser grid reaches out 4 times as far, for fog around the
+  // Gaussians. In parallel; after a stop of the job the grid is of no use.
+  SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const DistantLight> lights,
+             int bands, const SourceGridSize& size, bool surroundings, const Job& job);
+
+  // What a SourceLookUp needs. A node holds, for each basis function, R G B 0.
+  struct Level {
+    glm::dvec3 first{0.0};  // where node 0 stands
+    GridNodes nodes;
+    std::vector<float> values;
+  };
+  // From fine to coarse: one or two.
+  [[nodiscard]] std::span<const Level> levels() const { return levels_; }
+  [[nodiscard]] int bands() const { return bands_; }
+
+ private:
+  int bands_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace brume

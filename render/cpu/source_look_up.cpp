@@ -1,0 +1,114 @@
+#include "render/cpu/source_look_up.h"
+
+#include <algorithm>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/cpu/source_look_up.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The cell of a grid that holds a point, and where in it.
+struct Cell {
+  const float* corner;
+  std::ptrdiff_t row, slab;
+  float shares[8];  // of its corners, x fastest
+
+  // `at`: in cells from the first node; `size`: floats in a node.
+  Cell(const SourceLookUp::Level& level, const glm::vec3& at, std::ptrdiff_t size)
+      : corner(level.values), row(size * level.count.x), slab(row * level.count.y) {
+    const std::ptrdiff_t step[] = {size, row, slab};
+    float f[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto last = static_cast<float>(level.count[k] - 2);
+      const float x = std::min(std::max(at[k], 0.0f), last + 1.0f);
+      const float low = std::min(static_cast<float>(static_cast<int>(x)), last);
+      corner += static_cast<std::ptrdiff_t>(low) * step[k];
+      f[k] = x - low;
+    }
+    for (int i = 0; i < 8; ++i) {
+      shares[i] = ((i & 1) != 0 ? f[0] : 1.0f - f[0]) * ((i & 2) != 0 ? f[1] : 1.0f - f[1]) *
+                  ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
+    }
+  }
+};
+
+bool Holds(const SourceLookUp::Level& level, const glm::vec3& at) {
+  return at.x >= 0.0f && at.y >= 0.0f && at.z >= 0.0f &&
+         at.x <= static_cast<float>(level.count.x - 1) &&
+         at.y <= static_cast<float>(level.count.y - 1) &&
+         at.z <= static_cast<float>(level.count.z - 1);
+}
+
+// Nodes of `size` floats, mixed in vectors of no more.
+template <std::size_t size>
+HWY_INLINE glm::vec3 Sum(std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
+                         std::span<const float> t, std::span<const float> shares,
+                         const float* weights) {
+  const hn::CappedTag<float, (size < 16 ? size : 16)> d;
+  const std::size_t lanes = hn::Lanes(d);
+  float sums[size] = {};
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    if (!(shares[k] > 0.0f)) continue;
+    const glm::vec3 p = t[k] * w;
+    std::size_t l = 0;
+    glm::vec3 at = levels[0].per_unit * (p - levels[0].first);
+    if (levels.size() > 1 && !Holds(levels[0], at)) {
+      l = 1;
+      at = levels[1].per_unit * (p - levels[1].first);
+    }
+    const Cell cell(levels[l], at, size);
+    for (std::size_t i = 0; i < size; i += lanes) {
+      auto value = hn::Zero(d);
+      for (std::size_t c = 0; c < 8; ++c) {
+        const float* node =
+            cell.corner + i + (c & 1) * size + (c >> 1 & 1) * cell.row + (c >> 2) * cell.slab;
+        value = hn::MulAdd(hn::Set(d, cell.shares[c]), hn::LoadU(d, node), value);
+      }
+      const auto weight = hn::Mul(hn::Set(d, shares[k]), hn::LoadU(d, weights + i));
+      hn::StoreU(hn::MulAdd(weight, value, hn::LoadU(d, sums + i)), d, sums + i);
+    }
+  }
+  glm::vec3 result(0.0f);
+  for (std::size_t i = 0; i < size; i += 4) {
+    result += glm::vec3(sums[i], sums[i + 1], sums[i + 2]);
+  }
+  return result;
+}
+
+glm::vec3 SumSource(int bands, std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
+                    std::span<const float> t, std::span<const float> shares, const float* weights) {
+  return bands == 1 ? Sum<4>(levels, w, t, shares, weights)
+                    : Sum<4 * sh_size(PhaseBands::most)>(levels, w, t, shares, weights);
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(SumSource);
+
+SourceLookUp::SourceLookUp(const SourceGrid& grid, const glm::dvec3& origin)
+    : bands_(grid.bands()) {
+  for (const SourceGrid::Level& level : grid.levels()) {
+    levels_[count_++] = {glm::vec3(level.first - origin), 1.0f / level.nodes.spacing,
+                         level.nodes.count, level.values.data()};
+  }
+}
+
+glm::vec3 SourceLookUp::operator()(const glm::vec3& w, std::span<const float> t,
+                                   std::span<const float> shares,
+                                   const SourceWeights& weights) const {
+  return HWY_DYNAMIC_DISPATCH(SumSource)(bands_, std::span(levels_).first(count_), w, t, shares,
+                                         weights.data());
+}
+
+}  // namespace brume
+#endif

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "render/cpu/source_grid.h"
+
+namespace brume {
+
+// What a view ray makes of a node of a SourceGrid: J is the sum of the node's values, each times
+// its weight. They lie like the values: for each basis function R G B 0.
+using SourceWeights = std::array<float, 4 * sh_size(PhaseBands::most)>;
+
+// J of a SourceGrid on rays from one origin, in single precision (Highway). Refers to the grid.
+class SourceLookUp {
+ public:
+  SourceLookUp(const SourceGrid& grid, const glm::dvec3& origin);
+
+  // The sum over k of shares[k] J at origin + t[k] w; beyond the grid J is that of its nearest
+  // point. A share of 0 costs nothing. Thread-safe.
+  [[nodiscard]] glm::vec3 operator()(const glm::vec3& w, std::span<const float> t,
+                                     std::span<const float> shares,
+                                     const SourceWeights& weights) const;
+
+  // The grid relative to the origin.
+  struct Level {
+    glm::vec3 first{0.0f};
+    float per_unit = 1.0f;
+    glm::ivec3 count{2};
+    const float* values = nullptr;
+  };
+
+ private:
+  std::array<Level, 2> levels_;
+  std::size_t count_ = 0;
+  int bands_;
+};
+
+}  // namespace brume

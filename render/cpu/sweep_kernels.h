@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace brume {
+
+// The inner loops of SourceGrid in single precision (Highway). Values at the nodes of a grid lie
+// with x fastest, then y, then z.
+
+struct GridNodes {
+  glm::ivec3 count{2};   // along each axis
+  float spacing = 1.0f;  // [u]
+
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
+           static_cast<std::size_t>(count.z);
+  }
+};
+
+// transmittance[i] = exp(-optical depth) from node i along the unit vector w to the end of the
+// grid, behind which there is nothing. The grid is swept slab by slab, coming from there: what a
+// slab gets is interpolated linearly in the slab before, so light spreads sideways a little.
+// Thread-safe.
+void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
+                         std::span<float> transmittance);
+
+// sums[c][i] += sum over k of transmittances[k][i] * weights[k][c], for `channels` channels and
+// nodes i in [begin, end), multiples of 16. A row of `transmittances` and `sums` has `stride` >=
+// end elements.
+void add_weighted(std::span<const float> transmittances, std::span<const float> weights,
+                  std::size_t channels, std::size_t stride, std::size_t begin, std::size_t end,
+                  std::span<float> sums);
+
+}  // namespace brume

@@ -1,0 +1,170 @@
+#include "render/distant_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+#include <queue>
+
+namespace brume {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// The light of a part of the map. `moment` is the sum of the channels' flux, times direction.
+struct Light {
+  glm::dvec3 flux{0.0};
+  glm::dvec3 moment{0.0};
+
+  Light& operator+=(const Light& other) {
+    flux += other.flux;
+    moment += other.moment;
+    return *this;
+  }
+  Light& operator-=(const Light& other) {
+    flux -= other.flux;
+    moment -= other.moment;
+    return *this;
+  }
+  [[nodiscard]] double power() const { return flux.x + flux.y + flux.z; }
+  // The sum of flux |direction - mean direction|^2, and what it is less by for being together.
+  [[nodiscard]] double together() const {
+    return power() > 0.0 ? glm::dot(moment, moment) / power() : 0.0;
+  }
+  [[nodiscard]] double spread() const { return std::max(power() - together(), 0.0); }
+};
+
+// A map on a raster of equal angles, each cell with all the light of its part of the map.
+class Raster {
+ public:
+  Raster(const RadianceMap& map, int rows) : rows_(rows), columns_(2 * rows), cells_(size()) {
+    // A coarse map is taken as it is between its pixels.
+    const int fine_y = (rows + map.height - 1) / map.height;
+    const int fine_x = (columns_ + map.width - 1) / map.width;
+    const int height = fine_y * map.height;
+    const int width = fine_x * map.width;
+    const bool is_interpolated = fine_x > 1 || fine_y > 1;
+    for (int y = 0; y < height; ++y) {
+      const double solid_angle =
+          2.0 * pi / width * (std::cos(pi * y / height) - std::cos(pi * (y + 1.0) / height));
+      const int row = static_cast<int>(static_cast<std::int64_t>(y) * rows / height);
+      for (int x = 0; x < width; ++x) {
+        const glm::dvec3 direction = map_direction(map, {(x + 0.5) / fine_x, (y + 0.5) / fine_y});
+        const glm::dvec3 radiance =
+            is_interpolated ? map_radiance(map, direction) : glm::dvec3(map.pixel(x, y));
+        const glm::dvec3 flux = solid_angle * radiance;
+        const int column = static_cast<int>(static_cast<std::int64_t>(x) * columns_ / width);
+        at(column, row) += {flux, (flux.x + flux.y + flux.z) * direction};
+      }
+    }
+  }
+
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] int columns() const { return columns_; }
+  Light& at(int column, int row) { return cells_[index(column, row)]; }
+  [[nodiscard]] const Light& at(int column, int row) const { return cells_[index(column, row)]; }
+
+ private:
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_);
+  }
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+  int rows_;
+  int columns_;
+  std::vector<Light> cells_;
+};
+
+// A box of a raster: cells [x0, x1) x [y0, y1).
+struct Box {
+  int x0, y0, x1, y1;
+  Light light;
+  double spread;
+
+  bool operator<(const Box& other) const { return spread < other.spread; }
+};
+
+Box box_of(const Raster& raster, int x0, int y0, int x1, int y1) {
+  Box box{x0, y0, x1, y1, {}, 0.0};
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) box.light += raster.at(x, y);
+  }
+  box.spread = box.light.spread();
+  return box;
+}
+
+// Where to cut a box for the least spread; nullopt if it is one cell.
+std::optional<std::pair<Box, Box>> halves(const Raster& raster, const Box& box) {
+  double most = -1.0;
+  int cut_x = 0;
+  int cut_y = 0;
+  const auto try_cut = [&](const Light& before, int x, int y) {
+    Light after = box.light;
+    after -= before;
+    const double together = before.together() + after.together();
+    if (!(together > most)) return;
+    most = together;
+    cut_x = x;
+    cut_y = y;
+  };
+  Light before;
+  for (int x = box.x0; x + 1 < box.x1; ++x) {
+    for (int y = box.y0; y < box.y1; ++y) before += raster.at(x, y);
+    try_cut(before, x + 1, 0);
+  }
+  before = {};
+  for (int y = box.y0; y + 1 < box.y1; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) before += raster.at(x, y);
+    try_cut(before, 0, y + 1);
+  }
+  if (most < 0.0) return std::nullopt;
+  return cut_x > 0 ? std::pair{box_of(raster, box.x0, box.y0, cut_x, box.y1),
+                               box_of(raster, cut_x, box.y0, box.x1, box.y1)}
+                   : std::pair{box_of(raster, box.x0, box.y0, box.x1, cut_y),
+                               box_of(raster, box.x0, cut_y, box.x1, box.y1)};
+}
+
+void append(const Light& light, std::vector<DistantLight>& lights) {
+  if (!(light.power() > 0.0)) return;
+  const double length = glm::length(light.moment);
+  // All around and even: any direction is as good as another.
+  lights.push_back({length > 0.0 ? light.moment / length : glm::dvec3(0, 1, 0), light.flux});
+}
+
+}  // namespace
+
+std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count) {
+  const Raster raster(map, 64);
+  std::priority_queue<Box> boxes;
+  boxes.push(box_of(raster, 0, 0, raster.columns(), raster.rows()));
+  std::vector<Box> cells;  // that cannot be cut
+  while (!boxes.empty() && boxes.size() + cells.size() < count && boxes.top().spread > 0.0) {
+    const Box box = boxes.top();
+    boxes.pop();
+    if (const auto cut = halves(raster, box)) {
+      boxes.push(cut->first);
+      boxes.push(cut->second);
+    } else {
+      cells.push_back(box);
+    }
+  }
+  std::vector<DistantLight> lights;
+  for (const Box& cell : cells) append(cell.light, lights);
+  for (; !boxes.empty(); boxes.pop()) append(boxes.top().light, lights);
+  return lights;
+}
+
+std::vector<DistantLight> even_distant_lights(const RadianceMap& map, int rows) {
+  const Raster raster(map, rows);
+  std::vector<DistantLight> lights;
+  for (int y = 0; y < raster.rows(); ++y) {
+    for (int x = 0; x < raster.columns(); ++x) append(raster.at(x, y), lights);
+  }
+  return lights;
+}
+
+}  // namespace brume

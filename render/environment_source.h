@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/cpu/source_grid.h"
+#include "render/cpu/source_look_up.h"
+#include "render/distant_lights.h"
+#include "render/job.h"
+#include "render/settings.h"
+
+namespace brume {
+
+// The light of an environment that the medium scatters towards the eye: J of a SourceGrid, kept
+// from frame to frame. A moved camera renews nothing; what the grid was made from is compared by
+// value.
+//
+// The grid keeps few bands. What the phase function has beyond them is known without the medium, by
+// the map itself; it is attenuated like the mean of the light at the point, so that thin media are
+// right for any phase function.
+class EnvironmentSource {
+ public:
+  // `medium` is that of the extinction coefficient; `fog_depth` the optical depth of its
+  // homogeneous part from any point to where the fog ends. False if the job was stopped: then this
+  // is empty.
+  bool update(const Environment& environment, const Medium& medium, double anisotropy,
+              double fog_depth, const SourceGridSize& size, const Job& job);
+  void clear() { grid_.reset(); }
+
+  // From here on, of the last update().
+  [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
+  // For a view ray along the unit vector w.
+  [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
+
+ private:
+  void read_map(const RadianceMap& map, double anisotropy, std::size_t directions, const Job& job);
+
+  // What the grid and the lights were made from.
+  Environment environment_;
+  Medium medium_;
+  double anisotropy_ = 0.0;
+  SourceGridSize size_;
+
+  std::vector<DistantLight> lights_;  // in the frame of the map
+  ShVector<glm::dvec3> light_;        // as the grid has it without a medium, in the scene
+  Environment scattered_;             // the environment convolved with the phase function
+  double attenuation_ = 1.0;          // by the fog
+  PhaseBands phase_{0.0};
+  std::optional<SourceGrid> grid_;
+};
+
+}  // namespace brume
