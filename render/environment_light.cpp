@@ -7,6 +7,7 @@
 
 #include "core/scene/brdf.h"
 #include "core/scene/environment.h"
+#include "core/scene/radiance_map.h"
 
 namespace brume {
 namespace {
@@ -46,12 +47,13 @@ EnvironmentLight::EnvironmentLight(const Environment& environment, const Scatter
     : environment_(environment),
       scattering_(&scattering),
       light_(environment_sh(environment, sh_most_bands)),
-      light_float_(sh_most_bands) {
+      light_float_(sh_most_bands),
+      to_map_(glm::mat3_cast(glm::conjugate(environment_rotation(environment)))) {
   for (std::size_t i = 0; i < light_.size(); ++i) light_float_[i] = glm::vec3(light_[i]);
 }
 
-glm::vec3 EnvironmentLight::radiance(const glm::dvec3& w) const {
-  return glm::vec3(environment_radiance(environment_, w));
+glm::vec3 EnvironmentLight::radiance(const glm::vec3& w) const {
+  return static_cast<float>(environment_.intensity) * map_radiance(*environment_.map, to_map_ * w);
 }
 
 glm::vec3 EnvironmentLight::glow(const glm::dvec3& w, float T) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "core/math/spherical_harmonics.h"
@@ -18,8 +19,8 @@ class EnvironmentLight {
     return environment_ == environment && scattering_ == &scattering;
   }
 
-  // Radiance from a unit direction without the medium.
-  [[nodiscard]] glm::vec3 radiance(const glm::dvec3& w) const;
+  // Radiance from a unit direction without the medium, in single precision.
+  [[nodiscard]] glm::vec3 radiance(const glm::vec3& w) const;
 
   // What a medium of optical depth T along a view ray scatters into it as the paper has it:
   // T e^-T (L * spread)(w) (eq. 28), here also in front of surfaces, where its mist would be black.
@@ -36,6 +37,7 @@ class EnvironmentLight {
   const ScatterTable* scattering_;
   ShVector<glm::dvec3> light_;
   ShVector<glm::vec3> light_float_;
+  glm::mat3 to_map_;
 };
 
 }  // namespace brume

@@ -493,8 +493,8 @@ void Renderer::Impl::composite(Work& work) const {
       const bool is_open = !std::isfinite(frame.depth[i]);
       glm::vec3 behind = surface_radiance.empty() ? glm::vec3(0.0f) : surface_radiance[i];
       if (environment && is_open) {
-        behind = environment->radiance(
-            work.rays.direction(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5));
+        behind = environment->radiance(glm::vec3(
+            work.rays.direction(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5)));
       }
       for (std::size_t k = 0; k < 3; ++k) {
         frame.beauty[4 * i + k] =

@@ -13,11 +13,41 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-glm::dvec2 map_position(const RadianceMap& map, const glm::dvec3& d) {
+namespace {
+
+template <class Real>
+glm::vec<2, Real> position_of(const RadianceMap& map, const glm::vec<3, Real>& d) {
   // acos(y) loses half its digits near the poles.
-  const double polar = std::atan2(std::hypot(d.x, d.z), d.y);
-  const double azimuth = std::atan2(d.x, -d.z);
-  return {(0.5 + azimuth / (2.0 * pi)) * map.width, polar / pi * map.height};
+  const Real polar = std::atan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
+  const Real azimuth = std::atan2(d.x, -d.z);
+  return {(Real(0.5) + azimuth / Real(2.0 * pi)) * Real(map.width),
+          polar / Real(pi) * Real(map.height)};
+}
+
+template <class Real>
+glm::vec<3, Real> radiance_of(const RadianceMap& map, const glm::vec<3, Real>& direction) {
+  using Color = glm::vec<3, Real>;
+  const glm::vec<2, Real> position = position_of(map, direction) - Real(0.5);
+  const Real column = std::floor(position.x);
+  const Real row = std::floor(position.y);
+  const Real s = position.x - column;
+  const Real t = position.y - row;
+  const int x0 = (static_cast<int>(column) + map.width) % map.width;
+  const int x1 = (x0 + 1) % map.width;
+  const int y0 = std::clamp(static_cast<int>(row), 0, map.height - 1);
+  const int y1 = std::clamp(static_cast<int>(row) + 1, 0, map.height - 1);
+  const auto along = [&](int y) {
+    const Color left(map.pixel(x0, y));
+    return left + s * (Color(map.pixel(x1, y)) - left);
+  };
+  const Color above = along(y0);
+  return above + t * (along(y1) - above);
+}
+
+}  // namespace
+
+glm::dvec2 map_position(const RadianceMap& map, const glm::dvec3& d) {
+  return position_of(map, d);
 }
 
 glm::dvec3 map_direction(const RadianceMap& map, const glm::dvec2& position) {
@@ -28,18 +58,11 @@ glm::dvec3 map_direction(const RadianceMap& map, const glm::dvec2& position) {
 }
 
 glm::dvec3 map_radiance(const RadianceMap& map, const glm::dvec3& direction) {
-  const glm::dvec2 position = map_position(map, direction) - 0.5;
-  const double column = std::floor(position.x);
-  const double row = std::floor(position.y);
-  const double s = position.x - column;
-  const double t = position.y - row;
-  const int x0 = (static_cast<int>(column) + map.width) % map.width;
-  const int x1 = (x0 + 1) % map.width;
-  const int y0 = std::clamp(static_cast<int>(row), 0, map.height - 1);
-  const int y1 = std::clamp(static_cast<int>(row) + 1, 0, map.height - 1);
-  const auto at = [&](int x, int y) { return glm::dvec3(map.pixel(x, y)); };
-  return (1.0 - t) * ((1.0 - s) * at(x0, y0) + s * at(x1, y0)) +
-         t * ((1.0 - s) * at(x0, y1) + s * at(x1, y1));
+  return radiance_of(map, direction);
+}
+
+glm::vec3 map_radiance(const RadianceMap& map, const glm::vec3& direction) {
+  return radiance_of(map, direction);
 }
 
 namespace {

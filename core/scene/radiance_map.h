@@ -28,7 +28,9 @@ glm::dvec2 map_position(const RadianceMap& map, const glm::dvec3& direction);
 glm::dvec3 map_direction(const RadianceMap& map, const glm::dvec2& position);
 
 // Bilinear between the pixels around a unit direction; columns close around, rows end at the poles.
+// In single precision positions are off by 1e-6 of the width.
 glm::dvec3 map_radiance(const RadianceMap& map, const glm::dvec3& direction);
+glm::vec3 map_radiance(const RadianceMap& map, const glm::vec3& direction);
 
 // The projection of the map on spherical harmonics, exact for pixels of constant radiance.
 ShVector<glm::dvec3> map_sh(const RadianceMap& map, int order);

@@ -47,7 +47,16 @@ TEST(RadianceMap, IsBilinearAndClosesAround) {
   expect_near(at(0.0, 1.5), 0.5 * (pixel(7, 1) + pixel(0, 1)), 1e-12);
   expect_near(at(8.0 - 1e-9, 1.5), 0.5 * (pixel(7, 1) + pixel(0, 1)), 1e-8);
   const RadianceMap one = random_map(9, 1, 1);
-  expect_near(map_radiance(one, {0, -1, 0}), glm::dvec3(one.pixel(0, 0)), 1e-12);
+  expect_near(map_radiance(one, glm::dvec3(0, -1, 0)), glm::dvec3(one.pixel(0, 0)), 1e-12);
+}
+
+TEST(RadianceMap, IsTheSameInSinglePrecision) {
+  const RadianceMap map = random_map(256, 128, 2);
+  Random random(3);
+  for (int n = 0; n < 1000; ++n) {
+    const glm::vec3 d(glm::normalize(random.point(1.0)));
+    expect_near(glm::dvec3(map_radiance(map, d)), map_radiance(map, glm::dvec3(d)), 1e-3);
+  }
 }
 
 TEST(RadianceMap, ConstantRadianceHasOnlyTheFirstCoefficient) {

@@ -220,6 +220,7 @@ TEST(EnvironmentAirlight, ConvergesAsGridAndSlicesGrow) {
   const double coarse = error_of(scene, 8);
   const double fine = error_of(scene, 24);
   const double finest = error_of(scene, 64);
+  EXPECT_LT(fine, 0.6 * coarse);
   EXPECT_LT(finest, 0.75 * fine);
 }
 
