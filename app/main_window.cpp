@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
@@ -23,6 +24,10 @@
 #include "app/message_bar.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/panels/history_panel.h"
+#include "app/panels/light_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/panels/medium_panel.h"
+#include "app/panels/outliner.h"
 #include "app/panels/performance_panel.h"
 #include "app/scene_files.h"
 #include "app/scene_load.h"
@@ -49,6 +54,15 @@ QString dropped_scene(const QMimeData& data) {
     if (file.endsWith(".brume", Qt::CaseInsensitive)) return file;
   }
   return {};
+}
+
+// Panels that a small screen may be too low for.
+QWidget* scrolled(QWidget* panel) {
+  auto* area = new QScrollArea;
+  area->setWidget(panel);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  return area;
 }
 
 }  // namespace
@@ -104,16 +118,45 @@ void MainWindow::create_docks() {
     addDockWidget(Qt::RightDockWidgetArea, made);
     return made;
   };
+  auto* outliner = new Outliner(document_, this);
+  auto* light_panel = new LightPanel(document_, *viewport_, this);
+  auto* medium_panel = new MediumPanel(document_, this);
+  auto* material_panel = new MaterialPanel(document_, this);
   gaussian_panel_ = new GaussianPanel(document_, this);
+  QDockWidget* outline = dock(tr("Outliner"), "outliner", outliner);
   QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", gaussian_panel_);
+  QDockWidget* lights = dock(tr("Lighting"), "lighting", scrolled(light_panel));
+  QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
+  QDockWidget* material = dock(tr("Material"), "material", scrolled(material_panel));
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
   QDockWidget* performance =
       dock(tr("Performance"), "performance", new PerformancePanel(*viewport_));
+  tabifyDockWidget(gaussians, lights);
+  tabifyDockWidget(lights, medium);
+  tabifyDockWidget(medium, material);
+  gaussians->raise();
   tabifyDockWidget(performance, history);
   performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
-  resizeDocks({gaussians, performance}, {380, 340}, Qt::Vertical);
+  resizeDocks({outline, gaussians, performance}, {120, 330, 270}, Qt::Vertical);
+
   connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::say);
+  for (SceneForm* form : findChildren<SceneForm*>()) {
+    connect(form, &SceneForm::refused, this, &MainWindow::say);
+  }
+  connect(outliner, &Outliner::asked_for, this,
+          [this, gaussians, lights, medium, material, material_panel](Outliner::Kind kind,
+                                                                      std::size_t index) {
+            using Kind = Outliner::Kind;
+            if (kind == Kind::light) document_.set_active_light(index);
+            if (kind == Kind::surface) material_panel->show_surface(index);
+            QDockWidget* panel = kind == Kind::gaussians ? gaussians
+                                 : kind == Kind::medium  ? medium
+                                 : kind == Kind::surface ? material
+                                                         : lights;
+            panel->show();
+            panel->raise();
+          });
 }
 
 void MainWindow::create_status_bar() {

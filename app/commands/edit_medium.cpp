@@ -37,6 +37,11 @@ void delete_selection(Document& document, const QString& verb) {
        QString("%1 %2").arg(verb, gaussians_text(count)));
 }
 
+void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {
+  push(document, MediumEdit::set_homogeneous_density(document.medium(), b0),
+       tr("Set density everywhere to %1").arg(number_text(b0)), merge_id);
+}
+
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
                   double value) {
   if (QString problem = field_problem(field, value); !problem.isEmpty()) return problem;

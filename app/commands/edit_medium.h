@@ -17,6 +17,8 @@ void add_gaussian(Document& document, const Gaussian& gaussian);
 void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb);
 void delete_selection(Document& document, const QString& verb);
 
+void set_homogeneous_density(Document& document, double b0, MergeId merge_id);
+
 // Writes one number into Gaussians. A value outside the field's domain changes nothing; the answer
 // then says why (empty: done).
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,

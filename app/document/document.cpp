@@ -73,6 +73,7 @@ void Document::open(Scene scene, const std::filesystem::path& file) {
   selection_.clear();
   hidden_.clear();
   locked_.clear();
+  active_light_ = 0;
   scene_changed();
   file_ = file;
   revision_ = saved_revision_ = new_revision();
@@ -119,6 +120,12 @@ void Document::lock(std::vector<GaussianId> ids) {
   Q_EMIT freedom_changed();
 }
 
+void Document::set_active_light(std::size_t index) {
+  if (index == active_light_) return;
+  active_light_ = index;
+  Q_EMIT active_light_changed();
+}
+
 void Document::apply(const MediumEdit& edit) {
   edit.apply(scene_.medium);
   scene_changed();
@@ -136,6 +143,7 @@ void Document::apply(const MediumEdit& edit) {
 void Document::set_part(const ScenePart& part) {
   set_scene_part(scene_, part);
   scene_changed();
+  active_light_ = std::min(active_light_, std::max<std::size_t>(scene_.lights.size(), 1) - 1);
   Q_EMIT part_changed();
 }
 

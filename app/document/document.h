@@ -54,6 +54,10 @@ class Document : public QObject {
   void hide(std::vector<GaussianId> ids);           // and nothing else
   void lock(std::vector<GaussianId> ids);           // and nothing else
 
+  // The light that panel and handles are about; an index that may be of none. State of the editor.
+  [[nodiscard]] std::size_t active_light() const { return active_light_; }
+  void set_active_light(std::size_t index);
+
   // For commands only: changes without history.
   void apply(const MediumEdit& edit);
   void set_part(const ScenePart& part);
@@ -68,6 +72,7 @@ class Document : public QObject {
   void medium_changed(const brume::MediumEdit& edit);
   void part_changed();  // of the scene, other than its Gaussians
   void selection_changed();
+  void active_light_changed();
   void freedom_changed();  // what is hidden or locked
   void file_changed();
   void modified_changed();
@@ -83,6 +88,7 @@ class Document : public QObject {
   std::vector<GaussianId> selection_;
   std::vector<GaussianId> hidden_;
   std::vector<GaussianId> locked_;
+  std::size_t active_light_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;

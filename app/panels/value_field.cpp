@@ -48,6 +48,11 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
   });
 }
 
+QLabel* ValueField::take_title() {
+  layout()->removeWidget(label_);
+  return label_;
+}
+
 void ValueField::show_value(std::optional<double> value) {
   value_ = value;
   field_->show_value(value);

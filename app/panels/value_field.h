@@ -22,6 +22,9 @@ class ValueField : public QWidget {
   ValueField(const QString& title, const NumberDomain& domain, Scale scale, double step,
              QWidget* parent = nullptr);
 
+  // The title for a form to put elsewhere.
+  [[nodiscard]] QLabel* take_title();
+
   void show_value(std::optional<double> value);  // nullopt: mixed, or nothing there
 
  Q_SIGNALS:

@@ -23,6 +23,10 @@ QString SelectTool::hint() const {
 }
 
 void SelectTool::hover(QPointF position) {
+  if (lights_.hover(position)) {
+    viewport_.set_hovered(std::nullopt);
+    return;
+  }
   const auto index = viewport_.handles().pick(position);
   viewport_.set_hovered(index ? std::optional(document_.medium().ids()[*index])
                               : viewport_.most_visible(position));
@@ -33,6 +37,7 @@ void SelectTool::leave() {
 }
 
 void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
+  if (lights_.press(position)) return;
   start_ = position;
   gesture_ = Gesture::undecided;
   area_mode_ = click_mode_ = mode_with(modifiers);
@@ -51,6 +56,10 @@ void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
 }
 
 void SelectTool::move(QPointF position) {
+  if (lights_.is_dragging()) {
+    lights_.move(position);
+    return;
+  }
   if (gesture_ == Gesture::undecided && QLineF(start_, position).length() >= drag_threshold) {
     if (!pressed_) {
       gesture_ = Gesture::band;
@@ -83,14 +92,20 @@ void SelectTool::release(QPointF position) {
 }
 
 void SelectTool::cancel() {
+  if (lights_.is_dragging()) lights_.cancel();
   if (gesture_ == Gesture::moving) move_selection(start_);
   abandon();
 }
 
 void SelectTool::abandon() {
   viewport_.show_band({});
+  lights_.end();
   gesture_ = Gesture::none;
   pressed_.reset();
+}
+
+void SelectTool::draw(Overlay& overlay, const CameraRays& rays) const {
+  lights_.draw(overlay, rays);
 }
 
 void SelectTool::medium_changed() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
+#include "app/tools/light_handles.h"
 #include "app/tools/selection_tool.h"
 #include "core/medium/gaussian.h"
 
@@ -17,7 +18,8 @@ namespace brume {
 class SelectTool : public SelectionTool {
   Q_OBJECT
  public:
-  using SelectionTool::SelectionTool;
+  SelectTool(Document& document, Viewport& viewport)
+      : SelectionTool(document, viewport), lights_(document, viewport) {}
 
   [[nodiscard]] QString hint() const override;
   void hover(QPointF position) override;
@@ -29,6 +31,7 @@ class SelectTool : public SelectionTool {
   void abandon() override;
   // A gesture whose Gaussians are gone is over, even if they come back.
   void medium_changed() override;
+  void draw(Overlay& overlay, const CameraRays& rays) const override;
 
  private:
   enum class Gesture { none, undecided, moving, band };
@@ -38,6 +41,7 @@ class SelectTool : public SelectionTool {
   [[nodiscard]] bool moved_are_there() const;
   [[nodiscard]] glm::dvec3 on_drag_plane(QPointF position) const;
 
+  LightHandles lights_;
   Gesture gesture_ = Gesture::none;
   SelectMode area_mode_ = SelectMode::set;   // of a rectangle
   SelectMode click_mode_ = SelectMode::set;  // of a click

@@ -90,6 +90,7 @@ void TransformTool::medium_changed() {
 }
 
 void TransformTool::draw(Overlay& overlay, const CameraRays& rays) const {
+  SelectTool::draw(overlay, rays);
   if (document_.selection().empty()) return;
   const auto active = dragging_ ? std::optional(part_) : hovered_;
   Gizmo(kind_, viewport_.pivot(), rays).draw(overlay, active);

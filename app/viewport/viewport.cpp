@@ -79,6 +79,8 @@ Viewport::Viewport(Document& document, QWidget* parent)
     request_frame();
   });
   connect(&document_, &Document::part_changed, this, &Viewport::request_frame);
+  connect(&document_, &Document::part_changed, this, &Viewport::update_overlay);
+  connect(&document_, &Document::active_light_changed, this, &Viewport::update_overlay);
   connect(&document_, &Document::freedom_changed, this, [this] {
     refresh_handles();
     request_frame();

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <glm/vec3.hpp>
+
+#include "app/commands/merge_id.h"
+#include "core/scene/scene.h"
+
+namespace brume {
+
+class Document;
+
+// What users do to lights, each one undo step. `index` is of the scene's lights.
+void add_light(Document& document, const glm::dvec3& position);
+void delete_light(Document& document, std::size_t index);
+// `verb` is the text of the step, with %1 for the light's name.
+void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                  const std::function<void(PointLight&)>& change);
+QString light_name(std::size_t index);  // "light 2"
+
+// A light's intensity as strength [W/sr] times a colour whose greatest part is 1; white if dark.
+double light_strength(const PointLight& light);
+glm::dvec3 light_color(const PointLight& light);
+
+}  // namespace brume

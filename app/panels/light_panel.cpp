@@ -1,0 +1,188 @@
+#include "app/panels/light_panel.h"
+
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <exception>
+
+#include "app/commands/edit_lights.h"
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "app/document/gaussian_field.h"
+#include "app/document/paths.h"
+#include "app/panels/color_button.h"
+#include "app/viewport/viewport.h"
+#include "core/io/radiance_map_file.h"
+
+namespace brume {
+
+LightPanel::LightPanel(Document& document, Viewport& viewport, QWidget* parent)
+    : SceneForm(document, parent), viewport_(viewport), list_(new QListWidget(this)) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(6, 6, 6, 6);
+  add_light_list(*form);
+  add_light_fields(*form);
+  add_environment_fields(*form);
+  connect(&document_, &Document::active_light_changed, this, &LightPanel::refresh);
+  refresh();
+}
+
+const PointLight* LightPanel::light() const {
+  const Lights& lights = document_.scene().lights;
+  return document_.active_light() < lights.size() ? &lights[document_.active_light()] : nullptr;
+}
+
+void LightPanel::add_light_list(QFormLayout& form) {
+  list_->setObjectName("lights");
+  list_->setMaximumHeight(110);
+  form.addRow(list_);
+  auto* add = new QPushButton(tr("Add light"), this);
+  add->setObjectName("add_light");
+  auto* remove = new QPushButton(tr("Delete"), this);
+  remove->setObjectName("delete_light");
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(add);
+  buttons->addWidget(remove);
+  form.addRow(buttons);
+  connect(add, &QPushButton::clicked, this, [this] {
+    // Above what the view looks at.
+    const glm::dvec3 above = viewport_.shift_on_film({0.0, -0.3 * viewport_.height()});
+    add_light(document_, viewport_.pivot() + above);
+    document_.set_active_light(document_.scene().lights.size() - 1);
+  });
+  connect(remove, &QPushButton::clicked, this,
+          [this] { delete_light(document_, document_.active_light()); });
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (!showing_ && row >= 0) document_.set_active_light(static_cast<std::size_t>(row));
+  });
+  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    if (showing_) return;
+    const bool on = item->checkState() == Qt::Checked;
+    change_light(document_, static_cast<std::size_t>(list_->row(item)),
+                 on ? tr("Turn %1 on") : tr("Turn %1 off"), no_merge,
+                 [on](PointLight& l) { l.on = on; });
+  });
+  on_refresh([this, remove] {
+    show_lights();
+    remove->setEnabled(light() != nullptr);
+  });
+}
+
+void LightPanel::show_lights() {
+  showing_ = true;
+  const Lights& lights = document_.scene().lights;
+  while (list_->count() > static_cast<int>(lights.size())) delete list_->takeItem(0);
+  while (list_->count() < static_cast<int>(lights.size())) list_->addItem(QString());
+  for (int row = 0; row < list_->count(); ++row) {
+    const auto k = static_cast<std::size_t>(row);
+    QListWidgetItem* item = list_->item(row);
+    item->setText(QString("%1 · %2 W/sr")
+                      .arg(tr("Light %1").arg(row + 1), number_text(light_strength(lights[k]))));
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(lights[k].on ? Qt::Checked : Qt::Unchecked);
+    QPixmap swatch(12, 12);
+    swatch.fill(to_color(light_color(lights[k])));
+    item->setIcon(swatch);
+  }
+  list_->setCurrentRow(light() ? static_cast<int>(document_.active_light()) : -1);
+  showing_ = false;
+}
+
+void LightPanel::add_light_fields(QFormLayout& form) {
+  const auto change = [this](const QString& verb, MergeId gesture,
+                             const std::function<void(PointLight&)>& how) {
+    change_light(document_, document_.active_light(), verb, gesture, how);
+  };
+  add_number(form, tr("Intensity, W/sr"),
+             {"light_intensity", domain::intensity, ValueField::Scale::logarithmic, 0.01,
+              [this]() -> std::optional<double> {
+                return light() ? std::optional(light_strength(*light())) : std::nullopt;
+              },
+              [change](double value, MergeId gesture) {
+                change(tr("Set intensity of %1"), gesture,
+                       [value](PointLight& l) { l.intensity = value * light_color(l); });
+              }});
+  add_color(form, tr("Colour"),
+            {"light_color",
+             [this]() -> std::optional<glm::dvec3> {
+               return light() ? std::optional(light_color(*light())) : std::nullopt;
+             },
+             [change](const glm::dvec3& color, MergeId gesture) {
+               change(tr("Set colour of %1"), gesture,
+                      [color](PointLight& l) { l.intensity = light_strength(l) * color; });
+             }});
+  add_vector(form, tr("Position"),
+             {"light_position", domain::coordinate, 0.01,
+              [this]() -> std::optional<glm::dvec3> {
+                return light() ? std::optional(light()->position) : std::nullopt;
+              },
+              [change](const glm::dvec3& position, MergeId gesture) {
+                change(tr("Move %1"), gesture,
+                       [position](PointLight& l) { l.position = position; });
+              }});
+}
+
+void LightPanel::add_environment_fields(QFormLayout& form) {
+  auto* name = new QLabel(this);
+  name->setObjectName("environment_file");
+  auto* choose = new QPushButton(tr("Choose…"), this);
+  auto* remove = new QPushButton(tr("Remove"), this);
+  remove->setObjectName("remove_environment");
+  auto* row = new QHBoxLayout;
+  row->addWidget(name, 1);
+  row->addWidget(choose);
+  row->addWidget(remove);
+  form.addRow(tr("Environment"), row);
+  connect(choose, &QPushButton::clicked, this, &LightPanel::choose_environment);
+  connect(remove, &QPushButton::clicked, this, [this] {
+    set_scene_part(document_, std::optional<Environment>(), tr("Remove environment"));
+  });
+  on_refresh([this, name, remove] {
+    const auto& environment = document_.scene().environment;
+    name->setText(environment ? to_qstring(environment->file.filename()) : tr("none"));
+    remove->setEnabled(environment.has_value());
+  });
+
+  const auto add = [&](const QString& title, const char* widget, const NumberDomain& domain,
+                       ValueField::Scale scale, double step, double Environment::*number,
+                       const QString& text) {
+    add_number(form, title,
+               {widget, domain, scale, step,
+                [this, number]() -> std::optional<double> {
+                  const auto& environment = document_.scene().environment;
+                  return environment ? std::optional((*environment).*number) : std::nullopt;
+                },
+                [this, number, text](double value, MergeId gesture) {
+                  std::optional<Environment> environment = document_.scene().environment;
+                  (*environment).*number = value;
+                  set_scene_part(document_, std::move(environment), text, gesture);
+                }});
+  };
+  add(tr("Intensity"), "environment_intensity", domain::not_negative,
+      ValueField::Scale::logarithmic, 0.01, &Environment::intensity,
+      tr("Set intensity of environment"));
+  add(tr("Rotation, degrees"), "environment_rotation", domain::degrees, ValueField::Scale::linear,
+      0.5, &Environment::rotation, tr("Rotate environment"));
+}
+
+void LightPanel::choose_environment() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Choose an environment"), {}, tr("Radiance maps (*.exr *.hdr);;All files (*)"));
+  if (!file.isEmpty()) load_environment(file);
+}
+
+void LightPanel::load_environment(const QString& file) {
+  try {
+    Environment environment = document_.scene().environment.value_or(Environment{});
+    environment.file = std::filesystem::absolute(to_path(file));
+    environment.map = read_radiance_map(environment.file);
+    set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
+  } catch (const std::exception& error) {
+    Q_EMIT refused(QString::fromUtf8(error.what()));
+  }
+}
+
+}  // namespace brume

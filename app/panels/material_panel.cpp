@@ -1,0 +1,122 @@
+#include "app/panels/material_panel.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <algorithm>
+#include <exception>
+
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "app/document/paths.h"
+#include "core/io/merl_file.h"
+
+namespace brume {
+
+MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
+    : SceneForm(document, parent), surfaces_(new QComboBox(this)), type_(new QComboBox(this)) {
+  surfaces_->setObjectName("surface");
+  type_->setObjectName("material_type");
+  type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…")});
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(6, 6, 6, 6);
+  form->addRow(tr("Surface"), surfaces_);
+  form->addRow(tr("Material"), type_);
+  connect(surfaces_, &QComboBox::currentIndexChanged, this, &MaterialPanel::refresh);
+  connect(type_, &QComboBox::activated, this, &MaterialPanel::choose_type);
+  on_refresh([this] {
+    const Surfaces& surfaces = document_.scene().surfaces;
+    const QSignalBlocker blocker(surfaces_);
+    const int index = surfaces_->currentIndex();
+    surfaces_->clear();
+    for (const Surface& surface : surfaces) {
+      surfaces_->addItem(to_qstring(surface.mesh_file.filename()));
+    }
+    surfaces_->setCurrentIndex(
+        std::clamp(index, std::min(0, surfaces_->count() - 1), surfaces_->count() - 1));
+    surfaces_->setEnabled(!surfaces.empty());
+    type_->setEnabled(material() != nullptr);
+    if (material()) type_->setCurrentIndex(static_cast<int>(material()->type));
+  });
+  // After the list, which says what surface the fields are about.
+  add_fields(*form);
+  refresh();
+}
+
+void MaterialPanel::show_surface(std::size_t index) {
+  surfaces_->setCurrentIndex(static_cast<int>(index));
+}
+
+const Material* MaterialPanel::material() const {
+  const Surfaces& surfaces = document_.scene().surfaces;
+  const auto index = static_cast<std::size_t>(surfaces_->currentIndex());
+  return surfaces_->currentIndex() >= 0 && index < surfaces.size() ? &surfaces[index].material
+                                                                   : nullptr;
+}
+
+void MaterialPanel::change(const QString& text, MergeId gesture,
+                           const std::function<void(Material&)>& how) {
+  if (!material()) return;
+  Surfaces surfaces = document_.scene().surfaces;
+  how(surfaces[static_cast<std::size_t>(surfaces_->currentIndex())].material);
+  set_scene_part(document_, std::move(surfaces), text.arg(surfaces_->currentText()), gesture);
+}
+
+void MaterialPanel::add_fields(QFormLayout& form) {
+  add_color(form, tr("Reflectance"),
+            {"reflectance",
+             [this]() -> std::optional<glm::dvec3> {
+               if (!material() || material()->type == Material::Type::measured) return std::nullopt;
+               return material()->reflectance;
+             },
+             [this](const glm::dvec3& color, MergeId gesture) {
+               change(tr("Set reflectance of %1"), gesture,
+                      [color](Material& m) { m.reflectance = color; });
+             }});
+  add_color(form, tr("Specular"),
+            {"specular",
+             [this]() -> std::optional<glm::dvec3> {
+               if (!material() || material()->type != Material::Type::phong) return std::nullopt;
+               return material()->specular;
+             },
+             [this](const glm::dvec3& color, MergeId gesture) {
+               change(tr("Set specular reflectance of %1"), gesture,
+                      [color](Material& m) { m.specular = color; });
+             }});
+  add_number(form, tr("Exponent"),
+             {"exponent", domain::not_negative, ValueField::Scale::logarithmic, 0.01,
+              [this]() -> std::optional<double> {
+                if (!material() || material()->type != Material::Type::phong) return std::nullopt;
+                return material()->exponent;
+              },
+              [this](double value, MergeId gesture) {
+                change(tr("Set exponent of %1"), gesture,
+                       [value](Material& m) { m.exponent = value; });
+              }});
+}
+
+void MaterialPanel::choose_type(int index) {
+  const auto type = static_cast<Material::Type>(index);
+  std::filesystem::path file;
+  std::shared_ptr<const MeasuredBrdf> measured;
+  if (type == Material::Type::measured) {
+    file = to_path(QFileDialog::getOpenFileName(this, tr("Choose a measured material"), {},
+                                                tr("MERL materials (*.binary);;All files (*)")));
+    try {
+      if (!file.empty()) measured = read_merl(file);
+    } catch (const std::exception& error) {
+      Q_EMIT refused(QString::fromUtf8(error.what()));
+    }
+    if (!measured) {
+      refresh();
+      return;
+    }
+  }
+  change(tr("Set material of %1"), no_merge, [&](Material& m) {
+    m.type = type;
+    m.file = file;
+    m.measured = measured;
+  });
+}
+
+}  // namespace brume

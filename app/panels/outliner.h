@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QTreeWidget>
+
+namespace brume {
+
+class Document;
+
+// What the scene is made of, as a tree. A click on an item asks for the panel that edits it.
+class Outliner : public QTreeWidget {
+  Q_OBJECT
+ public:
+  enum class Kind { gaussians, medium, light, environment, surface };
+  explicit Outliner(Document& document, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void asked_for(brume::Outliner::Kind kind, std::size_t index);
+
+ private:
+  void rebuild();
+  void count_gaussians();
+
+  Document& document_;
+  QTreeWidgetItem* gaussians_ = nullptr;
+};
+
+}  // namespace brume

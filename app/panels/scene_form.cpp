@@ -1,0 +1,74 @@
+#include "app/panels/scene_form.h"
+
+#include <QFormLayout>
+#include <QLabel>
+
+#include "app/document/document.h"
+#include "app/panels/color_button.h"
+
+namespace brume {
+
+SceneForm::SceneForm(Document& document, QWidget* parent) : QWidget(parent), document_(document) {
+  connect(&document_, &Document::scene_replaced, this, &SceneForm::refresh);
+  connect(&document_, &Document::part_changed, this, &SceneForm::refresh);
+  connect(&document_, &Document::medium_changed, this, &SceneForm::refresh);
+}
+
+void SceneForm::refresh() {
+  for (const auto& update : updates_) update();
+}
+
+ValueField* SceneForm::new_field(const Number& number, const QString& title) {
+  auto* field = new ValueField(title, number.domain, number.scale, number.step, this);
+  field->setObjectName(number.name);
+  connect(field, &ValueField::edited, this, number.set);
+  connect(field, &ValueField::refused, this, &SceneForm::refused);
+  on_refresh([field, get = number.get] {
+    const std::optional<double> value = get();
+    field->setEnabled(value.has_value());
+    field->show_value(value);
+  });
+  return field;
+}
+
+void SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number) {
+  ValueField* field = new_field(number, title);
+  QLabel* label = field->take_title();
+  label->setObjectName(QString(number.name) + "_title");
+  form.addRow(label, field);
+}
+
+void SceneForm::add_vector(QFormLayout& form, const QString& title, const Vector& vector) {
+  auto* row = new QHBoxLayout;
+  for (int k = 0; k < 3; ++k) {
+    const auto get = [vector, k]() -> std::optional<double> {
+      const std::optional<glm::dvec3> value = vector.get();
+      return value ? std::optional((*value)[k]) : std::nullopt;
+    };
+    const auto set = [vector, k](double number, MergeId gesture) {
+      glm::dvec3 value = vector.get().value_or(glm::dvec3(0.0));
+      value[k] = number;
+      vector.set(value, gesture);
+    };
+    auto* field =
+        new_field({vector.name, vector.domain, ValueField::Scale::linear, vector.step, get, set},
+                  QString("xyz").at(k));
+    field->setObjectName(QString("%1_%2").arg(vector.name).arg(QString("xyz").at(k)));
+    row->addWidget(field);
+  }
+  form.addRow(title, row);
+}
+
+void SceneForm::add_color(QFormLayout& form, const QString& title, const Color& color) {
+  auto* button = new ColorButton(this);
+  button->setObjectName(color.name);
+  connect(button, &ColorButton::edited, this, color.set);
+  on_refresh([button, get = color.get] {
+    const std::optional<glm::dvec3> value = get();
+    button->setEnabled(value.has_value());
+    button->show_color(value.value_or(glm::dvec3(0.0)));
+  });
+  form.addRow(title, button);
+}
+
+}  // namespace brume

@@ -1,0 +1,120 @@
+#include "app/tools/light_handles.h"
+
+#include <QCoreApplication>
+#include <QLineF>
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "app/commands/edit_lights.h"
+#include "app/document/document.h"
+#include "app/panels/color_button.h"
+#include "app/tools/gizmo.h"
+#include "app/viewport/viewport.h"
+#include "core/io/limits.h"
+
+namespace brume {
+namespace {
+
+constexpr double sun_radius = 6.0;  // pixels
+constexpr double ring_least = 18.0;
+constexpr double ring_per_decade = 14.0;
+constexpr double pick_distance = 4.0;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Undo", text);
+}
+
+double ring_radius(double strength) {
+  return ring_least + ring_per_decade * std::log10(1.0 + strength);
+}
+
+double strength_of(double radius) {
+  const double strength = std::pow(10.0, (radius - ring_least) / ring_per_decade) - 1.0;
+  return std::clamp(QString::number(strength, 'g', 4).toDouble(), 0.0, limits::intensity);
+}
+
+}  // namespace
+
+std::optional<LightHandles::Handle> LightHandles::pick(QPointF position) const {
+  const CameraRays rays = viewport_.rays();
+  const auto& lights = document_.scene().lights;
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    const glm::dvec3 at = rays.project(lights[k].position);
+    if (at.z <= 0.0) continue;
+    const double distance = QLineF(QPointF(at.x, at.y), position).length();
+    if (distance <= sun_radius + 3.0) return Handle{k, false};
+    const bool ringed = k == document_.active_light();
+    if (ringed && std::abs(distance - ring_radius(light_strength(lights[k]))) <= pick_distance) {
+      return Handle{k, true};
+    }
+  }
+  return std::nullopt;
+}
+
+bool LightHandles::hover(QPointF position) {
+  const auto now = pick(position);
+  if (now != hovered_) viewport_.update_overlay();
+  hovered_ = now;
+  return now.has_value();
+}
+
+bool LightHandles::press(QPointF position) {
+  const auto handle = pick(position);
+  if (!handle) return false;
+  document_.set_active_light(handle->light);
+  gesture_ = {*handle, position, document_.scene().lights[handle->light], new_merge_id()};
+  return true;
+}
+
+void LightHandles::move(QPointF position) {
+  const auto [handle, start, before, merge_id] = *gesture_;
+  const CameraRays rays = viewport_.rays();
+  if (handle.is_ring) {
+    const glm::dvec3 at = rays.project(before.position);
+    const double strength = strength_of(QLineF(QPointF(at.x, at.y), position).length());
+    change_light(document_, handle.light, tr("Set intensity of %1"), merge_id,
+                 [&](PointLight& l) { l.intensity = strength * light_color(before); });
+  } else {
+    glm::dvec3 place = before.position + dragged_across(before.position, rays, start, position);
+    place = glm::clamp(place, -limits::coordinate, limits::coordinate);
+    change_light(document_, handle.light, tr("Move %1"), merge_id,
+                 [&](PointLight& l) { l.position = place; });
+  }
+}
+
+void LightHandles::cancel() {
+  const auto [handle, start, before, merge_id] = *gesture_;
+  change_light(document_, handle.light, tr("Move %1"), merge_id,
+               [&](PointLight& l) { l = before; });
+  gesture_.reset();
+}
+
+void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
+  const auto& lights = document_.scene().lights;
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    const glm::dvec3 at = rays.project(lights[k].position);
+    if (at.z <= 0.0) continue;
+    const QColor color = to_color(light_color(lights[k]));
+    const int alpha = lights[k].on ? 230 : 90;
+    const QRgb rgba = qRgba(color.red(), color.green(), color.blue(), alpha);
+    const bool hovered = hovered_ && hovered_->light == k;
+    overlay.add_circle(at.x, at.y, sun_radius, rgba);
+    for (int ray = 0; ray < 8; ++ray) {
+      const double angle = glm::two_pi<double>() * ray / 8;
+      const auto point = [&](double radius) {
+        return Overlay::Vertex{static_cast<float>(at.x + radius * std::cos(angle)),
+                               static_cast<float>(at.y + radius * std::sin(angle)), rgba};
+      };
+      overlay.lines.push_back(point(sun_radius + 2.0));
+      overlay.lines.push_back(point(sun_radius + (hovered ? 7.0 : 5.0)));
+    }
+    if (k == document_.active_light()) {
+      const bool bright = hovered && hovered_->is_ring;
+      overlay.add_circle(at.x, at.y, ring_radius(light_strength(lights[k])),
+                         qRgba(color.red(), color.green(), color.blue(), bright ? 255 : 120));
+    }
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,247 @@
+// The panels that edit lights, environment, medium and materials, and the outliner.
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <glm/geometric.hpp>
+
+#include "app/commands/edit_lights.h"
+#include "app/panels/color_button.h"
+#include "app/panels/light_panel.h"
+#include "app/panels/number_field.h"
+#include "app/panels/value_field.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+void enter(TestWindow& window, const char* field, const QString& text) {
+  auto* line = window->findChild<ValueField*>(field)->findChild<NumberField*>();
+  line->setText(text);
+  line->setModified(true);
+  QTest::keyClick(line, Qt::Key_Return);
+}
+
+QString value(TestWindow& window, const char* field) {
+  return window->findChild<ValueField*>(field)->findChild<NumberField*>()->text();
+}
+
+// Drags a field's title by some pixels, in steps.
+void drag_title(TestWindow& window, const char* field, int pixels) {
+  auto* title = window->findChild<QLabel*>(QString(field) + "_title");
+  QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
+  for (int k = 1; k <= 4; ++k) {
+    const QPointF to(3.0 + pixels * k / 4.0, 3);
+    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(title, &move);
+  }
+  QTest::mouseRelease(title, Qt::LeftButton);
+}
+
+QPoint light_position(TestWindow& window, std::size_t index) {
+  const glm::dvec3 at =
+      window->viewport().rays().project(window->document().scene().lights[index].position);
+  return QPointF(at.x, at.y).toPoint();
+}
+
+}  // namespace
+
+class PanelsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void lights_come_go_and_change() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_light"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), std::size_t{2});
+    QCOMPARE(document.undo_stack().undoText(), QString("Add light 2"));
+    QCOMPARE(document.active_light(), std::size_t{1});
+    enter(window, "light_intensity", "48");
+    QCOMPARE(document.scene().lights[1].intensity, glm::dvec3(48.0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set intensity of light 2"));
+    enter(window, "light_position_y", "3.5");
+    QCOMPARE(document.scene().lights[1].position.y, 3.5);
+    enter(window, "light_intensity", "-1");
+    QCOMPARE(document.scene().lights[1].intensity, glm::dvec3(48.0));
+    auto* list = window->findChild<QListWidget*>("lights");
+    QCOMPARE(list->count(), 2);
+    list->item(0)->setCheckState(Qt::Unchecked);
+    QVERIFY(!document.scene().lights[0].on);
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 1 off"));
+    list->setCurrentRow(0);
+    QCOMPARE(value(window, "light_intensity"), QString("12"));
+    QTest::mouseClick(window->findChild<QPushButton*>("delete_light"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), std::size_t{1});
+    QCOMPARE(document.undo_stack().count(), 5);
+    const Scene after = document.scene();
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    document.undo_stack().setIndex(5);
+    QVERIFY(document.scene() == after);
+  }
+
+  void a_drag_on_a_title_is_one_step_and_is_seen_at_once() {
+    TestWindow window;
+    Document& document = window->document();
+    drag_title(window, "light_intensity", 80);
+    QCOMPARE(document.undo_stack().count(), 1);
+    const PointLight& light = document.scene().lights[0];
+    QVERIFY(light_strength(light) > 20.0);
+    // The colour stays.
+    QVERIFY(glm::distance(light_color(light), glm::dvec3(12, 10, 8) / 12.0) < 1e-12);
+    QTRY_COMPARE(window->viewport().shown()->request.scene->lights[0].intensity, light.intensity);
+    drag_title(window, "light_intensity", 10);
+    QCOMPARE(document.undo_stack().count(), 2);
+  }
+
+  void the_colour_of_a_light_is_chosen_beside_the_work() {
+    TestWindow window;
+    auto* button = window->findChild<ColorButton*>("light_color");
+    QTest::mouseClick(button, Qt::LeftButton);
+    auto* dialog = button->findChild<QColorDialog*>();
+    QVERIFY(dialog && !dialog->isModal());
+    dialog->setCurrentColor(QColor(255, 0, 0));
+    dialog->setCurrentColor(QColor(0, 0, 255));
+    QCOMPARE(window->document().scene().lights[0].intensity, glm::dvec3(0.0, 0.0, 12.0));
+    QCOMPARE(window->document().undo_stack().count(), 1);
+    dialog->close();
+    // Between what is shown and what is meant nothing is lost but rounding to 8 bits.
+    for (const double x : {0.0, 0.001, 0.2, 0.5, 1.0}) {
+      QVERIFY(std::abs(to_linear(to_color(glm::dvec3(x))).g - x) < 1e-3);
+    }
+  }
+
+  void a_light_is_dragged_in_the_view() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const QPoint at = light_position(window, 0);
+    window.drag(at, at + QPoint(-30, 20));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move light 1"));
+    QCOMPARE(document.undo_stack().count(), 1);
+    QVERIFY((light_position(window, 0) - at - QPoint(-30, 20)).manhattanLength() <= 2);
+    QVERIFY(std::abs(document.scene().lights[0].position.z - 2.0) < 1e-9);
+    QVERIFY(document.selection().empty());
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    // The ring: 18 pixels and 14 for each factor of ten of 1 + 12 W/sr.
+    const QPoint ring(qRound(18.0 + 14.0 * std::log10(13.0)), 0);
+    window.drag(at + ring, at + ring + QPoint(14, 0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set intensity of light 1"));
+    const double strength = light_strength(document.scene().lights[0]);
+    QVERIFY2(strength > 100.0 && strength < 160.0, qPrintable(QString::number(strength)));
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at);
+    window.move(at + QPoint(20, 0));
+    QVERIFY(document.is_modified());
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+    QVERIFY(document.scene() == before);
+    QVERIFY(!document.is_modified());
+  }
+
+  void the_medium_as_a_whole() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    enter(window, "homogeneous_density", "0.05");
+    QCOMPARE(document.medium().homogeneous_density(), 0.05);
+    enter(window, "albedo_y", "0.7");
+    QCOMPARE(document.scene().optics.albedo, glm::dvec3(1.0, 0.7, 1.0));
+    enter(window, "anisotropy", "0.5");
+    enter(window, "noise_amplitude", "0.4");
+    enter(window, "noise_seed", "9");
+    QCOMPARE(document.scene().optics.noise.seed, std::int64_t{9});
+    enter(window, "anisotropy", "0.5");  // as it is
+    enter(window, "anisotropy", "2");    // refused
+    QCOMPARE(document.undo_stack().count(), 5);
+    QVERIFY(window.settle());
+    const Scene after = document.scene();
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    QCOMPARE(value(window, "albedo_y"), QString("1"));
+    document.undo_stack().setIndex(5);
+    QVERIFY(document.scene() == after);
+  }
+
+  void an_environment_comes_turns_and_goes() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    auto* intensity = window->findChild<ValueField*>("environment_intensity");
+    QVERIFY(!intensity->isEnabled());
+    window->findChild<LightPanel*>()->load_environment(BRUME_RESOURCES "/environments/sunset.exr");
+    QVERIFY(document.scene().environment && intensity->isEnabled());
+    enter(window, "environment_rotation", "90");
+    enter(window, "environment_intensity", "0.5");
+    QCOMPARE(document.scene().environment->rotation, 90.0);
+    QVERIFY(window.settle());
+    const QString file = QString(BRUME_RESOURCES "/environments/missing.exr");
+    window->findChild<LightPanel*>()->load_environment(file);
+    QCOMPARE(document.undo_stack().count(), 3);
+    QTest::mouseClick(window->findChild<QPushButton*>("remove_environment"), Qt::LeftButton);
+    QVERIFY(!document.scene().environment);
+    document.undo_stack().undo();
+    QCOMPARE(document.scene().environment->intensity, 0.5);
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void materials() {
+    TestWindow window;
+    Document& document = window->document();
+    document.open(load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume"), {});
+    const Scene before = document.scene();
+    auto* type = window->findChild<QComboBox*>("material_type");
+    auto* surfaces = window->findChild<QComboBox*>("surface");
+    QCOMPARE(static_cast<std::size_t>(surfaces->count()), before.surfaces.size());
+    const int index = surfaces->count() - 1;
+    surfaces->setCurrentIndex(index);
+    auto* reflectance = window->findChild<ColorButton*>("reflectance");
+    QVERIFY(reflectance->isEnabled());
+    QCOMPARE(reflectance->icon().pixmap(34, 16).toImage().pixel(5, 5),
+             to_color(before.surfaces.back().material.reflectance).rgb());
+    const auto material = [&] {
+      return document.scene().surfaces[static_cast<std::size_t>(index)].material;
+    };
+    type->setCurrentIndex(1);
+    Q_EMIT type->activated(1);
+    QVERIFY(material().type == Material::Type::phong);
+    QCOMPARE(surfaces->currentIndex(), index);
+    enter(window, "exponent", "40");
+    QCOMPARE(material().exponent, 40.0);
+    Q_EMIT window->findChild<ColorButton*>("specular")->edited({0.5, 0.25, 0.125}, no_merge);
+    QCOMPARE(material().specular, glm::dvec3(0.5, 0.25, 0.125));
+    QCOMPARE(document.undo_stack().count(), 3);
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void the_outliner_leads_to_the_panels() {
+    TestWindow window;
+    auto* tree = window->findChild<QTreeWidget*>("outliner_tree");
+    QTest::mouseClick(window->findChild<QPushButton*>("add_light"), Qt::LeftButton);
+    QCOMPARE(tree->topLevelItem(0)->child(0)->text(0), QString("5 Gaussians"));
+    QTreeWidgetItem* second = tree->topLevelItem(1)->child(1);
+    window->document().set_active_light(0);
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(second).center());
+    QCOMPARE(window->document().active_light(), std::size_t{1});
+    QTRY_VERIFY(window->findChild<ValueField*>("light_intensity")->isVisible());
+    window->document().undo_stack().undo();
+    QCOMPARE(tree->topLevelItem(1)->childCount(), 1);
+    QCOMPARE(window->document().active_light(), std::size_t{0});
+  }
+};
+
+BRUME_TEST_MAIN(PanelsTest)
+#include "panels_test.moc"
