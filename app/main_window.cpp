@@ -22,6 +22,7 @@
 #include "app/frame_export.h"
 #include "app/frame_text.h"
 #include "app/message_bar.h"
+#include "app/panels/emitter_panel.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/light_panel.h"
@@ -29,12 +30,15 @@
 #include "app/panels/medium_panel.h"
 #include "app/panels/outliner.h"
 #include "app/panels/performance_panel.h"
+#include "app/panels/timeline_bar.h"
 #include "app/scene_files.h"
 #include "app/scene_load.h"
+#include "app/timeline.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport.h"
+#include "core/authoring/particles.h"
 
 namespace brume {
 namespace {
@@ -72,7 +76,8 @@ MainWindow::MainWindow(QWidget* parent)
       files_(new SceneFiles(document_, this)),
       message_bar_(new MessageBar(this)),
       viewport_(new Viewport(document_, this)),
-      tools_(new ToolBox(document_, *viewport_, this)) {
+      tools_(new ToolBox(document_, *viewport_, this)),
+      timeline_(new Timeline(this)) {
   auto* center = new QWidget(this);
   auto* layout = new QVBoxLayout(center);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -122,18 +127,21 @@ void MainWindow::create_docks() {
   auto* light_panel = new LightPanel(document_, *viewport_, this);
   auto* medium_panel = new MediumPanel(document_, this);
   auto* material_panel = new MaterialPanel(document_, this);
+  auto* emitter_panel = new EmitterPanel(document_, this);
   gaussian_panel_ = new GaussianPanel(document_, this);
   QDockWidget* outline = dock(tr("Outliner"), "outliner", outliner);
   QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", gaussian_panel_);
   QDockWidget* lights = dock(tr("Lighting"), "lighting", scrolled(light_panel));
   QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
   QDockWidget* material = dock(tr("Material"), "material", scrolled(material_panel));
+  QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
   QDockWidget* performance =
       dock(tr("Performance"), "performance", new PerformancePanel(*viewport_));
   tabifyDockWidget(gaussians, lights);
   tabifyDockWidget(lights, medium);
   tabifyDockWidget(medium, material);
+  tabifyDockWidget(material, emitters);
   gaussians->raise();
   tabifyDockWidget(performance, history);
   performance->raise();
@@ -144,15 +152,22 @@ void MainWindow::create_docks() {
   for (SceneForm* form : findChildren<SceneForm*>()) {
     connect(form, &SceneForm::refused, this, &MainWindow::say);
   }
+  auto* timeline_dock = new QDockWidget(tr("Timeline"), this);
+  timeline_dock->setObjectName("timeline");
+  timeline_dock->setWidget(new TimelineBar(*timeline_, this));
+  addDockWidget(Qt::BottomDockWidgetArea, timeline_dock);
+
   connect(outliner, &Outliner::asked_for, this,
-          [this, gaussians, lights, medium, material, material_panel](Outliner::Kind kind,
-                                                                      std::size_t index) {
+          [this, gaussians, lights, medium, material, emitters, material_panel](Outliner::Kind kind,
+                                                                                std::size_t index) {
             using Kind = Outliner::Kind;
             if (kind == Kind::light) document_.set_active_light(index);
+            if (kind == Kind::emitter) document_.set_active_emitter(index);
             if (kind == Kind::surface) material_panel->show_surface(index);
             QDockWidget* panel = kind == Kind::gaussians ? gaussians
                                  : kind == Kind::medium  ? medium
                                  : kind == Kind::surface ? material
+                                 : kind == Kind::emitter ? emitters
                                                          : lights;
             panel->show();
             panel->raise();
@@ -205,6 +220,12 @@ void MainWindow::connect_document() {
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
+  connect(timeline_, &Timeline::frame_changed, this,
+          [this] { viewport_->set_time(timeline_->time()); });
+  connect(&document_, &Document::scene_replaced, timeline_, [this] {
+    timeline_->stop();
+    timeline_->set_frame(0);
+  });
   connect(tools_, &ToolBox::activated, this, &MainWindow::update_status);
   for (const ToolBox::Entry& entry : tools_->entries()) {
     connect(entry.tool.get(), &Tool::refused, this, &MainWindow::say);
@@ -281,7 +302,8 @@ void MainWindow::export_frame_to(const std::filesystem::path& file) {
   const Settings settings = viewport_->quality().settings();
   const FrameInfo info{document_.file().string(), to_string(settings.airlight), "cpu",
                        viewport_->exposure()};
-  frame_export_->start(document_.snapshot(), viewport_->camera(), settings, info, file);
+  auto scene = std::make_shared<const Scene>(at_time(document_.scene(), viewport_->time()));
+  frame_export_->start(std::move(scene), viewport_->camera(), settings, info, file);
 }
 
 void MainWindow::quit_with_screenshot(const QString& file) {

@@ -14,6 +14,7 @@ class FrameExport;
 class GaussianPanel;
 class MessageBar;
 class SceneFiles;
+class Timeline;
 class ToolBox;
 class Viewport;
 
@@ -27,6 +28,7 @@ class MainWindow : public QMainWindow {
   SceneFiles& files() { return *files_; }
   Viewport& viewport() { return *viewport_; }
   ToolBox& tools() { return *tools_; }
+  Timeline& timeline() { return *timeline_; }
 
   // Exports what the view sees, on the scene's film.
   void export_frame_to(const std::filesystem::path& file);
@@ -60,6 +62,7 @@ class MainWindow : public QMainWindow {
   MessageBar* message_bar_;
   Viewport* viewport_;
   ToolBox* tools_;
+  Timeline* timeline_;
   GaussianPanel* gaussian_panel_ = nullptr;
   FrameExport* frame_export_ = nullptr;
   QLabel* hint_ = nullptr;

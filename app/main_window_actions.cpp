@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include "app/commands/clipboard.h"
+#include "app/commands/edit_emitters.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
@@ -16,6 +17,7 @@
 #include "app/keys.h"
 #include "app/main_window.h"
 #include "app/scene_files.h"
+#include "app/timeline.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
@@ -110,6 +112,18 @@ void MainWindow::create_actions() {
       [this] { tools_->tool().change_strength(1.0 / tool_step); });
   add(tool, tr("&Denser"), "tool.stronger", [this] { tools_->tool().change_strength(tool_step); });
 
+  QMenu* time = menuBar()->addMenu(tr("T&ime"));
+  add(time, tr("&Play or Pause"), "time.play",
+      [this] { timeline_->is_playing() ? timeline_->stop() : timeline_->play(); });
+  add(time, tr("&Next Frame"), "time.next",
+      [this] { timeline_->set_frame(timeline_->frame() + 1); });
+  add(time, tr("P&revious Frame"), "time.previous",
+      [this] { timeline_->set_frame(timeline_->frame() - 1); });
+  add(time, tr("&First Frame"), "time.first", [this] { timeline_->set_frame(timeline_->first()); });
+  time->addSeparator();
+  add(time, tr("Freeze &Emitters into Gaussians"), "",
+      [this] { freeze_particles(document_, timeline_->time()); });
+
   QMenu* view = menuBar()->addMenu(tr("&View"));
   add(view, tr("Frame &All"), "view.frame_all", [this] { viewport_->frame_all(); });
   add(view, tr("&Frame Selection"), "view.frame_selection",
@@ -126,9 +140,9 @@ void MainWindow::create_actions() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(help, tr("&Keys"), "help.keys", [this, file, edit, select, tool, view] {
+  add(help, tr("&Keys"), "help.keys", [this, file, edit, select, tool, time, view] {
     show_keys(this, file->actions() + edit->actions() + select->actions() + tool->actions() +
-                        view->actions());
+                        time->actions() + view->actions());
   });
   add(help, tr("&About Brume"), "", [this] { show_about(this); });
 }

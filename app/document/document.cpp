@@ -74,6 +74,7 @@ void Document::open(Scene scene, const std::filesystem::path& file) {
   hidden_.clear();
   locked_.clear();
   active_light_ = 0;
+  active_emitter_ = 0;
   scene_changed();
   file_ = file;
   revision_ = saved_revision_ = new_revision();
@@ -126,6 +127,12 @@ void Document::set_active_light(std::size_t index) {
   Q_EMIT active_light_changed();
 }
 
+void Document::set_active_emitter(std::size_t index) {
+  if (index == active_emitter_) return;
+  active_emitter_ = index;
+  Q_EMIT active_emitter_changed();
+}
+
 void Document::apply(const MediumEdit& edit) {
   edit.apply(scene_.medium);
   scene_changed();
@@ -143,7 +150,9 @@ void Document::apply(const MediumEdit& edit) {
 void Document::set_part(const ScenePart& part) {
   set_scene_part(scene_, part);
   scene_changed();
-  active_light_ = std::min(active_light_, std::max<std::size_t>(scene_.lights.size(), 1) - 1);
+  const auto last = [](const auto& list) { return std::max<std::size_t>(list.size(), 1) - 1; };
+  active_light_ = std::min(active_light_, last(scene_.lights));
+  active_emitter_ = std::min(active_emitter_, last(scene_.emitters));
   Q_EMIT part_changed();
 }
 

@@ -54,9 +54,13 @@ class Document : public QObject {
   void hide(std::vector<GaussianId> ids);           // and nothing else
   void lock(std::vector<GaussianId> ids);           // and nothing else
 
-  // The light that panel and handles are about; an index that may be of none. State of the editor.
+  // The light and the emitter that panels and handles are about; an index that may be of none.
+  // State of the editor.
   [[nodiscard]] std::size_t active_light() const { return active_light_; }
   void set_active_light(std::size_t index);
+
+  [[nodiscard]] std::size_t active_emitter() const { return active_emitter_; }
+  void set_active_emitter(std::size_t index);
 
   // For commands only: changes without history.
   void apply(const MediumEdit& edit);
@@ -73,6 +77,7 @@ class Document : public QObject {
   void part_changed();  // of the scene, other than its Gaussians
   void selection_changed();
   void active_light_changed();
+  void active_emitter_changed();
   void freedom_changed();  // what is hidden or locked
   void file_changed();
   void modified_changed();
@@ -89,6 +94,7 @@ class Document : public QObject {
   std::vector<GaussianId> hidden_;
   std::vector<GaussianId> locked_;
   std::size_t active_light_ = 0;
+  std::size_t active_emitter_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;

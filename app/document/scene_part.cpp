@@ -8,7 +8,8 @@ namespace {
 // In the order of the variant.
 template <class S>
 auto parts(S& scene) {
-  return std::tie(scene.camera, scene.lights, scene.environment, scene.optics, scene.surfaces);
+  return std::tie(scene.camera, scene.lights, scene.environment, scene.optics, scene.surfaces,
+                  scene.emitters);
 }
 
 }  // namespace

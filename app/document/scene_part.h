@@ -9,7 +9,9 @@ namespace brume {
 // What of a scene is edited as a whole, the Gaussians being edited one by one.
 using Lights = std::vector<PointLight>;
 using Surfaces = std::vector<Surface>;
-using ScenePart = std::variant<Camera, Lights, std::optional<Environment>, MediumOptics, Surfaces>;
+using Emitters = std::vector<Emitter>;
+using ScenePart =
+    std::variant<Camera, Lights, std::optional<Environment>, MediumOptics, Surfaces, Emitters>;
 
 // The part of a scene that has an index of the variant; and a scene with another part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

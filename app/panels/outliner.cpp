@@ -39,6 +39,9 @@ void Outliner::rebuild() {
   auto* medium = new_item(tr("Medium"), Kind::medium);
   gaussians_ = new_item({}, Kind::gaussians);
   medium->addChild(gaussians_);
+  for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
+    medium->addChild(new_item(tr("Emitter %1").arg(k + 1), Kind::emitter, k));
+  }
   addTopLevelItem(medium);
   auto* lights = new_item(tr("Lights"), Kind::light);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {

@@ -10,7 +10,7 @@ class Document;
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
-  enum class Kind { gaussians, medium, light, environment, surface };
+  enum class Kind { gaussians, medium, emitter, light, environment, surface };
   explicit Outliner(Document& document, QWidget* parent = nullptr);
 
  Q_SIGNALS:

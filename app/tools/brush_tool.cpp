@@ -33,19 +33,25 @@ void BrushTool::move(QPointF position) {
 }
 
 void BrushTool::release(QPointF /*position*/) {
-  gesture_.end();
+  end_gesture();
 }
 
 void BrushTool::cancel() {
   gesture_.cancel();
+  end_gesture();
 }
 
 void BrushTool::abandon() {
+  end_gesture();
+}
+
+void BrushTool::end_gesture() {
   gesture_.end();
+  end_stroke();
 }
 
 void BrushTool::medium_changed() {
-  if (!gesture_.is_applying()) gesture_.end();
+  if (!gesture_.is_applying()) end_gesture();
 }
 
 std::optional<PaintPoint> BrushTool::paint_at(QPointF position) const {

@@ -35,6 +35,9 @@ class BrushTool : public Tool {
   [[nodiscard]] virtual PaintPlane plane() const = 0;
   virtual void begin_stroke(QPointF position) = 0;
   virtual void extend_stroke(QPointF position) = 0;
+  virtual void end_stroke() {}  // however it ended
+
+  void end_gesture();
 
   // Where the brush paints at a position; during a stroke always on the plane it began on.
   [[nodiscard]] std::optional<PaintPoint> paint_at(QPointF position) const;

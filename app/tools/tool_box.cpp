@@ -1,6 +1,8 @@
 #include "app/tools/tool_box.h"
 
+#include "app/tools/airbrush_tool.h"
 #include "app/tools/brush_select_tool.h"
+#include "app/tools/emitter_tool.h"
 #include "app/tools/eraser_tool.h"
 #include "app/tools/lasso_tool.h"
 #include "app/tools/paintbrush_tool.h"
@@ -22,6 +24,8 @@ ToolBox::ToolBox(Document& document, Viewport& viewport, QObject* parent)
   add("scale", tr("Scale"), std::type_identity<ScaleTool>());
   add("paintbrush", tr("Paintbrush"), std::type_identity<PaintbrushTool>());
   add("eraser", tr("Eraser"), std::type_identity<EraserTool>());
+  add("airbrush", tr("Airbrush"), std::type_identity<AirbrushTool>());
+  add("emitter", tr("Emitter"), std::type_identity<EmitterTool>());
   viewport_.set_tool(entries_[active_].tool.get());
 }
 

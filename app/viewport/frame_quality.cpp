@@ -39,9 +39,12 @@ void FrameQuality::set_max_error(double max_error) {
 }
 
 Settings FrameQuality::settings() const {
-  if (!airlight_) return control_.settings();
-  Settings settings = sliced_settings(interpolated(), Settings{}.slices);
-  settings.airlight = *airlight_;
+  Settings settings = control_.settings();
+  if (airlight_) {
+    settings = sliced_settings(interpolated(), Settings{}.slices);
+    settings.airlight = *airlight_;
+  }
+  settings.time = time_;
   return settings;
 }
 
@@ -69,7 +72,11 @@ void FrameQuality::take(const std::shared_ptr<const RenderedFrame>& frame,
   if (frame != frame_) return;  // cancelled meanwhile
   frame_.reset();
   error_ = error;
-  if (!airlight_) control_.learn(frame->request.settings, error);
+  if (!airlight_) {
+    Settings at_any_time = frame->request.settings;
+    at_any_time.time = 0.0;
+    control_.learn(at_any_time, error);
+  }
   measured_ = settings() == frame->request.settings;
   if (!measured_) Q_EMIT settings_changed();
   Q_EMIT error_changed();

@@ -21,6 +21,8 @@ class FrameQuality : public QObject {
   // nullopt: auto.
   [[nodiscard]] std::optional<AirlightMethod> airlight() const { return airlight_; }
   void set_airlight(std::optional<AirlightMethod> method);
+  // The time that frames show [s].
+  void set_time(double time) { time_ = time; }
   // What auto keeps. See QualityControl.
   [[nodiscard]] double max_error() const { return control_.max_error(); }
   void set_max_error(double max_error);
@@ -50,6 +52,7 @@ class FrameQuality : public QObject {
   void stop_measuring();
 
   std::optional<AirlightMethod> airlight_;
+  double time_ = 0.0;
   QualityControl control_;
   std::shared_ptr<const RenderedFrame> frame_;  // to be measured
   std::optional<ErrorEstimate> error_;

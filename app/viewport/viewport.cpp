@@ -15,6 +15,7 @@
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport_surface.h"
 #include "core/authoring/contribution.h"
+#include "core/authoring/particles.h"
 #include "core/io/number_domain.h"
 #include "render/settings.h"
 
@@ -80,6 +81,7 @@ Viewport::Viewport(Document& document, QWidget* parent)
   });
   connect(&document_, &Document::part_changed, this, &Viewport::request_frame);
   connect(&document_, &Document::part_changed, this, &Viewport::update_overlay);
+  connect(&document_, &Document::active_emitter_changed, this, &Viewport::update_overlay);
   connect(&document_, &Document::active_light_changed, this, &Viewport::update_overlay);
   connect(&document_, &Document::freedom_changed, this, [this] {
     refresh_handles();
@@ -182,12 +184,30 @@ bool Viewport::is_settled() const {
          shown_->request.settings == quality_.settings();
 }
 
+void Viewport::set_time(double time) {
+  if (time == time_) return;
+  time_ = time;
+  at_time_of_.reset();
+  quality_.set_time(time);
+  request_frame();
+}
+
+std::shared_ptr<const Scene> Viewport::shown_scene() const {
+  auto scene = document_.visible_snapshot();
+  if (scene->emitters.empty()) return scene;
+  if (at_time_of_ != scene) {
+    at_time_ = std::make_shared<const Scene>(at_time(*scene, time_));
+    at_time_of_ = std::move(scene);
+  }
+  return at_time_;
+}
+
 QString Viewport::gl_problem() const {
   return surface_->gl_problem();
 }
 
 FrameRequest Viewport::frame_request(bool moving) const {
-  const auto scene = document_.visible_snapshot();
+  const auto scene = shown_scene();
   const Settings rest = quality_.settings();
   Settings settings = rest;
   if (moving) {
@@ -213,7 +233,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
 // Everything that changes the picture comes here: something soon, the full frame once it rests.
 void Viewport::request_frame() {
   ++serial_;
-  quality_.picture_changes(*document_.visible_snapshot(), camera_);
+  quality_.picture_changes(*shown_scene(), camera_);
   transfer_job_->follow(document_.scene());
   frames_.request(frame_request(true));
   rest_timer_.start(rest_after);

@@ -39,6 +39,12 @@ class Viewport : public QWidget {
   // Soon, as when the tool's cursor has moved.
   void update_overlay() { overlay_timer_.start(0); }
 
+  // The moment that the view shows [s].
+  [[nodiscard]] double time() const { return time_; }
+  void set_time(double time);
+  // All that is there at that moment, particles of emitters included; hidden Gaussians are not.
+  [[nodiscard]] std::shared_ptr<const Scene> shown_scene() const;
+
   // How frames are rendered, and how wrong they are.
   [[nodiscard]] FrameQuality& quality() { return quality_; }
   [[nodiscard]] const FrameQuality& quality() const { return quality_; }
@@ -108,6 +114,10 @@ class Viewport : public QWidget {
 
   Camera camera_;
   double exposure_ = 0.0;
+  double time_ = 0.0;
+  // shown_scene() of a snapshot with emitters, and what it is of.
+  mutable std::shared_ptr<const Scene> at_time_;
+  mutable std::shared_ptr<const Scene> at_time_of_;
   Drag drag_ = Drag::none;
   QPointF last_position_;
 

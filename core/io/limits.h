@@ -11,6 +11,7 @@ inline constexpr std::uintmax_t file_bytes = std::uintmax_t{1} << 30;  // scenes
 inline constexpr std::size_t gaussians = 10'000'000;
 inline constexpr std::uint64_t voxels = 1'000'000'000;  // active ones of a volume
 inline constexpr std::size_t lights = 1024;
+inline constexpr std::size_t emitters = 1024;
 inline constexpr std::size_t surfaces = 4096;
 inline constexpr int film_side = 16384;    // pixels
 inline constexpr int image_side = 32768;   // pixels

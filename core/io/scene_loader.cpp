@@ -93,6 +93,7 @@ class SceneLoader {
     optics.albedo = object.vector("albedo", domain::albedo, optics.albedo);
     optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
     if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
+    load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
     scene_.unknown_medium = object.unknown();
   }
 
@@ -134,6 +135,31 @@ class SceneLoader {
     noise.velocity = object.vector("velocity", domain::coordinate, noise.velocity);
     noise.seed = object.integer("seed", INT64_MIN, INT64_MAX, noise.seed);
     noise.unknown = object.unknown();
+  }
+
+  void load_emitter(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Emitter emitter;
+    emitter.position = object.vector("position", domain::coordinate, {});
+    emitter.rate = object.number("rate", domain::not_negative, emitter.rate);
+    emitter.lifetime = object.number("lifetime", domain::not_negative, emitter.lifetime);
+    emitter.velocity = object.vector("velocity", domain::coordinate, emitter.velocity);
+    emitter.spread = object.number("spread", domain::not_negative, emitter.spread);
+    emitter.acceleration = object.vector("acceleration", domain::coordinate, emitter.acceleration);
+    emitter.radius = load_pair(object, "radius", domain::length, emitter.radius);
+    emitter.density = load_pair(object, "density", domain::density, emitter.density);
+    emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
+    emitter.unknown = object.unknown();
+    scene_.emitters.push_back(std::move(emitter));
+  }
+
+  // At birth and at death.
+  glm::dvec2 load_pair(JsonObject& object, const char* key, const NumberDomain& domain,
+                       const glm::dvec2& absent) {
+    const Json* value = object.find(key);
+    if (value == nullptr) return absent;
+    const auto numbers = read_numbers(context_, *value, object.place(key), 2, domain);
+    return {numbers[0], numbers[1]};
   }
 
   void load_light(const Json& value, const JsonPlace& place) {

@@ -35,6 +35,20 @@ bool is_unchanged(const MediumFile& loaded, const Scene& scene) {
   return true;
 }
 
+Json emitter_to_json(const Emitter& emitter) {
+  Json entry{{"position", to_json(emitter.position)},
+             {"rate", emitter.rate},
+             {"lifetime", emitter.lifetime},
+             {"velocity", to_json(emitter.velocity)},
+             {"spread", emitter.spread},
+             {"acceleration", to_json(emitter.acceleration)},
+             {"radius", Json::array({emitter.radius.x, emitter.radius.y})},
+             {"density", Json::array({emitter.density.x, emitter.density.y})},
+             {"seed", emitter.seed}};
+  add_unknown(entry, emitter.unknown);
+  return entry;
+}
+
 Json medium_to_json(const Scene& scene, const fs::path& directory) {
   const Medium& medium = scene.medium;
   const MediumFile* file = scene.medium_file.get();
@@ -63,6 +77,9 @@ Json medium_to_json(const Scene& scene, const fs::path& directory) {
                                          {"velocity", to_json(noise.velocity)},
                                          {"seed", noise.seed}};
     add_unknown(entry, noise.unknown);
+  }
+  for (const Emitter& emitter : scene.emitters) {
+    object["emitters"].push_back(emitter_to_json(emitter));
   }
   add_unknown(object, scene.unknown_medium);
   return object;

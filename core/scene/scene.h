@@ -11,6 +11,7 @@
 
 #include "core/medium/medium.h"
 #include "core/scene/camera.h"
+#include "core/scene/emitter.h"
 
 namespace brume {
 
@@ -110,6 +111,7 @@ struct Scene {
   Medium medium;
   MediumOptics optics;
   std::shared_ptr<const MediumFile> medium_file;
+  std::vector<Emitter> emitters;  // their particles are not in `medium`, see at_time()
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;

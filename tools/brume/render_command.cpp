@@ -6,6 +6,7 @@
 #include <functional>
 #include <iostream>
 
+#include "core/authoring/particles.h"
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/limits.h"
@@ -102,7 +103,7 @@ class RenderCommand final : public Command {
     app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
         ->check(finite_in(1e-12, 1.0))
         ->capture_default_str();
-    app.add_option("--time", time_, "seconds that the wind has blown the medium's noise")
+    app.add_option("--time", time_, "the moment to show: emitters and the wind start at 0 seconds")
         ->check(finite_in(-1e9, 1e9))
         ->capture_default_str();
     app.add_option("--backend", backend_, "auto or cpu")->capture_default_str();
@@ -138,7 +139,7 @@ class RenderCommand final : public Command {
 
     const Clock::time_point start = Clock::now();
     std::vector<std::string> warnings;
-    const Scene scene = load_scene(scene_file_, &warnings);
+    const Scene scene = at_time(load_scene(scene_file_, &warnings), time_);
     print_warnings(warnings);
     const Film film = size_.empty() ? scene.film : wanted;
     const auto transfers = std::make_shared<TransferStore>();

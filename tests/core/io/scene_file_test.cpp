@@ -295,6 +295,18 @@ class RandomScene {
     if (maybe()) {
       scene.optics.noise = {number(0, 1), number(0, 9), point(), whole(-1000, 1000), unknown()};
     }
+    for (int i = whole(0, 3); i > 0; --i) {
+      scene.emitters.push_back({.position = point(),
+                                .rate = number(0, 1e4),
+                                .lifetime = number(0, 9),
+                                .velocity = point(),
+                                .spread = number(0, 9),
+                                .acceleration = point(),
+                                .radius = {number(0.1, 1), number(0.1, 9)},
+                                .density = {number(0, 1), number(0, 9)},
+                                .seed = whole(-1000, 1000),
+                                .unknown = unknown()});
+    }
     for (int i = whole(0, 5); i > 0; --i) {
       scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, unknown(), maybe()});
     }

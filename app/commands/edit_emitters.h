@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <glm/vec3.hpp>
+
+#include "app/commands/merge_id.h"
+#include "core/scene/emitter.h"
+
+namespace brume {
+
+class Document;
+
+// What users do to emitters, each one undo step. `index` is of the scene's emitters.
+
+// One whose particles suit a view `size` u wide.
+void add_emitter(Document& document, const glm::dvec3& position, double size);
+void delete_emitter(Document& document, std::size_t index);
+// `verb` is the text of the step, with %1 for the emitter's name.
+void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
+                    const std::function<void(Emitter&)>& change);
+QString emitter_name(std::size_t index);  // "emitter 2"
+
+// Makes Gaussians of the particles that are there at a time [s]; the emitters stay.
+void freeze_particles(Document& document, double time);
+
+}  // namespace brume

@@ -1,0 +1,67 @@
+#include "app/timeline.h"
+
+#include <algorithm>
+
+namespace brume {
+
+Timeline::Timeline(QObject* parent) : QObject(parent) {
+  timer_.setInterval(static_cast<int>(1000.0 / frames_per_second));
+  connect(&timer_, &QTimer::timeout, this, &Timeline::go_on);
+}
+
+void Timeline::set_frame(int frame) {
+  frame = std::max(frame, 0);
+  if (frame == frame_) return;
+  frame_ = frame;
+  if (is_playing()) {
+    played_from_ = frame;
+    clock_.restart();
+  }
+  Q_EMIT frame_changed();
+  Q_EMIT changed();
+}
+
+void Timeline::set_range(int first, int last) {
+  first_ = std::max(first, 0);
+  last_ = std::max(last, first_);
+  Q_EMIT changed();
+}
+
+void Timeline::set_loop(bool loops) {
+  loops_ = loops;
+  Q_EMIT changed();
+}
+
+void Timeline::play() {
+  if (frame_ < first_ || frame_ >= last_) set_frame(first_);
+  played_from_ = frame_;
+  clock_.start();
+  timer_.start();
+  Q_EMIT changed();
+}
+
+void Timeline::stop() {
+  timer_.stop();
+  Q_EMIT changed();
+}
+
+void Timeline::go_on() {
+  const double played = static_cast<double>(clock_.elapsed()) * 1e-3 * frames_per_second;
+  int frame = played_from_ + static_cast<int>(played);
+  if (frame > last_) {
+    if (loops_) {
+      frame = played_from_ = first_;
+      clock_.restart();
+    } else {
+      frame = last_;
+      timer_.stop();
+    }
+  }
+  if (frame != frame_) {
+    frame_ = frame;
+    Q_EMIT frame_changed();
+  }
+  Q_EMIT changed();
+}
+
+}  // namespace brume

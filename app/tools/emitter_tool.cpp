@@ -1,0 +1,113 @@
+#include "app/tools/emitter_tool.h"
+
+#include <QLineF>
+#include <glm/common.hpp>
+
+#include "app/application.h"
+#include "app/commands/edit_emitters.h"
+#include "app/document/document.h"
+#include "app/tools/gizmo.h"
+#include "app/tools/option_widgets.h"
+#include "app/viewport/navigation.h"
+#include "app/viewport/viewport.h"
+#include "core/io/limits.h"
+
+namespace brume {
+namespace {
+
+constexpr double pick_radius = 10.0;  // pixels
+constexpr int path_dots = 24;
+
+}  // namespace
+
+QString EmitterTool::hint() const {
+  return tr(
+      "Click places an emitter of particles, drag moves one. Space plays; its numbers are in "
+      "the panel Emitters.");
+}
+
+void EmitterTool::add_options(QHBoxLayout& row) {
+  add_choice(
+      row, *this, {tr("On"), "emitter_plane"}, {tr("View plane"), tr("Ground"), tr("Surfaces")},
+      [this] { return static_cast<int>(plane_); },
+      [this](int index) { set_plane(static_cast<PaintPlane>(index)); });
+}
+
+void EmitterTool::set_plane(PaintPlane plane) {
+  plane_ = plane;
+  Q_EMIT options_changed();
+}
+
+std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
+  const CameraRays rays = viewport_.rays();
+  const Emitters& emitters = document_.scene().emitters;
+  for (std::size_t k = 0; k < emitters.size(); ++k) {
+    const glm::dvec3 at = rays.project(emitters[k].position);
+    if (at.z > 0.0 && QLineF(QPointF(at.x, at.y), position).length() <= pick_radius) return k;
+  }
+  return std::nullopt;
+}
+
+void EmitterTool::hover(QPointF position) {
+  const auto now = pick(position);
+  if (now != hovered_) viewport_.update_overlay();
+  hovered_ = now;
+}
+
+void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
+  if (const auto emitter = pick(position)) {
+    document_.set_active_emitter(*emitter);
+    drag_ = {*emitter, position, document_.scene().emitters[*emitter].position, new_merge_id()};
+    return;
+  }
+  const auto point =
+      paint_point(plane_, viewport_.pivot(), viewport_.rays(), position, viewport_.surfaces());
+  if (!point) return;
+  add_emitter(document_, point->position, target_distance(viewport_.camera()));
+  document_.set_active_emitter(document_.scene().emitters.size() - 1);
+}
+
+void EmitterTool::move(QPointF position) {
+  if (!drag_) return;
+  glm::dvec3 place =
+      drag_->before + dragged_across(drag_->before, viewport_.rays(), drag_->start, position);
+  if (position == drag_->start) place = drag_->before;
+  place = glm::clamp(place, -limits::coordinate, limits::coordinate);
+  change_emitter(document_, drag_->emitter, tr("Move %1"), drag_->merge_id,
+                 [&](Emitter& emitter) { emitter.position = place; });
+}
+
+void EmitterTool::release(QPointF /*position*/) {
+  drag_.reset();
+}
+
+void EmitterTool::cancel() {
+  if (drag_) move(drag_->start);
+  drag_.reset();
+}
+
+// Each as a small cone, with the way that its particles go on average as dots.
+void EmitterTool::draw(Overlay& overlay, const CameraRays& rays) const {
+  const Emitters& emitters = document_.scene().emitters;
+  for (std::size_t k = 0; k < emitters.size(); ++k) {
+    const Emitter& emitter = emitters[k];
+    const bool active = k == document_.active_emitter() || hovered_ == k;
+    QColor color = active ? accent_color() : QColor(235, 238, 242);
+    color.setAlpha(active ? 255 : 170);
+    const glm::dvec3 at = rays.project(emitter.position);
+    if (at.z > 0.0) {
+      overlay.add_circle(at.x, at.y, hovered_ == k ? 9.0 : 7.0, color.rgba());
+      overlay.marks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), color.rgba()});
+    }
+    for (int dot = 1; dot <= path_dots; ++dot) {
+      const double age = emitter.lifetime * dot / path_dots;
+      const glm::dvec3 on_film = rays.project(emitter.position + age * emitter.velocity +
+                                              0.5 * age * age * emitter.acceleration);
+      if (on_film.z <= 0.0) continue;
+      overlay.dots.push_back(
+          {static_cast<float>(on_film.x), static_cast<float>(on_film.y), color.rgba()});
+    }
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+
+#include "app/commands/merge_id.h"
+#include "app/tools/paint_plane.h"
+#include "app/tools/tool.h"
+#include "core/scene/emitter.h"
+
+namespace brume {
+
+// Places emitters of particles, and drags those that are there.
+class EmitterTool : public Tool {
+  Q_OBJECT
+ public:
+  using Tool::Tool;
+
+  [[nodiscard]] QString hint() const override;
+  void add_options(QHBoxLayout& row) override;
+  void set_plane(PaintPlane plane);
+  void hover(QPointF position) override;
+  void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
+  void move(QPointF position) override;
+  void release(QPointF position) override;
+  void cancel() override;
+  void abandon() override { drag_.reset(); }
+  void draw(Overlay& overlay, const CameraRays& rays) const override;
+  [[nodiscard]] bool shows_handles() const override { return false; }
+  [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+
+ private:
+  struct DragState {
+    std::size_t emitter = 0;
+    QPointF start;
+    glm::dvec3 before{0.0};
+    MergeId merge_id = no_merge;
+  };
+  [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
+
+  PaintPlane plane_ = PaintPlane::view;
+  std::optional<std::size_t> hovered_;
+  std::optional<DragState> drag_;
+};
+
+}  // namespace brume

@@ -1,0 +1,71 @@
+#include "core/authoring/airbrush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace brume {
+namespace {
+
+constexpr int most_bounces = 8;      // in one step; a particle in a crack stays there
+constexpr double drag = 1.5;         // share of the speed that the air takes [1/s]
+constexpr double restitution = 0.6;  // of the speed into a surface
+constexpr double clearance = 0.02;   // that is kept from surfaces, over the radius
+
+}  // namespace
+
+void Spray::advance(double seconds, const glm::dvec3& from, const glm::dvec3& direction,
+                    const FindObstacle& find_obstacle) {
+  for (Particle& particle : particles_) {
+    push_about(particle, seconds);
+    fly(particle, seconds, find_obstacle);
+  }
+  due_ += airbrush_.rate * seconds;
+  for (; due_ >= 1.0; due_ -= 1.0) {
+    Particle particle;
+    particle.position = from;
+    particle.velocity = airbrush_.speed * (direction + airbrush_.spread * random_.in_ball());
+    // Born at some moment of the step, not all at its end.
+    fly(particle, seconds * random_.uniform(), find_obstacle);
+    particles_.push_back(particle);
+  }
+}
+
+void Spray::push_about(Particle& particle, double seconds) {
+  particle.velocity *= std::exp(-drag * seconds);
+  // Steps of a random walk add up by their squares.
+  particle.velocity += airbrush_.wander * std::sqrt(3.0 * seconds) * random_.in_ball();
+}
+
+void Spray::fly(Particle& particle, double seconds, const FindObstacle& find_obstacle) const {
+  double left = seconds;
+  const double gap = clearance * airbrush_.radius;
+  for (int bounce = 0; bounce < most_bounces; ++bounce) {
+    const double speed = glm::length(particle.velocity);
+    const double way = speed * left;
+    if (!(way > 0.0)) return;
+    const glm::dvec3 direction = particle.velocity / speed;
+    const auto obstacle = find_obstacle(particle.position, direction);
+    if (!obstacle || obstacle->distance > way + gap) {
+      particle.position += way * direction;
+      return;
+    }
+    // Only along the way that is known to be free, so that no corner lets a particle through.
+    const double free = std::max(0.0, obstacle->distance - gap);
+    particle.position += free * direction;
+    left -= free / speed;
+    const double into = glm::dot(particle.velocity, obstacle->normal);
+    if (into < 0.0) particle.velocity -= (1.0 + restitution) * into * obstacle->normal;
+  }
+}
+
+std::vector<Gaussian> Spray::frozen() const {
+  std::vector<Gaussian> gaussians;
+  gaussians.reserve(particles_.size());
+  for (const Particle& particle : particles_) {
+    gaussians.push_back({particle.position, airbrush_.radius, airbrush_.density});
+  }
+  return gaussians;
+}
+
+}  // namespace brume

@@ -1,0 +1,233 @@
+// What moves: emitters, the timeline, and the airbrush.
+
+#include <QCheckBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+#include <glm/geometric.hpp>
+
+#include "app/panels/number_field.h"
+#include "app/panels/value_field.h"
+#include "app/scene_files.h"
+#include "app/timeline.h"
+#include "app/tools/airbrush_tool.h"
+#include "app/tools/emitter_tool.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/viewport.h"
+#include "core/authoring/particles.h"
+#include "core/io/scene_file.h"
+#include "core/scene/mesh.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+void enter(TestWindow& window, const char* field, const QString& text) {
+  auto* line = window->findChild<ValueField*>(field)->findChild<NumberField*>();
+  line->setText(text);
+  line->setModified(true);
+  QTest::keyClick(line, Qt::Key_Return);
+}
+
+std::size_t shown_gaussians(TestWindow& window) {
+  return window->viewport().shown()->request.scene->medium.size();
+}
+
+// Holds the left button down at a place for some time.
+void hold(TestWindow& window, QPoint at, int milliseconds) {
+  QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at);
+  QTest::qWait(milliseconds);
+  QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+}
+
+}  // namespace
+
+class AnimationTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void an_emitter_is_placed_moved_and_deleted() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    window.key(Qt::Key_P);
+    const QPoint at(200, 300);
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
+    QCOMPARE(document.undo_stack().undoText(), QString("Add emitter 1"));
+    const glm::dvec3 on_film =
+        window->viewport().rays().project(document.scene().emitters.at(0).position);
+    QVERIFY(std::hypot(on_film.x - at.x(), on_film.y - at.y()) < 1.0);
+    QVERIFY(window.settle());
+    QCOMPARE(shown_gaussians(window), std::size_t{6});  // one is born at time 0
+    window.drag(at, at + QPoint(40, -10));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move emitter 1"));
+    QCOMPARE(document.undo_stack().count(), 2);
+    const Emitter moved = document.scene().emitters[0];
+    const glm::dvec3 moved_to = window->viewport().rays().project(moved.position);
+    QVERIFY(std::hypot(moved_to.x - on_film.x - 40.0, moved_to.y - on_film.y + 10.0) < 1.0);
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at + QPoint(40, -10));
+    window.move(at);
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+    QVERIFY(document.scene().emitters[0] == moved);
+    enter(window, "emitter_rate", "50");
+    enter(window, "emitter_lifetime", "1.5");
+    enter(window, "emitter_seed", "42");
+    enter(window, "emitter_density_birth", "-1");  // refused
+    QCOMPARE(document.scene().emitters[0].rate, 50.0);
+    QCOMPARE(document.scene().emitters[0].seed, std::int64_t{42});
+    QCOMPARE(document.undo_stack().count(), 5);
+    // The file keeps it.
+    QVERIFY(window->files().save_to(window.file("steam.brume")));
+    QVERIFY(load_scene(window.file("steam.brume")).emitters == document.scene().emitters);
+    QTest::mouseClick(window->findChild<QPushButton*>("delete_emitter"), Qt::LeftButton);
+    QVERIFY(document.scene().emitters.empty());
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void the_picture_follows_the_timeline() {
+    Scene scene = small_scene();
+    scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0, .unknown = {}});
+    TestWindow window(scene);
+    QVERIFY(window.settle());
+    QCOMPARE(shown_gaussians(window), std::size_t{6});
+    auto* slider = window->findChild<QSlider*>("frame_slider");
+    slider->setValue(15);
+    QVERIFY(window.settle());
+    QCOMPARE(window->viewport().shown()->request.settings.time, 0.5);
+    QCOMPARE(shown_gaussians(window),
+             5 + particles_at(window->document().scene().emitters[0], 0.5).size());
+    QVERIFY(!window->document().is_modified());
+    window.key(Qt::Key_Period);
+    QCOMPARE(window->timeline().frame(), 16);
+    window.key(Qt::Key_Comma);
+    window.key(Qt::Key_Comma);
+    QCOMPARE(window->timeline().frame(), 14);
+    // What is shown can be kept.
+    auto* freeze = [&] {
+      for (QAction* action : window->findChildren<QAction*>()) {
+        if (action->text().contains("Freeze")) return action;
+      }
+      return static_cast<QAction*>(nullptr);
+    }();
+    freeze->trigger();
+    const auto particles = particles_at(scene.emitters[0], 14 / 30.0);
+    QCOMPARE(window->document().undo_stack().undoText(),
+             QString("Freeze %1 Gaussians").arg(particles.size()));
+    QVERIFY(window->document().medium().gaussian(5) == particles[0]);
+  }
+
+  void it_plays_loops_and_stops() {
+    TestWindow window;
+    Timeline& timeline = window->timeline();
+    timeline.set_range(10, 16);
+    window.key(Qt::Key_Space);
+    QVERIFY(timeline.is_playing());
+    QVERIFY(timeline.frame() >= 10);
+    QTRY_VERIFY(timeline.frame() > 12);
+    QTRY_VERIFY(timeline.frame() < 12);  // from the first again
+    window.key(Qt::Key_Space);
+    QVERIFY(!timeline.is_playing());
+    window->findChild<QCheckBox*>("loop")->setChecked(false);
+    QTest::mouseClick(window->findChild<QToolButton*>("play"), Qt::LeftButton);
+    QTRY_VERIFY(!timeline.is_playing());
+    QCOMPARE(timeline.frame(), 16);
+    timeline.set_range(5, 2);
+    QCOMPARE(timeline.last(), 5);
+    window->files().create();
+    QCOMPARE(timeline.frame(), 0);
+  }
+
+  void the_airbrush_sprays_while_it_is_held_as_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    window.key(Qt::Key_A);
+    hold(window, QPoint(200, 250), 500);
+    QCOMPARE(document.undo_stack().count(), 1);
+    const std::size_t sprayed = document.medium().size() - 5;
+    QVERIFY2(sprayed > 3, qPrintable(QString::number(sprayed)));
+    QCOMPARE(document.undo_stack().undoText(),
+             sprayed == 1 ? QString("Spray Gaussian") : QString("Spray %1 Gaussians").arg(sprayed));
+    const Scene after = document.scene();
+    QTest::qWait(200);  // it has stopped
+    QVERIFY(document.scene() == after);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene() == before);
+    window.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(document.scene() == after);
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QTRY_VERIFY(document.medium().size() > after.medium.size());
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::qWait(150);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QVERIFY(document.scene() == after);
+    // Undo while it sprays ends it.
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QTRY_VERIFY(document.medium().size() > after.medium.size());
+    document.undo_stack().setIndex(0);
+    QTest::qWait(150);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, QPoint(200, 250));
+    QVERIFY(document.scene() == before);
+  }
+
+  void the_airbrush_fills_a_closed_mesh() {
+    TestWindow window;
+    Document& document = window->document();
+    Scene scene = load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume");
+    scene.medium = {};
+    // A box of 2 u around the origin, closed, in place of what is there.
+    scene.surfaces = {scene.surfaces.front()};
+    scene.surfaces[0].mesh = box();
+    scene.surfaces[0].scale = 1.0;
+    scene.surfaces[0].translate = {};
+    scene.surfaces[0].rotate = {1, 0, 0, 0};
+    scene.camera = {{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 45.0};
+    document.open(std::move(scene), {});
+    window.key(Qt::Key_A);
+    auto& tool = dynamic_cast<AirbrushTool&>(window->tools().tool());
+    tool.set_plane(PaintPlane::surface);
+    tool.set_inside(true);
+    Airbrush airbrush = tool.airbrush();
+    airbrush.rate = 600.0;
+    airbrush.speed = 4.0;
+    tool.set_airbrush(airbrush);
+    hold(window, window->viewport().rect().center(), 900);
+    const Medium& medium = document.medium();
+    QVERIFY(medium.size() > 100);
+    double deepest = 1.0;
+    for (const glm::dvec3& center : medium.centers()) {
+      QVERIFY(std::abs(center.x) < 1.0 && std::abs(center.y) < 1.0 && std::abs(center.z) < 1.0);
+      deepest = std::min(deepest, center.z);
+    }
+    QVERIFY(deepest < 0.0);
+  }
+
+ private:
+  static std::shared_ptr<const TriangleMesh> box() {
+    auto mesh = std::make_shared<TriangleMesh>();
+    std::vector<TriangleMesh::VertexHandle> corner;
+    for (int k = 0; k < 8; ++k) {
+      corner.push_back(
+          mesh->add_vertex({k & 1 ? 1.0F : -1.0F, k & 2 ? 1.0F : -1.0F, k & 4 ? 1.0F : -1.0F}));
+    }
+    const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    const auto at = [&](int k) { return corner[static_cast<std::size_t>(k)]; };
+    for (const auto& side : sides) {
+      mesh->add_face(at(side[0]), at(side[1]), at(side[2]));
+      mesh->add_face(at(side[0]), at(side[2]), at(side[3]));
+    }
+    mesh->request_vertex_normals();
+    for (const auto vertex : mesh->vertices()) {
+      mesh->set_normal(vertex, mesh->point(vertex).normalized());
+    }
+    return mesh;
+  }
+};
+
+BRUME_TEST_MAIN(AnimationTest)
+#include "animation_test.moc"
