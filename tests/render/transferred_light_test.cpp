@@ -175,18 +175,9 @@ TEST(TransferredLight, OfASkyIsTheReferenceWithItsShadows) {
     surface.material.reflectance = {0.8, 0.5, 0.3};
     surface.material.specular = glm::dvec3(0.3);
     surface.material.exponent = 8.0;
-    Scene unlit = scene;
-    unlit.surfaces[0].material = Material();
-    unlit.surfaces[0].material.reflectance = glm::dvec3(0.0);
-    const Frame glow = render_frame(unlit, {});
     const Truth truth = by_monte_carlo(scene, 1'000);
-    const auto error = [&](Surface::Transfer transfer) {
-      Frame frame = with(scene, transfer);
-      for (std::size_t i = 0; i < frame.beauty.size(); ++i) frame.beauty[i] -= glow.beauty[i];
-      return error_of(frame, truth);
-    };
-    EXPECT_LT(error(shadow), row.error) << row.depth;
-    EXPECT_GT(error(none), row.unshadowed) << row.depth;
+    EXPECT_LT(error_of(with(scene, shadow), truth), row.error) << row.depth;
+    EXPECT_GT(error_of(with(scene, none), truth), row.unshadowed) << row.depth;
   }
 }
 
