@@ -78,7 +78,10 @@ void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std:
 }
 
 SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
-  const double scale = attenuation_ * environment_.intensity;
+  // Sums of what is beyond float would not be numbers.
+  const double power = glm::length(light_[0]);
+  const double scale =
+      std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power, 1e-30));
   const auto bands = phase_.at(w);
   SourceWeights weights{};
   glm::dvec3 kept(0.0);

@@ -22,7 +22,8 @@ QualityControl::Measures measures_of(const Scene& scene) {
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     depth += scene.medium.densities()[i] * scene.medium.radii()[i];
   }
-  const auto lights = std::ranges::count(scene.lights, true, &PointLight::on);
+  const auto lights =
+      std::ranges::count(scene.lights, true, &PointLight::on) + (scene.environment ? 1 : 0);
   return {static_cast<double>(lights), static_cast<double>(scene.medium.size()), depth,
           scene.medium.homogeneous_density(), scene.optics.noise.amplitude};
 }

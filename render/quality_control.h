@@ -63,7 +63,8 @@ class QualityControl {
   std::vector<Trial> trials_;
   std::size_t step_;
   double max_error_ = 0.02;
-  // Lights, Gaussians, their depths added up, homogeneous density: when errors were last forgotten.
+  // Lights and environment, Gaussians, their depths added up, homogeneous density: when errors were
+  // last forgotten.
   std::optional<Measures> measures_;
   Camera camera_;
 };

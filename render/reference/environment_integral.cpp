@@ -20,8 +20,8 @@ constexpr double pi = std::numbers::pi;
 // the phase function wants a few of them.
 int rows_of_sphere(double anisotropy, double tolerance) {
   const double smooth = 0.25 / std::sqrt(tolerance);
-  const double peak = pi / (0.3 * (1.0 - std::abs(anisotropy)));
-  return static_cast<int>(std::ceil(std::clamp(std::max(smooth, peak), 8.0, 256.0)));
+  const double peak = pi / (0.4 * (1.0 - std::abs(anisotropy)));
+  return static_cast<int>(std::ceil(std::clamp(std::max(smooth, peak), 8.0, 64.0)));
 }
 
 }  // namespace

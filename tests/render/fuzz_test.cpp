@@ -55,6 +55,7 @@ Settings on_one_thread(AirlightMethod method) {
   Settings settings;
   settings.airlight = method;
   settings.threads = 1;  // scenes run side by side
+  settings.source_grid = {200, 12};
   return settings;
 }
 

@@ -103,6 +103,19 @@ class RandomScene {
     noise.seed = whole(0, 1000);
   }
 
+  // Any pixels, many of them black.
+  void add_environment() {
+    auto map = std::make_shared<RadianceMap>(RadianceMap{whole(1, 6), whole(1, 4), {}});
+    for (int i = map->width * map->height; i > 0; --i) {
+      const double radiance = one_in(3) ? 0.0 : spread(random_.power(-1, 1), -20, 20);
+      map->pixels.emplace_back(glm::dvec3(1.0, random_.uniform(0.0, 1.0), 0.0) * radiance);
+    }
+    Environment& environment = scene_.environment.emplace();
+    environment.map = map;
+    environment.intensity = one_in(6) ? 0.0 : spread(1.0, -20, 20);
+    environment.rotation = random_.uniform(-360.0, 360.0);
+  }
+
   // A few triangles with any normals, some of no area.
   void add_surface() {
     auto mesh = std::make_shared<TriangleMesh>();
@@ -145,18 +158,6 @@ class RandomScene {
   }
 
   // With dark, bright and black pixels.
-  void add_environment() {
-    auto map = std::make_shared<RadianceMap>(RadianceMap{whole(1, 6), whole(1, 4), {}});
-    for (int i = map->width * map->height; i > 0; --i) {
-      const double radiance = one_in(4) ? 0.0 : spread(random_.power(-2, 2), -20, 20);
-      map->pixels.emplace_back(glm::dvec3(radiance, 1e-3 * radiance, random_.uniform(0, 1)));
-    }
-    Environment& environment = scene_.environment.emplace();
-    environment.map = map;
-    environment.intensity = one_in(8) ? 0.0 : spread(1.0, -9, 9);
-    environment.rotation = random_.uniform(-360, 360);
-  }
-
   // One for all scenes, since it is large: nothing in it is smooth, and a part was not measured.
   static std::shared_ptr<const MeasuredBrdf> measured() {
     static const auto brdf = [] {

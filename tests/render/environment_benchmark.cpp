@@ -1,0 +1,64 @@
+// The light of an environment in clouds: CPU time of the grid, and of the view pass with it over
+// that without, beside the error of the airlight against the reference.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/scene/radiance_map.h"
+#include "render/auto_quality.h"
+#include "render/environment_source.h"
+#include "tests/render/benchmark_scenes.h"
+
+namespace brume {
+namespace {
+
+// Bright above, dark below, with a sun.
+std::shared_ptr<const RadianceMap> sunny_sky() {
+  auto map = std::make_shared<RadianceMap>(RadianceMap{256, 128, {}});
+  const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 1.5, 0.5));
+  for (int i = 0; i < 256 * 128; ++i) {
+    const glm::dvec3 d = map_direction(*map, {i % 256 + 0.5, i / 256 + 0.5});
+    map->pixels.emplace_back(
+        glm::dvec3(0.1 + std::max(d.y, 0.0) + (glm::dot(d, sun) > 0.97 ? 20.0 : 0.0)));
+  }
+  return map;
+}
+
+// Of n Gaussians, with k slices, at an anisotropy of a tenth of the third argument.
+void environment(benchmark::State& state) {
+  Scene scene = box_scene(static_cast<int>(state.range(0)), 0);
+  scene.film = {200, 150};
+  scene.optics.anisotropy = 0.1 * static_cast<double>(state.range(2));
+  const Settings settings = sliced_settings({}, static_cast<int>(state.range(1)));
+  Renderer renderer;
+  const auto frame_seconds = [&] {
+    renderer.render(scene, scene.camera, scene.film, settings);
+    const double start = cpu_seconds();
+    for (int i = 0; i < 5; ++i) renderer.render(scene, scene.camera, scene.film, settings);
+    return (cpu_seconds() - start) / 5.0;
+  };
+  const double dark = frame_seconds();
+  scene.environment.emplace().map = sunny_sky();
+  const double lit = frame_seconds();
+  EnvironmentSource source;
+  for (auto _ : state) {
+    const double start = cpu_seconds();
+    scene.environment->rotation += 1.0;
+    source.update(*scene.environment, scene.medium, scene.optics.anisotropy, 0.0,
+                  settings.source_grid, Job{});
+    state.SetIterationTime(cpu_seconds() - start);
+  }
+  const Frame frame = *renderer.render(scene, scene.camera, scene.film, settings);
+  state.counters["lit_over_dark"] = lit / dark;
+  state.counters["frame_ms"] = 1e3 * lit;
+  state.counters["rel_rmse"] = measure_error(scene, scene.camera, frame)->rel_rmse;
+}
+BENCHMARK(environment)
+    ->ArgsProduct({{30, 300, 3000}, {8, 24, 64}, {0, 6}})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace brume
