@@ -33,7 +33,8 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
   label_->setCursor(Qt::SizeHorCursor);
   label_->setToolTip(tr("Drag to change; Ctrl is fine, Shift is coarse"));
   label_->installEventFilter(this);
-  field_->setMinimumWidth(field_->fontMetrics().horizontalAdvance("0.00000"));
+  label_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  field_->setMinimumWidth(field_->fontMetrics().horizontalAdvance("00.0000"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(5);

@@ -15,6 +15,7 @@ namespace brume {
 namespace {
 
 constexpr double step = 1.0 / 30.0;  // seconds
+constexpr int most_steps = 6;        // at once, however long a picture took
 constexpr NumberDomain rate_domain{0.0, 1e4, "a number from 0 to 10000"};
 constexpr NumberDomain seed_domain{0.0, 1e9, "a whole number from 0 to 1e9"};
 
@@ -64,9 +65,8 @@ void AirbrushTool::add_options(QHBoxLayout& row) {
   };
   add(tr("Radius"), "air_radius", domain::length, Scale::logarithmic, 0.01, &Airbrush::radius);
   add(tr("Density"), "air_density", domain::density, Scale::logarithmic, 0.01, &Airbrush::density);
-  add(tr("Rate, 1/s"), "air_rate", rate_domain, Scale::logarithmic, 0.01, &Airbrush::rate);
-  add(tr("Speed, u/s"), "air_speed", domain::not_negative, Scale::logarithmic, 0.01,
-      &Airbrush::speed);
+  add(tr("Rate"), "air_rate", rate_domain, Scale::logarithmic, 0.01, &Airbrush::rate);
+  add(tr("Speed"), "air_speed", domain::not_negative, Scale::logarithmic, 0.01, &Airbrush::speed);
   add_number(
       row, *this, {tr("Seed"), "air_seed", seed_domain, Scale::linear, 1.0},
       [this] { return static_cast<double>(seed_); },
@@ -101,6 +101,8 @@ void AirbrushTool::begin_stroke(QPointF position) {
   nozzle_.reset();
   ids_.clear();
   extend_stroke(position);
+  steps_ = 0;
+  clock_.start();
   timer_.start();
 }
 
@@ -113,17 +115,20 @@ void AirbrushTool::end_stroke() {
 }
 
 void AirbrushTool::spray() {
+  const auto due = static_cast<qint64>(1e-3 * static_cast<double>(clock_.elapsed()) / step);
+  const auto missed = std::min<qint64>(due - steps_, most_steps);
+  steps_ = due;
   if (!nozzle_) return;
   const glm::dvec3 direction = inside_ ? -nozzle_->normal : nozzle_->normal;
   // Off the surface, on the side that is sprayed.
   const glm::dvec3 from = nozzle_->position + 0.05 * airbrush_.radius * direction;
-  spray_->advance(
-      step, from, direction,
-      [this](const glm::dvec3& origin, const glm::dvec3& way) -> std::optional<Obstacle> {
-        const auto hit = viewport_.surfaces().hit(origin, way);
-        if (!hit) return std::nullopt;
-        return Obstacle{glm::distance(hit->position, origin), hit->normal};
-      });
+  const auto obstacle = [this](const glm::dvec3& origin,
+                               const glm::dvec3& way) -> std::optional<Obstacle> {
+    const auto hit = viewport_.surfaces().hit(origin, way);
+    if (!hit) return std::nullopt;
+    return Obstacle{glm::distance(hit->position, origin), hit->normal};
+  };
+  for (qint64 k = 0; k < missed; ++k) spray_->advance(step, from, direction, obstacle);
   std::vector<Gaussian> gaussians = spray_->frozen();
   for (Gaussian& gaussian : gaussians) gaussian = within_domains(gaussian);
   const std::span<const Gaussian> all(gaussians);

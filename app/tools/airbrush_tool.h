@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include "app/tools/brush_tool.h"
@@ -32,7 +33,7 @@ class AirbrushTool : public BrushTool {
   void end_stroke() override;
 
  private:
-  void spray();  // a step of time
+  void spray();  // as far as time has gone
   void fit_to_view();
 
   Airbrush airbrush_;
@@ -40,6 +41,8 @@ class AirbrushTool : public BrushTool {
   bool inside_ = false;
   int seed_ = 1;
   QTimer timer_;
+  QElapsedTimer clock_;
+  qint64 steps_ = 0;  // of time that have been sprayed
   std::optional<Spray> spray_;
   std::optional<PaintPoint> nozzle_;
   std::vector<GaussianId> ids_;  // of what was sprayed in this stroke

@@ -10,7 +10,7 @@ void add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
                 const std::function<double()>& get, const std::function<void(double)>& set) {
   auto* field = new ValueField(option.title, option.domain, option.scale, option.step);
   field->setObjectName(option.name);
-  field->setMaximumWidth(160);
+  field->setMaximumWidth(130);
   row.addWidget(field);
   field->show_value(get());
   QObject::connect(field, &ValueField::edited, field, [set](double value) { set(value); });

@@ -46,9 +46,8 @@ ToolOptions::ToolOptions(ToolBox& tools, QWidget* parent) : QFrame(parent) {
     auto* page = new QWidget(pages);
     auto* row = new QHBoxLayout(page);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(10);
+    row->setSpacing(7);
     auto* title = new QLabel(QString("<b>%1</b>").arg(entry.title), page);
-    title->setMinimumWidth(90);
     row->addWidget(title);
     entry.tool->add_options(*row);
     row->addStretch(1);

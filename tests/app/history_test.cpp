@@ -1,0 +1,264 @@
+// Random sequences of everything that makes a step: undo all gives the document as it was, byte for
+// byte, redo all the end, and what is saved in between comes back.
+
+#include <QClipboard>
+#include <random>
+
+#include "app/commands/clipboard.h"
+#include "app/commands/edit_emitters.h"
+#include "app/commands/edit_gesture.h"
+#include "app/commands/edit_lights.h"
+#include "app/commands/edit_medium.h"
+#include "app/commands/scene_part_command.h"
+#include "app/commands/select_command.h"
+#include "app/document/document.h"
+#include "core/authoring/eraser.h"
+#include "core/authoring/paintbrush.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+class RandomHands {
+ public:
+  RandomHands(Document& document, unsigned seed) : document_(document), random_(seed) {}
+
+  // Does one of all that users do.
+  void act() {
+    using Act = void (RandomHands::*)();
+    static constexpr Act acts[]{
+        &RandomHands::add,         &RandomHands::remove,  &RandomHands::set_a_field,
+        &RandomHands::drag,        &RandomHands::paint,   &RandomHands::erase,
+        &RandomHands::copy,        &RandomHands::choose,  &RandomHands::choose_by_rule,
+        &RandomHands::light,       &RandomHands::emitter, &RandomHands::whole_medium,
+        &RandomHands::surface,     &RandomHands::camera,  &RandomHands::hide_or_lock,
+        &RandomHands::environment, &RandomHands::go_back};
+    (this->*acts[below(std::size(acts))])();
+  }
+
+ private:
+  std::size_t below(std::size_t count) { return random_() % count; }
+  double number() { return 0.1 + static_cast<double>(below(1000)) * 0.002; }
+  glm::dvec3 point() {
+    const double x = number();
+    const double y = number();
+    return {x, y, number()};
+  }
+  std::vector<GaussianId> some() {
+    std::vector<GaussianId> ids;
+    for (const GaussianId id : document_.medium().ids()) {
+      if (below(3) == 0) ids.push_back(id);
+    }
+    return ids;
+  }
+
+  void add() { add_gaussian(document_, {point(), number(), number()}); }
+  void remove() {
+    if (below(3) == 0) delete_selection(document_, "Delete");
+  }
+  void set_a_field() {
+    set_field(document_, document_.selection(), gaussian_fields[below(gaussian_fields.size())],
+              number() - 0.2);  // some are refused
+  }
+  void drag() {
+    const std::vector<GaussianId> ids = document_.selection();
+    std::vector<Gaussian> after;
+    for (const GaussianId id : ids) {
+      after.push_back(document_.medium().gaussian(*document_.medium().index_of(id)));
+    }
+    const std::vector<Gaussian> before = after;
+    const MergeId merge_id = new_merge_id();
+    for (int step = 0; step < 3; ++step) {
+      for (Gaussian& gaussian : after) gaussian.center += point();
+      change_gaussians(document_, ids, after, "Move", merge_id);
+    }
+    if (below(4) == 0) change_gaussians(document_, ids, before, "Move", merge_id);
+  }
+  void paint() {
+    EditGesture gesture(document_);
+    PaintStroke stroke({.radius = number(), .density = number()}, random_());
+    gesture.begin();
+    for (std::size_t k = below(4); k > 0; --k) {
+      gesture.apply(MediumEdit::add(document_.medium(), stroke.to(point())), "Paint");
+    }
+    if (below(5) == 0) gesture.cancel();
+  }
+  void erase() {
+    EditGesture gesture(document_);
+    EraserStroke stroke(number() / 2.2);
+    gesture.begin();
+    for (std::size_t k = below(6); k > 0; --k) {
+      const glm::dvec3 direction = glm::normalize(point());
+      gesture.apply(stroke.touch(document_.medium(), {{0, 0, 0}, direction, 0.4},
+                                 [this](GaussianId id) { return document_.is_free(id); }),
+                    "Erase");
+    }
+    if (below(5) == 0) gesture.cancel();
+  }
+  void copy() {
+    switch (below(5)) {
+      case 0:
+        return copy_selection(document_);
+      case 1:
+        return cut_selection(document_);
+      case 2:
+        return paste_gaussians(document_, std::nullopt);
+      case 3:
+        return paste_gaussians(document_, point());
+      default:
+        return duplicate_selection(document_, point());
+    }
+  }
+  void choose() { select_gaussians(document_, some()); }
+  void choose_by_rule() {
+    const auto rules = {select_all, invert_selection, grow_selection, shrink_selection};
+    (*(rules.begin() + below(rules.size())))(document_);
+  }
+  void light() {
+    const std::size_t index = below(3);
+    switch (below(4)) {
+      case 0:
+        return add_light(document_, point());
+      case 1:
+        return delete_light(document_, index);
+      default:
+        const MergeId merge_id = new_merge_id();
+        for (int step = 0; step < 2; ++step) {
+          change_light(document_, index, "Change %1", merge_id, [this](PointLight& light) {
+            light.intensity = point();
+            light.on = below(2) == 0;
+          });
+        }
+    }
+  }
+  void emitter() {
+    switch (below(4)) {
+      case 0:
+        return add_emitter(document_, point(), number());
+      case 1:
+        return delete_emitter(document_, below(2));
+      case 2:
+        return below(4) == 0 ? freeze_particles(document_, number()) : void();
+      default:
+        return change_emitter(document_, below(2), "Change %1", no_merge,
+                              [this](Emitter& emitter) { emitter.velocity = point(); });
+    }
+  }
+  void whole_medium() {
+    set_homogeneous_density(document_, below(2) == 0 ? 0.0 : number(), new_merge_id());
+    MediumOptics optics = document_.scene().optics;
+    optics.anisotropy = below(2) == 0 ? 0.0 : 0.2;
+    set_scene_part(document_, optics, "Set anisotropy");
+  }
+  void surface() {
+    Surfaces surfaces = document_.scene().surfaces;
+    if (surfaces.empty()) return;
+    surfaces[0].material.reflectance = 0.4 * point();
+    set_scene_part(document_, std::move(surfaces), "Set reflectance");
+  }
+  void camera() {
+    Camera camera = document_.scene().camera;
+    camera.eye = point() + glm::dvec3(3.0);
+    set_scene_part(document_, camera, "Store view");
+  }
+  void environment() {
+    std::optional<Environment> environment;
+    if (below(2) == 0)
+      environment = {BRUME_RESOURCES "/environments/sunset.exr", {}, number(), 0.0, {}};
+    set_scene_part(document_, environment, "Set environment");
+  }
+  void hide_or_lock() {
+    if (below(2) == 0) {
+      document_.hide(below(2) == 0 ? some() : std::vector<GaussianId>());
+    } else {
+      document_.lock(below(2) == 0 ? some() : std::vector<GaussianId>());
+    }
+  }
+  void go_back() {
+    for (std::size_t k = below(3); k > 0; --k) document_.undo_stack().undo();
+    for (std::size_t k = below(2); k > 0; --k) document_.undo_stack().redo();
+  }
+
+  Document& document_;
+  std::mt19937 random_;
+};
+
+Scene starting_scene() {
+  Scene scene = small_scene();
+  scene.surfaces.emplace_back();
+  scene.surfaces[0].mesh_file = BRUME_RESOURCES "/meshes/bunny.obj";
+  scene.emitters.emplace_back();
+  return scene;
+}
+
+std::string bytes_of(const Document& document) {
+  return scene_to_json(document.scene(), "/");
+}
+
+}  // namespace
+
+class HistoryTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void whatever_is_done_can_be_undone_and_redone() {
+    constexpr unsigned sequences = 2000;
+    constexpr int acts = 50;
+    int steps = 0;
+    for (unsigned seed = 1; seed <= sequences; ++seed) {
+      QGuiApplication::clipboard()->clear();
+      Document document;
+      document.open(starting_scene(), {});
+      const std::string before = bytes_of(document);
+      RandomHands hands(document, seed);
+      for (int k = 0; k < acts; ++k) hands.act();
+      const std::string after = bytes_of(document);
+      const bool was_modified = document.is_modified();
+      const int index = document.undo_stack().index();
+      steps += index;
+      document.undo_stack().setIndex(0);
+      QVERIFY2(bytes_of(document) == before, qPrintable(QString::number(seed)));
+      QVERIFY(!document.is_modified());
+      document.undo_stack().setIndex(index);
+      QVERIFY2(bytes_of(document) == after, qPrintable(QString::number(seed)));
+      QCOMPARE(document.is_modified(), was_modified);
+    }
+    QVERIFY2(steps > 20 * static_cast<int>(sequences), qPrintable(QString::number(steps)));
+  }
+
+  // Saving in the middle, and what the file then holds, changes nothing about that.
+  void saving_keeps_the_history() {
+    const QTemporaryDir folder;
+    const auto file = std::filesystem::path(folder.path().toStdString()) / "saved.brume";
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+      Document document;
+      document.open(starting_scene(), {});
+      const std::string before = bytes_of(document);
+      RandomHands hands(document, seed);
+      for (int k = 0; k < 25; ++k) hands.act();
+      document.save(file);
+      QVERIFY(!document.is_modified());
+      const Scene loaded = load_scene(file);
+      QCOMPARE(scene_to_json(loaded, "/"), bytes_of(document));
+      const std::string middle = bytes_of(document);
+      const int saved_at = document.undo_stack().index();
+      for (int k = 0; k < 25; ++k) hands.act();
+      const std::string after = bytes_of(document);
+      const int end = document.undo_stack().index();
+      if (end >= saved_at && document.undo_stack().cleanIndex() == saved_at) {
+        document.undo_stack().setIndex(saved_at);
+        QVERIFY(bytes_of(document) == middle);
+        QVERIFY(!document.is_modified());
+      }
+      document.undo_stack().setIndex(0);
+      QVERIFY(bytes_of(document) == before);
+      document.undo_stack().setIndex(end);
+      QVERIFY(bytes_of(document) == after);
+    }
+  }
+};
+
+BRUME_TEST_MAIN(HistoryTest)
+#include "history_test.moc"
