@@ -26,15 +26,19 @@ struct CornerHash {
   }
 };
 
-// Calls visit(corner) for the blocks that a Gaussian reaches; false if it goes too far to count.
+// Calls visit(corner) for the blocks that a Gaussian reaches; false if that says so, or if they are
+// too far away to count, or more than `most` for certain.
 template <class Visit>
-bool each_block(const Gaussian& g, double voxel_size, Visit visit) {
+bool each_block(const Gaussian& g, double voxel_size, std::size_t most, Visit visit) {
   const glm::dvec3 middle = g.center / voxel_size;
   const double radius = reach * g.radius / voxel_size;
   const glm::dvec3 extent = glm::abs(middle) + radius;
   if (!(std::max({extent.x, extent.y, extent.z}) < most_voxels)) return false;
   const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
   const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
+  // A ball has 52% of its box.
+  const glm::dvec3 across = glm::dvec3(high - low) / double(side) + 1.0;
+  if (0.5 * across.x * across.y * across.z > static_cast<double>(most)) return false;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {
@@ -84,7 +88,7 @@ std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double 
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const Gaussian g = medium.gaussian(i);
     if (!(g.density > 0.0)) continue;
-    const bool fits = each_block(g, voxel_size, [&](const glm::ivec3& corner) {
+    const bool fits = each_block(g, voxel_size, most, [&](const glm::ivec3& corner) {
       const auto [place, is_new] = places.try_emplace(corner, result.corners_.size());
       if (is_new) {
         if (result.corners_.size() == most) return false;

@@ -1,0 +1,130 @@
+#include "core/io/volume_file.h"
+
+#include <gtest/gtest.h>
+#include <openvdb/openvdb.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/volume/medium_grid.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/random.h"
+
+namespace brume {
+namespace {
+
+const std::filesystem::path volumes = BRUME_VOLUMES;
+
+DensityGrid some_grid() {
+  Random random(1);
+  Medium medium;
+  for (int i = 0; i < 5; ++i) {
+    medium.append({random.point(1.0), 0.3, random.uniform(0.2, 2.0)});
+  }
+  DensityGrid grid = *MediumSampling::plan(medium, 0.1, 100'000)->sample();
+  grid.origin = {1.0, 2.0, 3.0};
+  grid.rotation = glm::normalize(glm::dquat(1.0, 0.2, 0.3, -0.4));
+  return grid;
+}
+
+template <class Grid>
+void write(const std::filesystem::path& file, const std::string& name, Grid grid) {
+  openvdb::initialize();
+  grid->setName(name);
+  openvdb::io::File(file.string()).write({grid});
+}
+
+TEST(VolumeFile, ReadsBackWhatWasWritten) {
+  const TemporaryFolder folder;
+  const DensityGrid grid = some_grid();
+  for (const bool half : {false, true}) {
+    write_volume(folder / "a.vdb", grid, half);
+    const DensityGrid read = read_volume(folder / "a.vdb", "density");
+    ASSERT_EQ(read.blocks.size(), grid.blocks.size());
+    EXPECT_LT(glm::length(read.origin - grid.origin), 1e-12);
+    Random random(2);
+    for (int i = 0; i < 500; ++i) {
+      const glm::dvec3 world = grid.to_world(random.point(20.0));
+      const double expected = grid.at(grid.to_voxel(world));
+      EXPECT_NEAR(read.at(read.to_voxel(world)), expected,
+                  half ? std::ldexp(expected, -11) + 1e-7 : 1e-6);
+    }
+  }
+  const std::vector<VolumeGridInfo> grids = volume_grids(folder / "a.vdb");
+  ASSERT_EQ(grids.size(), 1u);
+  EXPECT_EQ(grids[0].name, "density");
+}
+
+TEST(VolumeFile, ReadsSmokeOfASimulation) {
+  const DensityGrid grid = read_volume(volumes / "smoke_0025.vdb", "density");
+  EXPECT_NEAR(grid.spacing.x, 1.0 / 12.0, 1e-6);
+  EXPECT_NEAR(grid.mass() / (935.5 / 1728.0), 1.0, 1e-3);
+  EXPECT_EQ(volume_grids(volumes / "smoke_0025.vdb").size(), 5u);
+}
+
+TEST(VolumeFile, TilesAreVoxels) {
+  const TemporaryFolder folder;
+  openvdb::initialize();
+  const auto grid = openvdb::DoubleGrid::create(0.0);
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(31)), 0.5);
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(0.1));
+  write(folder / "a.vdb", "smoke", grid);
+  EXPECT_NEAR(read_volume(folder / "a.vdb", "smoke").mass(), 0.5 * std::pow(3.2, 3.0), 1e-4);
+}
+
+TEST(VolumeFile, RefusesWhatIsNoDensity) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const char* name) {
+    return error_of([&] { read_volume(folder / "a.vdb", name); });
+  };
+  write_volume(folder / "a.vdb", some_grid(), false);
+  EXPECT_TRUE(contains(refusal("smoke"), "its grids: density"));
+
+  openvdb::initialize();
+  const auto vectors = openvdb::Vec3SGrid::create();
+  vectors->tree().setValue(openvdb::Coord(1, 2, 3), openvdb::Vec3s(1.0f));
+  write(folder / "a.vdb", "density", vectors);
+  EXPECT_TRUE(contains(refusal("density"), "vec3s"));
+
+  const auto number = openvdb::FloatGrid::create();
+  number->tree().setValue(openvdb::Coord(1, 2, 3), std::numeric_limits<float>::quiet_NaN());
+  write(folder / "a.vdb", "density", number);
+  EXPECT_TRUE(contains(refusal("density"), "nan"));
+
+  number->tree().setValue(openvdb::Coord(1, 2, 3), 1.0f);
+  number->setGridClass(openvdb::GRID_LEVEL_SET);
+  write(folder / "a.vdb", "density", number);
+  EXPECT_TRUE(contains(refusal("density"), "level set"));
+
+  number->setGridClass(openvdb::GRID_FOG_VOLUME);
+  number->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord((1 << 14) - 1)), 1.0f);
+  write(folder / "a.vdb", "density", number);
+  EXPECT_TRUE(contains(refusal("density"), "active voxels"));
+
+  const auto sheared = openvdb::FloatGrid::create();
+  openvdb::math::Mat4d matrix = openvdb::math::Mat4d::identity();
+  matrix(0, 1) = 0.5;
+  sheared->setTransform(openvdb::math::Transform::createLinearTransform(matrix));
+  sheared->tree().setValue(openvdb::Coord(1, 2, 3), 1.0f);
+  write(folder / "a.vdb", "density", sheared);
+  EXPECT_TRUE(contains(refusal("density"), "sheared"));
+
+  folder.write("a.vdb", "no volume");
+  EXPECT_TRUE(contains(refusal("density"), "a.vdb"));
+  EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "b.vdb", "density"); }), "b.vdb"));
+}
+
+TEST(VolumeFile, RefusesTruncatedFiles) {
+  const TemporaryFolder folder;
+  const std::string whole = content_of(volumes / "smoke_0025.vdb");
+  for (std::size_t percent = 0; percent < 100; ++percent) {
+    const auto file =
+        folder.write("a.vdb", std::string_view(whole).substr(0, whole.size() * percent / 100));
+    EXPECT_THROW(read_volume(file, "density"), InputError) << percent;
+  }
+}
+
+}  // namespace
+}  // namespace brume
