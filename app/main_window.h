@@ -46,6 +46,7 @@ class MainWindow : public QMainWindow {
   void create_status_bar();
   void create_actions();  // main_window_actions.cpp
   void fill_airlight_menu(QMenu* menu);
+  void fill_mode_menu(QMenu* menu);
   void connect_document();
 
   void update_title();

@@ -135,6 +135,7 @@ void MainWindow::create_actions() {
   view->addSeparator();
   add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
+  fill_mode_menu(view->addMenu(tr("S&how")));
   fill_airlight_menu(view->addMenu(tr("Air&light")));
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
@@ -158,6 +159,31 @@ void MainWindow::isolate_selection() {
     if (!document_.is_selected(id)) others.push_back(id);
   }
   document_.hide(std::move(others));
+}
+
+void MainWindow::fill_mode_menu(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  for (const ViewMode mode :
+       {ViewMode::final, ViewMode::airlight, ViewMode::optical_depth, ViewMode::outlines}) {
+    QAction* action = group->addAction(view_mode_title(mode));
+    action->setCheckable(true);
+    action->setChecked(mode == viewport_->mode());
+    connect(action, &QAction::triggered, this, [this, mode] { viewport_->set_mode(mode); });
+    connect(viewport_, &Viewport::mode_changed, action,
+            [this, action, mode] { action->setChecked(mode == viewport_->mode()); });
+  }
+  menu->addActions(group->actions());
+  menu->addSeparator();
+  QAction* next = menu->addAction(tr("&Next"));
+  next->setObjectName("view.next_mode");
+  next->setShortcuts(keys_of("view.next_mode"));
+  // Elsewhere Tab goes from field to field.
+  next->setShortcutContext(Qt::WidgetShortcut);
+  viewport_->addAction(next);
+  connect(next, &QAction::triggered, this, [this] {
+    viewport_->set_mode(next_view_mode(viewport_->mode()));
+    say(view_mode_title(viewport_->mode()));
+  });
 }
 
 void MainWindow::fill_airlight_menu(QMenu* menu) {

@@ -2,7 +2,6 @@
 
 #include <QElapsedTimer>
 #include <algorithm>
-#include <cstring>
 #include <exception>
 
 #include "render/renderer.h"
@@ -19,16 +18,6 @@ Film divided(const Film& film, int divisor) {
 }
 
 }  // namespace
-
-QImage to_picture(const Frame& frame, double exposure) {
-  const auto bytes = to_display(frame, exposure);
-  QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(frame.film.width) * 3;
-  for (int y = 0; y < frame.film.height; ++y) {
-    std::memcpy(image.scanLine(y), bytes.data() + static_cast<std::size_t>(y) * row, row);
-  }
-  return image;
-}
 
 FrameService::FrameService(std::shared_ptr<const TransferStore> transfers, QObject* parent)
     : QObject(parent),
@@ -95,7 +84,7 @@ void FrameService::work(const std::stop_token& quit,
       auto frame = renderer.render(*request.scene, request.camera, film, request.settings, stop);
       if (!frame) continue;
       auto rendered = std::make_shared<RenderedFrame>();
-      rendered->picture = to_picture(*frame, request.exposure);
+      rendered->picture = to_picture(*frame, request.exposure, request.mode);
       rendered->milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
       rendered->divisor = divisor;
       rendered->frame = std::move(*frame);

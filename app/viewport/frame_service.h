@@ -10,6 +10,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "app/viewport/view_mode.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/settings.h"
@@ -22,7 +23,8 @@ struct FrameRequest {
   Camera camera;
   Film film;  // the full resolution
   Settings settings;
-  double exposure = 0.0;     // stops
+  double exposure = 0.0;  // stops
+  ViewMode mode = ViewMode::final;
   std::uint64_t serial = 0;  // names the state of scene, camera and film that this shows
   bool moving = false;       // may take a lower resolution to stay fluid
 };
@@ -30,12 +32,10 @@ struct FrameRequest {
 struct RenderedFrame {
   FrameRequest request;
   Frame frame;
-  QImage picture;  // tone-mapped
+  QImage picture;  // as the mode wants it
   int divisor = 1;
   double milliseconds = 0.0;
 };
-
-QImage to_picture(const Frame& frame, double exposure);
 
 // Renders in a thread of its own: the newest request wins, the ones between are never rendered.
 // A frame at rest is given up as soon as something newer is asked for; one in motion is short and

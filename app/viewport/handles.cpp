@@ -118,4 +118,21 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
   }
 }
 
+void Handles::draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    if (positions_[i].z > 0.0) indices.push_back(i);
+  }
+  if (indices.size() > max_outlines) {
+    std::nth_element(
+        indices.begin(), indices.begin() + max_outlines, indices.end(),
+        [this](std::size_t a, std::size_t b) { return positions_[a].z < positions_[b].z; });
+    indices.resize(max_outlines);
+  }
+  const QRgb color = with_alpha(qRgb(190, 215, 240), crowd_alpha(indices.size(), 200, 40));
+  for (const std::size_t i : indices) {
+    overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i], color);
+  }
+}
+
 }  // namespace brume

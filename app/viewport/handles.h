@@ -39,6 +39,9 @@ class Handles {
             std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
             bool with_centers) const;
 
+  // Of all that are not hidden, the nearest ones if there are many.
+  void draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const;
+
  private:
   std::vector<glm::dvec3> positions_;
   std::vector<bool> behind_;  // a surface; empty while unknown

@@ -161,7 +161,24 @@ std::optional<GaussianId> Viewport::most_visible(QPointF position) {
 
 void Viewport::set_exposure(double stops) {
   exposure_ = stops;
-  if (shown_) surface_->show_picture(to_picture(shown_->frame, exposure_));
+  show_picture();
+}
+
+void Viewport::set_mode(ViewMode mode) {
+  if (mode == mode_) return;
+  mode_ = mode;
+  show_picture();
+  update_overlay();
+  Q_EMIT mode_changed();
+}
+
+// The frame on screen, as it is to be seen now.
+void Viewport::show_picture() {
+  if (!shown_) return;
+  const FrameRequest& request = shown_->request;
+  surface_->show_picture(request.exposure == exposure_ && request.mode == mode_
+                             ? shown_->picture
+                             : to_picture(shown_->frame, exposure_, mode_));
 }
 
 Film Viewport::film() const {
@@ -226,6 +243,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
           .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
           .settings = settings,
           .exposure = exposure_,
+          .mode = mode_,
           .serial = serial_,
           .moving = moving};
 }
@@ -246,9 +264,7 @@ void Viewport::request_at_rest() {
 void Viewport::take_frame(std::shared_ptr<const RenderedFrame> frame) {
   if (frame->request.serial < oldest_serial_) return;
   shown_ = std::move(frame);
-  surface_->show_picture(shown_->request.exposure == exposure_
-                             ? shown_->picture
-                             : to_picture(shown_->frame, exposure_));
+  show_picture();
   handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
                        shown_->frame);
   update_overlay();
@@ -267,6 +283,7 @@ void Viewport::draw_overlay() {
   const CameraRays view = rays();
   handles_.draw(overlay, document_.medium(), view, document_.selection(), hovered_,
                 !tool_ || tool_->shows_handles());
+  if (mode_ == ViewMode::outlines) handles_.draw_outlines(overlay, document_.medium(), view);
   if (tool_) tool_->draw(overlay, view);
   add_axes(overlay, view, film());
   surface_->show_overlay(overlay);

@@ -33,6 +33,8 @@ class Viewport : public QWidget {
 
   [[nodiscard]] double exposure() const { return exposure_; }
   void set_exposure(double stops);
+  [[nodiscard]] ViewMode mode() const { return mode_; }
+  void set_mode(ViewMode mode);
 
   // What has the left button from now on; a gesture in flight is cancelled. nullptr: nothing.
   void set_tool(Tool* tool);
@@ -84,6 +86,7 @@ class Viewport : public QWidget {
 
  Q_SIGNALS:
   void frame_shown();
+  void mode_changed();
   void failed(const QString& message);
 
  protected:
@@ -102,6 +105,7 @@ class Viewport : public QWidget {
   void request_at_rest();
   void take_frame(std::shared_ptr<const RenderedFrame> frame);
   void refresh_handles();
+  void show_picture();
   void draw_overlay();
   [[nodiscard]] FrameRequest frame_request(bool moving) const;
 
@@ -114,6 +118,7 @@ class Viewport : public QWidget {
 
   Camera camera_;
   double exposure_ = 0.0;
+  ViewMode mode_ = ViewMode::final;
   double time_ = 0.0;
   // shown_scene() of a snapshot with emitters, and what it is of.
   mutable std::shared_ptr<const Scene> at_time_;

@@ -177,6 +177,38 @@ class ViewportTest : public QObject {
     QVERIFY(window.settle());
   }
 
+  void tab_shows_the_airlight_and_the_optical_depth() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    const QPoint at = window.handle(1);
+    const QPoint corner(5, 5);  // no fog there
+    const Frame& frame = view.shown()->frame;
+    const auto pixel = [&](QPoint p) {
+      return static_cast<std::size_t>(p.y()) * static_cast<std::size_t>(frame.film.width) +
+             static_cast<std::size_t>(p.x());
+    };
+    window.key(Qt::Key_Tab);
+    QVERIFY(view.mode() == ViewMode::airlight);
+    // Without surfaces the picture is airlight and nothing else.
+    QVERIFY(to_picture(frame, 0.0, ViewMode::airlight) == to_picture(frame, 0.0, ViewMode::final));
+    window.key(Qt::Key_Tab);
+    QVERIFY(view.mode() == ViewMode::optical_depth);
+    const QImage depths = to_picture(frame, 0.0, ViewMode::optical_depth);
+    QCOMPARE(depths.pixel(corner), depth_color(0.0));
+    QCOMPARE(depths.pixel(at), depth_color(-std::log(frame.transmittance[3 * pixel(at) + 1])));
+    QVERIFY(depths.pixel(at) != depth_color(0.0));
+    // New frames are shown so too.
+    window->document().select({2});
+    window.key(Qt::Key_Delete);
+    QVERIFY(window.settle());
+    QVERIFY(view.shown()->request.mode == ViewMode::optical_depth);
+    QCOMPARE(view.shown()->picture.pixel(at), depth_color(0.0));
+    window.key(Qt::Key_Tab);
+    window.key(Qt::Key_Tab);
+    QVERIFY(view.mode() == ViewMode::final);
+    QVERIFY(view.hasFocus());
+  }
+
   void it_works_without_opengl() {
     TestWindow window;
     Viewport& view = window->viewport();
