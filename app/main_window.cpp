@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QScrollArea>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -31,6 +32,7 @@
 #include "app/panels/outliner.h"
 #include "app/panels/performance_panel.h"
 #include "app/panels/timeline_bar.h"
+#include "app/recovery_bar.h"
 #include "app/scene_files.h"
 #include "app/scene_load.h"
 #include "app/timeline.h"
@@ -60,6 +62,11 @@ QString dropped_scene(const QMimeData& data) {
   return {};
 }
 
+std::filesystem::path recovery_folder() {
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  return to_path(data + "/recovery");
+}
+
 // Panels that a small screen may be too low for.
 QWidget* scrolled(QWidget* panel) {
   auto* area = new QScrollArea;
@@ -74,6 +81,7 @@ QWidget* scrolled(QWidget* panel) {
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       files_(new SceneFiles(document_, this)),
+      autosave_(new Autosave(document_, recovery_folder(), this)),
       message_bar_(new MessageBar(this)),
       viewport_(new Viewport(document_, this)),
       tools_(new ToolBox(document_, *viewport_, this)),
@@ -99,6 +107,7 @@ MainWindow::MainWindow(QWidget* parent)
   const QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
   restoreState(settings.value("window/state").toByteArray());
+  offer_recovery();
   viewport_->setFocus();
   update_title();
   update_status();
@@ -232,6 +241,20 @@ void MainWindow::connect_document() {
   }
 }
 
+void MainWindow::offer_recovery() {
+  auto* bar = new RecoveryBar(this);
+  qobject_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, bar);
+  connect(bar, &RecoveryBar::restore, files_, &SceneFiles::restore);
+  connect(files_, &SceneFiles::restored, this, [this](const LeftBehind& work) {
+    // The old copy goes only when there is one of this session.
+    autosave_->save_soon();
+    autosave_->wait();
+    if (autosave_->has_copy()) Autosave::forget(work);
+  });
+  connect(autosave_, &Autosave::failed, message_bar_, &MessageBar::show_note);
+  bar->offer(autosave_->left_behind());
+}
+
 void MainWindow::update_title() {
   setWindowTitle(document_.name() + "[*] – Brume");
   setWindowModified(document_.is_modified());
@@ -329,6 +352,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/state", saveState());
+  autosave_->end();
   event->accept();
 }
 

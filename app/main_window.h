@@ -10,6 +10,7 @@ class QMenu;
 
 namespace brume {
 
+class Autosave;
 class FrameExport;
 class GaussianPanel;
 class MessageBar;
@@ -26,6 +27,7 @@ class MainWindow : public QMainWindow {
 
   Document& document() { return document_; }
   SceneFiles& files() { return *files_; }
+  Autosave& autosave() { return *autosave_; }
   Viewport& viewport() { return *viewport_; }
   ToolBox& tools() { return *tools_; }
   Timeline& timeline() { return *timeline_; }
@@ -48,6 +50,7 @@ class MainWindow : public QMainWindow {
   void fill_airlight_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);
   void connect_document();
+  void offer_recovery();
 
   void update_title();
   void update_status();
@@ -60,6 +63,7 @@ class MainWindow : public QMainWindow {
 
   Document document_;
   SceneFiles* files_;
+  Autosave* autosave_;
   MessageBar* message_bar_;
   Viewport* viewport_;
   ToolBox* tools_;

@@ -50,12 +50,26 @@ void SceneFiles::open() {
 void SceneFiles::open_file(const std::filesystem::path& file) {
   if (!may_discard()) return;
   asked_at_ = document_.undo_stack().index();
+  restoring_.reset();
   loading_->start(file);
+}
+
+void SceneFiles::restore(const LeftBehind& work) {
+  if (!may_discard()) return;
+  asked_at_ = document_.undo_stack().index();
+  restoring_ = work;
+  loading_->start(work.scene);
 }
 
 void SceneFiles::take(LoadedScene& loaded) {
   // What was done meanwhile has not been asked about.
   if (document_.undo_stack().index() != asked_at_ && !may_discard()) return;
+  if (restoring_) {
+    const LeftBehind work = *std::exchange(restoring_, std::nullopt);
+    document_.open_unsaved(std::move(loaded.scene), work.file);
+    Q_EMIT restored(work);
+    return;
+  }
   document_.open(std::move(loaded.scene), loaded.file);
   remember(loaded.file);
   if (!loaded.warnings.isEmpty()) Q_EMIT warned(loaded.warnings);

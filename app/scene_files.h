@@ -3,6 +3,9 @@
 #include <QObject>
 #include <QStringList>
 #include <filesystem>
+#include <optional>
+
+#include "app/document/autosave.h"
 
 class QMenu;
 class QWidget;
@@ -31,6 +34,9 @@ class SceneFiles : public QObject {
   bool save();
   bool save_to(const std::filesystem::path& file);
 
+  // Opens work that was left behind, unsaved, as a later state of its file.
+  void restore(const LeftBehind& work);
+
   // Whether the present scene may go: saved, or the user does not want it.
   bool may_discard();
 
@@ -41,6 +47,7 @@ class SceneFiles : public QObject {
 
  Q_SIGNALS:
   void opened();
+  void restored(const brume::LeftBehind& work);
   void failed(const QString& message);
   void warned(const QString& message);
 
@@ -51,6 +58,7 @@ class SceneFiles : public QObject {
   Document& document_;
   QWidget* window_;
   SceneLoad* loading_;
+  std::optional<LeftBehind> restoring_;  // what is being read is this
   int asked_at_ = 0;  // where in the history unsaved work was given up for what is being read
 };
 

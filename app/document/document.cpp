@@ -67,6 +67,11 @@ void Document::save(const std::filesystem::path& file) {
   Q_EMIT modified_changed();
 }
 
+void Document::open_unsaved(Scene scene, const std::filesystem::path& file) {
+  open(std::move(scene), file);
+  set_revision(new_revision());
+}
+
 void Document::open(Scene scene, const std::filesystem::path& file) {
   undo_stack_.clear();
   scene_ = std::move(scene);

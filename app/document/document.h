@@ -37,6 +37,8 @@ class Document : public QObject {
   // Both forget history and selection. `file` is where the scene was loaded from.
   void create();
   void open(Scene scene, const std::filesystem::path& file);
+  // The same with work that the file does not have yet.
+  void open_unsaved(Scene scene, const std::filesystem::path& file);
   // Keeps the history and marks its present state as saved, or throws InputError.
   void save(const std::filesystem::path& file);
 

@@ -86,6 +86,7 @@ int start_test(int argc, char** argv, int (*run)(int, char**)) {
   const QTemporaryDir settings;
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
   qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
+  qputenv("XDG_DATA_HOME", settings.path().toUtf8());
   QApplication application(argc, argv);
   set_up_application(application);
   return run(argc, argv);

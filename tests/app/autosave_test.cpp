@@ -1,0 +1,155 @@
+// What is kept of unsaved work, and how it comes back.
+
+#include <QPushButton>
+#include <fstream>
+
+#include "app/commands/edit_medium.h"
+#include "app/document/autosave.h"
+#include "app/document/paths.h"
+#include "app/recovery_bar.h"
+#include "app/scene_files.h"
+#include "app/scene_load.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> copies(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".brume") found.push_back(entry.path());
+  }
+  return found;
+}
+
+// As a session leaves it that was killed: its copy, and the lock of a process that is no more.
+void leave_behind(const fs::path& folder, const Scene& scene, const fs::path& file) {
+  fs::create_directories(folder);
+  save_scene(scene, folder / "killed.brume");
+  std::ofstream(folder / "killed.ini") << "[General]\nfile=" << file.string() << '\n';
+  std::ofstream(folder / "killed.lock") << "999999999\nbrume-editor\n"
+                                        << QSysInfo::machineHostName().toStdString() << '\n';
+}
+
+fs::path recovery_folder() {
+  return to_path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / "recovery";
+}
+
+}  // namespace
+
+class AutosaveTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void unsaved_work_is_kept_until_it_is_saved() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    Document document;
+    Autosave autosave(document, folder / "recovery", nullptr);
+    autosave.save_soon();
+    autosave.wait();
+    QVERIFY(copies(folder / "recovery").empty());  // nothing to lose yet
+    add_gaussian(document, {{1, 2, 3}, 1.0, 0.5});
+    autosave.save_soon();
+    autosave.wait();
+    QCOMPARE(copies(folder / "recovery").size(), std::size_t{1});
+    const fs::path copy = copies(folder / "recovery").front();
+    QVERIFY(std::ranges::equal(load_scene(copy).medium.centers(), document.medium().centers()));
+    add_gaussian(document, {{4, 5, 6}, 1.0, 0.5});
+    autosave.save_soon();
+    autosave.wait();
+    QCOMPARE(load_scene(copy).medium.size(), std::size_t{2});
+    document.save(folder / "saved.brume");
+    QVERIFY(copies(folder / "recovery").empty());
+    document.undo_stack().undo();
+    autosave.save_soon();
+    autosave.wait();
+    QCOMPARE(copies(folder / "recovery").size(), std::size_t{1});
+    document.undo_stack().redo();  // as saved
+    QVERIFY(copies(folder / "recovery").empty());
+  }
+
+  void sessions_do_not_meet() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    Document one;
+    Document two;
+    Autosave first(one, folder, nullptr);
+    Autosave second(two, folder, nullptr);
+    add_gaussian(one, {{}, 1.0, 0.5});
+    add_gaussian(two, {{}, 2.0, 0.5});
+    for (Autosave* autosave : {&first, &second}) {
+      autosave->save_soon();
+      autosave->wait();
+    }
+    QCOMPARE(copies(folder).size(), std::size_t{2});
+    QVERIFY(first.left_behind().empty());  // both live
+    leave_behind(folder, small_scene(), "/nowhere/fog.brume");
+    const auto left = second.left_behind();
+    QCOMPARE(left.size(), std::size_t{1});
+    QVERIFY(left[0].file == fs::path("/nowhere/fog.brume"));
+    first.end();
+    QCOMPARE(copies(folder).size(), std::size_t{2});
+    Autosave::forget(left[0]);
+    QCOMPARE(copies(folder).size(), std::size_t{1});
+  }
+
+  void a_full_disk_is_said_once() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path()) / "recovery";
+    Document document;
+    Autosave autosave(document, folder, nullptr);
+    QSignalSpy failed(&autosave, &Autosave::failed);
+    fs::remove_all(folder);
+    for (int k = 0; k < 2; ++k) {
+      add_gaussian(document, {{}, 1.0, 0.5});
+      fs::remove_all(folder);
+      std::ofstream(folder).close();  // a file where the folder was
+      autosave.save_soon();
+      autosave.wait();
+    }
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(!autosave.has_copy());
+  }
+
+  void it_is_offered_and_restored() {
+    leave_behind(recovery_folder(), small_scene(), "/nowhere/fog.brume");
+    {
+      TestWindow window;
+      auto* bar = window->findChild<RecoveryBar*>();
+      QVERIFY(bar->isVisible());
+      QTest::mouseClick(bar->findChild<QPushButton*>("later"), Qt::LeftButton);
+      QVERIFY(!bar->isVisible());
+      window->close();
+    }
+    QCOMPARE(copies(recovery_folder()).size(), std::size_t{1});  // nothing was deleted
+    TestWindow window;
+    window->document().create();
+    auto* bar = window->findChild<RecoveryBar*>();
+    QTest::mouseClick(bar->findChild<QPushButton*>("restore"), Qt::LeftButton);
+    QTRY_COMPARE(window->document().medium().size(), std::size_t{5});
+    QVERIFY(!bar->isVisible());
+    QCOMPARE(window->windowTitle(), QString("fog.brume[*] – Brume"));
+    QVERIFY(window->isWindowModified());
+    // The copy is now this session's.
+    QCOMPARE(copies(recovery_folder()).size(), std::size_t{1});
+    QVERIFY(copies(recovery_folder()).front().filename() != "killed.brume");
+    QVERIFY(window->files().save_to(window.file("fog.brume")));
+    QVERIFY(copies(recovery_folder()).empty());
+  }
+
+  void it_can_be_discarded() {
+    leave_behind(recovery_folder(), small_scene(), {});
+    TestWindow window;
+    auto* bar = window->findChild<RecoveryBar*>();
+    QTest::mouseClick(bar->findChild<QPushButton*>("discard"), Qt::LeftButton);
+    QVERIFY(copies(recovery_folder()).empty());
+    QVERIFY(!bar->isVisible());
+  }
+};
+
+BRUME_TEST_MAIN(AutosaveTest)
+#include "autosave_test.moc"
