@@ -14,10 +14,18 @@
 namespace brume {
 
 MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
-    : SceneForm(document, parent), surfaces_(new QComboBox(this)), type_(new QComboBox(this)) {
+    : SceneForm(document, parent),
+      surfaces_(new QComboBox(this)),
+      type_(new QComboBox(this)),
+      transfer_(new QComboBox(this)) {
   surfaces_->setObjectName("surface");
   type_->setObjectName("material_type");
   type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…")});
+  transfer_->setObjectName("transfer");
+  transfer_->addItems({tr("Nothing"), tr("Shadows"), tr("Shadows and reflections")});
+  transfer_->setToolTip(
+      tr("What the object casts onto itself of the environment and of light "
+         "that fog scatters; precomputed"));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   form->addRow(tr("Surface"), surfaces_);
@@ -37,9 +45,16 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     surfaces_->setEnabled(!surfaces.empty());
     type_->setEnabled(material() != nullptr);
     if (material()) type_->setCurrentIndex(static_cast<int>(material()->type));
+    transfer_->setEnabled(surface() != nullptr);
+    if (surface()) transfer_->setCurrentIndex(static_cast<int>(surface()->transfer));
+  });
+  connect(transfer_, &QComboBox::activated, this, [this](int index) {
+    change_surface(tr("Set what %1 casts onto itself"), no_merge,
+                   [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
   // After the list, which says what surface the fields are about.
   add_fields(*form);
+  form->addRow(tr("Onto itself"), transfer_);
   refresh();
 }
 
@@ -47,18 +62,26 @@ void MaterialPanel::show_surface(std::size_t index) {
   surfaces_->setCurrentIndex(static_cast<int>(index));
 }
 
-const Material* MaterialPanel::material() const {
+const Surface* MaterialPanel::surface() const {
   const Surfaces& surfaces = document_.scene().surfaces;
   const auto index = static_cast<std::size_t>(surfaces_->currentIndex());
-  return surfaces_->currentIndex() >= 0 && index < surfaces.size() ? &surfaces[index].material
-                                                                   : nullptr;
+  return surfaces_->currentIndex() >= 0 && index < surfaces.size() ? &surfaces[index] : nullptr;
+}
+
+const Material* MaterialPanel::material() const {
+  return surface() ? &surface()->material : nullptr;
 }
 
 void MaterialPanel::change(const QString& text, MergeId gesture,
                            const std::function<void(Material&)>& how) {
-  if (!material()) return;
+  change_surface(text, gesture, [&](Surface& s) { how(s.material); });
+}
+
+void MaterialPanel::change_surface(const QString& text, MergeId gesture,
+                                   const std::function<void(Surface&)>& how) {
+  if (!surface()) return;
   Surfaces surfaces = document_.scene().surfaces;
-  how(surfaces[static_cast<std::size_t>(surfaces_->currentIndex())].material);
+  how(surfaces[static_cast<std::size_t>(surfaces_->currentIndex())]);
   set_scene_part(document_, std::move(surfaces), text.arg(surfaces_->currentText()), gesture);
 }
 

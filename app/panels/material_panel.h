@@ -7,8 +7,9 @@ class QComboBox;
 namespace brume {
 
 struct Material;
+struct Surface;
 
-// What a surface is made of.
+// What a surface is made of, and whether it shadows and lights itself.
 class MaterialPanel : public SceneForm {
   Q_OBJECT
  public:
@@ -19,11 +20,15 @@ class MaterialPanel : public SceneForm {
  private:
   void add_fields(QFormLayout& form);
   void choose_type(int type);
+  void change_surface(const QString& text, MergeId gesture,
+                      const std::function<void(Surface&)>& how);
   void change(const QString& text, MergeId gesture, const std::function<void(Material&)>& how);
-  [[nodiscard]] const Material* material() const;  // of the surface shown; nullptr if none
+  [[nodiscard]] const Surface* surface() const;    // the one shown; nullptr if none
+  [[nodiscard]] const Material* material() const;  // its
 
   QComboBox* surfaces_;
   QComboBox* type_;
+  QComboBox* transfer_;
 };
 
 }  // namespace brume

@@ -222,8 +222,15 @@ class PanelsTest : public QObject {
     QCOMPARE(material().exponent, 40.0);
     Q_EMIT window->findChild<ColorButton*>("specular")->edited({0.5, 0.25, 0.125}, no_merge);
     QCOMPARE(material().specular, glm::dvec3(0.5, 0.25, 0.125));
-    QCOMPARE(document.undo_stack().count(), 3);
+    auto* transfer = window->findChild<QComboBox*>("transfer");
+    QCOMPARE(transfer->currentIndex(), 0);
+    transfer->setCurrentIndex(2);
+    Q_EMIT transfer->activated(2);
+    QVERIFY(document.scene().surfaces.back().transfer == Surface::Transfer::interreflection);
+    QVERIFY(document.scene().surfaces.front().transfer == Surface::Transfer::none);
+    QCOMPARE(document.undo_stack().count(), 4);
     document.undo_stack().setIndex(0);
+    QCOMPARE(transfer->currentIndex(), 0);
     QVERIFY(document.scene() == before);
   }
 
