@@ -506,6 +506,19 @@ TEST_F(CommandLine, FitsAVolumeAndASequence) {
   EXPECT_FALSE(std::filesystem::exists(file("b.ply")));
 }
 
+TEST_F(CommandLine, ExportsWhatEmittersHaveMade) {
+  const std::string scene = folder_
+                                .write("e.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
+                                .string();
+  const auto count = [&](const char* time) {
+    EXPECT_EQ(run_brume({"export", scene, "--time", time, "-o", file("e.ply")}).exit_code, 0);
+    return read_gaussians(file("e.ply")).size();
+  };
+  EXPECT_GT(count("1"), 5u);
+  EXPECT_LT(count("-1"), 1u);
+}
+
 TEST_F(CommandLine, ExportsTheMedium) {
   for (const char* name : {"m.ply", "m.csv"}) {
     ASSERT_EQ(run_brume({"export", scene_, "-o", file(name)}).exit_code, 0);

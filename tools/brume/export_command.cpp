@@ -1,6 +1,7 @@
 #include <iostream>
 #include <string>
 
+#include "core/authoring/particles.h"
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/gaussian_csv.h"
@@ -35,6 +36,9 @@ class ExportCommand final : public Command {
                    "size of a voxel of the .vdb; by default half the least radius")
         ->check(finite_in(1e-12, 1e12));
     app.add_flag("--half", half_, "store the .vdb in half precision");
+    app.add_option("--time", time_, "the moment [s] that emitters are shown at")
+        ->check(finite_in(-1e9, 1e9))
+        ->capture_default_str();
   }
 
   ExitCode run() override {
@@ -48,7 +52,7 @@ class ExportCommand final : public Command {
     }
     check_writable(output_);
     std::vector<std::string> warnings;
-    const Scene scene = load_scene(scene_, &warnings);
+    const Scene scene = at_time(load_scene(scene_, &warnings), time_);
     const Medium& medium = scene.medium;
     if (medium.homogeneous_density() > 0.0) {
       warnings.push_back("the homogeneous density, " + shown(medium.homogeneous_density()) +
@@ -90,6 +94,7 @@ class ExportCommand final : public Command {
   std::string output_;
   double voxel_size_ = 0.0;
   bool half_ = false;
+  double time_ = 0.0;
 };
 
 }  // namespace
