@@ -99,7 +99,7 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
                    {march, "march:N with N from 1 to 65536"});
   }
   expect_refused({"render", scene_, "-o", out, "--backend", "gl"}, {"not available"});
-  expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "not supported in this version"});
+  expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "no such file"});
   expect_refused({"info", file("a.txt")}, {"allowed: .brume, .ply"});
   expect_refused({"line one\nline two"}, {"unknown subcommand"});
   EXPECT_FALSE(std::filesystem::exists(out));
@@ -467,7 +467,7 @@ TEST_F(CommandLine, TakesExtensionsInAnyCase) {
   write_gaussians(folder_ / "M.PLY", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
   EXPECT_EQ(run_brume({"info", file("M.PLY")}).exit_code, 0);
   EXPECT_EQ(run_brume({"info", folder_.write("A.Brume", scene_text).string()}).exit_code, 0);
-  expect_refused({"info", file("smoke.VDB")}, {"not supported in this version"});
+  expect_refused({"info", file("smoke.VDB")}, {"smoke.VDB", "no such file"});
 }
 
 TEST_F(CommandLine, FitsAVolumeAndASequence) {
