@@ -9,17 +9,15 @@
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/gaussian_columns.h"
 #include "core/io/limits.h"
-#include "core/io/number_domain.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"x", "y", "z", "radius", "density"};
-constexpr std::array<const NumberDomain*, 5> domains{&domain::coordinate, &domain::coordinate,
-                                                     &domain::coordinate, &domain::length,
-                                                     &domain::density};
+using gaussian_columns::domains;
+using gaussian_columns::names;
 
 // The cells of a line, without the blanks around them.
 std::vector<std::string_view> cells(std::string_view line) {

@@ -11,17 +11,15 @@
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/gaussian_columns.h"
 #include "core/io/limits.h"
-#include "core/io/number_domain.h"
 #include "core/io/ply.h"
 
 namespace brume {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"x", "y", "z", "radius", "density"};
-constexpr std::array<const NumberDomain*, 5> domains{&domain::coordinate, &domain::coordinate,
-                                                     &domain::coordinate, &domain::length,
-                                                     &domain::density};
+using gaussian_columns::domains;
+using gaussian_columns::names;
 
 void append_little_endian(std::string& bytes, double value) {
   std::array<char, sizeof(double)> raw;

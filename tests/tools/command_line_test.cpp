@@ -11,56 +11,12 @@
 
 #include "core/io/gaussian_file.h"
 #include "core/io/image_file.h"
-#include "tests/tools/run_program.h"
+#include "tests/tools/command_line.h"
 
 namespace brume {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr const char* scene_text = R"({
-  "format": "brume-scene", "version": 1,
-  "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "film": { "width": 24, "height": 18 },
-  "medium": { "density": 0.02, "gaussians": [
-    { "center": [0, 0, 0], "radius": 1, "density": 0.5 },
-    { "center": [1, 0, 0], "radius": 0.5, "density": 2 } ] },
-  "lights": [ { "type": "point", "position": [2, 2, 2], "intensity": [30, 20, 10] } ],
-  "surfaces": [ { "mesh": "floor.obj" } ]
-})";
-
-class CommandLine : public ::testing::Test {
- protected:
-  CommandLine() {
-    scene_ = folder_.write("a.brume", scene_text).string();
-    folder_.write("floor.obj", "v -2 -1 -2\nv -2 -1 2\nv 2 -1 2\nv 2 -1 -2\nf 1 2 3 4\n");
-  }
-
-  [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
-
-  // Exit code 2 and one line on standard error that holds all of `parts`.
-  static void expect_refused(const std::vector<std::string>& arguments,
-                             const std::vector<std::string>& parts) {
-    const ProgramResult result = run_brume(arguments);
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_TRUE(result.err.starts_with("brume: error: ")) << result.err;
-    for (const std::string& part : parts) {
-      EXPECT_NE(result.err.find(part), std::string::npos) << part << " in " << result.err;
-    }
-  }
-
-  // An image of one pixel and the channels given.
-  void write_image(const char* name, const std::map<std::string, float>& channels) const {
-    ImageLayers image;
-    image.width = image.height = 1;
-    for (const auto& [channel, value] : channels) image.channels[channel] = {value};
-    write_exr(folder_ / name, image);
-  }
-
-  TemporaryFolder folder_;
-  std::string scene_;
-};
 
 TEST_F(CommandLine, HelpAndVersion) {
   EXPECT_EQ(run_brume({"--version"}).out, "brume " BRUME_VERSION "\n");
@@ -468,79 +424,6 @@ TEST_F(CommandLine, TakesExtensionsInAnyCase) {
   EXPECT_EQ(run_brume({"info", file("M.PLY")}).exit_code, 0);
   EXPECT_EQ(run_brume({"info", folder_.write("A.Brume", scene_text).string()}).exit_code, 0);
   expect_refused({"info", file("smoke.VDB")}, {"smoke.VDB", "no such file"});
-}
-
-TEST_F(CommandLine, FitsAVolumeAndASequence) {
-  const std::string volume = std::string(BRUME_VOLUMES) + "/smoke_0025.vdb";
-  const ProgramResult result =
-      run_brume({"fit", volume, "--count", "50", "--up", "z", "-o", file("a.ply")});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  const Json line = Json::parse(result.out);
-  EXPECT_EQ(line["gaussians"], 50);
-  EXPECT_LT(line["density_error"], 0.6);
-  EXPECT_LT(line["depth_error"], 0.3);
-  EXPECT_NEAR(line["mass_ratio"].get<double>(), 1.0, 0.005);
-  // z of the volume, from 0 to 2, has become y.
-  for (const Gaussian& g : read_gaussians(file("a.ply"))) {
-    EXPECT_GT(g.center.y, 0.0);
-    EXPECT_LT(g.center.z, 0.0);
-  }
-
-  const ProgramResult both =
-      run_brume({"fit", std::string(BRUME_VOLUMES) + "/smoke_%04d.vdb", "--frames", "25-26",
-                 "--count", "20", "-o", file("s%d.csv")});
-  EXPECT_EQ(both.exit_code, 0) << both.err;
-  EXPECT_EQ(std::count(both.out.begin(), both.out.end(), '\n'), 2);
-  EXPECT_TRUE(std::filesystem::exists(file("s26.csv")));
-  EXPECT_EQ(Json::parse(run_brume({"info", "--json", file("s26.csv")}).out)["medium"]["gaussians"],
-            20);
-  EXPECT_EQ(Json::parse(run_brume({"info", "--json", volume}).out)["grids"].size(), 5u);
-
-  expect_refused({"fit", volume, "--grid", "smoke", "-o", file("b.ply")},
-                 {"smoke_0025.vdb", "has no grid smoke", "density"});
-  expect_refused({"fit", volume, "-o", file("b.obj")}, {"b.obj", ".ply, .csv"});
-  expect_refused({"fit", volume, "--frames", "1-2", "-o", file("b.ply")}, {"--frames"});
-  expect_refused({"fit", "a%d.vdb", "--frames", "2-1", "-o", file("b%d.ply")},
-                 {"--frames: found 2-1"});
-  expect_refused({"fit", volume, "--up", "x", "-o", file("b.ply")}, {"--up"});
-  EXPECT_FALSE(std::filesystem::exists(file("b.ply")));
-}
-
-TEST_F(CommandLine, ExportsWhatEmittersHaveMade) {
-  const std::string scene = folder_
-                                .write("e.brume", R"({ "format": "brume-scene", "version": 1,
-    "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
-                                .string();
-  const auto count = [&](const char* time) {
-    EXPECT_EQ(run_brume({"export", scene, "--time", time, "-o", file("e.ply")}).exit_code, 0);
-    return read_gaussians(file("e.ply")).size();
-  };
-  EXPECT_GT(count("1"), 5u);
-  EXPECT_LT(count("-1"), 1u);
-}
-
-TEST_F(CommandLine, ExportsTheMedium) {
-  for (const char* name : {"m.ply", "m.csv"}) {
-    ASSERT_EQ(run_brume({"export", scene_, "-o", file(name)}).exit_code, 0);
-    const Json info = Json::parse(run_brume({"info", "--json", file(name)}).out);
-    EXPECT_EQ(info["medium"]["gaussians"], 2);
-  }
-  const ProgramResult result =
-      run_brume({"export", scene_, "-o", file("m.vdb"), "--voxel", "0.1", "--half"});
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.err.find("the homogeneous density, 0.02"), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("voxels of 0.1"), std::string::npos) << result.err;
-  const Json grids = Json::parse(run_brume({"info", "--json", file("m.vdb")}).out)["grids"];
-  ASSERT_EQ(grids.size(), 1u);
-  EXPECT_EQ(grids[0]["name"], "density");
-
-  const ProgramResult fine =
-      run_brume({"export", scene_, "-o", file("n.vdb"), "--voxel", "0.0001"});
-  EXPECT_EQ(fine.exit_code, 2);
-  EXPECT_NE(fine.err.find("a larger --voxel"), std::string::npos) << fine.err;
-  EXPECT_FALSE(std::filesystem::exists(file("n.vdb")));
-  expect_refused({"export", scene_, "-o", file("m.obj")}, {".vdb, .ply, .csv"});
-  expect_refused({"export", scene_, "-o", file("m.ply"), "--half"}, {"--half"});
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+// brume fit and export.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/io/gaussian_file.h"
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+using VolumeCommands = CommandLine;
+
+TEST_F(VolumeCommands, FitsAVolumeAndASequence) {
+  const std::string volume = std::string(BRUME_VOLUMES) + "/smoke_0025.vdb";
+  const ProgramResult result =
+      run_brume({"fit", volume, "--count", "50", "--up", "z", "-o", file("a.ply")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json line = Json::parse(result.out);
+  EXPECT_EQ(line["gaussians"], 50);
+  EXPECT_LT(line["density_error"], 0.6);
+  EXPECT_LT(line["depth_error"], 0.3);
+  EXPECT_NEAR(line["mass_ratio"].get<double>(), 1.0, 0.005);
+  // z of the volume, from 0 to 2, has become y.
+  for (const Gaussian& g : read_gaussians(file("a.ply"))) {
+    EXPECT_GT(g.center.y, 0.0);
+    EXPECT_LT(g.center.z, 0.0);
+  }
+
+  const ProgramResult both =
+      run_brume({"fit", std::string(BRUME_VOLUMES) + "/smoke_%04d.vdb", "--frames", "25-26",
+                 "--count", "20", "-o", file("s%d.csv")});
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_EQ(std::count(both.out.begin(), both.out.end(), '\n'), 2);
+  EXPECT_TRUE(std::filesystem::exists(file("s26.csv")));
+  EXPECT_EQ(Json::parse(run_brume({"info", "--json", file("s26.csv")}).out)["medium"]["gaussians"],
+            20);
+  EXPECT_EQ(Json::parse(run_brume({"info", "--json", volume}).out)["grids"].size(), 5u);
+
+  expect_refused({"fit", volume, "--grid", "smoke", "-o", file("b.ply")},
+                 {"smoke_0025.vdb", "has no grid smoke", "density"});
+  expect_refused({"fit", volume, "-o", file("b.obj")}, {"b.obj", ".ply, .csv"});
+  expect_refused({"fit", volume, "--frames", "1-2", "-o", file("b.ply")}, {"--frames"});
+  expect_refused({"fit", "a%d.vdb", "--frames", "2-1", "-o", file("b%d.ply")},
+                 {"--frames: found 2-1"});
+  expect_refused({"fit", volume, "--up", "x", "-o", file("b.ply")}, {"--up"});
+  EXPECT_FALSE(std::filesystem::exists(file("b.ply")));
+}
+
+TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
+  const std::string scene = folder_
+                                .write("e.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
+                                .string();
+  const auto count = [&](const char* time) {
+    EXPECT_EQ(run_brume({"export", scene, "--time", time, "-o", file("e.ply")}).exit_code, 0);
+    return read_gaussians(file("e.ply")).size();
+  };
+  EXPECT_GT(count("1"), 5u);
+  EXPECT_LT(count("-1"), 1u);
+}
+
+TEST_F(VolumeCommands, ExportsTheMedium) {
+  for (const char* name : {"m.ply", "m.csv"}) {
+    ASSERT_EQ(run_brume({"export", scene_, "-o", file(name)}).exit_code, 0);
+    const Json info = Json::parse(run_brume({"info", "--json", file(name)}).out);
+    EXPECT_EQ(info["medium"]["gaussians"], 2);
+  }
+  const ProgramResult result =
+      run_brume({"export", scene_, "-o", file("m.vdb"), "--voxel", "0.1", "--half"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("the homogeneous density, 0.02"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("voxels of 0.1"), std::string::npos) << result.err;
+  const Json grids = Json::parse(run_brume({"info", "--json", file("m.vdb")}).out)["grids"];
+  ASSERT_EQ(grids.size(), 1u);
+  EXPECT_EQ(grids[0]["name"], "density");
+
+  const ProgramResult fine =
+      run_brume({"export", scene_, "-o", file("n.vdb"), "--voxel", "0.0001"});
+  EXPECT_EQ(fine.exit_code, 2);
+  EXPECT_NE(fine.err.find("a larger --voxel"), std::string::npos) << fine.err;
+  EXPECT_FALSE(std::filesystem::exists(file("n.vdb")));
+  expect_refused({"export", scene_, "-o", file("m.obj")}, {".vdb, .ply, .csv"});
+  expect_refused({"export", scene_, "-o", file("m.ply"), "--half"}, {"--half"});
+}
+
+}  // namespace
+}  // namespace brume
