@@ -313,7 +313,7 @@ std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Ga
     gaussians.push_back({grid.spacing * grid.to_voxel(g.center), 1.0 / g.radius, g.density});
   }
   fitting.begin(std::move(gaussians));
-  constexpr int rounds = 5;
+  constexpr int rounds = 9;
   constexpr int steps = 8;
   for (int round = 0; round < rounds; ++round) {
     const double begin = round / static_cast<double>(rounds);
