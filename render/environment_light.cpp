@@ -60,25 +60,67 @@ glm::vec3 EnvironmentLight::glow(const glm::dvec3& w, float T) const {
   return banded(light_float_, (*scattering_)(T), w);
 }
 
-ShVector<glm::dvec3> EnvironmentLight::incident(float Tbar, double albedo) const {
-  const ScatterTable::Bands scattered = (*scattering_)(Tbar);
-  const double straight = std::exp(-static_cast<double>(Tbar));
+ScatterTable::Bands EnvironmentLight::arriving(float Tbar, double albedo) const {
+  const float straight = std::exp(-Tbar);
+  ScatterTable::Bands shares = (*scattering_)(Tbar);
+  for (float& share : shares) share = straight + static_cast<float>(albedo) * share;
+  return shares;
+}
+
+ShVector<glm::dvec3> EnvironmentLight::incident(const ScatterTable::Bands& shares) const {
   ShVector<glm::dvec3> light(light_.order());
   for (int l = 0; l < light.order(); ++l) {
-    const double factor =
-        straight + albedo * static_cast<double>(scattered[static_cast<std::size_t>(l)]);
-    for (int m = -l; m <= l; ++m) light[sh_index(l, m)] = factor * light_[sh_index(l, m)];
+    const auto share = static_cast<double>(shares[static_cast<std::size_t>(l)]);
+    for (int m = -l; m <= l; ++m) light[sh_index(l, m)] = share * light_[sh_index(l, m)];
   }
   return light;
 }
 
-glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, float Tbar, double albedo) const {
-  const float straight = std::exp(-Tbar);
-  ScatterTable::Bands factors = (*scattering_)(Tbar);
-  for (std::size_t l = 0; l < factors.size(); ++l) {
-    factors[l] = cosine_factors()[l] * (straight + static_cast<float>(albedo) * factors[l]);
+ShVector<glm::dvec3> EnvironmentLight::incident(const ArrivingLight& arriving) const {
+  ShVector<glm::dvec3> light(light_.order());
+  const glm::dvec3 dimmed(dimming(arriving));
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    light[i] = i < sh_size(grid_bands)
+                   ? environment_.intensity *
+                         glm::dvec3(arriving[4 * i], arriving[4 * i + 1], arriving[4 * i + 2])
+                   : dimmed * light_[i];
   }
+  return light;
+}
+
+glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, const ScatterTable::Bands& shares) const {
+  ScatterTable::Bands factors;
+  for (std::size_t l = 0; l < factors.size(); ++l) factors[l] = cosine_factors()[l] * shares[l];
   return banded(light_float_, factors, n);
+}
+
+glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, const ArrivingLight& arriving) const {
+  // The fourth and the sixth band are nothing to a diffuse surface.
+  const ShVector<float> y = sh_basis(5, glm::vec3(n));
+  const auto intensity = static_cast<float>(environment_.intensity);
+  glm::vec3 sum(0.0f);
+  for (int l = 0; l < 3; ++l) {
+    glm::vec3 band(0.0f);
+    for (int m = -l; m <= l; ++m) {
+      const std::size_t i = sh_index(l, m);
+      band += y[i] * glm::vec3(arriving[4 * i], arriving[4 * i + 1], arriving[4 * i + 2]);
+    }
+    sum += intensity * cosine_factors()[static_cast<std::size_t>(l)] * band;
+  }
+  glm::vec3 fifth(0.0f);
+  for (std::size_t i = sh_size(4); i < sh_size(5); ++i) fifth += y[i] * light_float_[i];
+  return glm::max(sum + cosine_factors()[4] * dimming(arriving) * fifth, 0.0f);
+}
+
+glm::vec3 EnvironmentLight::dimming(const ArrivingLight& arriving) const {
+  glm::vec3 share(0.0f);
+  for (int c = 0; c < 3; ++c) {
+    const float all = light_float_[0][c];
+    const float left =
+        static_cast<float>(environment_.intensity) * arriving[static_cast<std::size_t>(c)];
+    if (all > 0.0f) share[c] = left / all;
+  }
+  return share;
 }
 
 }  // namespace brume

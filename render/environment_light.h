@@ -6,6 +6,7 @@
 #include "core/math/spherical_harmonics.h"
 #include "core/scene/scene.h"
 #include "render/cpu/scatter_table.h"
+#include "render/cpu/source_look_up.h"
 
 namespace brume {
 
@@ -26,13 +27,23 @@ class EnvironmentLight {
   // T e^-T (L * spread)(w) (eq. 28), here also in front of surfaces, where its mist would be black.
   [[nodiscard]] glm::vec3 glow(const glm::dvec3& w, float T) const;
 
-  // Coefficients of what arrives at a point of average optical depth Tbar (eq. 27).
-  [[nodiscard]] ShVector<glm::dvec3> incident(float Tbar, double albedo) const;
+  // Band by band, how much of the light arrives at a point of average optical depth Tbar, straight
+  // and scattered (eq. 27).
+  [[nodiscard]] ScatterTable::Bands arriving(float Tbar, double albedo) const;
+
+  // Coefficients of what arrives at a point: with those shares, or what a SourceGrid has there of
+  // the map as it is. The bands that the grid does not keep are dimmed as the mean of all light is.
+  [[nodiscard]] ShVector<glm::dvec3> incident(const ScatterTable::Bands& shares) const;
+  [[nodiscard]] ShVector<glm::dvec3> incident(const ArrivingLight& light) const;
 
   // What a surface of reflectance 1 and unit normal n makes of incident(): its irradiance / pi.
-  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, float Tbar, double albedo) const;
+  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ScatterTable::Bands& shares) const;
+  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ArrivingLight& light) const;
 
  private:
+  // The mean of the light that arrives beside that without a medium, R G B.
+  [[nodiscard]] glm::vec3 dimming(const ArrivingLight& light) const;
+
   Environment environment_;
   const ScatterTable* scattering_;
   ShVector<glm::dvec3> light_;

@@ -38,22 +38,22 @@ std::shared_ptr<const RadianceMap> convolved(const RadianceMap& map, double g, c
 
 }  // namespace
 
-bool EnvironmentSource::update(const Environment& environment, const Medium& medium,
-                               double anisotropy, double fog_depth, const SourceGridSize& size,
-                               const Job& job) {
-  const bool same_light =
-      grid_ && environment_.map == environment.map && anisotropy_ == anisotropy && size_ == size;
-  const bool same =
-      same_light && environment_.rotation == environment.rotation && medium_ == medium;
+bool EnvironmentSource::update(const Input& input, const Job& job) {
+  const Environment& environment = input.environment;
+  const bool same_light = grid_ && environment_.map == environment.map &&
+                          anisotropy_ == input.anisotropy && size_ == input.size;
+  const bool same = same_light && environment_.rotation == environment.rotation &&
+                    receivers_ == input.receivers && medium_ == input.medium;
   environment_ = environment;
   scattered_.intensity = environment.intensity;
   scattered_.rotation = environment.rotation;
-  attenuation_ = std::exp(-fog_depth);
+  attenuation_ = std::exp(-input.fog_depth);
   if (same) return true;
-  if (!same_light) read_map(*environment.map, anisotropy, size.directions, job);
-  medium_ = medium;
-  anisotropy_ = anisotropy;
-  size_ = size;
+  if (!same_light) read_map(*environment.map, input.anisotropy, input.size.directions, job);
+  medium_ = input.medium;
+  anisotropy_ = input.anisotropy;
+  receivers_ = input.receivers;
+  size_ = input.size;
 
   std::vector<DistantLight> lights = lights_;
   light_ = ShVector<glm::dvec3>(phase_.count());
@@ -63,9 +63,10 @@ bool EnvironmentSource::update(const Environment& environment, const Medium& med
     for (std::size_t i = 0; i < light_.size(); ++i) light_[i] += basis[i] * light.flux;
   }
   std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < medium.size(); ++i) gaussians.emplace_back(medium.gaussian(i));
-  const bool has_fog = medium.homogeneous_density() > 0.0;
-  grid_.emplace(gaussians, lights, phase_.count(), size, has_fog, job);
+  for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
+  const bool has_fog = medium_.homogeneous_density() > 0.0;
+  grid_.emplace(gaussians, lights, SourceGrid::Content{phase_.count(), has_fog, receivers_},
+                input.size, job);
   if (job.stop.stop_requested()) grid_.reset();
   return grid_.has_value();
 }

@@ -22,15 +22,21 @@ namespace brume {
 // right for any phase function.
 class EnvironmentSource {
  public:
-  // `medium` is that of the extinction coefficient; `fog_depth` the optical depth of its
-  // homogeneous part from any point to where the fog ends. False if the job was stopped: then this
-  // is empty.
-  bool update(const Environment& environment, const Medium& medium, double anisotropy,
-              double fog_depth, const SourceGridSize& size, const Job& job);
+  struct Input {
+    const Environment& environment;
+    const Medium& medium;  // of the extinction coefficient
+    double anisotropy;
+    double fog_depth;  // of the homogeneous part, from any point to where the fog ends
+    std::optional<SourceGrid::Receivers> receivers;
+    SourceGridSize size;
+  };
+  // False if the job was stopped: then this is empty.
+  bool update(const Input& input, const Job& job);
   void clear() { grid_.reset(); }
 
   // From here on, of the last update().
   [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
+  [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
   // For a view ray along the unit vector w.
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
 
@@ -41,6 +47,7 @@ class EnvironmentSource {
   Environment environment_;
   Medium medium_;
   double anisotropy_ = 0.0;
+  std::optional<SourceGrid::Receivers> receivers_;
   SourceGridSize size_;
 
   std::vector<DistantLight> lights_;  // in the frame of the map

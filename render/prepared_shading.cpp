@@ -46,7 +46,10 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
   std::erase_if(reflections_, [&](const auto& known) {
     return unused([&](const Surface& s) { return s.material == known->material; });
   });
-  const Medium medium = plan.environment && plan.gaussians ? scene.medium : Medium();
+  // Other methods know what arrives at a point.
+  const bool needs_average =
+      plan.environment && plan.gaussians && settings.airlight == AirlightMethod::paper;
+  const Medium medium = needs_average ? scene.medium : Medium();
   if (!(medium_ == medium)) {
     depths_.clear();
     medium_ = medium;
@@ -70,7 +73,7 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
         (plan.scattered_on_surfaces || plan.environment)) {
       shading_[i].brdf = &sh_material_of(surface.material).brdf();
     }
-    if (plan.environment && plan.gaussians) {
+    if (needs_average) {
       shading_[i].average_depth = &average_depth_of(surface);
     }
     if (const auto transfer = transfer_of(surface)) {
@@ -89,10 +92,16 @@ void PreparedShading::take_light(const Scene& scene, const MediumIndex& medium,
                                  Settings::Arithmetic arithmetic, const Job& job,
                                  std::uint64_t& pairs) {
   if (vertex_lights_.empty()) return;
-  LitBy lit_by{scene.medium,       scene.lights,    scene.environment,
-               lighting.fog_depth, lighting.albedo, {}};
+  LitBy lit_by{scene.medium,
+               scene.lights,
+               scene.environment,
+               scene.optics.anisotropy,
+               lighting.fog_depth,
+               lighting.albedo,
+               {}};
   lit_by.settings.airlight = settings.airlight;
   lit_by.settings.light_table = settings.light_table;
+  lit_by.settings.source_grid = settings.source_grid;
   lit_by.settings.depth_error = settings.depth_error;
   lit_by.settings.paper_spread = settings.paper_spread;
   lit_by.settings.arithmetic = arithmetic;

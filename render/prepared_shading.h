@@ -67,6 +67,7 @@ class PreparedShading {
     Medium medium;
     std::vector<PointLight> lights;
     std::optional<Environment> environment;
+    double anisotropy = 0.0;
     double fog_depth = 0.0;
     double albedo = 1.0;
     Settings settings;

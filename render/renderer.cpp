@@ -77,6 +77,7 @@ struct Renderer::Impl {
   static bool find_transfers(Work& work);
   void find_surfaces(Work& work, double ray_end);
   bool prepare_source(const Work& work, StageClock& clock);
+  ArrivalOptics arrival_optics(const Work& work) const;
   TileMethod airlight_method(Work& work, StageClock& clock);
   TileMethod paper(Work& work, StageClock& clock);
   TileMethod sliced(Work& work, StageClock& clock);
@@ -255,16 +256,36 @@ void Renderer::Impl::find_surfaces(Work& work, double ray_end) {
 // False: the job was stopped.
 bool Renderer::Impl::prepare_source(const Work& work, StageClock& clock) {
   const AirlightMethod method = work.settings.airlight;
+  const bool airlight =
+      work.plan.airlight && (method == AirlightMethod::sliced || method == AirlightMethod::march);
+  const bool receivers = work.plan.surfaces && method != AirlightMethod::paper;
   if (!work.plan.environment || !work.plan.airlight) {
     source.clear();
     return true;
   }
-  if (method != AirlightMethod::sliced && method != AirlightMethod::march) return true;
-  const bool made =
-      source.update(*work.scene.environment, work.scene.medium, work.scene.optics.anisotropy,
-                    fog_depth(work), work.settings.source_grid, work.job);
+  if (!airlight && !receivers) return true;
+  EnvironmentSource::Input input{*work.scene.environment,
+                                 work.scene.medium,
+                                 work.scene.optics.anisotropy,
+                                 fog_depth(work),
+                                 {},
+                                 work.settings.source_grid};
+  if (receivers) input.receivers = {prepared.visibility().bounds(), arrival_optics(work)};
+  const bool made = source.update(input, work.job);
   clock.finish("environment");
   return made;
+}
+
+ArrivalOptics Renderer::Impl::arrival_optics(const Work& work) const {
+  ArrivalOptics optics;
+  optics.fog_density = prepared.medium().homogeneous_density();
+  optics.anisotropy = work.scene.optics.anisotropy;
+  const double fog = fog_depth(work);
+  const ScatterTable::Bands shares =
+      shading.environment()->arriving(static_cast<float>(fog), work.albedo);
+  std::copy_n(shares.begin(), grid_bands, optics.through_fog.begin());
+  optics.scattered = work.albedo * std::exp(-fog);
+  return optics;
 }
 
 TileMethod Renderer::Impl::airlight_method(Work& work, StageClock& clock) {
@@ -416,7 +437,12 @@ void Renderer::Impl::shade_surfaces(Work& work) {
   SurfaceLighting lighting;
   lighting.environment = shading.environment();
   lighting.albedo = work.albedo;
-  if (lighting.environment) lighting.fog_depth = fog_depth(work);
+  if (lighting.environment) {
+    lighting.fog_depth = fog_depth(work);
+    if (source.has_receivers() && work.settings.airlight != AirlightMethod::paper) {
+      lighting.arriving = &source.grid();
+    }
+  }
   if (work.plan.scattered_on_surfaces) {
     const bool paper = work.settings.paper_spread;
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();

@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "core/transport/optical_depth.h"
+#include "render/cpu/box.h"
 
 namespace brume {
-
-// An axis-aligned box; empty unless low <= high.
-struct Box {
-  glm::dvec3 low{0.0};
-  glm::dvec3 high{0.0};
-};
 
 // Tbar(p) of Gaussians (core/transport/average_depth.h) in a box, on a grid and interpolated
 // linearly in between. It does not fall off fast enough to leave anything out, so each node sums

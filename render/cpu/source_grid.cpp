@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 #include "core/math/spherical_harmonics.h"
@@ -37,6 +38,10 @@ struct Bounds {
     }
   }
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+  [[nodiscard]] bool hold(const Box& box) const {
+    return glm::all(glm::lessThanEqual(low, box.low)) &&
+           glm::all(glm::greaterThanEqual(high, box.high));
+  }
 };
 
 // Nodes from `low` to `high` at the least spacing that makes no more than `most` of them, but not
@@ -66,12 +71,13 @@ void append_weights(const DistantLight& light, int bands, std::vector<float>& to
 }
 
 void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussians,
-          std::span<const DistantLight> lights, int bands, const Job& job) {
+          std::span<const DistantLight> lights, const SourceGrid::Content& content,
+          const Job& job) {
   const std::vector<float> density = density_on_grid(gaussians, level.first, level.nodes, job);
   const std::size_t nodes = level.nodes.size();
   const std::size_t stride = padded(nodes);
-  const auto functions = sh_size(bands);
-  const std::size_t channels = 3 * functions;
+  const int bands = content.receivers ? grid_bands : content.bands;
+  const std::size_t channels = 3 * sh_size(bands);
   std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
   std::vector<float> sums(channels * stride, 0.0f);
   for (std::size_t first = 0; first < lights.size(); first += batch) {
@@ -87,14 +93,19 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
                    std::min((b + 1) * block, stride), sums);
     });
   }
+  const auto functions = sh_size(content.bands);
   level.values.resize(4 * functions * nodes);
   job.each((nodes + block - 1) / block, [&](std::size_t b) {
     for (std::size_t i = b * block; i < std::min((b + 1) * block, nodes); ++i) {
-      for (std::size_t c = 0; c < channels; ++c) {
+      for (std::size_t c = 0; c < 3 * functions; ++c) {
         level.values[4 * (functions * i + c / 3) + c % 3] = sums[c * stride + i];
       }
     }
   });
+  if (content.receivers) {
+    level.arriving =
+        arriving_light(level.nodes, density, sums, stride, content.receivers->optics, job);
+  }
 }
 
 }  // namespace
@@ -120,22 +131,22 @@ std::array<float, sh_size(PhaseBands::most)> PhaseBands::at(const glm::dvec3& w)
 }
 
 SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
-                       std::span<const DistantLight> lights, int bands, const SourceGridSize& size,
-                       bool surroundings, const Job& job)
-    : bands_(bands) {
+                       std::span<const DistantLight> lights, const Content& content,
+                       const SourceGridSize& size, const Job& job)
+    : bands_(content.bands) {
   const Bounds bounds(gaussians);
   if (bounds.empty()) {
-    levels_.push_back(Level{glm::dvec3(0.0), GridNodes{}, {}});
+    levels_.emplace_back();
   } else {
     levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.least_radius, size.nodes));
-    if (surroundings) {
+    if (content.has_fog || (content.receivers && !bounds.hold(content.receivers->box))) {
       const double beyond = glm::length(bounds.high - bounds.low);
       levels_.push_back(layout(bounds.low - beyond, bounds.high + beyond,
                                2.0 * static_cast<double>(levels_[0].nodes.spacing),
                                size.nodes / 2));
     }
   }
-  for (Level& level : levels_) fill(level, gaussians, lights, bands, job);
+  for (Level& level : levels_) fill(level, gaussians, lights, content, job);
 }
 
 }  // namespace brume

@@ -2,11 +2,14 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
 #include "core/transport/optical_depth.h"
+#include "render/cpu/arriving_light.h"
+#include "render/cpu/box.h"
 #include "render/cpu/sweep_kernels.h"
 #include "render/distant_lights.h"
 #include "render/job.h"
@@ -18,7 +21,7 @@ namespace brume {
 // around a point times g^l is that band of what is scattered there.
 class PhaseBands {
  public:
-  static constexpr int most = 4;
+  static constexpr int most = grid_bands;
 
   // One band for isotropic scattering, else four.
   explicit PhaseBands(double anisotropy);
@@ -38,18 +41,33 @@ class PhaseBands {
 // away. Kept on a grid around the Gaussians as the first bands of spherical harmonics of the light
 // that arrives, and interpolated linearly. The transmittance towards each light is swept through
 // the grid, so the cost is nodes x lights and depends little on the number of Gaussians.
+//
+// Where surfaces are lit, it also holds the light that arrives at each node itself, for them.
 class SourceGrid {
  public:
-  // `surroundings`: a second, coarser grid reaches out 4 times as far, for fog around the
-  // Gaussians. In parallel; after a stop of the job the grid is of no use.
+  struct Receivers {
+    Box box;  // around the surfaces
+    ArrivalOptics optics;
+
+    bool operator==(const Receivers&) const = default;
+  };
+  struct Content {
+    int bands = 1;  // of J, <= grid_bands
+    bool has_fog = false;
+    std::optional<Receivers> receivers;
+  };
+
+  // A second, coarser grid reaches out 4 times as far where there is fog around the Gaussians, or
+  // surfaces. In parallel; after a stop of the job the grid is of no use.
   SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const DistantLight> lights,
-             int bands, const SourceGridSize& size, bool surroundings, const Job& job);
+             const Content& content, const SourceGridSize& size, const Job& job);
 
   // What a SourceLookUp needs. A node holds, for each basis function, R G B 0.
   struct Level {
     glm::dvec3 first{0.0};  // where node 0 stands
     GridNodes nodes;
-    std::vector<float> values;
+    std::vector<float> values;    // J
+    std::vector<float> arriving;  // see arriving_light(); empty without receivers
   };
   // From fine to coarse: one or two.
   [[nodiscard]] std::span<const Level> levels() const { return levels_; }

@@ -20,8 +20,9 @@ struct Cell {
   float shares[8];  // of its corners, x fastest
 
   // `at`: in cells from the first node; `size`: floats in a node.
-  Cell(const SourceLookUp::Level& level, const glm::vec3& at, std::ptrdiff_t size)
-      : corner(level.values), row(size * level.count.x), slab(row * level.count.y) {
+  Cell(const SourceLookUp::Level& level, const float* values, const glm::vec3& at,
+       std::ptrdiff_t size)
+      : corner(values), row(size * level.count.x), slab(row * level.count.y) {
     const std::ptrdiff_t step[] = {size, row, slab};
     float f[3];
     for (int k = 0; k < 3; ++k) {
@@ -45,33 +46,43 @@ bool Holds(const SourceLookUp::Level& level, const glm::vec3& at) {
          at.z <= static_cast<float>(level.count.z - 1);
 }
 
+// The cell of the finest level that holds a point, of nodes of `size` floats.
+Cell CellAt(std::span<const SourceLookUp::Level> levels, const float* SourceLookUp::Level::*values,
+            const glm::vec3& p, std::ptrdiff_t size) {
+  const SourceLookUp::Level* level = levels.data();
+  glm::vec3 at = level->per_unit * (p - level->first);
+  if (levels.size() > 1 && !Holds(*level, at)) {
+    ++level;
+    at = level->per_unit * (p - level->first);
+  }
+  return {*level, level->*values, at, size};
+}
+
+// What a cell has at its point, from float i of its nodes on.
+template <std::size_t size, class D>
+HWY_INLINE hn::Vec<D> Mixed(const Cell& cell, D d, std::size_t i) {
+  auto value = hn::Zero(d);
+  for (std::size_t c = 0; c < 8; ++c) {
+    const float* node =
+        cell.corner + i + (c & 1) * size + (c >> 1 & 1) * cell.row + (c >> 2) * cell.slab;
+    value = hn::MulAdd(hn::Set(d, cell.shares[c]), hn::LoadU(d, node), value);
+  }
+  return value;
+}
+
 // Nodes of `size` floats, mixed in vectors of no more.
 template <std::size_t size>
 HWY_INLINE glm::vec3 Sum(std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
                          std::span<const float> t, std::span<const float> shares,
                          const float* weights) {
   const hn::CappedTag<float, (size < 16 ? size : 16)> d;
-  const std::size_t lanes = hn::Lanes(d);
   float sums[size] = {};
   for (std::size_t k = 0; k < t.size(); ++k) {
     if (!(shares[k] > 0.0f)) continue;
-    const glm::vec3 p = t[k] * w;
-    std::size_t l = 0;
-    glm::vec3 at = levels[0].per_unit * (p - levels[0].first);
-    if (levels.size() > 1 && !Holds(levels[0], at)) {
-      l = 1;
-      at = levels[1].per_unit * (p - levels[1].first);
-    }
-    const Cell cell(levels[l], at, size);
-    for (std::size_t i = 0; i < size; i += lanes) {
-      auto value = hn::Zero(d);
-      for (std::size_t c = 0; c < 8; ++c) {
-        const float* node =
-            cell.corner + i + (c & 1) * size + (c >> 1 & 1) * cell.row + (c >> 2) * cell.slab;
-        value = hn::MulAdd(hn::Set(d, cell.shares[c]), hn::LoadU(d, node), value);
-      }
+    const Cell cell = CellAt(levels, &SourceLookUp::Level::values, t[k] * w, size);
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
       const auto weight = hn::Mul(hn::Set(d, shares[k]), hn::LoadU(d, weights + i));
-      hn::StoreU(hn::MulAdd(weight, value, hn::LoadU(d, sums + i)), d, sums + i);
+      hn::StoreU(hn::MulAdd(weight, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d, sums + i);
     }
   }
   glm::vec3 result(0.0f);
@@ -79,6 +90,15 @@ HWY_INLINE glm::vec3 Sum(std::span<const SourceLookUp::Level> levels, const glm:
     result += glm::vec3(sums[i], sums[i + 1], sums[i + 2]);
   }
   return result;
+}
+
+void MixArriving(std::span<const SourceLookUp::Level> levels, const glm::vec3& p, float* values) {
+  constexpr std::size_t size = std::tuple_size_v<ArrivingLight>;
+  const hn::CappedTag<float, 16> d;
+  const Cell cell = CellAt(levels, &SourceLookUp::Level::arriving, p, size);
+  for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+    hn::StoreU(Mixed<size>(cell, d, i), d, values + i);
+  }
 }
 
 glm::vec3 SumSource(int bands, std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
@@ -94,12 +114,13 @@ HWY_AFTER_NAMESPACE();
 namespace brume {
 
 HWY_EXPORT(SumSource);
+HWY_EXPORT(MixArriving);
 
 SourceLookUp::SourceLookUp(const SourceGrid& grid, const glm::dvec3& origin)
     : bands_(grid.bands()) {
   for (const SourceGrid::Level& level : grid.levels()) {
     levels_[count_++] = {glm::vec3(level.first - origin), 1.0f / level.nodes.spacing,
-                         level.nodes.count, level.values.data()};
+                         level.nodes.count, level.values.data(), level.arriving.data()};
   }
 }
 
@@ -108,6 +129,12 @@ glm::vec3 SourceLookUp::operator()(const glm::vec3& w, std::span<const float> t,
                                    const SourceWeights& weights) const {
   return HWY_DYNAMIC_DISPATCH(SumSource)(bands_, std::span(levels_).first(count_), w, t, shares,
                                          weights.data());
+}
+
+ArrivingLight SourceLookUp::arriving(const glm::vec3& p) const {
+  ArrivingLight light;
+  HWY_DYNAMIC_DISPATCH(MixArriving)(std::span(levels_).first(count_), p, light.data());
+  return light;
 }
 
 }  // namespace brume

@@ -13,7 +13,10 @@ namespace brume {
 // its weight. They lie like the values: for each basis function R G B 0.
 using SourceWeights = std::array<float, 4 * sh_size(PhaseBands::most)>;
 
-// J of a SourceGrid on rays from one origin, in single precision (Highway). Refers to the grid.
+// The light that arrives at a point: for each basis function R G B 0.
+using ArrivingLight = std::array<float, 4 * sh_size(grid_bands)>;
+
+// A SourceGrid seen from one origin, in single precision (Highway). Refers to the grid.
 class SourceLookUp {
  public:
   SourceLookUp(const SourceGrid& grid, const glm::dvec3& origin);
@@ -24,12 +27,16 @@ class SourceLookUp {
                                      std::span<const float> shares,
                                      const SourceWeights& weights) const;
 
+  // The light that arrives at origin + p, where the grid has receivers. Thread-safe.
+  [[nodiscard]] ArrivingLight arriving(const glm::vec3& p) const;
+
   // The grid relative to the origin.
   struct Level {
     glm::vec3 first{0.0f};
     float per_unit = 1.0f;
     glm::ivec3 count{2};
     const float* values = nullptr;
+    const float* arriving = nullptr;
   };
 
  private:

@@ -73,17 +73,28 @@ void add_reflections(const BrdfSh& brdf, const BandArrays& factors, const Surfac
   }
 }
 
-glm::vec3 of_environment(const EnvironmentLight& environment, const BrdfSh* brdf,
-                         const glm::vec3& reflectance, const glm::dvec3& normal,
-                         const glm::dvec3& to_eye, float Tbar, double albedo) {
-  if (!brdf) return reflectance * environment.diffuse(normal, Tbar, albedo);
-  const glm::dquat frame = surface_frame(normal, to_eye);
+// `arriving` is what EnvironmentLight takes.
+template <class Arriving>
+glm::vec3 of_environment(const EnvironmentLight& environment, const Arriving& arriving,
+                         const BrdfSh* brdf, const SurfacePoints& points, std::size_t k) {
+  const glm::dvec3 normal = points.normal[k];
+  if (!brdf) {
+    return glm::vec3(points.surface->material.reflectance) * environment.diffuse(normal, arriving);
+  }
+  const glm::dquat frame = surface_frame(normal, points.to_eye[k]);
   const ShVector<glm::dvec3> light =
-      sh_rotate(environment.incident(Tbar, albedo), glm::conjugate(frame));
-  const ShVector<glm::dvec3> B = (*brdf)(glm::dot(normal, to_eye));
+      sh_rotate(environment.incident(arriving), glm::conjugate(frame));
+  const ShVector<glm::dvec3> B = (*brdf)(glm::dot(normal, points.to_eye[k]));
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < B.size(); ++i) sum += light[i] * B[i];
   return glm::vec3(glm::max(sum, 0.0));
+}
+
+void add_environment(const SurfaceLighting& lighting, const SurfaceShading& shading,
+                     const SurfacePoints& points, PointRadiance& radiance) {
+  each_arrival(lighting, shading.average_depth, points, [&](std::size_t k, const auto& arriving) {
+    add(of_environment(*lighting.environment, arriving, shading.brdf, points, k), k, radiance);
+  });
 }
 
 }  // namespace
@@ -145,17 +156,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
       add_scattered_light(points, at, factors, reflected, radiance);
     }
   }
-  if (lighting.environment) {
-    const auto fog = static_cast<float>(lighting.fog_depth);
-    for (std::size_t k = 0; k < points.count; ++k) {
-      const float Tbar = shading.average_depth
-                             ? fog + (*shading.average_depth)(points.origin + points.position[k])
-                             : fog;
-      add(of_environment(*lighting.environment, shading.brdf, glm::vec3(material.reflectance),
-                         points.normal[k], points.to_eye[k], Tbar, lighting.albedo),
-          k, radiance);
-    }
-  }
+  if (lighting.environment) add_environment(lighting, shading, points, radiance);
   return pairs;
 }
 

@@ -4,6 +4,7 @@
 
 #include "render/cpu/light_table.h"
 #include "render/cpu/scatter_table.h"
+#include "render/cpu/source_look_up.h"
 #include "render/cpu/surface_points.h"
 #include "render/cpu/visibility.h"
 #include "render/environment_light.h"
@@ -29,9 +30,30 @@ struct SurfaceLighting {
   const ScatterTable* point = nullptr;
   const ScatterTable* distant = nullptr;
   const EnvironmentLight* environment = nullptr;  // null: there is none
-  double fog_depth = 0.0;                         // b0's part of the average optical depth
+  // With receivers: what arrives of the environment. Null: it has the average optical depth.
+  const SourceGrid* arriving = nullptr;
+  double fog_depth = 0.0;  // b0's part of the average optical depth
   double albedo = 1.0;
 };
+
+// Calls visit(k, what arrives of the environment at point k, as EnvironmentLight takes it).
+template <class Visit>
+void each_arrival(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
+                  const SurfacePoints& points, Visit visit) {
+  if (lighting.arriving) {
+    const SourceLookUp light(*lighting.arriving, points.origin);
+    for (std::size_t k = 0; k < points.count; ++k) {
+      visit(k, light.arriving(glm::vec3(points.position[k])));
+    }
+    return;
+  }
+  const auto fog = static_cast<float>(lighting.fog_depth);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const float Tbar =
+        average_depth ? fog + (*average_depth)(points.origin + points.position[k]) : fog;
+    visit(k, lighting.environment->arriving(Tbar, lighting.albedo));
+  }
+}
 
 // Sets at.depths of points for a light whose at.paths are set. Returns the number of Gaussian x
 // path pairs evaluated. Thread-safe.
@@ -42,7 +64,8 @@ std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
 // Sets the RGB radiance of points of one surface, which `shading` belongs to:
 //   light that comes straight from the lights, with cast shadows, times exp(-T(s, p)), by brdf();
 //   light of theirs that the medium scatters once on its way (eq. 25), which no surface shadows;
-//   light of the environment, straight and scattered (eq. 27), which no surface shadows;
+//   light of the environment, straight and scattered, which no surface shadows: as the grid has it,
+//   or with the average optical depth (eq. 27);
 // the last two as spherical harmonics of six bands. In single precision but for T(s, p), which
 // `arithmetic` decides on where there is no table. Returns the number of Gaussian x path pairs
 // evaluated. Thread-safe.

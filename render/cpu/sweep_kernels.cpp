@@ -20,16 +20,31 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-// A slab of nodes with a border of one node, and room for whole vectors at the end of rows.
+// The values of a slab of nodes with a border of one node, and room for whole vectors at the end of
+// rows.
 struct Slab {
-  std::size_t stride;
-  std::vector<float> density;
-  std::vector<float> transmittance;
+  std::size_t columns, stride;
+  float border;
+  std::vector<float> values;
 
-  Slab(std::size_t columns, std::size_t rows)
-      : stride(columns + 2 + hn::Lanes(D())),
-        density(stride * (rows + 2), 0.0f),
-        transmittance(stride * (rows + 2), 1.0f) {}
+  Slab(std::size_t width, std::size_t height, float outside)
+      : columns(width),
+        stride(width + 2 + hn::Lanes(D())),
+        border(outside),
+        values(stride * (height + 2), outside) {}
+
+  float* row(std::size_t v) { return values.data() + (v + 1) * stride + 1; }
+  // After whole vectors were written over the border.
+  void end_row(std::size_t v) { std::fill_n(row(v) + columns, stride - columns - 1, border); }
+};
+
+// A slab and the one before it.
+struct TwoSlabs {
+  Slab before, now;
+
+  TwoSlabs(std::size_t columns, std::size_t rows, float border)
+      : before(columns, rows, border), now(before) {}
+  void advance() { std::swap(before, now); }
 };
 
 // Where the grid's values lie along the axes of a sweep: u and v in a slab, s from slab to slab.
@@ -76,42 +91,122 @@ struct Taps {
   }
 };
 
+// What all sweeps share: the order of the slabs, and where rows of them lie in the grid.
+struct Sweep {
+  Axes axes;
+  std::size_t columns, rows, slabs;
+  std::ptrdiff_t first, step;  // of slabs
+  float length;                // of the way between slabs [u]
+  float shift_u, shift_v;
+
+  Sweep(const GridNodes& nodes, const glm::vec3& w)
+      : axes(nodes.count, w),
+        columns(static_cast<std::size_t>(nodes.count[axes.u])),
+        rows(static_cast<std::size_t>(nodes.count[axes.v])),
+        slabs(static_cast<std::size_t>(nodes.count[axes.s])) {
+    const float steep = std::abs(w[axes.s]);
+    const bool backwards = w[axes.s] > 0.0f;
+    first = backwards ? static_cast<std::ptrdiff_t>(slabs - 1) * axes.step_s : 0;
+    step = backwards ? -axes.step_s : axes.step_s;
+    length = nodes.spacing / steep;
+    shift_u = w[axes.u] / steep;
+    shift_v = w[axes.v] / steep;
+  }
+  [[nodiscard]] std::ptrdiff_t row(std::size_t slab, std::size_t v) const {
+    return first + static_cast<std::ptrdiff_t>(slab) * step +
+           static_cast<std::ptrdiff_t>(v) * axes.step_v;
+  }
+  void read(const float* from, float* to) const {
+    for (std::size_t u = 0; u < columns; ++u) {
+      to[u] = from[static_cast<std::ptrdiff_t>(u) * axes.step_u];
+    }
+  }
+  void write(const float* from, float* to) const {
+    for (std::size_t u = 0; u < columns; ++u) {
+      to[static_cast<std::ptrdiff_t>(u) * axes.step_u] = from[u];
+    }
+  }
+};
+
 void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
                         std::span<float> transmittance) {
   const D d;
-  const Axes axes(nodes.count, w);
-  const auto columns = static_cast<std::size_t>(nodes.count[axes.u]);
-  const auto rows = static_cast<std::size_t>(nodes.count[axes.v]);
-  const int slabs = nodes.count[axes.s];
-  const float steep = std::abs(w[axes.s]);
-  Slab before(columns, rows);
-  Slab now(columns, rows);
-  const Taps taps(w[axes.u] / steep, w[axes.v] / steep, now.stride);
-  const V half_step = hn::Set(d, 0.5f * nodes.spacing / steep);
-  for (int k = 0; k < slabs; ++k) {
-    const std::ptrdiff_t slab = (w[axes.s] > 0.0f ? slabs - 1 - k : k) * axes.step_s;
-    for (std::size_t v = 0; v < rows; ++v) {
-      const std::ptrdiff_t row = slab + static_cast<std::ptrdiff_t>(v) * axes.step_v;
-      const std::size_t start = (v + 1) * now.stride + 1;
-      const float* from = density.data() + row;
-      for (std::size_t u = 0; u < columns; ++u) {
-        now.density[start + u] = from[static_cast<std::ptrdiff_t>(u) * axes.step_u];
-      }
-      for (std::size_t u = 0; u < columns; u += hn::Lanes(d)) {
-        const V light = taps.Mix(before.transmittance.data() + start + u, now.stride);
-        const V far = taps.Mix(before.density.data() + start + u, now.stride);
-        const V near = hn::LoadU(d, now.density.data() + start + u);
+  const Sweep sweep(nodes, w);
+  TwoSlabs b(sweep.columns, sweep.rows, 0.0f);
+  TwoSlabs light(sweep.columns, sweep.rows, 1.0f);
+  const std::size_t stride = b.now.stride;
+  const Taps taps(sweep.shift_u, sweep.shift_v, stride);
+  const V half_step = hn::Set(d, 0.5f * sweep.length);
+  for (std::size_t k = 0; k < sweep.slabs; ++k) {
+    for (std::size_t v = 0; v < sweep.rows; ++v) {
+      const std::ptrdiff_t row = sweep.row(k, v);
+      sweep.read(density.data() + row, b.now.row(v));
+      for (std::size_t u = 0; u < sweep.columns; u += hn::Lanes(d)) {
+        const V arrives = taps.Mix(light.before.row(v) + u, stride);
+        const V far = taps.Mix(b.before.row(v) + u, stride);
+        const V near = hn::LoadU(d, b.now.row(v) + u);
         const V left = hn::Exp(d, hn::Neg(hn::Mul(half_step, hn::Add(near, far))));
-        hn::StoreU(hn::Mul(light, left), d, now.transmittance.data() + start + u);
+        hn::StoreU(hn::Mul(arrives, left), d, light.now.row(v) + u);
       }
-      // Whole vectors have been written over the border.
-      std::fill_n(now.transmittance.data() + start + columns, now.stride - columns - 1, 1.0f);
-      float* to = transmittance.data() + row;
-      for (std::size_t u = 0; u < columns; ++u) {
-        to[static_cast<std::ptrdiff_t>(u) * axes.step_u] = now.transmittance[start + u];
+      light.now.end_row(v);
+      sweep.write(light.now.row(v), transmittance.data() + row);
+    }
+    b.advance();
+    light.advance();
+  }
+}
+
+void SweepEmission(const GridNodes& nodes, std::span<const float> density, float fog,
+                   const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
+                   const std::array<std::span<float>, 3>& emitted) {
+  const D d;
+  const Sweep sweep(nodes, w);
+  const TwoSlabs empty(sweep.columns, sweep.rows, 0.0f);
+  TwoSlabs b = empty;
+  TwoSlabs emission[] = {empty, empty, empty};  // density times source
+  TwoSlabs light[] = {empty, empty, empty};
+  const std::size_t stride = b.now.stride;
+  const Taps taps(sweep.shift_u, sweep.shift_v, stride);
+  const V one = hn::Set(d, 1.0f);
+  const V half_step = hn::Set(d, 0.5f * sweep.length);
+  const V fog_step = hn::Set(d, fog * sweep.length);
+  for (std::size_t k = 0; k < sweep.slabs; ++k) {
+    for (std::size_t v = 0; v < sweep.rows; ++v) {
+      const std::ptrdiff_t row = sweep.row(k, v);
+      sweep.read(density.data() + row, b.now.row(v));
+      for (std::size_t c = 0; c < 3; ++c) {
+        sweep.read(source[c].data() + row, emission[c].now.row(v));
+      }
+      for (std::size_t u = 0; u < sweep.columns; u += hn::Lanes(d)) {
+        const V near = hn::LoadU(d, b.now.row(v) + u);
+        const V far = taps.Mix(b.before.row(v) + u, stride);
+        const V depth = hn::MulAdd(half_step, hn::Add(near, far), fog_step);
+        const V left = hn::Exp(d, hn::Neg(depth));
+        // (1 - e^-x) / x loses its digits for small x.
+        const V mean = hn::IfThenElse(hn::Lt(depth, hn::Set(d, 1e-2f)),
+                                      hn::NegMulAdd(hn::Set(d, 0.5f), depth, one),
+                                      hn::Div(hn::Sub(one, left), depth));
+        const V share = hn::Mul(half_step, mean);
+        for (std::size_t c = 0; c < 3; ++c) {
+          float* at = emission[c].now.row(v) + u;
+          const V sent = hn::Mul(near, hn::LoadU(d, at));
+          hn::StoreU(sent, d, at);
+          const V all = hn::Add(sent, taps.Mix(emission[c].before.row(v) + u, stride));
+          const V arrives = taps.Mix(light[c].before.row(v) + u, stride);
+          hn::StoreU(hn::MulAdd(arrives, left, hn::Mul(share, all)), d, light[c].now.row(v) + u);
+        }
+      }
+      for (std::size_t c = 0; c < 3; ++c) {
+        emission[c].now.end_row(v);
+        light[c].now.end_row(v);
+        sweep.write(light[c].now.row(v), emitted[c].data() + row);
       }
     }
-    std::swap(before, now);
+    b.advance();
+    for (std::size_t c = 0; c < 3; ++c) {
+      emission[c].advance();
+      light[c].advance();
+    }
   }
 }
 
@@ -138,11 +233,18 @@ HWY_AFTER_NAMESPACE();
 namespace brume {
 
 HWY_EXPORT(SweepTransmittance);
+HWY_EXPORT(SweepEmission);
 HWY_EXPORT(AddWeighted);
 
 void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
                          std::span<float> transmittance) {
   HWY_DYNAMIC_DISPATCH(SweepTransmittance)(nodes, density, w, transmittance);
+}
+
+void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
+                    const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
+                    const std::array<std::span<float>, 3>& emitted) {
+  HWY_DYNAMIC_DISPATCH(SweepEmission)(nodes, density, fog, source, w, emitted);
 }
 
 void add_weighted(std::span<const float> transmittances, std::span<const float> weights,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
@@ -8,7 +9,8 @@
 namespace brume {
 
 // The inner loops of SourceGrid in single precision (Highway). Values at the nodes of a grid lie
-// with x fastest, then y, then z.
+// with x fastest, then y, then z. A grid is swept slab by slab from the end that light comes from:
+// what a slab gets is interpolated linearly in the slab before, so light spreads sideways a little.
 
 struct GridNodes {
   glm::ivec3 count{2};   // along each axis
@@ -21,11 +23,16 @@ struct GridNodes {
 };
 
 // transmittance[i] = exp(-optical depth) from node i along the unit vector w to the end of the
-// grid, behind which there is nothing. The grid is swept slab by slab, coming from there: what a
-// slab gets is interpolated linearly in the slab before, so light spreads sideways a little.
-// Thread-safe.
+// grid, behind which there is nothing. Thread-safe.
 void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
                          std::span<float> transmittance);
+
+// emitted[c][i] = what a medium sends from along the unit vector w to node i, for c = R, G, B: the
+// integral over the way of density times source[c], attenuated by density + fog. Behind the end of
+// the grid there is nothing. Thread-safe.
+void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
+                    const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
+                    const std::array<std::span<float>, 3>& emitted);
 
 // sums[c][i] += sum over k of transmittances[k][i] * weights[k][c], for `channels` channels and
 // nodes i in [begin, end), multiples of 16. A row of `transmittances` and `sums` has `stride` >=

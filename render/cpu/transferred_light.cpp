@@ -84,13 +84,10 @@ std::uint64_t add_lamp(const MediumIndex& medium, const SurfaceLighting& lightin
 
 void add_environment(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
                      const SurfacePoints& points, Light& light) {
-  const auto fog = static_cast<float>(lighting.fog_depth);
-  for (std::size_t k = 0; k < points.count; ++k) {
-    const float Tbar =
-        average_depth ? fog + (*average_depth)(points.origin + points.position[k]) : fog;
-    const ShVector<glm::dvec3> sky = lighting.environment->incident(Tbar, lighting.albedo);
+  each_arrival(lighting, average_depth, points, [&](std::size_t k, const auto& arriving) {
+    const ShVector<glm::dvec3> sky = lighting.environment->incident(arriving);
     for (std::size_t i = 0; i < light[k].size(); ++i) light[k][i] += sky[i];
-  }
+  });
 }
 
 }  // namespace

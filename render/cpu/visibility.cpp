@@ -64,6 +64,7 @@ struct Visibility::Impl {
   std::vector<Placement> placements;
   std::vector<std::vector<glm::uvec3>> triangles;  // vertex indices, per surface
   std::vector<std::vector<Vertex>> vertices;       // per surface
+  Box bounds;
   glm::dvec3 middle{0.0};
   double radius = -1.0;  // of the ball around `middle` that holds all surfaces; < 0: none
 
@@ -79,6 +80,7 @@ struct Visibility::Impl {
       }
     }
     if (surfaces.empty()) return;
+    bounds = {low, high};
     middle = 0.5 * (low + high);
     device = rtcNewDevice(nullptr);
     if (!device) throw std::bad_alloc();
@@ -188,6 +190,9 @@ Visibility::Visibility(std::span<const Surface> surfaces)
 
 Visibility::~Visibility() = default;
 
+const Box& Visibility::bounds() const {
+  return impl_->bounds;
+}
 bool Visibility::empty() const {
   return impl_->placements.empty();
 }

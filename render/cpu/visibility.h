@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/scene/scene.h"
+#include "render/cpu/box.h"
 #include "render/cpu/surface_points.h"
 
 namespace brume {
@@ -43,6 +44,8 @@ class Visibility {
   Visibility& operator=(const Visibility&) = delete;
 
   [[nodiscard]] bool empty() const;
+  // Around all surfaces.
+  [[nodiscard]] const Box& bounds() const;
 
   // Whether surfaces() still are these, mesh by mesh and place by place (materials do not count).
   [[nodiscard]] bool shows(std::span<const Surface> surfaces) const;
