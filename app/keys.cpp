@@ -55,6 +55,7 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"view.frame_selection", "F"},
     {"view.scene_camera", "0"},
     {"view.store_camera", "Ctrl+0"},
+    {"view.four", "Ctrl+Alt+Q"},
     {"view.next_mode", "Tab"},
     {"view.exposure_up", "+; ="},
     {"view.exposure_down", "-"},

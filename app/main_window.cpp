@@ -38,8 +38,7 @@
 #include "app/timeline.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
-#include "app/viewport/navigation.h"
-#include "app/viewport/viewport.h"
+#include "app/viewport/view_grid.h"
 #include "core/authoring/particles.h"
 
 namespace brume {
@@ -83,8 +82,9 @@ MainWindow::MainWindow(QWidget* parent)
       files_(new SceneFiles(document_, this)),
       autosave_(new Autosave(document_, recovery_folder(), this)),
       message_bar_(new MessageBar(this)),
-      viewport_(new Viewport(document_, this)),
-      tools_(new ToolBox(document_, *viewport_, this)),
+      views_(new ViewGrid(document_, this)),
+      viewport_(&views_->perspective()),
+      tools_(new ToolBox(document_, *views_, this)),
       timeline_(new Timeline(this)) {
   auto* center = new QWidget(this);
   auto* layout = new QVBoxLayout(center);
@@ -92,7 +92,7 @@ MainWindow::MainWindow(QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(message_bar_);
   layout->addWidget(new ToolOptions(*tools_, this));
-  layout->addWidget(viewport_, 1);
+  layout->addWidget(views_, 1);
   setCentralWidget(center);
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -133,7 +133,7 @@ void MainWindow::create_docks() {
     return made;
   };
   auto* outliner = new Outliner(document_, this);
-  auto* light_panel = new LightPanel(document_, *viewport_, this);
+  auto* light_panel = new LightPanel(document_, *views_, this);
   auto* medium_panel = new MediumPanel(document_, this);
   auto* material_panel = new MaterialPanel(document_, this);
   auto* emitter_panel = new EmitterPanel(document_, this);
@@ -145,8 +145,7 @@ void MainWindow::create_docks() {
   QDockWidget* material = dock(tr("Material"), "material", scrolled(material_panel));
   QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
-  QDockWidget* performance =
-      dock(tr("Performance"), "performance", new PerformancePanel(*viewport_));
+  QDockWidget* performance = dock(tr("Performance"), "performance", new PerformancePanel(*views_));
   tabifyDockWidget(gaussians, lights);
   tabifyDockWidget(lights, medium);
   tabifyDockWidget(medium, material);
@@ -201,7 +200,7 @@ void MainWindow::create_status_bar() {
   frame_export_ = new FrameExport(this);
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(&files_->loading());
-  statusBar()->addPermanentWidget(&viewport_->transfer_job());
+  statusBar()->addPermanentWidget(&views_->transfer_job());
   statusBar()->addPermanentWidget(frame_export_);
   statusBar()->addPermanentWidget(numbers_);
   statusBar()->addPermanentWidget(error_);
@@ -219,18 +218,20 @@ void MainWindow::connect_document() {
   connect(files_, &SceneFiles::failed, this, fail);
   connect(&files_->loading(), &SceneLoad::cancelled, this, [this] { say(tr("Not opened")); });
   connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
-  connect(viewport_, &Viewport::failed, this, fail);
-  connect(&viewport_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
-  connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_status);
-  connect(viewport_, &Viewport::frame_shown, this, &MainWindow::update_error);
-  connect(&viewport_->quality(), &FrameQuality::error_changed, this, &MainWindow::update_error);
+  connect(views_, &ViewGrid::failed, this, fail);
+  connect(&views_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
+  for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
+    connect(views_, signal, this, &MainWindow::update_status);
+    connect(views_, signal, this, &MainWindow::update_error);
+  }
+  connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
   connect(&document_, &Document::scene_replaced, message_bar_, &QWidget::hide);
   connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
   connect(timeline_, &Timeline::frame_changed, this,
-          [this] { viewport_->set_time(timeline_->time()); });
+          [this] { views_->set_time(timeline_->time()); });
   connect(&document_, &Document::scene_replaced, timeline_, [this] {
     timeline_->stop();
     timeline_->set_frame(0);
@@ -265,7 +266,7 @@ void MainWindow::update_status() {
   const std::size_t selected = document_.selection().size();
   QString text = count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count));
   if (selected > 0) text += tr(", %1 selected").arg(count_text(selected));
-  if (const RenderedFrame* frame = viewport_->shown()) {
+  if (const RenderedFrame* frame = views_->active().shown()) {
     text += tr(" · %1 ms ·").arg(frame->milliseconds, 0, 'f', 1);
   }
   numbers_->setText(text);
@@ -276,9 +277,10 @@ void MainWindow::update_status() {
 }
 
 void MainWindow::update_error() {
-  const RenderedFrame* frame = viewport_->shown();
+  const Viewport& view = views_->active();
+  const RenderedFrame* frame = view.shown();
   if (!frame) return;
-  const FrameQuality& quality = viewport_->quality();
+  const FrameQuality& quality = view.quality();
   QString status = tr("measuring the error");
   QString corner = settings_text(frame->request.settings);
   if (const std::optional<ErrorEstimate>& error = quality.error()) {
@@ -290,7 +292,7 @@ void MainWindow::update_error() {
   }
   error_->setText(status);
   quality_->setText(corner);
-  for (QLabel* label : {error_, quality_}) label->setEnabled(viewport_->is_measured());
+  for (QLabel* label : {error_, quality_}) label->setEnabled(view.is_measured());
 }
 
 void MainWindow::say(const QString& message) {
@@ -298,16 +300,17 @@ void MainWindow::say(const QString& message) {
 }
 
 void MainWindow::add_gaussian_in_view() {
-  const Camera& camera = viewport_->camera();
-  const double radius = rounded(0.12 * std::max(target_distance(camera), 1e-6));
+  const Viewport& view = views_->active();
+  const double radius = rounded(0.12 * std::max(view.distance(), 1e-6));
   // Optical depth 1 straight through: sqrt(pi) * radius * density.
   const double density = rounded(1.0 / (std::sqrt(std::numbers::pi) * radius));
-  add_gaussian(document_, {.center = camera.target, .radius = radius, .density = density});
+  add_gaussian(document_, {.center = view.camera().target, .radius = radius, .density = density});
 }
 
 void MainWindow::change_exposure(double stops) {
-  viewport_->set_exposure(std::clamp(viewport_->exposure() + stops, -max_exposure, max_exposure));
-  say(tr("Exposure %1 stops").arg(viewport_->exposure(), 0, 'f', 1));
+  Viewport& view = views_->active();
+  view.set_exposure(std::clamp(view.exposure() + stops, -max_exposure, max_exposure));
+  say(tr("Exposure %1 stops").arg(view.exposure(), 0, 'f', 1));
 }
 
 void MainWindow::export_frame() {

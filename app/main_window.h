@@ -17,6 +17,7 @@ class MessageBar;
 class SceneFiles;
 class Timeline;
 class ToolBox;
+class ViewGrid;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -28,7 +29,8 @@ class MainWindow : public QMainWindow {
   Document& document() { return document_; }
   SceneFiles& files() { return *files_; }
   Autosave& autosave() { return *autosave_; }
-  Viewport& viewport() { return *viewport_; }
+  Viewport& viewport() { return *viewport_; }  // the perspective one
+  ViewGrid& views() { return *views_; }
   ToolBox& tools() { return *tools_; }
   Timeline& timeline() { return *timeline_; }
 
@@ -65,7 +67,8 @@ class MainWindow : public QMainWindow {
   SceneFiles* files_;
   Autosave* autosave_;
   MessageBar* message_bar_;
-  Viewport* viewport_;
+  ViewGrid* views_;
+  Viewport* viewport_;  // the perspective one
   ToolBox* tools_;
   Timeline* timeline_;
   GaussianPanel* gaussian_panel_ = nullptr;

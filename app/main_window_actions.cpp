@@ -20,7 +20,7 @@
 #include "app/timeline.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
-#include "app/viewport/viewport.h"
+#include "app/viewport/view_grid.h"
 
 namespace brume {
 namespace {
@@ -79,11 +79,12 @@ void MainWindow::create_actions() {
   add(edit, tr("Cu&t"), "edit.cut", [this] { cut_selection(document_); });
   add(edit, tr("&Copy"), "edit.copy", [this] { copy_selection(document_); });
   add(edit, tr("&Paste"), "edit.paste",
-      [this] { paste_gaussians(document_, viewport_->place_under_mouse()); });
+      [this] { paste_gaussians(document_, views_->pointed().place_under_mouse()); });
   add(edit, tr("Paste in Pl&ace"), "edit.paste_in_place",
       [this] { paste_gaussians(document_, std::nullopt); });
   add(edit, tr("D&uplicate"), "edit.duplicate", [this] {
-    duplicate_selection(document_, viewport_->shift_on_film({duplicate_shift, duplicate_shift}));
+    duplicate_selection(document_,
+                        views_->active().shift_on_film({duplicate_shift, duplicate_shift}));
   });
   add(edit, tr("&Delete"), "edit.delete", [this] { delete_selection(document_, tr("Delete")); });
 
@@ -125,13 +126,17 @@ void MainWindow::create_actions() {
       [this] { freeze_particles(document_, timeline_->time()); });
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  add(view, tr("Frame &All"), "view.frame_all", [this] { viewport_->frame_all(); });
+  add(view, tr("Frame &All"), "view.frame_all", [this] { views_->active().frame_all(); });
   add(view, tr("&Frame Selection"), "view.frame_selection",
-      [this] { viewport_->frame_selection(); });
+      [this] { views_->active().frame_selection(); });
   add(view, tr("&Scene Camera"), "view.scene_camera",
       [this] { viewport_->set_camera(document_.scene().camera); });
   add(view, tr("S&tore View as Scene Camera"), "view.store_camera",
       [this] { set_scene_part(document_, viewport_->camera(), tr("Store view as scene camera")); });
+  view->addSeparator();
+  QAction* four = add(view, tr("F&our Views"), "view.four",
+                      [this] { views_->show_four(!views_->shows_four()); });
+  four->setCheckable(true);
   view->addSeparator();
   add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
@@ -163,14 +168,13 @@ void MainWindow::isolate_selection() {
 
 void MainWindow::fill_mode_menu(QMenu* menu) {
   auto* group = new QActionGroup(this);
-  for (const ViewMode mode :
-       {ViewMode::final, ViewMode::airlight, ViewMode::optical_depth, ViewMode::outlines}) {
+  for (const ViewMode mode : view_modes) {
     QAction* action = group->addAction(view_mode_title(mode));
     action->setCheckable(true);
     action->setChecked(mode == viewport_->mode());
-    connect(action, &QAction::triggered, this, [this, mode] { viewport_->set_mode(mode); });
-    connect(viewport_, &Viewport::mode_changed, action,
-            [this, action, mode] { action->setChecked(mode == viewport_->mode()); });
+    connect(action, &QAction::triggered, this, [this, mode] { views_->active().set_mode(mode); });
+    connect(views_, &ViewGrid::mode_changed, action,
+            [this, action, mode] { action->setChecked(mode == views_->active().mode()); });
   }
   menu->addActions(group->actions());
   menu->addSeparator();
@@ -180,25 +184,26 @@ void MainWindow::fill_mode_menu(QMenu* menu) {
   // Elsewhere Tab goes from field to field.
   next->setShortcutContext(Qt::WidgetShortcut);
   viewport_->addAction(next);
+  connect(views_, &ViewGrid::pane_made, next, [next](Viewport* pane) { pane->addAction(next); });
   connect(next, &QAction::triggered, this, [this] {
-    viewport_->set_mode(next_view_mode(viewport_->mode()));
-    say(view_mode_title(viewport_->mode()));
+    Viewport& view = views_->active();
+    view.set_mode(next_view_mode(view.mode()));
+    say(view_mode_title(view.mode()));
   });
 }
 
 void MainWindow::fill_airlight_menu(QMenu* menu) {
-  FrameQuality& quality = viewport_->quality();
   const QString remembered = QSettings().value(airlight_key).toString();
   auto* group = new QActionGroup(this);
   const auto add = [&](const char* name, const QString& text,
                        std::optional<AirlightMethod> method) {
-    if (remembered == name) quality.set_airlight(method);
+    if (remembered == name) views_->set_airlight(method);
     QAction* action = group->addAction(text);
     action->setCheckable(true);
     action->setObjectName(QString("airlight_") + name);
-    action->setChecked(quality.airlight() == method);
-    connect(action, &QAction::triggered, this, [&quality, name, method] {
-      quality.set_airlight(method);
+    action->setChecked(viewport_->quality().airlight() == method);
+    connect(action, &QAction::triggered, this, [this, name, method] {
+      views_->set_airlight(method);
       QSettings().setValue(airlight_key, name);
     });
   };

@@ -14,13 +14,13 @@
 #include "app/document/gaussian_field.h"
 #include "app/document/paths.h"
 #include "app/panels/color_button.h"
-#include "app/viewport/viewport.h"
+#include "app/viewport/view_grid.h"
 #include "core/io/radiance_map_file.h"
 
 namespace brume {
 
-LightPanel::LightPanel(Document& document, Viewport& viewport, QWidget* parent)
-    : SceneForm(document, parent), viewport_(viewport), list_(new QListWidget(this)) {
+LightPanel::LightPanel(Document& document, const ViewGrid& views, QWidget* parent)
+    : SceneForm(document, parent), views_(views), list_(new QListWidget(this)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
@@ -49,8 +49,9 @@ void LightPanel::add_light_list(QFormLayout& form) {
   form.addRow(buttons);
   connect(add, &QPushButton::clicked, this, [this] {
     // Above what the view looks at.
-    const glm::dvec3 above = viewport_.shift_on_film({0.0, -0.3 * viewport_.height()});
-    add_light(document_, viewport_.pivot() + above);
+    const Viewport& view = views_.active();
+    const glm::dvec3 above = view.shift_on_film({0.0, -0.3 * view.height()});
+    add_light(document_, view.pivot() + above);
     document_.set_active_light(document_.scene().lights.size() - 1);
   });
   connect(remove, &QPushButton::clicked, this,

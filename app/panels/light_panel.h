@@ -7,13 +7,13 @@ class QListWidget;
 namespace brume {
 
 struct PointLight;
-class Viewport;
+class ViewGrid;
 
 // The lights, the one that is meant in numbers, and the environment.
 class LightPanel : public SceneForm {
   Q_OBJECT
  public:
-  LightPanel(Document& document, Viewport& viewport, QWidget* parent);
+  LightPanel(Document& document, const ViewGrid& views, QWidget* parent);
 
   // Reads a radiance map, which becomes the environment.
   void load_environment(const QString& file);
@@ -26,7 +26,7 @@ class LightPanel : public SceneForm {
   void choose_environment();
   [[nodiscard]] const PointLight* light() const;  // the one that is meant; nullptr if none
 
-  Viewport& viewport_;
+  const ViewGrid& views_;
   QListWidget* list_;
   bool showing_ = false;
 };

@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/frame_text.h"
-#include "app/viewport/viewport.h"
+#include "app/viewport/view_grid.h"
 
 namespace brume {
 namespace {
@@ -37,9 +37,9 @@ QString reason(const FrameQuality& quality) {
 
 }  // namespace
 
-PerformancePanel::PerformancePanel(Viewport& viewport, QWidget* parent)
+PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
     : QWidget(parent),
-      viewport_(viewport),
+      views_(views),
       max_error_(new QComboBox(this)),
       stages_(new QTreeWidget(this)) {
   auto* form = new QFormLayout;
@@ -69,9 +69,9 @@ PerformancePanel::PerformancePanel(Viewport& viewport, QWidget* parent)
   layout->addWidget(stages_, 1);
 
   fill_max_error();
-  connect(&viewport_, &Viewport::frame_shown, this, &PerformancePanel::update_frame);
-  connect(&viewport_.quality(), &FrameQuality::error_changed, this,
-          &PerformancePanel::update_quality);
+  connect(&views_, &ViewGrid::frame_shown, this, &PerformancePanel::update_frame);
+  connect(&views_, &ViewGrid::active_changed, this, &PerformancePanel::update_frame);
+  connect(&views_, &ViewGrid::error_changed, this, &PerformancePanel::update_quality);
 }
 
 QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const char* name) {
@@ -86,12 +86,12 @@ void PerformancePanel::fill_max_error() {
   const double remembered = QSettings().value(max_error_key).toDouble();
   for (const double bound : {0.01, 0.02, 0.05, 0.1}) {
     max_error_->addItem(tr("%1 error").arg(bound_text(bound)), bound);
-    if (bound == remembered) viewport_.quality().set_max_error(bound);
+    if (bound == remembered) views_.set_max_error(bound);
   }
-  max_error_->setCurrentIndex(max_error_->findData(viewport_.quality().max_error()));
+  max_error_->setCurrentIndex(max_error_->findData(views_.active().quality().max_error()));
   connect(max_error_, &QComboBox::activated, this, [this] {
     const double bound = max_error_->currentData().toDouble();
-    viewport_.quality().set_max_error(bound);
+    views_.set_max_error(bound);
     QSettings().setValue(max_error_key, bound);
   });
 }
@@ -103,9 +103,9 @@ void PerformancePanel::showEvent(QShowEvent* event) {
 
 void PerformancePanel::update_quality() {
   if (!isVisible()) return;
-  const FrameQuality& quality = viewport_.quality();
+  const FrameQuality& quality = views_.active().quality();
   why_->setText(reason(quality));
-  for (QLabel* label : {error_, interval_}) label->setEnabled(viewport_.is_measured());
+  for (QLabel* label : {error_, interval_}) label->setEnabled(views_.active().is_measured());
   if (const std::optional<ErrorEstimate>& error = quality.error()) {
     error_->setText(error_text(*error));
     interval_->setText(tr("%1 (%2 pixels)").arg(interval_text(*error), count_text(error->pixels)));
@@ -118,7 +118,7 @@ void PerformancePanel::update_quality() {
 void PerformancePanel::update_frame() {
   if (!isVisible()) return;
   update_quality();
-  const RenderedFrame* frame = viewport_.shown();
+  const RenderedFrame* frame = views_.active().shown();
   if (!frame) return;
   const FrameStatistics& statistics = frame->frame.statistics;
   const Film& film = frame->frame.film;
@@ -129,8 +129,8 @@ void PerformancePanel::update_frame() {
   pairs_->setText(tr("%1 eye, %2 lights")
                       .arg(count_text(statistics.view_pairs), count_text(statistics.light_pairs)));
   const QString size = tr("%1 × %2").arg(film.width).arg(film.height);
-  picture_->setText(frame->request.moving && !viewport_.is_settled() ? tr("%1 in motion").arg(size)
-                                                                     : size);
+  picture_->setText(
+      frame->request.moving && !views_.active().is_settled() ? tr("%1 in motion").arg(size) : size);
 
   QList<QTreeWidgetItem*> rows;
   for (const StageTime& stage : statistics.stages) {

@@ -8,13 +8,13 @@
 
 namespace brume {
 
-class Viewport;
+class ViewGrid;
 
 // What the frame on screen cost, how wrong it is, and what auto makes of that.
 class PerformancePanel : public QWidget {
   Q_OBJECT
  public:
-  explicit PerformancePanel(Viewport& viewport, QWidget* parent = nullptr);
+  explicit PerformancePanel(ViewGrid& views, QWidget* parent = nullptr);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -25,7 +25,7 @@ class PerformancePanel : public QWidget {
   void update_quality();
   void update_frame();
 
-  Viewport& viewport_;
+  ViewGrid& views_;
   QComboBox* max_error_;
   QLabel* shown_;
   QLabel* why_;

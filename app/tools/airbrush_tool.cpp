@@ -124,7 +124,7 @@ void AirbrushTool::spray() {
   const glm::dvec3 from = nozzle_->position + 0.05 * airbrush_.radius * direction;
   const auto obstacle = [this](const glm::dvec3& origin,
                                const glm::dvec3& way) -> std::optional<Obstacle> {
-    const auto hit = viewport_.surfaces().hit(origin, way);
+    const auto hit = view().surfaces().hit(origin, way);
     if (!hit) return std::nullopt;
     return Obstacle{glm::distance(hit->position, origin), hit->normal};
   };

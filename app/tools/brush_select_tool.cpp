@@ -40,18 +40,18 @@ void BrushSelectTool::add_options(QHBoxLayout& row) {
 
 void BrushSelectTool::set_radius(double radius) {
   radius_ = std::clamp(radius, radius_domain.least, radius_domain.greatest);
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
   Q_EMIT options_changed();
 }
 
 void BrushSelectTool::hover(QPointF position) {
   cursor_ = position;
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
 }
 
 void BrushSelectTool::leave() {
   cursor_.reset();
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
 }
 
 void BrushSelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -80,7 +80,7 @@ void BrushSelectTool::cancel() {
 
 void BrushSelectTool::pass(QPointF from, QPointF to) {
   last_ = to;
-  const auto more = viewport_.handles().inside(
+  const auto more = view().handles().inside(
       [&](QPointF at) { return distance_to_segment(at, from, to) <= radius_; });
   passed_.insert(passed_.end(), more.begin(), more.end());
   std::sort(passed_.begin(), passed_.end());
@@ -88,7 +88,7 @@ void BrushSelectTool::pass(QPointF from, QPointF to) {
   choose(before_, passed_, gesture_mode_, merge_id_);
 }
 
-void BrushSelectTool::draw(Overlay& overlay, const CameraRays& /*rays*/) const {
+void BrushSelectTool::draw_on_film(Overlay& overlay) const {
   if (cursor_) overlay.add_circle(cursor_->x(), cursor_->y(), radius_, accent_color().rgba());
 }
 

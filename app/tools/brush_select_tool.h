@@ -22,7 +22,7 @@ class BrushSelectTool : public SelectionTool {
   void cancel() override;
   void abandon() override { running_ = false; }
   void medium_changed() override { running_ = false; }
-  void draw(Overlay& overlay, const CameraRays& rays) const override;
+  void draw_on_film(Overlay& overlay) const override;
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
   void change_size(double factor) override { set_radius(radius_ * factor); }
 

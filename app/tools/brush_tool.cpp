@@ -7,22 +7,22 @@ namespace brume {
 
 BrushTool::BrushTool(Document& document, Viewport& viewport)
     : Tool(document, viewport), gesture_(document) {
-  connect(this, &Tool::options_changed, &viewport, &Viewport::update_overlay);
+  connect(this, &Tool::options_changed, this, &Tool::looks_changed);
 }
 
 void BrushTool::hover(QPointF position) {
   cursor_ = position;
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
 }
 
 void BrushTool::leave() {
   cursor_.reset();
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
 }
 
 void BrushTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
   hover(position);
-  pivot_ = viewport_.pivot();
+  pivot_ = view().pivot();
   gesture_.begin();
   begin_stroke(position);
 }
@@ -55,8 +55,8 @@ void BrushTool::medium_changed() {
 }
 
 std::optional<PaintPoint> BrushTool::paint_at(QPointF position) const {
-  const glm::dvec3 pivot = gesture_.is_running() ? pivot_ : viewport_.pivot();
-  return paint_point(plane(), pivot, viewport_.rays(), position, viewport_.surfaces());
+  const glm::dvec3 pivot = gesture_.is_running() ? pivot_ : view().pivot();
+  return paint_point(plane(), pivot, view().rays(), position, view().surfaces());
 }
 
 void BrushTool::draw(Overlay& overlay, const CameraRays& rays) const {

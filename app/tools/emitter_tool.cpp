@@ -8,7 +8,6 @@
 #include "app/document/document.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/option_widgets.h"
-#include "app/viewport/navigation.h"
 #include "app/viewport/viewport.h"
 #include "core/io/limits.h"
 
@@ -39,7 +38,7 @@ void EmitterTool::set_plane(PaintPlane plane) {
 }
 
 std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
-  const CameraRays rays = viewport_.rays();
+  const CameraRays rays = view().rays();
   const Emitters& emitters = document_.scene().emitters;
   for (std::size_t k = 0; k < emitters.size(); ++k) {
     const glm::dvec3 at = rays.project(emitters[k].position);
@@ -50,7 +49,7 @@ std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
 
 void EmitterTool::hover(QPointF position) {
   const auto now = pick(position);
-  if (now != hovered_) viewport_.update_overlay();
+  if (now != hovered_) Q_EMIT looks_changed();
   hovered_ = now;
 }
 
@@ -61,16 +60,16 @@ void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
     return;
   }
   const auto point =
-      paint_point(plane_, viewport_.pivot(), viewport_.rays(), position, viewport_.surfaces());
+      paint_point(plane_, view().pivot(), view().rays(), position, view().surfaces());
   if (!point) return;
-  add_emitter(document_, point->position, target_distance(viewport_.camera()));
+  add_emitter(document_, point->position, view().distance());
   document_.set_active_emitter(document_.scene().emitters.size() - 1);
 }
 
 void EmitterTool::move(QPointF position) {
   if (!drag_) return;
   glm::dvec3 place =
-      drag_->before + dragged_across(drag_->before, viewport_.rays(), drag_->start, position);
+      drag_->before + dragged_across(drag_->before, view().rays(), drag_->start, position);
   if (position == drag_->start) place = drag_->before;
   place = glm::clamp(place, -limits::coordinate, limits::coordinate);
   change_emitter(document_, drag_->emitter, tr("Move %1"), drag_->merge_id,

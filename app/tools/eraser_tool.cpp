@@ -52,8 +52,8 @@ void EraserTool::set(double radius, double strength) {
 
 double EraserTool::cursor_radius() const {
   // The radius on the film at the depth of the plane that the cursor is drawn on.
-  const CameraRays rays = viewport_.rays();
-  const double depth = glm::dot(viewport_.pivot() - rays.eye(), rays.forward());
+  const CameraRays rays = view().rays();
+  const double depth = glm::dot(view().pivot() - rays.eye(), rays.forward());
   return depth * cone_slope(rays);
 }
 
@@ -73,7 +73,7 @@ void EraserTool::extend_stroke(QPointF position) {
 
 void EraserTool::touch(QPointF position) {
   last_touch_ = position;
-  const CameraRays rays = viewport_.rays();
+  const CameraRays rays = view().rays();
   const EraserCone cone{rays.eye(), rays.direction(position.x(), position.y()), cone_slope(rays)};
   MediumEdit all = gesture_.edit();
   MediumEdit edit = stroke_->touch(document_.medium(), cone,

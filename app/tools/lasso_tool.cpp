@@ -18,12 +18,12 @@ void LassoTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
 void LassoTool::move(QPointF position) {
   if (line_.isEmpty()) return;
   line_ << position;
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
 }
 
 void LassoTool::release(QPointF /*position*/) {
   if (line_.isEmpty()) return;
-  choose(document_.selection(), viewport_.handles().inside([this](QPointF at) {
+  choose(document_.selection(), view().handles().inside([this](QPointF at) {
     return line_.containsPoint(at, Qt::OddEvenFill);
   }),
          gesture_mode_);
@@ -32,10 +32,10 @@ void LassoTool::release(QPointF /*position*/) {
 
 void LassoTool::abandon() {
   line_.clear();
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
 }
 
-void LassoTool::draw(Overlay& overlay, const CameraRays& /*rays*/) const {
+void LassoTool::draw_on_film(Overlay& overlay) const {
   const auto vertex = [this](qsizetype k) {
     const QPointF& p = line_.at(k % line_.size());
     return Overlay::Vertex{static_cast<float>(p.x()), static_cast<float>(p.y()),

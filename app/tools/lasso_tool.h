@@ -18,7 +18,7 @@ class LassoTool : public SelectionTool {
   void release(QPointF position) override;
   void cancel() override { abandon(); }
   void abandon() override;
-  void draw(Overlay& overlay, const CameraRays& rays) const override;
+  void draw_on_film(Overlay& overlay) const override;
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
 
  private:

@@ -10,7 +10,7 @@
 #include "app/document/document.h"
 #include "app/panels/color_button.h"
 #include "app/tools/gizmo.h"
-#include "app/viewport/viewport.h"
+#include "app/viewport/overlay.h"
 #include "core/io/limits.h"
 
 namespace brume {
@@ -36,8 +36,8 @@ double strength_of(double radius) {
 
 }  // namespace
 
-std::optional<LightHandles::Handle> LightHandles::pick(QPointF position) const {
-  const CameraRays rays = viewport_.rays();
+std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
+                                                       QPointF position) const {
   const auto& lights = document_.scene().lights;
   for (std::size_t k = 0; k < lights.size(); ++k) {
     const glm::dvec3 at = rays.project(lights[k].position);
@@ -52,24 +52,21 @@ std::optional<LightHandles::Handle> LightHandles::pick(QPointF position) const {
   return std::nullopt;
 }
 
-bool LightHandles::hover(QPointF position) {
-  const auto now = pick(position);
-  if (now != hovered_) viewport_.update_overlay();
-  hovered_ = now;
-  return now.has_value();
+bool LightHandles::hover(const CameraRays& rays, QPointF position) {
+  hovered_ = pick(rays, position);
+  return hovered_.has_value();
 }
 
-bool LightHandles::press(QPointF position) {
-  const auto handle = pick(position);
+bool LightHandles::press(const CameraRays& rays, QPointF position) {
+  const auto handle = pick(rays, position);
   if (!handle) return false;
   document_.set_active_light(handle->light);
   gesture_ = {*handle, position, document_.scene().lights[handle->light], new_merge_id()};
   return true;
 }
 
-void LightHandles::move(QPointF position) {
+void LightHandles::move(const CameraRays& rays, QPointF position) {
   const auto [handle, start, before, merge_id] = *gesture_;
-  const CameraRays rays = viewport_.rays();
   if (handle.is_ring) {
     const glm::dvec3 at = rays.project(before.position);
     const double strength = strength_of(QLineF(QPointF(at.x, at.y), position).length());

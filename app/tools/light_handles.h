@@ -9,42 +9,43 @@
 namespace brume {
 
 class Document;
-class Viewport;
 struct Overlay;
 
 // The lights in the view: a sun at each that is dragged to move it across the view, and a ring
 // around it that is dragged to make it stronger.
 class LightHandles {
  public:
-  LightHandles(Document& document, Viewport& viewport) : document_(document), viewport_(viewport) {}
+  explicit LightHandles(Document& document) : document_(document) {}
 
   void draw(Overlay& overlay, const CameraRays& rays) const;
 
+  // Positions are on the film of `rays`.
   // Whether a handle is at the position; the one that is shown as such.
-  bool hover(QPointF position);
+  bool hover(const CameraRays& rays, QPointF position);
   // Whether a gesture has begun.
-  bool press(QPointF position);
-  void move(QPointF position);
+  bool press(const CameraRays& rays, QPointF position);
+  void move(const CameraRays& rays, QPointF position);
   void end() { gesture_.reset(); }
   void cancel();  // as if it had not begun
   [[nodiscard]] bool is_dragging() const { return gesture_.has_value(); }
 
- private:
   struct Handle {
     std::size_t light = 0;
     bool is_ring = false;
     bool operator==(const Handle&) const = default;
   };
+  [[nodiscard]] const std::optional<Handle>& hovered() const { return hovered_; }
+
+ private:
   struct Gesture {
     Handle handle;
     QPointF start;
     PointLight before;
     MergeId merge_id = no_merge;
   };
-  [[nodiscard]] std::optional<Handle> pick(QPointF position) const;
+  [[nodiscard]] std::optional<Handle> pick(const CameraRays& rays, QPointF position) const;
 
   Document& document_;
-  Viewport& viewport_;
   std::optional<Handle> hovered_;
   std::optional<Gesture> gesture_;
 };

@@ -111,7 +111,7 @@ void PaintbrushTool::extend_stroke(QPointF position) {
 }
 
 void PaintbrushTool::pick(QPointF position) {
-  const auto id = viewport_.most_visible(position);
+  const auto id = view().most_visible(position);
   if (!id) return;
   const Gaussian gaussian = document_.medium().gaussian(*document_.medium().index_of(*id));
   Paintbrush brush = brush_;

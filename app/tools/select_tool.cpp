@@ -23,21 +23,24 @@ QString SelectTool::hint() const {
 }
 
 void SelectTool::hover(QPointF position) {
-  if (lights_.hover(position)) {
-    viewport_.set_hovered(std::nullopt);
+  const auto before = lights_.hovered();
+  const bool on_light = lights_.hover(view().rays(), position);
+  if (lights_.hovered() != before) Q_EMIT looks_changed();
+  if (on_light) {
+    view().set_hovered(std::nullopt);
     return;
   }
-  const auto index = viewport_.handles().pick(position);
-  viewport_.set_hovered(index ? std::optional(document_.medium().ids()[*index])
-                              : viewport_.most_visible(position));
+  const auto index = view().handles().pick(position);
+  view().set_hovered(index ? std::optional(document_.medium().ids()[*index])
+                           : view().most_visible(position));
 }
 
 void SelectTool::leave() {
-  viewport_.set_hovered(std::nullopt);
+  view().set_hovered(std::nullopt);
 }
 
 void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
-  if (lights_.press(position)) return;
+  if (lights_.press(view().rays(), position)) return;
   start_ = position;
   gesture_ = Gesture::undecided;
   area_mode_ = click_mode_ = mode_with(modifiers);
@@ -45,7 +48,7 @@ void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
     click_mode_ = SelectMode::toggle;
   }
   pressed_.reset();
-  if (const auto index = viewport_.handles().pick(position)) {
+  if (const auto index = view().handles().pick(position)) {
     pressed_ = document_.medium().ids()[*index];
     // At once, so that press and drag in one go moves it. One that is selected already waits for
     // the release: the drag may be meant for the whole selection.
@@ -57,7 +60,7 @@ void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
 
 void SelectTool::move(QPointF position) {
   if (lights_.is_dragging()) {
-    lights_.move(position);
+    lights_.move(view().rays(), position);
     return;
   }
   if (gesture_ == Gesture::undecided && QLineF(start_, position).length() >= drag_threshold) {
@@ -68,7 +71,7 @@ void SelectTool::move(QPointF position) {
     }
   }
   if (gesture_ == Gesture::band) {
-    viewport_.show_band(QRectF(start_, position).normalized().toAlignedRect());
+    view().show_band(QRectF(start_, position).normalized().toAlignedRect());
   } else if (gesture_ == Gesture::moving) {
     move_selection(position);
   }
@@ -79,10 +82,9 @@ void SelectTool::release(QPointF position) {
   if (gesture_ == Gesture::band) {
     const QRectF band = QRectF(start_, position).normalized();
     choose(document_.selection(),
-           viewport_.handles().inside([&band](QPointF at) { return band.contains(at); }),
-           area_mode_);
+           view().handles().inside([&band](QPointF at) { return band.contains(at); }), area_mode_);
   } else if (gesture_ == Gesture::undecided && !pressed_) {
-    const auto seen = viewport_.most_visible(position);
+    const auto seen = view().most_visible(position);
     choose(document_.selection(),
            seen ? std::vector{*medium.index_of(*seen)} : std::vector<std::size_t>{}, click_mode_);
   } else if (gesture_ == Gesture::undecided && click_mode_ == SelectMode::set) {
@@ -98,7 +100,7 @@ void SelectTool::cancel() {
 }
 
 void SelectTool::abandon() {
-  viewport_.show_band({});
+  view().show_band({});
   lights_.end();
   gesture_ = Gesture::none;
   pressed_.reset();
@@ -121,7 +123,7 @@ void SelectTool::begin_move() {
   ids_ = document_.selection();
   gaussians_.clear();
   for (const GaussianId id : ids_) gaussians_.push_back(medium.gaussian(*medium.index_of(id)));
-  depth_ = viewport_.handles().position(*medium.index_of(*pressed_)).z;
+  depth_ = view().handles().position(*medium.index_of(*pressed_)).z;
 }
 
 void SelectTool::move_selection(QPointF position) {
@@ -138,7 +140,7 @@ bool SelectTool::moved_are_there() const {
 }
 
 glm::dvec3 SelectTool::on_drag_plane(QPointF position) const {
-  const CameraRays rays = viewport_.rays();
+  const CameraRays rays = view().rays();
   const glm::dvec3 direction = rays.direction(position.x(), position.y());
   return rays.eye() + direction * (depth_ / glm::dot(direction, rays.forward()));
 }

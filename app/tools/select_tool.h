@@ -19,7 +19,7 @@ class SelectTool : public SelectionTool {
   Q_OBJECT
  public:
   SelectTool(Document& document, Viewport& viewport)
-      : SelectionTool(document, viewport), lights_(document, viewport) {}
+      : SelectionTool(document, viewport), lights_(document) {}
 
   [[nodiscard]] QString hint() const override;
   void hover(QPointF position) override;

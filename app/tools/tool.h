@@ -14,11 +14,16 @@ class Viewport;
 struct Overlay;
 
 // What the left mouse button does. A tool changes the document only by commands that merge while
-// dragging, so that one gesture is one undo step. Positions are in the viewport.
+// dragging, so that one gesture is one undo step.
 class Tool : public QObject {
   Q_OBJECT
  public:
-  Tool(Document& document, Viewport& viewport) : document_(document), viewport_(viewport) {}
+  // `view` is the first that the mouse is in.
+  Tool(Document& document, Viewport& view) : document_(document), view_(&view) {}
+
+  // The view that positions are in. It stays the same while a button is down.
+  [[nodiscard]] Viewport& view() const { return *view_; }
+  void set_view(Viewport& view) { view_ = &view; }
 
   // One line for the status bar.
   [[nodiscard]] virtual QString hint() const = 0;
@@ -36,8 +41,10 @@ class Tool : public QObject {
   // After an edit, be it the tool's own or one under its hands, such as undo.
   virtual void medium_changed() {}
 
-  // What the tool shows over the picture: its cursor, its handles.
+  // What the tool shows over the picture: in the world, and so in all views (a brush, handles), and
+  // on the film of its own view (a lasso).
   virtual void draw(Overlay& /*overlay*/, const CameraRays& /*rays*/) const {}
+  virtual void draw_on_film(Overlay& /*overlay*/) const {}
   // Whether centres of Gaussians are shown, to be picked.
   [[nodiscard]] virtual bool shows_handles() const { return true; }
   [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
@@ -49,12 +56,15 @@ class Tool : public QObject {
   virtual void change_strength(double /*factor*/) {}
 
  Q_SIGNALS:
+  void looks_changed();  // of what it draws
   void options_changed();
   void refused(const QString& problem);  // why a typed option was not taken
 
  protected:
   Document& document_;
-  Viewport& viewport_;
+
+ private:
+  Viewport* view_;
 };
 
 }  // namespace brume

@@ -1,5 +1,6 @@
 #include "app/tools/tool_box.h"
 
+#include "app/document/document.h"
 #include "app/tools/airbrush_tool.h"
 #include "app/tools/brush_select_tool.h"
 #include "app/tools/emitter_tool.h"
@@ -7,14 +8,14 @@
 #include "app/tools/lasso_tool.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/transform_tool.h"
-#include "app/viewport/viewport.h"
+#include "app/viewport/view_grid.h"
 
 namespace brume {
 
-ToolBox::ToolBox(Document& document, Viewport& viewport, QObject* parent)
-    : QObject(parent), viewport_(viewport) {
+ToolBox::ToolBox(Document& document, ViewGrid& views, QObject* parent)
+    : QObject(parent), views_(views) {
   const auto add = [&]<class T>(const char* name, const QString& title, std::type_identity<T>) {
-    entries_.push_back({name, title, std::make_unique<T>(document, viewport)});
+    entries_.push_back({name, title, std::make_unique<T>(document, views.perspective())});
   };
   add("select", tr("Select"), std::type_identity<SelectTool>());
   add("lasso", tr("Lasso"), std::type_identity<LassoTool>());
@@ -26,17 +27,19 @@ ToolBox::ToolBox(Document& document, Viewport& viewport, QObject* parent)
   add("eraser", tr("Eraser"), std::type_identity<EraserTool>());
   add("airbrush", tr("Airbrush"), std::type_identity<AirbrushTool>());
   add("emitter", tr("Emitter"), std::type_identity<EmitterTool>());
-  viewport_.set_tool(entries_[active_].tool.get());
+  views_.set_tool(entries_[active_].tool.get());
+  connect(&document, &Document::scene_replaced, this, [this] { tool().abandon(); });
+  connect(&document, &Document::medium_changed, this, [this] { tool().medium_changed(); });
 }
 
 ToolBox::~ToolBox() {
-  viewport_.set_tool(nullptr);
+  views_.set_tool(nullptr);
 }
 
 void ToolBox::activate(std::size_t index) {
   if (index == active_) return;
   active_ = index;
-  viewport_.set_tool(entries_[index].tool.get());
+  views_.set_tool(entries_[index].tool.get());
   Q_EMIT activated(index);
 }
 

@@ -9,12 +9,14 @@
 
 namespace brume {
 
+class ViewGrid;
+
 // All tools, and which of them has the left mouse button. The table in tool_box.cpp is where a tool
 // gets its name, which is also that of its icon and, as tool.<name>, of its key.
 class ToolBox : public QObject {
   Q_OBJECT
  public:
-  ToolBox(Document& document, Viewport& viewport, QObject* parent);
+  ToolBox(Document& document, ViewGrid& views, QObject* parent);
   ~ToolBox() override;
 
   struct Entry {
@@ -31,7 +33,7 @@ class ToolBox : public QObject {
   void activated(std::size_t index);
 
  private:
-  Viewport& viewport_;
+  ViewGrid& views_;
   std::vector<Entry> entries_;
   std::size_t active_ = 0;
 };

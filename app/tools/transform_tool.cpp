@@ -13,11 +13,11 @@ namespace brume {
 void TransformTool::hover(QPointF position) {
   hovered_.reset();
   if (!document_.selection().empty()) {
-    hovered_ = Gizmo(kind_, viewport_.pivot(), viewport_.rays()).pick(position);
+    hovered_ = Gizmo(kind_, view().pivot(), view().rays()).pick(position);
   }
-  viewport_.update_overlay();
+  Q_EMIT looks_changed();
   if (hovered_) {
-    viewport_.set_hovered(std::nullopt);
+    view().set_hovered(std::nullopt);
   } else {
     SelectTool::hover(position);
   }
@@ -36,7 +36,7 @@ void TransformTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   }
   dragging_ = true;
   part_ = *hovered_;
-  pivot_ = viewport_.pivot();
+  pivot_ = view().pivot();
   start_ = position;
   merge_id_ = new_merge_id();
   ids_ = document_.selection();
@@ -93,7 +93,7 @@ void TransformTool::draw(Overlay& overlay, const CameraRays& rays) const {
   SelectTool::draw(overlay, rays);
   if (document_.selection().empty()) return;
   const auto active = dragging_ ? std::optional(part_) : hovered_;
-  Gizmo(kind_, viewport_.pivot(), rays).draw(overlay, active);
+  Gizmo(kind_, view().pivot(), rays).draw(overlay, active);
 }
 
 QString MoveTool::hint() const {
@@ -101,7 +101,7 @@ QString MoveTool::hint() const {
 }
 
 Gaussian MoveTool::dragged(const Gaussian& gaussian, QPointF position) const {
-  const CameraRays rays = viewport_.rays();
+  const CameraRays rays = view().rays();
   const glm::dvec3 axis = axis_of(part_);
   Gaussian moved = gaussian;
   moved.center += part_ == Gizmo::Part::all
@@ -115,7 +115,7 @@ QString RotateTool::hint() const {
 }
 
 Gaussian RotateTool::dragged(const Gaussian& gaussian, QPointF position) const {
-  const CameraRays rays = viewport_.rays();
+  const CameraRays rays = view().rays();
   const glm::dvec3 axis =
       part_ == Gizmo::Part::all ? glm::normalize(pivot_ - rays.eye()) : axis_of(part_);
   const double angle = dragged_around(pivot_, axis, rays, start_, position);
@@ -129,7 +129,7 @@ QString ScaleTool::hint() const {
 }
 
 Gaussian ScaleTool::dragged(const Gaussian& gaussian, QPointF position) const {
-  const double factor = dragged_away(pivot_, viewport_.rays(), start_, position);
+  const double factor = dragged_away(pivot_, view().rays(), start_, position);
   Gaussian scaled = gaussian;
   if (part_ == Gizmo::Part::all) {
     scaled.center = pivot_ + factor * (gaussian.center - pivot_);

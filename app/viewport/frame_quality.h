@@ -39,8 +39,9 @@ class FrameQuality : public QObject {
   // The picture on screen is no longer what should be seen; nothing is measured any more.
   void picture_changes(const Scene& scene, const Camera& camera);
   void scene_replaced();
-  // A full frame with the present settings is on screen.
+  // A full frame with the present settings is on screen: it is measured.
   void frame_shown(std::shared_ptr<const RenderedFrame> frame);
+  void stop_measuring();
 
  Q_SIGNALS:
   void settings_changed();  // frames are due again
@@ -49,7 +50,6 @@ class FrameQuality : public QObject {
 
  private:
   void take(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
-  void stop_measuring();
 
   std::optional<AirlightMethod> airlight_;
   double time_ = 0.0;

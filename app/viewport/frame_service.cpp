@@ -36,17 +36,33 @@ FrameService::~FrameService() {
 
 void FrameService::request(FrameRequest request) {
   const std::scoped_lock lock(mutex_);
+  const int view = request.view;
   if (running_) {
+    const FrameRequest& now = running_->request;
     // The same state at full quality is already on its way.
-    if (running_->serial == request.serial && running_->divisor == 1 &&
-        running_->settings == request.settings) {
-      pending_.reset();
+    if (now.view == view && now.serial == request.serial && running_->divisor == 1 &&
+        now.settings == request.settings && !stop_frame_.stop_requested()) {
+      pending_.erase(view);
       return;
     }
-    if (!running_->moving) stop_frame_.request_stop();
+    if (!now.moving && (now.view == view || view == active_)) {
+      if (now.view != view) pending_.try_emplace(now.view, now);
+      stop_frame_.request_stop();
+    }
   }
-  pending_ = std::move(request);
+  pending_.insert_or_assign(view, std::move(request));
   wake_.notify_one();
+}
+
+void FrameService::forget(int view) {
+  const std::scoped_lock lock(mutex_);
+  pending_.erase(view);
+  if (running_ && running_->request.view == view) stop_frame_.request_stop();
+}
+
+void FrameService::set_active(int view) {
+  const std::scoped_lock lock(mutex_);
+  active_ = view;
 }
 
 int FrameService::motion_divisor(const Film& film) const {
@@ -68,11 +84,13 @@ void FrameService::work(const std::stop_token& quit,
     {
       std::unique_lock lock(mutex_);
       running_.reset();
-      if (!wake_.wait(lock, quit, [this] { return pending_.has_value(); })) return;
-      request = std::move(*pending_);
-      pending_.reset();
+      if (!wake_.wait(lock, quit, [this] { return !pending_.empty(); })) return;
+      auto next = pending_.find(active_);
+      if (next == pending_.end()) next = pending_.begin();
+      request = std::move(next->second);
+      pending_.erase(next);
       if (request.moving) divisor = motion_divisor(request.film);
-      running_ = Running{request.serial, request.settings, divisor, request.moving};
+      running_ = Running{request, divisor};
       stop_frame_ = std::stop_source();
       if (quit.stop_requested()) return;
       stop = stop_frame_.get_token();

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <condition_variable>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,6 +26,7 @@ struct FrameRequest {
   Settings settings;
   double exposure = 0.0;  // stops
   ViewMode mode = ViewMode::final;
+  int view = 0;              // whose it is
   std::uint64_t serial = 0;  // names the state of scene, camera and film that this shows
   bool moving = false;       // may take a lower resolution to stay fluid
 };
@@ -37,9 +39,10 @@ struct RenderedFrame {
   double milliseconds = 0.0;
 };
 
-// Renders in a thread of its own: the newest request wins, the ones between are never rendered.
-// A frame at rest is given up as soon as something newer is asked for; one in motion is short and
-// is let finish, or else nothing would be seen until the mouse stands still.
+// Renders for all views, in a thread of its own: of each view the newest request counts, the ones
+// between are never rendered, and the active view comes first. A frame at rest is given up as soon
+// as something newer is asked for that view or anything for the active one; one in motion is short
+// and is let finish, or else nothing would be seen until the mouse stands still.
 class FrameService : public QObject {
   Q_OBJECT
  public:
@@ -48,6 +51,8 @@ class FrameService : public QObject {
   ~FrameService() override;  // gives up the frame in flight
 
   void request(FrameRequest request);
+  void forget(int view);  // what was asked for it and is not there yet
+  void set_active(int view);
 
  Q_SIGNALS:
   void frame_ready(std::shared_ptr<const brume::RenderedFrame> frame);
@@ -59,12 +64,11 @@ class FrameService : public QObject {
 
   std::mutex mutex_;
   std::condition_variable_any wake_;
-  std::optional<FrameRequest> pending_;
+  int active_ = 0;
+  std::map<int, FrameRequest> pending_;  // by view
   struct Running {
-    std::uint64_t serial = 0;
-    Settings settings;
+    FrameRequest request;
     int divisor = 1;
-    bool moving = false;
   };
   std::optional<Running> running_;
   std::stop_source stop_frame_;

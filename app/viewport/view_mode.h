@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <array>
 
 namespace brume {
 
@@ -13,6 +14,9 @@ enum class ViewMode {
   optical_depth,  // of the medium from the eye to the first surface or through, as a false colour
   outlines,       // the picture, darker, under the outlines of all Gaussians
 };
+
+inline constexpr std::array view_modes{ViewMode::final, ViewMode::airlight, ViewMode::optical_depth,
+                                       ViewMode::outlines};
 
 QString view_mode_title(ViewMode mode);  // "Airlight Only"
 ViewMode next_view_mode(ViewMode mode);

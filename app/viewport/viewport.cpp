@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numbers>
 
@@ -36,15 +37,15 @@ bool can_be_stored(const Camera& camera) {
 
 }  // namespace
 
-Viewport::Viewport(Document& document, QWidget* parent)
+Viewport::Viewport(Document& document, ViewServices& services, Projection projection,
+                   QWidget* parent)
     : QWidget(parent),
       document_(document),
+      services_(services),
+      projection_(projection),
       surface_(create_viewport_surface(this)),
-      surfaces_(document),
-      transfer_job_(new TransferJob(this)),
       band_(QRubberBand::Rectangle, this),
-      camera_(document.scene().camera),
-      frames_(transfer_job_->transfers()) {
+      camera_(document.scene().camera) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(surface_->widget());
@@ -58,24 +59,21 @@ Viewport::Viewport(Document& document, QWidget* parent)
   rest_timer_.setSingleShot(true);
   connect(&rest_timer_, &QTimer::timeout, this, &Viewport::request_at_rest);
 
-  connect(&frames_, &FrameService::frame_ready, this, &Viewport::take_frame);
-  connect(&frames_, &FrameService::failed, this, &Viewport::failed);
+  connect(&services_.frames, &FrameService::frame_ready, this, &Viewport::take_frame);
   // Even if they are again those of the frame shown: another one may be on its way.
-  connect(&quality_, &FrameQuality::settings_changed, this,
-          [this] { frames_.request(frame_request(false)); });
+  connect(&quality_, &FrameQuality::settings_changed, this, [this] {
+    if (!isHidden()) services_.frames.request(frame_request(false));
+  });
   connect(&quality_, &FrameQuality::failed, this, &Viewport::failed);
-  connect(transfer_job_, &TransferJob::made, this, &Viewport::request_frame);
-  connect(transfer_job_, &TransferJob::failed, this, &Viewport::failed);
+  connect(services_.transfer_job, &TransferJob::made, this, &Viewport::request_frame);
   connect(&document_, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
-    if (tool_) tool_->abandon();
-    if (drag_ == Drag::tool) drag_ = Drag::none;
+    drag_ = drag_ == Drag::tool ? Drag::none : drag_;
     hovered_.reset();
     oldest_serial_ = serial_ + 1;
-    set_camera(document_.scene().camera);
+    go_home();
   });
   connect(&document_, &Document::medium_changed, this, [this] {
-    if (tool_) tool_->medium_changed();
     refresh_handles();
     request_frame();
   });
@@ -88,6 +86,7 @@ Viewport::Viewport(Document& document, QWidget* parent)
     request_frame();
   });
   connect(&document_, &Document::selection_changed, this, [this] { update_overlay(); });
+  if (projection_ != Projection::perspective) go_home();
 }
 
 Viewport::~Viewport() = default;
@@ -99,29 +98,82 @@ void Viewport::set_camera(const Camera& camera) {
   request_frame();
 }
 
-void Viewport::frame_all() {
-  if (const auto sphere = bounding_sphere(document_.scene())) {
-    set_camera(frame_sphere(camera_, film(), sphere->center, sphere->radius));
+double Viewport::distance() const {
+  if (projection_ == Projection::perspective) return target_distance(camera_);
+  return half_height(camera_) / std::tan(0.5 * glm::radians(Camera{}.vertical_fov));
+}
+
+void Viewport::go_home() {
+  if (projection_ == Projection::perspective) {
+    set_camera(document_.scene().camera);
+  } else {
+    // The fog, which a large floor would make small.
+    auto sphere = bounding_sphere(document_.medium(), document_.medium().ids());
+    if (!sphere) sphere = bounding_sphere(document_.scene());
+    frame(sphere.value_or(Sphere{glm::dvec3(0.0), 1.0}));
   }
+}
+
+void Viewport::frame(const Sphere& sphere) {
+  if (projection_ == Projection::perspective) {
+    set_camera(frame_sphere(camera_, film(), sphere.center, sphere.radius));
+    return;
+  }
+  const double aspect = static_cast<double>(film().height) / film().width;
+  set_camera(axis_camera(projection_, sphere.center, sphere.radius * std::max(1.0, aspect),
+                         bounding_sphere(document_.scene()).value_or(sphere)));
+}
+
+void Viewport::zoom_by(double factor) {
+  if (projection_ == Projection::perspective) {
+    set_camera(zoom(camera_, factor));
+    return;
+  }
+  const Sphere around = bounding_sphere(document_.scene()).value_or(Sphere{camera_.target, 1.0});
+  const double half =
+      std::clamp(factor * half_height(camera_), 1e-5 * around.radius, 1e3 * around.radius);
+  set_camera(axis_camera(projection_, camera_.target, half, around));
+}
+
+void Viewport::frame_all() {
+  if (const auto sphere = bounding_sphere(document_.scene())) frame(*sphere);
 }
 
 void Viewport::frame_selection() {
   if (const auto sphere = bounding_sphere(document_.medium(), document_.selection())) {
-    set_camera(frame_sphere(camera_, film(), sphere->center, sphere->radius));
+    frame(*sphere);
   } else {
     frame_all();
   }
 }
 
+void Viewport::set_active(bool active) {
+  if (active == active_) return;
+  active_ = active;
+  if (active) {
+    services_.frames.set_active(static_cast<int>(projection_));
+    if (is_settled()) measure();
+  } else {
+    quality_.stop_measuring();
+  }
+}
+
 void Viewport::set_tool(Tool* tool) {
   if (tool_) {
+    tool_->disconnect(this);
     if (drag_ == Drag::tool) tool_->cancel();
     tool_->leave();
   }
   if (drag_ == Drag::tool) drag_ = Drag::none;
   tool_ = tool;
   setCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
-  if (tool_ && underMouse()) tool_->hover(mapFromGlobal(QCursor::pos()));
+  if (tool_) {
+    connect(tool_, &Tool::looks_changed, this, &Viewport::update_overlay);
+    if (underMouse()) {
+      tool_->set_view(*this);
+      tool_->hover(mapFromGlobal(QCursor::pos()));
+    }
+  }
   update_overlay();
 }
 
@@ -147,7 +199,7 @@ glm::dvec3 Viewport::shift_on_film(QPointF pixels) const {
 std::optional<GaussianId> Viewport::most_visible(QPointF position) {
   const CameraRays view = rays();
   const glm::dvec3 direction = view.direction(position.x(), position.y());
-  const auto surface = surfaces_.hit(view.eye(), direction);
+  const auto surface = services_.surfaces.hit(view.eye(), direction);
   const double distance = surface ? glm::distance(surface->position, view.eye())
                                   : std::numeric_limits<double>::infinity();
   const auto scene = document_.visible_snapshot();
@@ -211,9 +263,13 @@ void Viewport::set_time(double time) {
 
 std::shared_ptr<const Scene> Viewport::shown_scene() const {
   auto scene = document_.visible_snapshot();
-  if (scene->emitters.empty()) return scene;
+  const bool is_clear =
+      projection_ == Projection::perspective || scene->medium.homogeneous_density() == 0.0;
+  if (scene->emitters.empty() && is_clear) return scene;
   if (at_time_of_ != scene) {
-    at_time_ = std::make_shared<const Scene>(at_time(*scene, time_));
+    Scene shown = at_time(*scene, time_);
+    if (!is_clear) shown.medium.set_homogeneous_density(0.0);
+    at_time_ = std::make_shared<const Scene>(std::move(shown));
     at_time_of_ = std::move(scene);
   }
   return at_time_;
@@ -244,6 +300,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
           .settings = settings,
           .exposure = exposure_,
           .mode = mode_,
+          .view = static_cast<int>(projection_),
           .serial = serial_,
           .moving = moving};
 }
@@ -251,26 +308,33 @@ FrameRequest Viewport::frame_request(bool moving) const {
 // Everything that changes the picture comes here: something soon, the full frame once it rests.
 void Viewport::request_frame() {
   ++serial_;
+  if (isHidden()) return;
   quality_.picture_changes(*shown_scene(), camera_);
-  transfer_job_->follow(document_.scene());
-  frames_.request(frame_request(true));
+  services_.transfer_job->follow(document_.scene());
+  services_.frames.request(frame_request(true));
   rest_timer_.start(rest_after);
 }
 
 void Viewport::request_at_rest() {
-  if (!is_settled()) frames_.request(frame_request(false));
+  if (!is_settled() && !isHidden()) services_.frames.request(frame_request(false));
 }
 
-void Viewport::take_frame(std::shared_ptr<const RenderedFrame> frame) {
+void Viewport::take_frame(const std::shared_ptr<const RenderedFrame>& frame) {
+  if (frame->request.view != static_cast<int>(projection_)) return;
   if (frame->request.serial < oldest_serial_) return;
-  shown_ = std::move(frame);
+  shown_ = frame;
   show_picture();
   handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
                        shown_->frame);
   update_overlay();
   if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
-  if (is_settled()) quality_.frame_shown(shown_);
+  if (is_settled()) measure();
   Q_EMIT frame_shown();
+}
+
+// One view at a time: each measurement takes all cores.
+void Viewport::measure() {
+  if (active_) quality_.frame_shown(shown_);
 }
 
 void Viewport::refresh_handles() {
@@ -284,7 +348,10 @@ void Viewport::draw_overlay() {
   handles_.draw(overlay, document_.medium(), view, document_.selection(), hovered_,
                 !tool_ || tool_->shows_handles());
   if (mode_ == ViewMode::outlines) handles_.draw_outlines(overlay, document_.medium(), view);
-  if (tool_) tool_->draw(overlay, view);
+  if (tool_) {
+    tool_->draw(overlay, view);
+    if (&tool_->view() == this) tool_->draw_on_film(overlay);
+  }
   add_axes(overlay, view, film());
   surface_->show_overlay(overlay);
 }
@@ -295,15 +362,34 @@ void Viewport::resizeEvent(QResizeEvent* event) {
   request_frame();
 }
 
+void Viewport::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh_handles();
+  if (!is_settled()) request_frame();
+}
+
+void Viewport::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (isHidden()) services_.frames.forget(static_cast<int>(projection_));
+}
+
+void Viewport::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  Q_EMIT used();
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event) {
   if (drag_ != Drag::none) return;  // one gesture at a time
+  Q_EMIT used();
+  if (tool_) tool_->set_view(*this);
   last_position_ = event->position();
   const bool alt = event->modifiers().testFlag(Qt::AltModifier);
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+  const Drag turn = projection_ == Projection::perspective ? Drag::orbit : Drag::pan;
   if (event->button() == Qt::MiddleButton) {
-    drag_ = alt || shift ? Drag::pan : Drag::orbit;
+    drag_ = alt || shift ? Drag::pan : turn;
   } else if (event->button() == Qt::LeftButton && alt && !(tool_ && tool_->takes_alt())) {
-    drag_ = Drag::orbit;
+    drag_ = turn;
   } else if (event->button() == Qt::RightButton && alt) {
     drag_ = Drag::zoom;
   } else if (event->button() == Qt::LeftButton && tool_) {
@@ -318,7 +404,10 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const double half_turn = std::numbers::pi / std::max(1, height());
   switch (drag_) {
     case Drag::none:
-      if (tool_) tool_->hover(event->position());
+      if (tool_) {
+        tool_->set_view(*this);
+        tool_->hover(event->position());
+      }
       break;
     case Drag::tool:
       tool_->move(event->position());
@@ -330,7 +419,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
       set_camera(pan(camera_, film(), {step.x(), step.y()}));
       break;
     case Drag::zoom:
-      set_camera(zoom(camera_, std::exp(0.005 * (step.y() - step.x()))));
+      zoom_by(std::exp(0.005 * (step.y() - step.x())));
       break;
   }
 }
@@ -346,7 +435,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-  set_camera(zoom(camera_, std::pow(0.999, event->angleDelta().y())));
+  Q_EMIT used();
+  zoom_by(std::pow(0.999, event->angleDelta().y()));
   event->accept();
 }
 
@@ -359,7 +449,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 }
 
 void Viewport::leaveEvent(QEvent* /*event*/) {
-  if (tool_) tool_->leave();
+  if (tool_ && &tool_->view() == this) tool_->leave();
 }
 
 }  // namespace brume

@@ -6,11 +6,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/transfer_job.h"
+#include "app/viewport/axis_view.h"
 #include "app/viewport/frame_quality.h"
-#include "app/viewport/frame_service.h"
 #include "app/viewport/handles.h"
-#include "app/viewport/surface_picker.h"
+#include "app/viewport/view_services.h"
 
 namespace brume {
 
@@ -18,16 +17,24 @@ class Document;
 class Tool;
 class ViewportSurface;
 
-// The lit picture with the handles over it, and the view's own camera: moving it is no edit.
+// The lit picture with the handles over it, and the view's own camera: moving it is no edit. One
+// pane of the ViewGrid.
 class Viewport : public QWidget {
   Q_OBJECT
  public:
-  explicit Viewport(Document& document, QWidget* parent = nullptr);
+  Viewport(Document& document, ViewServices& services, Projection projection, QWidget* parent);
   ~Viewport() override;
 
+  // A view along an axis pans and zooms, but does not turn; it leaves out fog that is everywhere,
+  // which would hide all from a camera so far away.
+  [[nodiscard]] Projection projection() const { return projection_; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
   // A camera that no scene file may hold (further out than its limits, say) is not taken.
   void set_camera(const Camera& camera);
+  // From which a camera with the usual field of view sees as much as this one [u]: what sizes of
+  // new things are taken from.
+  [[nodiscard]] double distance() const;
+  void go_home();  // to the scene's camera; along an axis: all fog is seen
   void frame_all();
   void frame_selection();  // all, if nothing is selected
 
@@ -51,8 +58,9 @@ class Viewport : public QWidget {
   [[nodiscard]] FrameQuality& quality() { return quality_; }
   [[nodiscard]] const FrameQuality& quality() const { return quality_; }
 
-  // Makes the radiance transfer of frames; for the status bar.
-  [[nodiscard]] TransferJob& transfer_job() { return *transfer_job_; }
+  // Whether it is the view that keys, panels and the error meter are about.
+  void set_active(bool active);
+  [[nodiscard]] TransferJob& transfer_job() { return *services_.transfer_job; }
 
   // The view in widget coordinates.
   [[nodiscard]] Film film() const;
@@ -71,7 +79,7 @@ class Viewport : public QWidget {
   // Of the Gaussians that are not locked the one that takes most light from the ray at a position:
   // what a user means who points at fog. nullopt where there is hardly any.
   [[nodiscard]] std::optional<GaussianId> most_visible(QPointF position);
-  [[nodiscard]] SurfacePicker& surfaces() { return surfaces_; }
+  [[nodiscard]] SurfacePicker& surfaces() { return services_.surfaces; }
 
   // The frame on screen; nullptr before the first.
   [[nodiscard]] const RenderedFrame* shown() const { return shown_.get(); }
@@ -85,12 +93,16 @@ class Viewport : public QWidget {
   [[nodiscard]] bool has_gl() const { return gl_problem().isEmpty(); }
 
  Q_SIGNALS:
+  void used();  // by mouse, wheel or keys
   void frame_shown();
   void mode_changed();
   void failed(const QString& message);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -101,26 +113,30 @@ class Viewport : public QWidget {
  private:
   enum class Drag { none, orbit, pan, zoom, tool };
 
+  void frame(const Sphere& sphere);
+  void zoom_by(double factor);
   void request_frame();
   void request_at_rest();
-  void take_frame(std::shared_ptr<const RenderedFrame> frame);
+  void measure();
+  void take_frame(const std::shared_ptr<const RenderedFrame>& frame);
   void refresh_handles();
   void show_picture();
   void draw_overlay();
   [[nodiscard]] FrameRequest frame_request(bool moving) const;
 
   Document& document_;
+  ViewServices& services_;
+  const Projection projection_;
   ViewportSurface* surface_;
   Tool* tool_ = nullptr;
-  SurfacePicker surfaces_;
-  TransferJob* transfer_job_;
   QRubberBand band_;
+  bool active_ = false;
 
   Camera camera_;
   double exposure_ = 0.0;
   ViewMode mode_ = ViewMode::final;
   double time_ = 0.0;
-  // shown_scene() of a snapshot with emitters, and what it is of.
+  // shown_scene() where that is not the snapshot itself, and what it is of.
   mutable std::shared_ptr<const Scene> at_time_;
   mutable std::shared_ptr<const Scene> at_time_of_;
   Drag drag_ = Drag::none;
@@ -136,7 +152,6 @@ class Viewport : public QWidget {
   std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest
   QTimer rest_timer_;
   FrameQuality quality_;
-  FrameService frames_;
 };
 
 }  // namespace brume

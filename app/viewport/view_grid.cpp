@@ -1,0 +1,136 @@
+#include "app/viewport/view_grid.h"
+
+#include <QGridLayout>
+#include <QMenu>
+#include <QToolButton>
+
+#include "app/application.h"
+
+namespace brume {
+
+ViewGrid::ViewGrid(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      services_(document, this),
+      layout_(new QGridLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(2);
+  make_pane(Projection::perspective);
+  activate(perspective());
+  arrange();
+}
+
+// The panes go before what they share.
+ViewGrid::~ViewGrid() {
+  qDeleteAll(panes_);
+}
+
+void ViewGrid::make_pane(Projection projection) {
+  auto* pane = new Viewport(document_, services_, projection, this);
+  const std::size_t k = panes_.size();
+  panes_.push_back(pane);
+  layout_->addWidget(pane, static_cast<int>(k / 2), static_cast<int>(k % 2));
+
+  auto* title = new QToolButton(pane);
+  titles_.push_back(title);
+  title->setObjectName("pane_title");
+  title->setAutoRaise(true);
+  title->setFocusPolicy(Qt::NoFocus);
+  title->setPopupMode(QToolButton::InstantPopup);
+  title->setToolTip(tr("What this view shows"));
+  title->move(6, 4);
+  auto* menu = new QMenu(title);
+  for (const ViewMode mode : view_modes) {
+    menu->addAction(view_mode_title(mode), pane, [pane, mode] { pane->set_mode(mode); });
+  }
+  title->setMenu(menu);
+
+  connect(pane, &Viewport::used, this, [this, pane] { activate(*pane); });
+  connect(pane, &Viewport::failed, this, &ViewGrid::failed);
+  connect(pane, &Viewport::mode_changed, this, &ViewGrid::update_titles);
+  const auto pass_on = [this, pane](auto signal) {
+    return [this, pane, signal] {
+      if (pane == active_) Q_EMIT(this->*signal)();
+    };
+  };
+  connect(pane, &Viewport::frame_shown, this, pass_on(&ViewGrid::frame_shown));
+  connect(pane, &Viewport::mode_changed, this, pass_on(&ViewGrid::mode_changed));
+  connect(&pane->quality(), &FrameQuality::error_changed, this, pass_on(&ViewGrid::error_changed));
+
+  if (pane != panes_.front()) {
+    pane->set_time(perspective().time());
+    pane->set_exposure(perspective().exposure());
+    pane->quality().set_airlight(perspective().quality().airlight());
+    pane->quality().set_max_error(perspective().quality().max_error());
+    pane->set_tool(tool_);
+    Q_EMIT pane_made(pane);
+  }
+}
+
+Viewport& ViewGrid::pointed() const {
+  for (Viewport* pane : panes_) {
+    if (pane->isVisible() && pane->underMouse()) return *pane;
+  }
+  return *active_;
+}
+
+void ViewGrid::activate(Viewport& pane) {
+  if (active_ == &pane) return;
+  if (active_) active_->set_active(false);
+  active_ = &pane;
+  pane.set_active(true);
+  update_titles();
+  Q_EMIT active_changed();
+  Q_EMIT mode_changed();
+}
+
+void ViewGrid::show_four(bool four) {
+  if (four == shows_four_) return;
+  shows_four_ = four;
+  if (panes_.size() == 1) {
+    for (const Projection projection : {Projection::top, Projection::front, Projection::side}) {
+      make_pane(projection);
+    }
+  }
+  arrange();
+  active_->setFocus();
+}
+
+void ViewGrid::arrange() {
+  for (Viewport* pane : panes_) pane->setVisible(shows_four_ || pane == active_);
+  update_titles();
+}
+
+void ViewGrid::update_titles() {
+  for (std::size_t k = 0; k < panes_.size(); ++k) {
+    const Viewport& pane = *panes_[k];
+    QString text = projection_title(pane.projection());
+    if (pane.mode() != ViewMode::final) text += " · " + view_mode_title(pane.mode());
+    titles_[k]->setText(text);
+    QPalette colors = palette();
+    const bool marked = &pane == active_ && shows_four_;
+    colors.setColor(QPalette::ButtonText, marked ? accent_color() : QColor(235, 238, 242));
+    titles_[k]->setPalette(colors);
+    titles_[k]->adjustSize();
+    titles_[k]->setVisible(shows_four_ || pane.projection() != Projection::perspective);
+  }
+}
+
+void ViewGrid::set_tool(Tool* tool) {
+  tool_ = tool;
+  for (Viewport* pane : panes_) pane->set_tool(tool);
+}
+
+void ViewGrid::set_time(double time) {
+  for (Viewport* pane : panes_) pane->set_time(time);
+}
+
+void ViewGrid::set_airlight(std::optional<AirlightMethod> method) {
+  for (Viewport* pane : panes_) pane->quality().set_airlight(method);
+}
+
+void ViewGrid::set_max_error(double max_error) {
+  for (Viewport* pane : panes_) pane->quality().set_max_error(max_error);
+}
+
+}  // namespace brume

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <QWidget>
+#include <span>
+#include <vector>
+
+#include "app/viewport/view_services.h"
+#include "app/viewport/viewport.h"
+
+class QGridLayout;
+class QToolButton;
+
+namespace brume {
+
+// One view, or four: perspective, top, front and side. All are rendered by one service and have the
+// same tool; keys, panels and the error meter are about the active one, which is the one that was
+// used last. The views along the axes are made when they are first shown.
+class ViewGrid : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ViewGrid(Document& document, QWidget* parent = nullptr);
+  ~ViewGrid() override;
+
+  [[nodiscard]] Viewport& perspective() const { return *panes_.front(); }
+  [[nodiscard]] Viewport& active() const { return *active_; }
+  // The one under the mouse; the active one if it is elsewhere.
+  [[nodiscard]] Viewport& pointed() const;
+  [[nodiscard]] std::span<Viewport* const> panes() const { return panes_; }
+
+  [[nodiscard]] bool shows_four() const { return shows_four_; }
+  void show_four(bool four);  // or else the active one alone
+
+  // Of all of them.
+  void set_tool(Tool* tool);
+  void set_time(double time);
+  void set_airlight(std::optional<AirlightMethod> method);
+  void set_max_error(double max_error);
+
+  [[nodiscard]] TransferJob& transfer_job() { return *services_.transfer_job; }
+
+ Q_SIGNALS:
+  void pane_made(brume::Viewport* pane);
+  // Of the active one, or that it is another.
+  void active_changed();
+  void frame_shown();
+  void error_changed();
+  void mode_changed();
+  void failed(const QString& message);
+
+ private:
+  void make_pane(Projection projection);
+  void activate(Viewport& pane);
+  void arrange();
+  void update_titles();
+
+  Document& document_;
+  ViewServices services_;
+  QGridLayout* layout_;
+  std::vector<Viewport*> panes_;
+  std::vector<QToolButton*> titles_;  // one for each pane
+  Viewport* active_ = nullptr;
+  Tool* tool_ = nullptr;
+  bool shows_four_ = false;
+};
+
+}  // namespace brume

@@ -1,0 +1,231 @@
+// Four views: perspective, and along the axes.
+
+#include <QAction>
+#include <QLabel>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/viewport/view_grid.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+bool settle_all(const ViewGrid& views) {
+  return QTest::qWaitFor(
+      [&] {
+        return std::ranges::all_of(views.panes(),
+                                   [](const Viewport* pane) { return pane->is_settled(); });
+      },
+      60000);
+}
+
+Viewport& pane(const ViewGrid& views, Projection projection) {
+  return *views.panes()[static_cast<std::size_t>(projection)];
+}
+
+QPoint place(const Viewport& view, const glm::dvec3& point) {
+  const glm::dvec3 at = view.rays().project(point);
+  return QPointF(at.x, at.y).toPoint();
+}
+
+void drag(Viewport& view, QPoint from, QPoint to) {
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  for (int k = 1; k <= 5; ++k) {
+    const QPointF at = QPointF(from) + QPointF(to - from) * k / 5;
+    QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                      {});
+    QApplication::sendEvent(&view, &event);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+}
+
+}  // namespace
+
+class ViewsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_key_goes_to_four_views_and_back() {
+    TestWindow window;
+    ViewGrid& views = window->views();
+    QCOMPARE(views.panes().size(), std::size_t{1});
+    window.key(Qt::Key_Q, Qt::ControlModifier | Qt::AltModifier);
+    QVERIFY(views.shows_four());
+    QCOMPARE(views.panes().size(), std::size_t{4});
+    QVERIFY(settle_all(views));
+    for (const Viewport* one : views.panes()) {
+      QVERIFY(one->isVisible());
+      // Something is seen: all of the scene is framed.
+      const auto& t = one->shown()->frame.transmittance;
+      QVERIFY(*std::min_element(t.begin(), t.end()) < 0.7F);
+    }
+    // The one used last is alone when it is one view again, and has the keys and the figures.
+    Viewport& top = pane(views, Projection::top);
+    QTest::mouseClick(&top, Qt::LeftButton, {}, QPoint(3, top.height() - 3));
+    QCOMPARE(&views.active(), &top);
+    window->findChild<QAction*>("view.four")->trigger();
+    QVERIFY(!views.shows_four());
+    QVERIFY(top.isVisible() && !views.perspective().isVisible());
+    QVERIFY(QTest::qWaitFor([&] { return top.is_measured(); }, 60000));
+    QVERIFY(!views.perspective().is_measured());
+    window->findChild<QAction*>("view.four")->trigger();
+    QVERIFY(views.perspective().isVisible());
+    QVERIFY(settle_all(views));
+  }
+
+  void views_along_the_axes_are_nearly_orthographic() {
+    TestWindow window;
+    ViewGrid& views = window->views();
+    views.show_four(true);
+    const auto check = [&](Projection projection, const glm::dvec3& right, const glm::dvec3& up) {
+      const Viewport& view = pane(views, projection);
+      const double half = half_height(view.camera());
+      for (const glm::dvec3& center : window->document().medium().centers()) {
+        const glm::dvec3 at = view.rays().project(center);
+        const glm::dvec3 from = center - view.camera().target;
+        const double per_unit = 0.5 * view.height() / half;
+        const QPointF parallel(0.5 * view.width() + per_unit * glm::dot(from, right),
+                               0.5 * view.height() - per_unit * glm::dot(from, up));
+        // Parallel to within a degree: off by what a depth of the scene's size makes of that.
+        QVERIFY((QPointF(at.x, at.y) - parallel).manhattanLength() < 0.02 * view.height());
+      }
+    };
+    check(Projection::top, {1, 0, 0}, {0, 0, -1});
+    check(Projection::front, {1, 0, 0}, {0, 1, 0});
+    check(Projection::side, {0, 0, -1}, {0, 1, 0});
+  }
+
+  void zooming_in_keeps_the_whole_depth() {
+    const Sphere scene{{1.0, 2.0, 3.0}, 10.0};
+    for (const Projection projection : {Projection::top, Projection::front, Projection::side}) {
+      const Camera camera = axis_camera(projection, {4.0, 0.0, 2.0}, 1e-3, scene);
+      const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+      QVERIFY(glm::dot(scene.center - camera.eye, forward) > scene.radius);
+      QVERIFY(std::abs(half_height(camera) - 1e-3) < 1e-12);
+    }
+  }
+
+  void navigation_along_an_axis_does_not_turn() {
+    TestWindow window;
+    ViewGrid& views = window->views();
+    views.show_four(true);
+    Viewport& front = pane(views, Projection::front);
+    const Camera before = front.camera();
+    QTest::mousePress(&front, Qt::MiddleButton, {}, QPoint(50, 50));
+    QMouseEvent move(QEvent::MouseMove, QPointF(80, 70), front.mapToGlobal(QPointF(80, 70)),
+                     Qt::NoButton, Qt::MiddleButton, {});
+    QApplication::sendEvent(&front, &move);
+    QTest::mouseRelease(&front, Qt::MiddleButton, {}, QPoint(80, 70));
+    const glm::dvec3 way = front.camera().target - before.target;
+    QVERIFY(glm::length(way) > 0.0);
+    QVERIFY(std::abs(way.z) < 1e-9);
+    QVERIFY(glm::distance(front.camera().eye - before.eye, way) < 1e-9);
+    QCOMPARE(&views.active(), &front);
+    const double half = half_height(front.camera());
+    QWheelEvent wheel(QPointF(9, 9), front.mapToGlobal(QPointF(9, 9)), {}, {0, 120}, Qt::NoButton,
+                      {}, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&front, &wheel);
+    QVERIFY(half_height(front.camera()) < half);
+    front.setFocus();
+    QTest::keyClick(&front, Qt::Key_Home);
+    QVERIFY(glm::distance(front.camera().target, before.target) < 1e-9);
+  }
+
+  void tools_work_in_every_pane() {
+    TestWindow window;
+    ViewGrid& views = window->views();
+    Document& document = window->document();
+    views.show_four(true);
+    QVERIFY(settle_all(views));
+    // A drag on a handle moves in the plane of the pane: in the top view, not up.
+    const std::array planes{std::pair{Projection::top, 1}, std::pair{Projection::front, 2},
+                            std::pair{Projection::side, 0}};
+    for (const auto& [projection, fixed] : planes) {
+      Viewport& view = pane(views, projection);
+      const glm::dvec3 start = document.medium().centers()[2];
+      const QPoint from = place(view, start);
+      QTest::mouseClick(&view, Qt::LeftButton, {}, from);
+      QCOMPARE(document.selection(), std::vector<GaussianId>{3});
+      drag(view, from, from + QPoint(20, -15));
+      QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
+      const glm::dvec3 way = document.medium().centers()[2] - start;
+      QVERIFY(glm::length(way) > 0.05);
+      QVERIFY(std::abs(way[fixed]) < 0.02 * glm::length(way));
+      QVERIFY((place(view, document.medium().centers()[2]) - from - QPoint(20, -15))
+                  .manhattanLength() <= 2);
+      document.undo_stack().undo();
+    }
+    // A brush paints at the depth of what is selected.
+    window->findChild<QAction*>("tool.paintbrush")->trigger();
+    Viewport& top = pane(views, Projection::top);
+    const std::size_t count = document.medium().size();
+    drag(top, top.rect().center() - QPoint(40, 0), top.rect().center() + QPoint(40, 0));
+    QVERIFY(document.medium().size() > count);
+    QVERIFY(document.undo_stack().undoText().startsWith("Paint"));
+    for (std::size_t k = count; k < document.medium().size(); ++k) {
+      // But for the scatter across the stroke, which is less than the radius.
+      const Gaussian painted = document.medium().gaussian(k);
+      QVERIFY(std::abs(painted.center.y - document.medium().centers()[2].y) < painted.radius);
+    }
+    window->findChild<QAction*>("tool.lasso")->trigger();
+    Viewport& side = pane(views, Projection::side);
+    drag(side, side.rect().center(), side.rect().center() + QPoint(30, 0));
+    QVERIFY(settle_all(views));
+  }
+
+  void each_pane_has_its_own_mode() {
+    TestWindow window;
+    ViewGrid& views = window->views();
+    views.show_four(true);
+    Viewport& side = pane(views, Projection::side);
+    side.setFocus();
+    QTest::keyClick(&side, Qt::Key_Tab);
+    QVERIFY(side.mode() == ViewMode::airlight);
+    QVERIFY(views.perspective().mode() == ViewMode::final);
+  }
+
+  void fog_that_is_everywhere_does_not_hide_the_views_along_the_axes() {
+    Scene scene = small_scene();
+    scene.medium.set_homogeneous_density(0.1);
+    TestWindow window(scene);
+    ViewGrid& views = window->views();
+    views.show_four(true);
+    QVERIFY(settle_all(views));
+    const auto corner = [](const Viewport& view) {
+      return view.shown()->frame.transmittance.front();
+    };
+    QVERIFY(corner(views.perspective()) < 0.6F);
+    QVERIFY(corner(pane(views, Projection::top)) > 0.9F);
+  }
+
+  void the_active_view_comes_first_and_the_others_come_too() {
+    FrameService service(std::make_shared<TransferStore>());
+    std::vector<int> came;
+    connect(&service, &FrameService::frame_ready, this,
+            [&](const std::shared_ptr<const RenderedFrame>& frame) {
+              came.push_back(frame->request.view);
+            });
+    FrameRequest request;
+    request.scene = std::make_shared<const Scene>(small_scene());
+    request.camera = request.scene->camera;
+    request.serial = 1;
+    request.film = {700, 500};  // long enough to be interrupted
+    request.settings.airlight = AirlightMethod::march;
+    request.settings.march_steps = 400;
+    for (const int view : {1, 2, 3}) {
+      request.view = view;
+      service.request(request);
+    }
+    QTest::qWait(30);
+    request.view = 0;
+    request.film = {60, 40};
+    service.request(request);
+    QTRY_VERIFY_WITH_TIMEOUT(came.size() == 4, 120000);
+    QCOMPARE(came, (std::vector<int>{0, 1, 2, 3}));
+  }
+};
+
+BRUME_TEST_MAIN(ViewsTest)
+#include "views_test.moc"
