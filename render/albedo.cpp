@@ -50,6 +50,9 @@ void add_cost(const FrameStatistics& part, FrameStatistics& sum) {
   sum.light_pairs += part.light_pairs;
   sum.view_pairs += part.view_pairs;
   sum.exact_pixels = std::max(sum.exact_pixels, part.exact_pixels);
+  for (std::size_t i = 0; i < part.pixel_pairs.size(); ++i) {
+    sum.pixel_pairs[i] += part.pixel_pairs[i];
+  }
   for (std::size_t i = 0; i < std::min(part.stages.size(), sum.stages.size()); ++i) {
     sum.stages[i].milliseconds += part.stages[i].milliseconds;
   }

@@ -1,26 +1,12 @@
 #include "render/error_estimate.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "render/albedo.h"
-#include "render/cpu/visibility.h"
-#include "render/fog_end.h"
-#include "render/light_limits.h"
-#include "render/medium_index.h"
-#include "render/reference/reference_airlight.h"
-#include "render/render_plan.h"
+#include "render/reference/reference_pixels.h"
 
 namespace brume {
-namespace {
-
-// What the reference leaves out of a ray's optical depth.
-constexpr double depth_error = 1e-8;
-
-}  // namespace
 
 std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& camera,
                                              const Frame& guide, std::size_t count,
@@ -57,44 +43,12 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
     }
   }
 
-  const RenderPlan plan(scene, AirlightMethod::reference);
-  const CameraRays rays(camera, guide.film);
-  const Visibility visibility(scene.surfaces);
-  const Occluders occluders(scene.surfaces);
-  const FogEnd fog_end(scene);
-  std::vector<ReferenceLight> lights;
-  for (const PointLight& light : plan.lights) {
-    lights.push_back(
-        {light.position, light.intensity, least_light_distance(rays, camera, light.position)});
-  }
-  for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
-    const Medium extinction = extinction_medium(scene.medium, group.albedo);
-    MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
-                       scene.optics.anisotropy);
-    medium.set_noise(RayNoise(scene.optics.noise, guide.time));
-    std::optional<ReferenceEnvironment> environment;
-    if (plan.environment) {
-      environment.emplace(*scene.environment, scene.optics.anisotropy,
-                          fog_end.depth_of_surfaces(medium.homogeneous_density()), tolerance);
-    }
-    tbb::parallel_for(std::size_t{0}, sample.pixels_.size(), [&](std::size_t k) {
-      if (stop.stop_requested()) return;
-      Pixel& pixel = sample.pixels_[k];
-      const auto width = static_cast<std::size_t>(guide.film.width);
-      const glm::dvec3 w = rays.direction(static_cast<double>(pixel.index % width) + 0.5,
-                                          static_cast<double>(pixel.index / width) + 0.5);
-      const double length =
-          std::min(visibility.first_hit(rays.eye(), w).distance, fog_end.of_rays(rays.eye()));
-      const glm::dvec3 airlight =
-          reference_airlight(medium, occluders, lights, environment ? &*environment : nullptr,
-                             rays.eye(), w, length, tolerance)
-              .airlight;
-      for (const std::size_t c : group.channels) {
-        pixel.airlight[static_cast<int>(c)] = group.albedo * airlight[static_cast<int>(c)];
-      }
-    });
-  }
-  if (stop.stop_requested()) return std::nullopt;
+  std::vector<std::size_t> indices;
+  for (const Pixel& pixel : sample.pixels_) indices.push_back(pixel.index);
+  const ReferencePixels reference(scene, camera, guide.film, guide.time, tolerance);
+  const std::vector<glm::dvec3> airlight = reference.airlight(indices, stop);
+  if (airlight.size() != indices.size()) return std::nullopt;
+  for (std::size_t k = 0; k < airlight.size(); ++k) sample.pixels_[k].airlight = airlight[k];
   return sample;
 }
 

@@ -18,8 +18,10 @@ namespace {
 // The pixels of a frame that one call of a method evaluates.
 class Batch {
  public:
-  Batch(const CameraRays& rays, std::span<const SurfaceHit> hits, const Film& film)
-      : rays_(rays), hits_(hits), film_(film) {}
+  // Adds to `pixel_pairs`.
+  Batch(const CameraRays& rays, std::span<const SurfaceHit> hits, const Film& film,
+        std::span<float> pixel_pairs)
+      : rays_(rays), hits_(hits), film_(film), pixel_pairs_(pixel_pairs) {}
 
   [[nodiscard]] bool full() const { return count_ == Tiles::pixels; }
 
@@ -41,7 +43,10 @@ class Batch {
                         std::span(lengths_).first(count_)};
     const std::uint64_t pairs = method(
         gaussians, rays, {std::span(airlight_).first(count_), std::span(depths_).first(count_)});
+    // A tile's rays share their Gaussians.
+    const float each = static_cast<float>(pairs) / static_cast<float>(count_);
     for (std::size_t k = 0; k < count_; ++k) {
+      pixel_pairs_[pixels_[k]] += each;
       const glm::vec3& l = airlight_[k];
       store(pixels_[k], glm::vec4(finite(l.x), finite(l.y), finite(l.z),
                                   finite(static_cast<float>(std::exp(-depths_[k])))));
@@ -54,6 +59,7 @@ class Batch {
   const CameraRays& rays_;
   std::span<const SurfaceHit> hits_;
   Film film_;
+  std::span<float> pixel_pairs_;
   std::size_t count_ = 0;
   std::array<std::size_t, Tiles::pixels> pixels_;
   std::array<glm::dvec3, Tiles::pixels> directions_;
@@ -228,11 +234,13 @@ FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
   const Tiles tiles(samples.film());
   const Tiles::Lists lists = tiles.lists(medium, rays, scale);
   FilmAirlight result;
+  std::vector<float>& pixel_pairs = frame.statistics.pixel_pairs;
+  pixel_pairs.assign(frame.depth.size(), 0.0f);
   result.gaussians_used = lists.used;
   std::atomic<std::uint64_t> pairs = 0;
   std::atomic<std::size_t> exact = 0;
   job.each_reported(tiles.count(), [&](std::size_t tile) {
-    Batch batch(rays, hits, frame.film);
+    Batch batch(rays, hits, frame.film, pixel_pairs);
     std::array<std::size_t, Tiles::pixels> order;
     std::size_t count = 0;
     Tiles::each_pixel(tiles.rectangle(tile), [&](int column, int row) {
@@ -249,7 +257,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
   if (scale > 1 && !job.stop.stop_requested()) {
     samples.measure_bends(settings.upsampling_tolerance, job);
     job.each(tiles.count(), [&](std::size_t tile) {
-      Batch batch(rays, hits, frame.film);
+      Batch batch(rays, hits, frame.film, pixel_pairs);
       const auto evaluate = [&] {
         pairs +=
             batch.evaluate(lists.of(tile), method, [&](std::size_t pixel, const glm::vec4& value) {

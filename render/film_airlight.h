@@ -24,8 +24,8 @@ struct FilmAirlight {
   std::size_t exact_pixels = 0;    // where the method itself was asked
 };
 
-// Fills frame.airlight and frame.transmittance, tile by tile; `hits` says per pixel where the rays
-// end, and is empty where none does.
+// Fills frame.airlight, frame.transmittance and the pairs of pixels, tile by tile; `hits` says per
+// pixel where the rays end, and is empty where none does.
 //
 // With settings.airlight_scale 2 or 4 the method is asked at every so-many-th pixel of each row and
 // column, and what lies between is interpolated (section 5.4 of the paper). Where that would not

@@ -33,6 +33,8 @@ struct FrameStatistics {
   std::size_t exact_pixels = 0;   // whose airlight is not interpolated
   std::uint64_t light_pairs = 0;  // Gaussian x ray pairs evaluated from lights
   std::uint64_t view_pairs = 0;   // Gaussian x ray pairs evaluated from the eye
+  // Of view_pairs those for each pixel; 0 where airlight is interpolated. Empty without a medium.
+  std::vector<float> pixel_pairs;
 };
 
 // A rendered frame: linear radiance, rows from the top, width * height pixels.

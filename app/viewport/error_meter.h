@@ -1,14 +1,10 @@
 #pragma once
 
 #include <QObject>
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <stop_token>
-#include <thread>
 
+#include "app/job_thread.h"
 #include "render/error_estimate.h"
 
 namespace brume {
@@ -20,12 +16,11 @@ class ErrorMeter : public QObject {
   Q_OBJECT
  public:
   explicit ErrorMeter(QObject* parent = nullptr);
-  ~ErrorMeter() override;  // gives up
 
   // Instead of what is being measured. Equal seeds give equal pixels of equal frames.
   void measure(std::shared_ptr<const RenderedFrame> frame, std::uint64_t seed);
   // Does not wait: the thread is free within the reference's time for a pixel.
-  void cancel();
+  void cancel() { thread_.cancel(); }
 
  Q_SIGNALS:
   // May still come, once, for a frame that was cancelled just before.
@@ -38,13 +33,9 @@ class ErrorMeter : public QObject {
     std::shared_ptr<const RenderedFrame> frame;
     std::uint64_t seed = 0;
   };
-  void work(const std::stop_token& quit);
+  void work(const Job& job, const std::stop_token& stop);
 
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::optional<Job> pending_;
-  std::stop_source stop_job_;
-  std::jthread thread_;
+  JobThread<Job> thread_;
 };
 
 }  // namespace brume

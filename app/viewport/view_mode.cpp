@@ -6,12 +6,16 @@
 #include <cmath>
 #include <cstring>
 
+#include "app/viewport/error_map.h"
 #include "render/frame.h"
 
 namespace brume {
 namespace {
 
-constexpr double deepest = 4.0;         // optical depth at the end of the scale
+constexpr double deepest = 4.0;        // optical depth at the end of the scale
+constexpr double least_error = 0.001;  // the scale of errors is logarithmic
+constexpr double error_decades = 2.0;
+constexpr int cost_block = 8;           // pixels that a cost is the mean of, either way
 constexpr double behind_outlines = -2;  // stops
 
 QImage displayed(const Frame& frame, double exposure) {
@@ -48,10 +52,59 @@ QImage depths(const Frame& frame) {
   return image;
 }
 
+QString tr(const char* text) {
+  return QCoreApplication::translate("ViewMode", text);
+}
+
+// Means over blocks: where airlight is interpolated, only some pixels cost anything.
+struct Costs {
+  int columns = 0;
+  std::vector<double> means;
+  double scale = 1.0;  // the largest, rounded up to 1, 2 or 5 times a power of ten
+};
+
+Costs costs_of(const Frame& frame) {
+  const auto blocks = [](int pixels) { return (pixels + cost_block - 1) / cost_block; };
+  Costs costs;
+  costs.columns = blocks(frame.film.width);
+  const auto count =
+      static_cast<std::size_t>(costs.columns) * static_cast<std::size_t>(blocks(frame.film.height));
+  costs.means.assign(count, 0.0);
+  const std::vector<float>& pairs = frame.statistics.pixel_pairs;
+  if (pairs.empty()) return costs;
+  std::vector<int> pixels(count, 0);
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::size_t block =
+        i / width / cost_block * static_cast<std::size_t>(costs.columns) + i % width / cost_block;
+    costs.means[block] += static_cast<double>(pairs[i]);
+    ++pixels[block];
+  }
+  for (std::size_t k = 0; k < count; ++k) costs.means[k] /= pixels[k];
+  const double most = *std::max_element(costs.means.begin(), costs.means.end());
+  if (!(most > 0.0)) return costs;
+  costs.scale = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double step : {2.0, 2.5, 2.0}) {
+    if (costs.scale < most) costs.scale *= step;
+  }
+  return costs;
+}
+
+QImage cost_picture(const Frame& frame) {
+  const Costs costs = costs_of(frame);
+  QImage image(frame.film.width, frame.film.height, QImage::Format_RGB32);
+  for (int y = 0; y < frame.film.height; ++y) {
+    for (int x = 0; x < frame.film.width; ++x) {
+      const auto block = static_cast<std::size_t>(y / cost_block * costs.columns + x / cost_block);
+      image.setPixel(x, y, false_color(costs.means[block] / costs.scale));
+    }
+  }
+  return image;
+}
+
 }  // namespace
 
 QString view_mode_title(ViewMode mode) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("ViewMode", text); };
   switch (mode) {
     case ViewMode::final:
       return tr("Final Picture");
@@ -61,13 +114,17 @@ QString view_mode_title(ViewMode mode) {
       return tr("Optical Depth");
     case ViewMode::outlines:
       return tr("Outlines");
+    case ViewMode::cost:
+      return tr("Cost");
+    case ViewMode::error:
+      return tr("Error Against the Reference");
   }
   return {};
 }
 
 ViewMode next_view_mode(ViewMode mode) {
-  return mode == ViewMode::outlines ? ViewMode::final
-                                    : static_cast<ViewMode>(static_cast<int>(mode) + 1);
+  return mode == view_modes.back() ? view_modes.front()
+                                   : static_cast<ViewMode>(static_cast<int>(mode) + 1);
 }
 
 QImage to_picture(const Frame& frame, double exposure, ViewMode mode) {
@@ -76,25 +133,66 @@ QImage to_picture(const Frame& frame, double exposure, ViewMode mode) {
       return airlight_only(frame, exposure);
     case ViewMode::optical_depth:
       return depths(frame);
+    case ViewMode::cost:
+      return cost_picture(frame);
     case ViewMode::outlines:
+    case ViewMode::error:
       return displayed(frame, exposure + behind_outlines);
     default:
       return displayed(frame, exposure);
   }
 }
 
+QImage error_picture(const ErrorMap& map) {
+  QImage image(map.film.width, map.film.height, QImage::Format_RGB32);
+  const float* error = map.error.data();
+  for (int y = 0; y < map.film.height; ++y) {
+    for (int x = 0; x < map.film.width; ++x, ++error) {
+      const double e = std::max(static_cast<double>(*error), least_error);
+      image.setPixel(x, y, false_color(std::log10(e / least_error) / error_decades));
+    }
+  }
+  return image;
+}
+
+ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map) {
+  switch (mode) {
+    case ViewMode::optical_depth:
+      return {tr("Optical depth"), {"0", "1", "2", "3", "4"}};
+    case ViewMode::cost: {
+      const double most = costs_of(frame).scale;
+      return {tr("Pairs of Gaussian and ray per pixel"),
+              {"0", QString::number(0.5 * most), QString::number(most)}};
+    }
+    case ViewMode::error: {
+      if (!map) return {tr("Error: waits until the picture is measured"), {}};
+      QString title = tr("Error");
+      if (map->done < 1.0) {
+        title = tr("Error, %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
+      }
+      return {title, {"0.1 %", "1 %", "10 %"}};
+    }
+    default:
+      return {};
+  }
+}
+
 QRgb depth_color(double optical_depth) {
+  return false_color(optical_depth / deepest);
+}
+
+QRgb false_color(double t) {
   // Lightness grows all the way, so that it can be read without colours too.
   struct Stop {
     double r, g, b;
   };
   static constexpr std::array stops{Stop{12, 7, 50},    Stop{60, 40, 120},  Stop{38, 110, 140},
                                     Stop{50, 165, 110}, Stop{150, 205, 70}, Stop{253, 240, 160}};
-  const double at = std::clamp(optical_depth / deepest, 0.0, 1.0) * (stops.size() - 1);
+  const double at = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  const double t = at - static_cast<double>(k);
-  const auto mix = [t](double a, double b) {
-    return static_cast<int>(std::lround(a + t * (b - a)));
+  const double part = at - static_cast<double>(k);
+  const auto mix = [part](double a, double b) {
+    return static_cast<int>(std::lround(a + part * (b - a)));
   };
   return qRgb(mix(stops[k].r, stops[k + 1].r), mix(stops[k].g, stops[k + 1].g),
               mix(stops[k].b, stops[k + 1].b));

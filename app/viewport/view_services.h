@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/transfer_job.h"
+#include "app/viewport/error_map.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/surface_picker.h"
 
@@ -16,6 +17,7 @@ struct ViewServices {
   TransferJob* transfer_job;  // makes the radiance transfer of frames; shown in the status bar
   SurfacePicker surfaces;
   FrameService frames;
+  ErrorMapper error_mapper;  // of the active pane
 };
 
 }  // namespace brume

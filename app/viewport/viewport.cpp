@@ -13,6 +13,7 @@
 #include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
 #include "app/viewport/bounds.h"
+#include "app/viewport/legend.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport_surface.h"
 #include "core/authoring/contribution.h"
@@ -45,6 +46,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
       projection_(projection),
       surface_(create_viewport_surface(this)),
       band_(QRubberBand::Rectangle, this),
+      legend_(new Legend(this)),
       camera_(document.scene().camera) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -65,6 +67,16 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
     if (!isHidden()) services_.frames.request(frame_request(false));
   });
   connect(&quality_, &FrameQuality::failed, this, &Viewport::failed);
+  connect(&quality_, &FrameQuality::error_changed, this, &Viewport::map_error);
+  connect(&services_.error_mapper, &ErrorMapper::grown, this,
+          [this](const auto& frame, const auto& map) {
+            if (frame != shown_ || mode_ != ViewMode::error) return;
+            error_map_ = map;
+            show_picture();
+          });
+  connect(&services_.error_mapper, &ErrorMapper::failed, this, [this](const QString& message) {
+    if (active_) Q_EMIT failed(message);
+  });
   connect(services_.transfer_job, &TransferJob::made, this, &Viewport::request_frame);
   connect(&document_, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
@@ -155,6 +167,7 @@ void Viewport::set_active(bool active) {
     if (is_settled()) measure();
   } else {
     quality_.stop_measuring();
+    if (mode_ == ViewMode::error) services_.error_mapper.cancel();
   }
 }
 
@@ -219,7 +232,9 @@ void Viewport::set_exposure(double stops) {
 void Viewport::set_mode(ViewMode mode) {
   if (mode == mode_) return;
   mode_ = mode;
+  forget_error_map();
   show_picture();
+  map_error();
   update_overlay();
   Q_EMIT mode_changed();
 }
@@ -227,7 +242,13 @@ void Viewport::set_mode(ViewMode mode) {
 // The frame on screen, as it is to be seen now.
 void Viewport::show_picture() {
   if (!shown_) return;
+  legend_->show_scale(color_scale(shown_->frame, mode_, error_map_.get()));
+  place_legend();
   const FrameRequest& request = shown_->request;
+  if (error_map_) {
+    surface_->show_picture(error_picture(*error_map_));
+    return;
+  }
   surface_->show_picture(request.exposure == exposure_ && request.mode == mode_
                              ? shown_->picture
                              : to_picture(shown_->frame, exposure_, mode_));
@@ -308,6 +329,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
 // Everything that changes the picture comes here: something soon, the full frame once it rests.
 void Viewport::request_frame() {
   ++serial_;
+  forget_error_map();
   if (isHidden()) return;
   quality_.picture_changes(*shown_scene(), camera_);
   services_.transfer_job->follow(document_.scene());
@@ -323,6 +345,7 @@ void Viewport::take_frame(const std::shared_ptr<const RenderedFrame>& frame) {
   if (frame->request.view != static_cast<int>(projection_)) return;
   if (frame->request.serial < oldest_serial_) return;
   shown_ = frame;
+  forget_error_map();
   show_picture();
   handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
                        shown_->frame);
@@ -335,6 +358,20 @@ void Viewport::take_frame(const std::shared_ptr<const RenderedFrame>& frame) {
 // One view at a time: each measurement takes all cores.
 void Viewport::measure() {
   if (active_) quality_.frame_shown(shown_);
+}
+
+// Once the frame is measured, auto will not choose another.
+void Viewport::map_error() {
+  if (mode_ == ViewMode::error && active_ && is_measured()) services_.error_mapper.start(shown_);
+}
+
+void Viewport::forget_error_map() {
+  if (active_) services_.error_mapper.cancel();
+  error_map_.reset();
+}
+
+void Viewport::place_legend() {
+  legend_->move(width() - legend_->width() - 8, height() - legend_->height() - 8);
 }
 
 void Viewport::refresh_handles() {
@@ -358,6 +395,7 @@ void Viewport::draw_overlay() {
 
 void Viewport::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  place_legend();
   refresh_handles();
   request_frame();
 }

@@ -14,6 +14,7 @@
 namespace brume {
 
 class Document;
+class Legend;
 class Tool;
 class ViewportSurface;
 
@@ -88,6 +89,9 @@ class Viewport : public QWidget {
   // Whether its error is known as well, and with it that auto will not choose another.
   [[nodiscard]] bool is_measured() const { return is_settled() && quality_.is_measured(); }
 
+  // The error of the frame on screen as far as it is known; nullptr where it is not shown.
+  [[nodiscard]] const ErrorMap* error_map() const { return error_map_.get(); }
+
   // Why the picture is shown without OpenGL; empty if it is not.
   [[nodiscard]] QString gl_problem() const;
   [[nodiscard]] bool has_gl() const { return gl_problem().isEmpty(); }
@@ -118,9 +122,12 @@ class Viewport : public QWidget {
   void request_frame();
   void request_at_rest();
   void measure();
+  void map_error();  // where that is to be seen and nothing else is due
+  void forget_error_map();
   void take_frame(const std::shared_ptr<const RenderedFrame>& frame);
   void refresh_handles();
   void show_picture();
+  void place_legend();
   void draw_overlay();
   [[nodiscard]] FrameRequest frame_request(bool moving) const;
 
@@ -130,6 +137,7 @@ class Viewport : public QWidget {
   ViewportSurface* surface_;
   Tool* tool_ = nullptr;
   QRubberBand band_;
+  Legend* legend_;
   bool active_ = false;
 
   Camera camera_;
@@ -149,6 +157,7 @@ class Viewport : public QWidget {
   std::uint64_t serial_ = 0;         // of the state that frames should show
   std::uint64_t oldest_serial_ = 0;  // frames before this show another scene
   std::shared_ptr<const RenderedFrame> shown_;
+  std::shared_ptr<const ErrorMap> error_map_;  // of the frame on screen
   std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest
   QTimer rest_timer_;
   FrameQuality quality_;

@@ -1,0 +1,70 @@
+#include "render/reference/reference_pixels.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "render/albedo.h"
+#include "render/light_limits.h"
+#include "render/render_plan.h"
+
+namespace brume {
+namespace {
+
+// What the reference leaves out of a ray's optical depth.
+constexpr double depth_error = 1e-8;
+
+}  // namespace
+
+ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const Film& film,
+                                 double time, double tolerance)
+    : rays_(camera, film),
+      width_(static_cast<std::size_t>(film.width)),
+      tolerance_(tolerance),
+      visibility_(scene.surfaces),
+      occluders_(scene.surfaces) {
+  const RenderPlan plan(scene, AirlightMethod::reference);
+  const FogEnd fog_end(scene);
+  ray_end_ = fog_end.of_rays(rays_.eye());
+  for (const PointLight& light : plan.lights) {
+    lights_.push_back(
+        {light.position, light.intensity, least_light_distance(rays_, camera, light.position)});
+  }
+  for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
+    const Medium extinction = extinction_medium(scene.medium, group.albedo);
+    MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
+                       scene.optics.anisotropy);
+    medium.set_noise(RayNoise(scene.optics.noise, time));
+    std::optional<ReferenceEnvironment> environment;
+    if (plan.environment) {
+      environment.emplace(*scene.environment, scene.optics.anisotropy,
+                          fog_end.depth_of_surfaces(medium.homogeneous_density()), tolerance);
+    }
+    groups_.push_back({group.channels, group.albedo, std::move(medium), std::move(environment)});
+  }
+}
+
+std::vector<glm::dvec3> ReferencePixels::airlight(std::span<const std::size_t> pixels,
+                                                  const std::stop_token& stop) const {
+  std::vector<glm::dvec3> result(pixels.size(), glm::dvec3(0.0));
+  for (const Group& group : groups_) {
+    tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t k) {
+      if (stop.stop_requested()) return;
+      const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
+                                           static_cast<double>(pixels[k] / width_) + 0.5);
+      const double length = std::min(visibility_.first_hit(rays_.eye(), w).distance, ray_end_);
+      const glm::dvec3 airlight =
+          reference_airlight(group.medium, occluders_, lights_,
+                             group.environment ? &*group.environment : nullptr, rays_.eye(), w,
+                             length, tolerance_)
+              .airlight;
+      for (const std::size_t c : group.channels) {
+        result[k][static_cast<int>(c)] = group.albedo * airlight[static_cast<int>(c)];
+      }
+    });
+  }
+  if (stop.stop_requested()) result.clear();
+  return result;
+}
+
+}  // namespace brume

@@ -1,0 +1,124 @@
+// What views show of a frame in false colours.
+
+#include <cmath>
+#include <numeric>
+
+#include "app/viewport/error_map.h"
+#include "app/viewport/legend.h"
+#include "app/viewport/view_grid.h"
+#include "render/renderer.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+std::shared_ptr<const RenderedFrame> rendered(const Settings& settings) {
+  auto result = std::make_shared<RenderedFrame>();
+  FrameRequest& request = result->request;
+  request.scene = std::make_shared<const Scene>(small_scene());
+  request.camera = request.scene->camera;
+  request.film = {45, 34};
+  request.settings = settings;
+  result->frame = *Renderer().render(*request.scene, request.camera, request.film, settings);
+  return result;
+}
+
+}  // namespace
+
+class ModesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void the_cost_is_that_of_the_frame() {
+    for (const int scale : {1, 4}) {
+      Settings settings = sliced_settings({}, 12);
+      settings.airlight_scale = scale;
+      const auto frame = rendered(settings);
+      const FrameStatistics& statistics = frame->frame.statistics;
+      const double sum =
+          std::accumulate(statistics.pixel_pairs.begin(), statistics.pixel_pairs.end(), 0.0);
+      QVERIFY(statistics.view_pairs > 0);
+      QVERIFY(std::abs(sum - static_cast<double>(statistics.view_pairs)) < 1e-4 * sum);
+    }
+    // A corner that is hardly reached costs less than fog; the end of the scale is no less than any.
+    const auto frame = rendered(sliced_settings({}, 12));
+    const QImage picture = to_picture(frame->frame, 0.0, ViewMode::cost);
+    QVERIFY(2 * qGreen(picture.pixel(0, 0)) < qGreen(picture.pixel(22, 20)));
+    const ColorScale scale = color_scale(frame->frame, ViewMode::cost, nullptr);
+    QCOMPARE(scale.ticks.size(), 3);
+    const auto& pairs = frame->frame.statistics.pixel_pairs;
+    QVERIFY(scale.ticks[2].toDouble() >= 0.5 * *std::max_element(pairs.begin(), pairs.end()));
+  }
+
+  void the_error_of_each_pixel_is_that_against_the_reference() {
+    const auto frame = rendered(sliced_settings({}, 8));
+    Settings settings;
+    settings.airlight = AirlightMethod::reference;
+    const auto truth = rendered(settings);
+    ErrorMapper mapper;
+    std::shared_ptr<const ErrorMap> map;
+    connect(&mapper, &ErrorMapper::grown, this, [&](const auto& of, const auto& grown) {
+      QCOMPARE(of, frame);
+      QVERIFY(!map || grown->done >= map->done);
+      map = grown;
+    });
+    mapper.start(frame);
+    QTRY_VERIFY_WITH_TIMEOUT(map && map->done == 1.0, 60000);
+    const std::vector<float>& a = frame->frame.airlight;
+    const std::vector<float>& b = truth->frame.airlight;
+    double all = 0.0;
+    for (const float v : a) all += static_cast<double>(v) * static_cast<double>(v);
+    const double unit = std::sqrt(all / static_cast<double>(a.size()));
+    double worst = 0.0;
+    for (std::size_t i = 0; i < map->error.size(); ++i) {
+      double square = 0.0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        square += std::pow(static_cast<double>(a[3 * i + c] - b[3 * i + c]), 2) / 3.0;
+      }
+      const double error = std::sqrt(square) / unit;
+      // As far as the map's own reference is converged.
+      worst = std::max(worst, std::abs(error - static_cast<double>(map->error[i])));
+    }
+    QVERIFY2(worst < 5e-3, qPrintable(QString::number(worst)));
+    const auto greatest = std::max_element(map->error.begin(), map->error.end());
+    QVERIFY(*greatest > 0.01F);
+    const auto at = static_cast<int>(greatest - map->error.begin());
+    QVERIFY(error_picture(*map).pixel(at % 45, at / 45) != false_color(0.0));
+    QCOMPARE(error_picture(*map).pixel(0, 0), false_color(0.0));
+  }
+
+  void the_view_shows_the_error_as_it_becomes_known_until_something_changes() {
+    TestWindow window;
+    Viewport& view = window->viewport();
+    auto* legend = view.findChild<Legend*>();
+    QVERIFY(!legend->isVisible());
+    view.set_mode(ViewMode::error);
+    QVERIFY(legend->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(view.error_map(), 60000);
+    const double done = view.error_map()->done;
+    QTRY_VERIFY_WITH_TIMEOUT(view.error_map()->done > done || done == 1.0, 60000);
+    QVERIFY(legend->scale().title.startsWith("Error"));
+    QCOMPARE(legend->scale().ticks, (QStringList{"0.1 %", "1 %", "10 %"}));
+
+    Camera camera = view.camera();
+    camera.eye.x += 0.2;
+    view.set_camera(camera);
+    QVERIFY(!view.error_map());
+    QVERIFY(window.settle());
+    QTRY_VERIFY_WITH_TIMEOUT(view.error_map(), 60000);
+    window->document().select({2});
+    window.key(Qt::Key_Delete);
+    QVERIFY(!view.error_map());
+    view.set_mode(ViewMode::cost);
+    QVERIFY(window.settle());
+    QTest::qWait(400);
+    QVERIFY(!view.error_map());
+    QVERIFY(legend->scale().title.startsWith("Pairs"));
+    view.set_mode(ViewMode::final);
+    QVERIFY(!legend->isVisible());
+  }
+};
+
+BRUME_TEST_MAIN(ModesTest)
+#include "modes_test.moc"
