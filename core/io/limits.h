@@ -9,7 +9,8 @@ namespace brume::limits {
 
 inline constexpr std::uintmax_t file_bytes = std::uintmax_t{1} << 30;  // scenes, meshes, Gaussians
 inline constexpr std::size_t gaussians = 10'000'000;
-inline constexpr std::uint64_t voxels = 1'000'000'000;  // active ones of a volume
+inline constexpr std::uint32_t volume_grids = 1024;
+inline constexpr std::size_t volume_blocks = 2'000'000;  // of 8 x 8 x 8 voxels: 4 GB
 inline constexpr std::size_t lights = 1024;
 inline constexpr std::size_t emitters = 1024;
 inline constexpr std::size_t surfaces = 4096;

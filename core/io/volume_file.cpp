@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
+#include <span>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
@@ -14,6 +18,8 @@
 #include "core/io/limits.h"
 #include "core/io/number_domain.h"
 #include "core/io/text_scanner.h"
+#include "core/io/vdb_file.h"
+#include "core/io/vdb_tree.h"
 
 namespace brume {
 namespace {
@@ -28,49 +34,25 @@ void initialize_openvdb() {
   static_cast<void>(once);
 }
 
-// Calls read(open file); whatever OpenVDB finds wrong becomes an InputError.
-template <class Read>
-auto with_file(const Path& path, Read read) {
-  if (regular_file_size(path) > limits::file_bytes) {
-    throw InputError(path, "",
-                     "the file is larger than " + std::to_string(limits::file_bytes) + " bytes");
-  }
-  initialize_openvdb();
-  try {
-    openvdb::io::File file(path.string());
-    file.open(/*delayLoad=*/false);
-    return read(file);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    // Its messages name types, functions and sometimes the file again.
-    throw InputError(path, "", std::string("not a readable OpenVDB file (") + error.what() + ")");
-  }
-}
-
-glm::dvec3 to_glm(const openvdb::Vec3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-std::string names_of(openvdb::io::File& file) {
+std::string names_of(const std::vector<VdbGrid>& grids) {
   std::string names;
-  for (auto name = file.beginName(); name != file.endName(); ++name) {
+  for (const VdbGrid& grid : grids) {
     if (!names.empty()) names += ", ";
-    names += shown(name.gridName());
+    names += shown(grid.name);
   }
   return names.empty() ? "none" : names;
 }
 
+ByteReader tree_of(const Path& path, std::string_view bytes, const VdbGrid& grid) {
+  ByteReader reader(path, bytes.substr(0, static_cast<std::size_t>(grid.end)));
+  reader.seek(grid.tree);
+  return reader;
+}
+
 // The transform as spacing, rotation and origin.
-void set_transform(const Path& path, const openvdb::math::Transform& transform, DensityGrid& grid) {
-  const auto point = [&](double x, double y, double z) {
-    return to_glm(transform.indexToWorld(openvdb::Vec3d(x, y, z)));
-  };
-  grid.origin = point(0, 0, 0);
-  glm::dmat3 axes;
-  axes[0] = point(1, 0, 0) - grid.origin;
-  axes[1] = point(0, 1, 0) - grid.origin;
-  axes[2] = point(0, 0, 1) - grid.origin;
+void set_transform(const Path& path, const VdbGrid::Transform& transform, DensityGrid& grid) {
+  grid.origin = transform.origin;
+  glm::dmat3 axes = transform.axes;
   for (int k = 0; k < 3; ++k) {
     grid.spacing[k] = glm::length(axes[k]);
     const bool fits =
@@ -82,9 +64,8 @@ void set_transform(const Path& path, const openvdb::math::Transform& transform, 
   const double shear =
       std::max({std::abs(glm::dot(axes[0], axes[1])), std::abs(glm::dot(axes[1], axes[2])),
                 std::abs(glm::dot(axes[2], axes[0]))});
-  if (!transform.isLinear() || shear > 1e-5) {
-    throw InputError(path, "transform",
-                     "found a sheared or perspective one; allowed: moving, turning and scaling");
+  if (shear > 1e-5) {
+    throw InputError(path, "transform", "found a sheared one; allowed: moving, turning, scaling");
   }
   if (glm::determinant(axes) < 0.0) {
     axes[0] = -axes[0];
@@ -93,86 +74,167 @@ void set_transform(const Path& path, const openvdb::math::Transform& transform, 
   grid.rotation = glm::normalize(glm::quat_cast(axes));
 }
 
-template <class Grid>
-DensityGrid densities(const Path& path, const std::string& name, Grid& source) {
-  // Tiles, large regions of one value, are made voxels: their number is known before.
-  if (source.activeVoxelCount() > limits::voxels) {
-    throw InputError(path, name,
-                     "found " + std::to_string(source.activeVoxelCount()) +
-                         " active voxels; allowed: " + std::to_string(limits::voxels));
+const VdbGrid& grid_named(const Path& path, const std::vector<VdbGrid>& grids,
+                          const std::string& name) {
+  const auto at = std::find_if(grids.begin(), grids.end(),
+                               [&](const VdbGrid& grid) { return grid.name == name; });
+  if (at == grids.end()) {
+    throw InputError(path, "", "has no grid " + shown(name) + "; its grids: " + names_of(grids));
   }
-  source.tree().voxelizeActiveTiles();
-  DensityGrid grid;
-  set_transform(path, source.transform(), grid);
-  for (auto leaf = source.tree().cbeginLeaf(); leaf; ++leaf) {
-    static_assert(std::decay_t<decltype(*leaf)>::SIZE == DensityGrid::block_size);
-    const openvdb::Coord corner = leaf->origin();
-    constexpr int most = 1 << 28;
-    if (std::max({std::abs(corner.x()), std::abs(corner.y()), std::abs(corner.z())}) > most) {
-      throw InputError(path, name, "has voxels too far from its origin");
+  if (!at->transform) {
+    throw InputError(path, "transform",
+                     "found a perspective one; allowed: moving, turning, scaling");
+  }
+  return *at;
+}
+
+class DensityReader {
+ public:
+  DensityReader(const Path& path, std::string_view bytes, const VdbGrid& grid)
+      : path_(path), name_(grid.name), values_(*grid.values), reader_(tree_of(path, bytes, grid)) {}
+
+  std::vector<DensityGrid::Block> read() {
+    read_vdb_topology(reader_, values_,
+                      {[&](const VdbTile& tile) { add(tile); },
+                       [&](const VdbLeaf& leaf) {
+                         count(1);
+                         leaves_.push_back(leaf);
+                       }});
+    read_vdb_leaves(
+        reader_, values_, leaves_,
+        [&](const VdbLeaf& leaf, std::span<const double> values) { add(leaf, values); });
+    return std::move(blocks_);
+  }
+
+ private:
+  // Before they take any memory.
+  void count(double blocks) {
+    count_ += blocks;
+    if (count_ > static_cast<double>(limits::volume_blocks)) {
+      throw InputError(path_, name_,
+                       "has more active voxels than fit into " +
+                           std::to_string(limits::volume_blocks) + " blocks of 8 x 8 x 8");
     }
-    DensityGrid::Block block{{corner.x(), corner.y(), corner.z()}, {}};
+  }
+
+  [[nodiscard]] float density(double value) const {
+    if (!std::isfinite(value) || value > limits::density) {
+      throw InputError(
+          path_, name_,
+          "found a density of " + shown(value) + "; allowed: 0 to " + shown(limits::density));
+    }
+    return static_cast<float>(std::max(value, 0.0));
+  }
+
+  // A tile becomes voxels.
+  void add(const VdbTile& tile) {
+    const float value = density(tile.value.x);
+    if (!(value > 0.0f)) return;
+    const int across = tile.side / DensityGrid::side;
+    count(std::pow(across, 3.0));
+    for (int i = 0; i < across * across * across; ++i) {
+      const glm::ivec3 place(i / (across * across), i / across % across, i % across);
+      blocks_.push_back({tile.corner + DensityGrid::side * place, {}});
+      blocks_.back().values.fill(value);
+    }
+  }
+
+  void add(const VdbLeaf& leaf, std::span<const double> values) {
+    DensityGrid::Block block{leaf.corner, {}};
     bool is_empty = true;
-    for (openvdb::Index i = 0; i < DensityGrid::block_size; ++i) {
-      if (!leaf->isValueOn(i)) continue;
-      const auto value = static_cast<double>(leaf->getValue(i));
-      if (!std::isfinite(value) || value > limits::density) {
-        throw InputError(
-            path, name,
-            "found a density of " + shown(value) + "; allowed: 0 to " + shown(limits::density));
-      }
-      if (!(value > 0.0)) continue;
-      block.values[i] = static_cast<float>(value);
-      is_empty = false;
+    auto next = values.begin();
+    for (std::size_t i = 0; i < VdbLeaf::size; ++i) {
+      if (!leaf.is_active(i)) continue;
+      block.values[i] = density(*next++);
+      is_empty = is_empty && !(block.values[i] > 0.0f);
     }
-    if (!is_empty) grid.blocks.push_back(block);
+    if (!is_empty) blocks_.push_back(block);
   }
-  grid.sort();
-  return grid;
+
+  const Path& path_;
+  const std::string& name_;
+  const VdbValues& values_;
+  ByteReader reader_;
+  double count_ = 0.0;
+  std::vector<VdbLeaf> leaves_;
+  std::vector<DensityGrid::Block> blocks_;
+};
+
+// The box around active voxels, and how many they are.
+struct Extent {
+  std::uint64_t voxels = 0;
+  glm::ivec3 least{std::numeric_limits<int>::max()};
+  glm::ivec3 greatest{std::numeric_limits<int>::min()};
+
+  void add(const glm::ivec3& low, const glm::ivec3& high) {
+    least = glm::min(least, low);
+    greatest = glm::max(greatest, high);
+  }
+};
+
+Extent extent_of(ByteReader reader, const VdbValues& values) {
+  Extent extent;
+  const auto tile = [&](const VdbTile& t) {
+    extent.voxels += static_cast<std::uint64_t>(std::pow(t.side, 3.0));
+    extent.add(t.corner, t.corner + (t.side - 1));
+  };
+  const auto leaf = [&](const VdbLeaf& l) {
+    extent.voxels += l.active();
+    for (std::size_t i = 0; i < VdbLeaf::size; ++i) {
+      const auto n = static_cast<int>(i);
+      const glm::ivec3 voxel = l.corner + glm::ivec3(n / 64, n / 8 % 8, n % 8);
+      if (l.is_active(i)) extent.add(voxel, voxel);
+    }
+  };
+  read_vdb_topology(reader, values, {tile, leaf});
+  return extent;
 }
 
 }  // namespace
 
 DensityGrid read_volume(const Path& path, const std::string& name) {
-  return with_file(path, [&](openvdb::io::File& file) {
-    if (!file.hasGrid(name)) {
-      throw InputError(path, "", "has no grid " + shown(name) + "; its grids: " + names_of(file));
-    }
-    const openvdb::GridBase::Ptr base = file.readGrid(name);
-    if (base->getGridClass() == openvdb::GRID_LEVEL_SET) {
-      throw InputError(path, name, "found a level set; allowed: a fog volume");
-    }
-    if (const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(base)) {
-      return densities(path, name, *grid);
-    }
-    if (const auto grid = openvdb::gridPtrCast<openvdb::DoubleGrid>(base)) {
-      return densities(path, name, *grid);
-    }
-    if (const auto grid = openvdb::gridPtrCast<openvdb::Int32Grid>(base)) {
-      return densities(path, name, *grid);
-    }
+  const std::string bytes = read_bytes(path);
+  const std::vector<VdbGrid> grids = read_vdb_grids(path, bytes);
+  const VdbGrid& source = grid_named(path, grids, name);
+  if (source.kind == "level set") {
+    throw InputError(path, name, "found a level set; allowed: a fog volume");
+  }
+  if (!source.values || source.values->components != 1) {
     throw InputError(path, name,
-                     "found values of type " + base->valueType() + "; allowed: one number each");
-  });
+                     "found values of type " + shown(source.type) + "; allowed: one number each");
+  }
+  DensityGrid grid;
+  set_transform(path, *source.transform, grid);
+  grid.blocks = DensityReader(path, bytes, source).read();
+  grid.sort();
+  return grid;
 }
 
 std::vector<VolumeGridInfo> volume_grids(const Path& path) {
-  return with_file(path, [&](openvdb::io::File& file) {
-    std::vector<VolumeGridInfo> result;
-    for (auto name = file.beginName(); name != file.endName(); ++name) {
-      const openvdb::GridBase::Ptr grid = file.readGrid(name.gridName());
-      VolumeGridInfo& info = result.emplace_back();
-      info.name = grid->getName();
-      info.type = grid->valueType();
-      info.voxels = grid->activeVoxelCount();
-      info.voxel_size = to_glm(grid->voxelSize());
-      if (info.voxels == 0) continue;
-      const openvdb::BBoxd box = grid->transform().indexToWorld(grid->evalActiveVoxelBoundingBox());
-      info.least = to_glm(box.min());
-      info.greatest = to_glm(box.max());
+  const std::string bytes = read_bytes(path);
+  std::vector<VolumeGridInfo> result;
+  for (const VdbGrid& grid : read_vdb_grids(path, bytes)) {
+    VolumeGridInfo& info = result.emplace_back();
+    info.name = grid.name;
+    info.type = grid.type;
+    if (!grid.transform) continue;
+    const auto& [axes, origin] = *grid.transform;
+    for (int k = 0; k < 3; ++k) info.voxel_size[k] = glm::length(axes[k]);
+    if (!grid.values) continue;
+    const Extent extent = extent_of(tree_of(path, bytes, grid), *grid.values);
+    info.voxels = extent.voxels;
+    if (info.voxels == 0) continue;
+    info.least = glm::dvec3(std::numeric_limits<double>::infinity());
+    info.greatest = -info.least;
+    for (int i = 0; i < 8; ++i) {
+      const glm::dvec3 upper(i & 1, i >> 1 & 1, i >> 2);
+      const glm::dvec3 corner =
+          origin + axes * glm::mix(glm::dvec3(extent.least), glm::dvec3(extent.greatest), upper);
+      info.least = glm::min(info.least, corner);
+      info.greatest = glm::max(info.greatest, corner);
     }
-    return result;
-  });
+  }
+  return result;
 }
 
 void write_volume(const Path& path, const DensityGrid& grid, bool half) {

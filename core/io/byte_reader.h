@@ -1,0 +1,55 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace brume {
+
+// The bytes of a file one after the other; numbers are little-endian. What would go beyond the end
+// throws an InputError naming file and byte: a count that lies costs nothing.
+class ByteReader {
+ public:
+  // `bytes` must live as long as this.
+  ByteReader(std::filesystem::path file, std::string_view bytes)
+      : file_(std::move(file)), bytes_(bytes) {}
+
+  [[nodiscard]] std::size_t position() const { return position_; }
+  void seek(std::uint64_t position) {
+    if (position > bytes_.size()) fail("refers to byte " + std::to_string(position));
+    position_ = static_cast<std::size_t>(position);
+  }
+
+  std::string_view take(std::uint64_t count) {
+    if (count > bytes_.size() - position_) {
+      fail("needs " + std::to_string(count) + " bytes; the file ends before");
+    }
+    const std::string_view taken = bytes_.substr(position_, static_cast<std::size_t>(count));
+    position_ += taken.size();
+    return taken;
+  }
+
+  template <class Number>
+  Number number() {
+    static_assert(std::endian::native == std::endian::little);
+    Number value;
+    std::memcpy(&value, take(sizeof(Number)).data(), sizeof(Number));
+    return value;
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(file_, "byte " + std::to_string(position_), message);
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::string_view bytes_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace brume
