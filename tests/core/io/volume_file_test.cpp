@@ -103,6 +103,11 @@ TEST(VolumeFile, RefusesWhatIsNoDensity) {
   write(folder / "a.vdb", "density", number);
   EXPECT_TRUE(contains(refusal("density"), "active voxels"));
 
+  const auto far = openvdb::FloatGrid::create();
+  far->tree().setValue(openvdb::Coord(1 << 30, 0, 0), 1.0f);
+  write(folder / "a.vdb", "density", far);
+  EXPECT_TRUE(contains(refusal("density"), "too far"));
+
   const auto sheared = openvdb::FloatGrid::create();
   openvdb::math::Mat4d matrix = openvdb::math::Mat4d::identity();
   matrix(0, 1) = 0.5;
@@ -114,6 +119,19 @@ TEST(VolumeFile, RefusesWhatIsNoDensity) {
   folder.write("a.vdb", "no volume");
   EXPECT_TRUE(contains(refusal("density"), "a.vdb"));
   EXPECT_TRUE(contains(error_of([&] { read_volume(folder / "b.vdb", "density"); }), "b.vdb"));
+}
+
+// A box of 10^23 voxels, two of which there are.
+TEST(VolumeFile, TakesNoMemoryForWhatIsEmpty) {
+  const TemporaryFolder folder;
+  openvdb::initialize();
+  const auto grid = openvdb::FloatGrid::create();
+  constexpr int far = 1 << 25;
+  grid->tree().setValue(openvdb::Coord(-far), 1.0f);
+  grid->tree().setValue(openvdb::Coord(far), 1.0f);
+  write(folder / "a.vdb", "density", grid);
+  EXPECT_EQ(read_volume(folder / "a.vdb", "density").blocks.size(), 2u);
+  EXPECT_EQ(volume_grids(folder / "a.vdb").at(0).greatest, glm::dvec3(far));
 }
 
 TEST(VolumeFile, RefusesTruncatedFiles) {

@@ -1,0 +1,97 @@
+// Writes small valid files for the fuzzers to begin with: FOLDER/PARSER/NAME.
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include "core/io/gaussian_csv.h"
+#include "core/io/gaussian_file.h"
+#include "core/io/image_file.h"
+#include "core/io/volume_file.h"
+#include "core/medium/medium.h"
+#include "core/volume/medium_grid.h"
+
+namespace brume {
+namespace {
+
+constexpr std::string_view scene = R"({ "format": "brume-scene", "version": 1,
+  "camera": { "eye": [0, 0.5, 6], "target": [0, 0, 0], "up": [0, 1, 0], "vertical_fov": 40.0 },
+  "film": { "width": 80, "height": 60 },
+  "medium": { "density": 0.01, "albedo": [1, 0.9, 0.8], "anisotropy": 0.3,
+    "noise": { "amplitude": 0.1, "frequency": 2, "velocity": [0, 1, 0], "seed": 3 },
+    "emitters": [ { "position": [0, 0, 0], "rate": 10 } ],
+    "gaussians": [ { "center": [0, 0, 0], "radius": 0.35, "density": 1.25 } ] },
+  "lights": [ { "type": "point", "position": [2.5, 2, 1.5], "intensity": [60, 60, 60] } ],
+  "surfaces": [ { "mesh": "none.obj", "translate": [0, 0, 0], "rotate": [1, 0, 0, 0], "scale": 1.0,
+    "material": { "type": "phong", "reflectance": [0.5, 0.5, 0.5], "exponent": 8 } } ] })";
+
+constexpr std::string_view obj =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 .5\nvn 0 0 1\nvt 0 0\nf 1//1 2//1 3//1\nf -4 -2/1 -1/1/1\n";
+constexpr std::string_view off =
+    "NOFF\n4 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n"
+    "3 0 1 2\n4 0 1 2 3\n";
+constexpr std::string_view stl =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid a\n";
+constexpr std::string_view mesh =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+constexpr std::string_view points =
+    "ply\nformat ascii 1.0\ncomment points\nelement vertex 2\nproperty float x\nproperty float y\n"
+    "property float z\nproperty double radius\nproperty double density\nend_header\n"
+    "1 2 3 .5 1e-2\n-1 +2 0 4 5\n";
+
+void write(const std::filesystem::path& file, std::string_view content) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << content;
+}
+
+void write_seeds(const std::filesystem::path& folder) {
+  for (const char* parser : {"gaussian_ply", "gaussian_csv", "exr", "vdb"}) {
+    std::filesystem::create_directories(folder / parser);
+  }
+  write(folder / "scene/all.brume", scene);
+  write(folder / "obj/quad.obj", obj);
+  write(folder / "off/quad.off", off);
+  write(folder / "stl/text.stl", stl);
+  std::string binary = std::string(80, ' ') + std::string("\2\0\0\0", 4);
+  binary += std::string(2 * 50, '\1');
+  write(folder / "stl/binary.stl", binary);
+  write(folder / "mesh_ply/text.ply", mesh);
+  write(folder / "gaussian_ply/text.ply", points);
+  const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 1 +X 8\n";
+  write(folder / "hdr/flat.hdr", hdr + std::string(8 * 4, '\x80'));
+  write(folder / "hdr/runs.hdr", hdr + std::string("\2\2\0\10\210\12\210\13\210\14\210\210", 12));
+  write(folder / "merl/header.binary", std::string("\132\0\0\0\132\0\0\0\264\0\0\0", 12));
+
+  Medium medium;
+  std::vector<Gaussian> gaussians{{{0.1, 0.2, 0.3}, 0.5, 1.0}, {{-0.2, 0.0, 0.1}, 0.3, 0.5}};
+  for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
+  write_gaussians(folder / "gaussian_ply/binary.ply", gaussians);
+  write_gaussians_csv(folder / "gaussian_csv/table.csv", gaussians);
+  ImageLayers image;
+  image.width = image.height = 4;
+  for (const char* channel : {"R", "G", "B", "Z"}) {
+    image.channels[channel] = std::vector<float>(16, 0.5f);
+  }
+  image.metadata["text"] = "some";
+  write_exr(folder / "exr/layers.exr", image);
+  const DensityGrid grid = *MediumSampling::plan(medium, 0.25, 1000)->sample();
+  write_volume(folder / "vdb/float.vdb", grid, false);
+  write_volume(folder / "vdb/half.vdb", grid, true);
+}
+
+}  // namespace
+}  // namespace brume
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::cerr << "usage: fuzz_seeds FOLDER\n";
+    return 2;
+  }
+  brume::write_seeds(arguments[1]);
+}
