@@ -23,6 +23,7 @@
 #include "app/frame_export.h"
 #include "app/frame_text.h"
 #include "app/message_bar.h"
+#include "app/panels/contribution_panel.h"
 #include "app/panels/emitter_panel.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/panels/history_panel.h"
@@ -151,10 +152,13 @@ void MainWindow::create_docks() {
   tabifyDockWidget(medium, material);
   tabifyDockWidget(material, emitters);
   gaussians->raise();
+  QDockWidget* at_cursor =
+      dock(tr("At the Cursor"), "at_cursor", new ContributionPanel(document_, *views_, this));
   tabifyDockWidget(performance, history);
+  tabifyDockWidget(performance, at_cursor);
   performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
-  resizeDocks({outline, gaussians, performance}, {120, 330, 270}, Qt::Vertical);
+  resizeDocks({outline, gaussians, performance}, {110, 400, 230}, Qt::Vertical);
 
   connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::say);
   for (SceneForm* form : findChildren<SceneForm*>()) {

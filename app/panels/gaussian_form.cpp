@@ -12,13 +12,29 @@
 namespace brume {
 namespace {
 
-std::optional<double> common_value(const Document& document, GaussianField field) {
+using Values = std::array<double, gaussian_fields.size()>;
+
+// The first selected Gaussian's numbers, and which of them all have.
+struct Common {
+  Values values{};
+  std::array<bool, gaussian_fields.size()> is_mixed{};
+};
+
+Common common_values(const Document& document) {
   const Medium& medium = document.medium();
-  std::optional<double> common;
-  for (const GaussianId id : document.selection()) {
-    const double value = field_value(medium.gaussian(*medium.index_of(id)), field);
-    if (common && *common != value) return std::nullopt;
-    common = value;
+  const std::vector<GaussianId>& selection = document.selection();
+  Common common;
+  auto next = selection.begin();
+  // Both are sorted by id.
+  for (std::size_t i = 0; i < medium.size() && next != selection.end(); ++i) {
+    if (medium.ids()[i] != *next) continue;
+    const Gaussian gaussian = medium.gaussian(i);
+    for (std::size_t k = 0; k < gaussian_fields.size(); ++k) {
+      const double value = field_value(gaussian, gaussian_fields[k]);
+      if (next == selection.begin()) common.values[k] = value;
+      if (value != common.values[k]) common.is_mixed[k] = true;
+    }
+    ++next;
   }
   return common;
 }
@@ -52,9 +68,15 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
 }
 
 void GaussianForm::refresh() {
+  const bool any = !document_.selection().empty();
+  const Common common = common_values(document_);
   for (std::size_t k = 0; k < fields_.size(); ++k) {
-    fields_[k]->show_value(common_value(document_, gaussian_fields[k]));
-    fields_[k]->setEnabled(!document_.selection().empty());
+    if (common.is_mixed[k]) {
+      fields_[k]->show_mixed();
+    } else {
+      fields_[k]->show_value(any ? std::optional(common.values[k]) : std::nullopt);
+    }
+    fields_[k]->setEnabled(any);
   }
 }
 

@@ -10,7 +10,7 @@ namespace brume {
 class Document;
 class NumberField;
 
-// The selection's numbers, one field each: the common value, or "–" where they differ. What is
+// The selection's numbers, one field each: the common value, or "mixed" where they differ. What is
 // entered is written to all of them.
 class GaussianForm : public QWidget {
   Q_OBJECT

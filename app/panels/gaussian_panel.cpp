@@ -1,15 +1,19 @@
 #include "app/panels/gaussian_panel.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/panels/gaussian_form.h"
+#include "app/panels/gaussian_histogram.h"
+#include "app/panels/gaussian_sort_model.h"
 #include "app/panels/gaussian_table_model.h"
 
 namespace brume {
@@ -21,7 +25,7 @@ constexpr int max_ranges = 500;
 
 class RowDelegate : public QStyledItemDelegate {
  public:
-  RowDelegate(const Document& document, const GaussianTableModel& model, QObject* parent)
+  RowDelegate(const Document& document, const GaussianSortModel& model, QObject* parent)
       : QStyledItemDelegate(parent), document_(document), model_(model) {}
 
   // Digits stay where they were.
@@ -47,7 +51,7 @@ class RowDelegate : public QStyledItemDelegate {
 
  private:
   const Document& document_;
-  const GaussianTableModel& model_;
+  const GaussianSortModel& model_;
 };
 
 }  // namespace
@@ -55,7 +59,8 @@ class RowDelegate : public QStyledItemDelegate {
 GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      model_(new GaussianTableModel(document, this)),
+      rows_(new GaussianTableModel(document, this)),
+      model_(new GaussianSortModel(document, *rows_, this)),
       table_(new QTableView(this)) {
   auto* form = new GaussianForm(document, this);
   table_->setModel(model_);
@@ -71,28 +76,63 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSortIndicatorClearable(true);  // the third click: as they came
+  table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
+  table_->setSortingEnabled(true);
+  connect(table_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this,
+          &GaussianPanel::select_rows);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
   layout->addWidget(form);
-  layout->addWidget(table_);
+  auto* histograms = new QHBoxLayout;
+  histograms->setContentsMargins(6, 0, 6, 0);
+  for (const GaussianField field : {GaussianField::radius, GaussianField::density}) {
+    histograms->addWidget(new GaussianHistogram(document, field, this));
+  }
+  layout->addLayout(histograms);
+  add_filter(*layout);
+  layout->addWidget(table_, 1);
 
   connect(form, &GaussianForm::refused, this, &GaussianPanel::refused);
-  connect(model_, &GaussianTableModel::refused, this, &GaussianPanel::refused);
+  connect(rows_, &GaussianTableModel::refused, this, &GaussianPanel::refused);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &GaussianPanel::take_selection);
   connect(&document_, &Document::selection_changed, this, &GaussianPanel::select_rows);
   connect(&document_, &Document::scene_replaced, this, [this] {
     const bool was_syncing = std::exchange(syncing_, true);
-    model_->reload();
+    rows_->reload();
     syncing_ = was_syncing;
   });
   connect(&document_, &Document::medium_changed, this, [this](const MediumEdit& edit) {
     // While rows come and go the view's selection is not the user's.
     const bool was_syncing = std::exchange(syncing_, true);
-    model_->follow(edit);
+    rows_->follow(edit);
     syncing_ = was_syncing;
     if (!edit.added().empty() || !edit.removed().empty()) select_rows();
+  });
+}
+
+void GaussianPanel::add_filter(QLayout& layout) {
+  auto* filter = new QLineEdit(this);
+  filter->setObjectName("gaussian_filter");
+  filter->setPlaceholderText(tr("Filter: radius < 0.5, density > 0.2"));
+  filter->setClearButtonEnabled(true);
+  layout.addWidget(filter);
+  connect(filter, &QLineEdit::textChanged, this, [this, filter](const QString& text) {
+    QString problem;
+    const auto parsed = GaussianFilter::parse(text, problem);
+    QPalette colors = palette();
+    if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
+    filter->setPalette(colors);
+    filter->setToolTip(parsed ? tr("Which Gaussians the table shows: x, y, z, radius, density")
+                              : problem);
+    if (!parsed) return;
+    const bool was_syncing = std::exchange(syncing_, true);
+    model_->set_filter(*parsed);
+    syncing_ = was_syncing;
+    select_rows();
   });
 }
 
@@ -111,6 +151,11 @@ void GaussianPanel::take_selection() {
 void GaussianPanel::select_rows() {
   if (syncing_) return;
   syncing_ = true;
+  std::vector<int> shown;
+  for (const GaussianId id : document_.selection()) {
+    if (const auto row = model_->row(id)) shown.push_back(*row);
+  }
+  std::sort(shown.begin(), shown.end());
   QItemSelection selection;
   int first = -1;
   int last = -1;
@@ -120,9 +165,7 @@ void GaussianPanel::select_rows() {
                                            model_->index(last, model_->columnCount() - 1)));
     }
   };
-  for (const GaussianId id : document_.selection()) {
-    const int row = model_->row(id).value_or(-1);
-    if (row < 0) continue;
+  for (const int row : shown) {
     if (first >= 0 && row == last + 1) {
       last = row;
       continue;

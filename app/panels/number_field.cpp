@@ -8,12 +8,17 @@ namespace brume {
 
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
   setAlignment(Qt::AlignRight);
-  setPlaceholderText(QString(QChar(0x2013)));
 }
 
 void NumberField::show_value(std::optional<double> value) {
   value_ = value;
+  setPlaceholderText(QString(QChar(0x2013)));
   revert();
+}
+
+void NumberField::show_mixed() {
+  show_value(std::nullopt);
+  setPlaceholderText(tr("mixed"));
 }
 
 void NumberField::revert() {

@@ -5,14 +5,15 @@
 
 namespace brume {
 
-// A number that may be mixed ("–"). Enter commits what was typed; leaving the field or Escape
-// brings the old value back.
+// A number that may not be there ("–") or be mixed. Enter commits what was typed; leaving the field
+// or Escape brings the old value back.
 class NumberField : public QLineEdit {
   Q_OBJECT
  public:
   explicit NumberField(QWidget* parent = nullptr);
 
-  void show_value(std::optional<double> value);  // nullopt: mixed, or nothing there
+  void show_value(std::optional<double> value);  // nullopt: nothing there
+  void show_mixed();                             // several that differ
 
  Q_SIGNALS:
   void committed(double value);  // NaN if the text is no number

@@ -47,6 +47,8 @@ void ViewGrid::make_pane(Projection projection) {
 
   connect(pane, &Viewport::used, this, [this, pane] { activate(*pane); });
   connect(pane, &Viewport::failed, this, &ViewGrid::failed);
+  connect(pane, &Viewport::pointed_at, this,
+          [this, pane](QPointF position) { Q_EMIT pointed_at(*pane, position); });
   connect(pane, &Viewport::mode_changed, this, &ViewGrid::update_titles);
   const auto pass_on = [this, pane](auto signal) {
     return [this, pane, signal] {

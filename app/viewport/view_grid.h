@@ -40,6 +40,7 @@ class ViewGrid : public QWidget {
 
  Q_SIGNALS:
   void pane_made(brume::Viewport* pane);
+  void pointed_at(brume::Viewport& pane, QPointF position);
   // Of the active one, or that it is another.
   void active_changed();
   void frame_shown();

@@ -442,6 +442,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const double half_turn = std::numbers::pi / std::max(1, height());
   switch (drag_) {
     case Drag::none:
+      Q_EMIT pointed_at(event->position());
       if (tool_) {
         tool_->set_view(*this);
         tool_->hover(event->position());

@@ -97,7 +97,8 @@ class Viewport : public QWidget {
   [[nodiscard]] bool has_gl() const { return gl_problem().isEmpty(); }
 
  Q_SIGNALS:
-  void used();  // by mouse, wheel or keys
+  void used();                        // by mouse, wheel or keys
+  void pointed_at(QPointF position);  // by the mouse, with no button down
   void frame_shown();
   void mode_changed();
   void failed(const QString& message);

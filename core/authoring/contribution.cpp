@@ -2,39 +2,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include "core/transport/optical_depth.h"
+#include "core/transport/phase_function.h"
 
 namespace brume {
 
 std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& eye,
                                         const glm::dvec3& direction, double distance,
                                         double least) {
-  struct Met {
-    double t = 0.0;
-    Contribution contribution;
-  };
-  std::vector<Met> met;
+  std::vector<Contribution> result;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianTerm<double> g(medium.gaussian(i));
     const LineProfile<double> line = line_profile(g, eye, direction);
     // At most this: most Gaussians are far from the ray.
     if (1.7725 * medium.radii()[i] * medium.densities()[i] * std::exp(-line.e) < least) continue;
     const double depth = optical_depth(g, line, distance);
-    if (depth >= least) met.push_back({truncated_mean(g, line, distance), {i, depth, 0.0}});
+    if (depth >= least) {
+      result.push_back(
+          {.index = i, .optical_depth = depth, .distance = truncated_mean(g, line, distance)});
+    }
   }
-  std::sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.t < b.t; });
+  std::sort(result.begin(), result.end(),
+            [](const Contribution& a, const Contribution& b) { return a.distance < b.distance; });
   double before = 0.0;
-  std::vector<Contribution> result;
-  result.reserve(met.size());
-  for (Met& m : met) {
-    m.contribution.share = -std::exp(-before) * std::expm1(-m.contribution.optical_depth);
-    before += m.contribution.optical_depth;
-    result.push_back(m.contribution);
+  for (Contribution& c : result) {
+    c.share = -std::exp(-before) * std::expm1(-c.optical_depth);
+    c.before = before;
+    before += c.optical_depth;
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Contribution& a, const Contribution& b) { return a.share > b.share; });
   return result;
+}
+
+glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contribution,
+                              const glm::dvec3& eye, const glm::dvec3& direction,
+                              const PointLight& light) {
+  const Medium& medium = scene.medium;
+  const glm::dvec3 point = eye + contribution.distance * direction;
+  const glm::dvec3 from_light = point - light.position;
+  const double distance = glm::length(from_light);
+  if (!(distance > 0.0)) return glm::dvec3(0.0);
+  double depth =
+      contribution.before + medium.homogeneous_density() * (contribution.distance + distance);
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    depth += optical_depth(GaussianTerm<double>(medium.gaussian(i)), light.position, point);
+  }
+  const double cosine = -glm::dot(from_light, direction) / distance;
+  const double phase =
+      henyey_greenstein(cosine, scene.optics.anisotropy) / (4.0 * glm::pi<double>());
+  glm::dvec3 radiance(0.0);
+  for (int k = 0; k < 3; ++k) {
+    // Depths are of what is scattered; what is lost is more, by the albedo.
+    const double albedo = scene.optics.albedo[k];
+    radiance[k] = light.intensity[k] / (distance * distance) * phase * albedo *
+                  std::exp(-depth / albedo) * -std::expm1(-contribution.optical_depth / albedo);
+  }
+  return radiance;
 }
 
 }  // namespace brume

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/medium/medium.h"
+#include "core/scene/scene.h"
 
 namespace brume {
 
@@ -11,7 +11,9 @@ namespace brume {
 struct Contribution {
   std::size_t index = 0;       // in the medium
   double optical_depth = 0.0;  // of this Gaussian alone on the ray
-  double share = 0.0;  // of a unit light from behind everything, what it takes away, in [0, 1]
+  double share = 0.0;     // of a unit light from behind everything, what it takes away, in [0, 1]
+  double before = 0.0;    // optical depth of the Gaussians before it
+  double distance = 0.0;  // of its mean on the ray, from the eye [u]
 };
 
 // The Gaussians on a ray (unit direction) as far as `distance` [u], those that take most from it
@@ -21,5 +23,12 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
                                         const glm::dvec3& direction,
                                         double distance = std::numeric_limits<double>::infinity(),
                                         double least = 1e-3);
+
+// What the Gaussian of a contribution scatters to the eye from one light: RGB radiance. The light
+// is taken at its mean on the ray, after what the whole medium, b0 included, takes away on both
+// ways; surfaces are not looked at.
+glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contribution,
+                              const glm::dvec3& eye, const glm::dvec3& direction,
+                              const PointLight& light);
 
 }  // namespace brume

@@ -151,5 +151,32 @@ TEST(Contributions, SharesAreWhatTheRayLoses) {
   EXPECT_EQ(contributions(medium, {0, 0, 0}, {0, 0, -1}, 15.0).size(), 1u);
 }
 
+// A small thin Gaussian is a point that scatters: (I / d^2) tau albedo / 4 pi, less what b0 and the
+// Gaussian before it take away on both ways.
+TEST(Contributions, RadianceOfALightIsThatOfAPointInThinFog) {
+  Scene scene;
+  scene.medium.append({{0, 0, -10}, 0.05, 0.1});
+  scene.medium.append({{0, 0, -4}, 0.5, 0.4});
+  scene.medium.set_homogeneous_density(0.02);
+  scene.optics.albedo = {1.0, 0.5, 0.5};
+  PointLight light;
+  light.position = {3, 0, -10};
+  light.intensity = {7.0, 7.0, 14.0};
+  const glm::dvec3 towards(0, 0, -1);
+  const auto met = contributions(scene.medium, {0, 0, 0}, towards);
+  ASSERT_EQ(met.size(), 2u);
+  const auto& far = met[0].index == 0 ? met[0] : met[1];
+  EXPECT_NEAR(far.distance, 10.0, 1e-3);
+  EXPECT_NEAR(far.before, std::sqrt(M_PI) * 0.5 * 0.4, 1e-9);
+  const glm::dvec3 radiance = scattered_radiance(scene, far, {0, 0, 0}, towards, light);
+  const auto expected = [&](double intensity, double albedo) {
+    const double taken = (far.before + 0.02 * 13.0) / albedo;
+    return intensity / 9.0 * far.optical_depth / (4.0 * M_PI) * std::exp(-taken);
+  };
+  EXPECT_NEAR(radiance.r, expected(7.0, 1.0), 0.01 * radiance.r);
+  EXPECT_NEAR(radiance.g, expected(7.0, 0.5), 0.02 * radiance.g);
+  EXPECT_NEAR(radiance.b, 2.0 * radiance.g, 1e-12);
+}
+
 }  // namespace
 }  // namespace brume

@@ -1,0 +1,166 @@
+#include "app/panels/contribution_panel.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "app/application.h"
+#include "app/commands/edit_lights.h"
+#include "app/commands/select_command.h"
+#include "app/document/document.h"
+#include "app/document/gaussian_field.h"
+#include "app/panels/color_button.h"
+#include "app/viewport/view_grid.h"
+
+namespace brume {
+namespace {
+
+constexpr int look_after = 40;         // milliseconds
+constexpr std::size_t most_met = 100;  // Gaussians in the list
+constexpr double deepest = 4.0;        // optical depth of a full bar
+constexpr int title_width = 104;
+constexpr int number_width = 64;
+
+double luminance(const glm::dvec3& rgb) {
+  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+QString name_of(GaussianId id) {
+  return ContributionPanel::tr("Gaussian %1").arg(id);
+}
+
+}  // namespace
+
+ContributionPanel::ContributionPanel(Document& document, ViewGrid& views, QWidget* parent)
+    : QWidget(parent), document_(document) {
+  setMinimumHeight(100);
+  timer_.setSingleShot(true);
+  timer_.setInterval(look_after);
+  connect(&timer_, &QTimer::timeout, this, &ContributionPanel::compute);
+  connect(&views, &ViewGrid::pointed_at, this, &ContributionPanel::look);
+  const auto again = [this] { timer_.start(); };
+  connect(&document_, &Document::medium_changed, this, again);
+  connect(&document_, &Document::part_changed, this, again);
+  connect(&document_, &Document::selection_changed, this, again);
+  connect(&document_, &Document::scene_replaced, this, again);
+}
+
+void ContributionPanel::look(Viewport& view, QPointF position) {
+  view_ = &view;
+  position_ = position;
+  if (!timer_.isActive()) timer_.start();
+}
+
+void ContributionPanel::compute() {
+  if (!isVisible() || !view_) return;
+  facts_.reset();
+  update();
+  const CameraRays rays = view_->rays();
+  const glm::dvec3 direction = rays.direction(position_.x(), position_.y());
+  const auto surface = view_->surfaces().hit(rays.eye(), direction);
+  const auto scene = view_->shown_scene();
+  const std::vector<Contribution> met =
+      contributions(scene->medium, rays.eye(), direction,
+                    surface ? glm::distance(surface->position, rays.eye())
+                            : std::numeric_limits<double>::infinity());
+  if (met.empty()) return;
+
+  const auto id = [&](const Contribution& c) { return scene->medium.ids()[c.index]; };
+  const auto selected =
+      std::ranges::find_if(met, [&](const auto& c) { return document_.is_selected(id(c)); });
+  Facts facts;
+  facts.contribution = selected != met.end() ? *selected : met.front();
+  facts.id = id(facts.contribution);
+  for (std::size_t k = 0; k < std::min(met.size(), most_met); ++k) {
+    facts.met.emplace_back(id(met[k]), met[k].share);
+  }
+  const glm::dvec3 place = rays.eye() + facts.contribution.distance * direction;
+  for (std::size_t k = 0; k < scene->lights.size(); ++k) {
+    const PointLight& light = scene->lights[k];
+    if (!light.on) continue;
+    const double distance = glm::distance(light.position, place);
+    const auto between = distance > 0.0
+                             ? view_->surfaces().hit(place, (light.position - place) / distance)
+                             : std::nullopt;
+    const bool shadowed = between && glm::distance(between->position, place) < distance;
+    facts.lights.push_back(
+        {tr("Light %1").arg(k + 1), to_color(light_color(light)),
+         shadowed ? glm::dvec3(0.0)
+                  : scattered_radiance(*scene, facts.contribution, rays.eye(), direction, light)});
+  }
+  facts_ = std::move(facts);
+}
+
+int ContributionPanel::row_height() const {
+  return fontMetrics().height() + 5;
+}
+
+void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  const QColor text = palette().color(QPalette::WindowText);
+  painter.setPen(text);
+  const QRect inside = rect().adjusted(8, 6, -8, -4);
+  if (!facts_) {
+    painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
+                     tr("Point at fog: what each Gaussian does to that pixel is shown here."));
+    return;
+  }
+  int y = inside.top();
+  const auto row = [&](const QString& title, double share, const QString& number,
+                       const QColor& color) {
+    const QRect line(inside.left(), y, inside.width(), row_height());
+    painter.setPen(text);
+    painter.drawText(line.adjusted(0, 0, title_width - line.width(), 0), Qt::AlignVCenter,
+                     fontMetrics().elidedText(title, Qt::ElideRight, title_width - 4));
+    painter.drawText(line, Qt::AlignVCenter | Qt::AlignRight, number);
+    const QRect bar = line.adjusted(title_width, 4, -number_width, -4);
+    painter.fillRect(bar, palette().base());
+    const int width = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * bar.width()));
+    painter.fillRect(bar.left(), bar.top(), width, bar.height(), color);
+    y += row_height();
+  };
+  const auto percent = [](double share) {
+    return QString("%1 %").arg(100.0 * share, 0, 'f', share < 0.1 ? 1 : 0);
+  };
+  const Facts& f = *facts_;
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.drawText(
+      inside.left(), y, inside.width(), row_height(), Qt::AlignVCenter,
+      document_.is_selected(f.id) ? tr("%1, selected").arg(name_of(f.id)) : name_of(f.id));
+  painter.setFont(font());
+  y += row_height();
+  const QColor plain = palette().color(QPalette::PlaceholderText);
+  row(tr("Optical depth"), f.contribution.optical_depth / deepest,
+      QString::number(f.contribution.optical_depth, 'g', 3), plain);
+  row(tr("Takes away"), f.contribution.share, percent(f.contribution.share), plain);
+  double most = 0.0;
+  for (const LightShare& light : f.lights) most = std::max(most, luminance(light.radiance));
+  for (const LightShare& light : f.lights) {
+    const double radiance = luminance(light.radiance);
+    row(light.name, most > 0.0 ? radiance / most : 0.0, QString::number(radiance, 'g', 3),
+        light.color);
+  }
+  y += 4;
+  painter.drawText(inside.left(), y, inside.width(), row_height(), Qt::AlignVCenter,
+                   f.met.size() == 1 ? tr("The only one on this ray")
+                                     : tr("Of %1 on this ray").arg(f.met.size()));
+  y += row_height();
+  first_met_row_ = y;
+  for (const auto& [id, share] : f.met) {
+    if (y + row_height() > height()) break;
+    row(name_of(id), share, percent(share), document_.is_selected(id) ? accent_color() : plain);
+  }
+}
+
+void ContributionPanel::mousePressEvent(QMouseEvent* event) {
+  if (!facts_ || event->position().y() < first_met_row_) return;
+  const auto k = static_cast<std::size_t>((event->position().y() - first_met_row_) / row_height());
+  if (k < facts_->met.size()) select_gaussians(document_, {facts_->met[k].first});
+}
+
+}  // namespace brume

@@ -1,0 +1,68 @@
+#include "app/panels/gaussian_filter.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+namespace brume {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("GaussianFilter", text);
+}
+
+std::optional<GaussianField> field_called(const QString& name) {
+  constexpr std::array names{"x", "y", "z", "radius", "density"};  // as gaussian_fields
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (QString(names[k]).startsWith(name)) return gaussian_fields[k];
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString& problem) {
+  // A comma between digits is not a decimal one here: that is what separates conditions.
+  static const QRegularExpression separator(R"(\s*(?:,|;|\band\b)\s*)");
+  static const QRegularExpression condition(R"(^([a-z]+)\s*(<=|>=|<|>|=)\s*(\S.*)$)");
+  GaussianFilter filter;
+  for (const QString& part : text.trimmed().toLower().split(separator, Qt::SkipEmptyParts)) {
+    const QRegularExpressionMatch match = condition.match(part);
+    const auto field = match.hasMatch() ? field_called(match.captured(1)) : std::nullopt;
+    const double value = match.hasMatch() ? parse_number(match.captured(3)) : 0.0;
+    if (!field || std::isnan(value)) {
+      problem = tr("“%1” is no condition such as density > 0.2, radius < 1 or x >= 0.").arg(part);
+      return std::nullopt;
+    }
+    const QString sign = match.captured(2);
+    const Comparison comparison = sign == "<"    ? Comparison::less
+                                  : sign == "<=" ? Comparison::at_most
+                                  : sign == ">"  ? Comparison::more
+                                  : sign == ">=" ? Comparison::at_least
+                                                 : Comparison::equal;
+    filter.conditions_.push_back({*field, comparison, value});
+  }
+  return filter;
+}
+
+bool GaussianFilter::passes(const Gaussian& gaussian) const {
+  return std::ranges::all_of(conditions_, [&](const Condition& condition) {
+    const double value = field_value(gaussian, condition.field);
+    switch (condition.comparison) {
+      case Comparison::less:
+        return value < condition.value;
+      case Comparison::at_most:
+        return value <= condition.value;
+      case Comparison::more:
+        return value > condition.value;
+      case Comparison::at_least:
+        return value >= condition.value;
+      case Comparison::equal:
+        break;
+    }
+    return value == condition.value;
+  });
+}
+
+}  // namespace brume

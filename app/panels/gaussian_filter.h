@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "app/document/gaussian_field.h"
+
+namespace brume {
+
+// Conditions on the numbers of a Gaussian, all of which must hold: "radius < 0.5, density > 0.2".
+class GaussianFilter {
+ public:
+  // Conditions are separated by commas or "and"; fields are x, y, z, radius and density, or as many
+  // of their letters as tell them apart; comparisons are < <= > >= =. Empty text lets all pass.
+  // nullopt where the text is something else; `problem` then says what.
+  static std::optional<GaussianFilter> parse(const QString& text, QString& problem);
+
+  [[nodiscard]] bool passes(const Gaussian& gaussian) const;
+  [[nodiscard]] bool is_empty() const { return conditions_.empty(); }
+
+ private:
+  enum class Comparison { less, at_most, more, at_least, equal };
+  struct Condition {
+    GaussianField field;
+    Comparison comparison;
+    double value;
+  };
+  std::vector<Condition> conditions_;
+};
+
+}  // namespace brume

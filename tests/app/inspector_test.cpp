@@ -1,0 +1,248 @@
+// The Gaussians in numbers: sorted, filtered, as histograms, and at the cursor.
+
+#include <QHeaderView>
+#include <QLineEdit>
+#include <glm/geometric.hpp>
+
+#include "app/panels/contribution_panel.h"
+#include "app/panels/gaussian_filter.h"
+#include "app/panels/gaussian_histogram.h"
+#include "app/panels/gaussian_panel.h"
+#include "app/panels/number_field.h"
+#include "app/viewport/view_grid.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+QTableView* table_of(MainWindow& window) {
+  return window.findChild<GaussianPanel*>()->table();
+}
+
+std::vector<double> column(QTableView* table, int k) {
+  std::vector<double> values;
+  for (int row = 0; row < table->model()->rowCount(); ++row) {
+    values.push_back(table->model()->index(row, k).data(Qt::EditRole).toString().toDouble());
+  }
+  return values;
+}
+
+void click_header(QTableView* table, int k) {
+  QHeaderView* header = table->horizontalHeader();
+  const QPoint at(header->sectionViewportPosition(k) + header->sectionSize(k) / 2,
+                  header->height() / 2);
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, at);
+}
+
+void set_filter(MainWindow& window, const QString& text) {
+  auto* filter = window.findChild<QLineEdit*>("gaussian_filter");
+  filter->setFocus();
+  filter->clear();
+  QTest::keyClicks(filter, text);
+}
+
+std::vector<double> radii_of(const Document& document) {
+  return {document.medium().radii().begin(), document.medium().radii().end()};
+}
+
+}  // namespace
+
+class InspectorTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void filters_say_what_they_are() {
+    const Gaussian gaussian{{1.0, -2.0, 3.0}, 0.5, 0.2};
+    const auto passes = [&](const QString& text) {
+      QString problem;
+      const auto filter = GaussianFilter::parse(text, problem);
+      if (!filter) throw problem;
+      return filter->passes(gaussian);
+    };
+    for (const char* text : {"", "density > 0.1", "Radius<=0.5, x = 1", "d>0.1 and r<1 ; y < 0",
+                             "z>=3", "rad > 4e-1"}) {
+      QVERIFY2(passes(text), text);
+    }
+    for (const char* text : {"density > 0.2", "radius < 0.5", "x=2", "z>=3, y>0"}) {
+      QVERIFY2(!passes(text), text);
+    }
+    for (const char* text : {"dense", "density >", "> 2", "density > much", "q < 2", "radius 2"}) {
+      QString problem;
+      QVERIFY2(!GaussianFilter::parse(text, problem), text);
+      QVERIFY(!problem.isEmpty());
+    }
+  }
+
+  void a_click_on_a_header_sorts() {
+    TestWindow window;
+    Document& document = window->document();
+    QTableView* table = table_of(*window);
+    const auto sorted = [](std::vector<double> values) {
+      std::sort(values.begin(), values.end());
+      return values;
+    };
+    const std::vector<double> unsorted = radii_of(document);
+    QCOMPARE(column(table, 3), unsorted);
+    click_header(table, 3);
+    QCOMPARE(column(table, 3), sorted(unsorted));
+    // The selection is the same in any order, and an edit goes to the right Gaussian.
+    table->selectRow(0);
+    const auto least = std::min_element(unsorted.begin(), unsorted.end()) - unsorted.begin();
+    QCOMPARE(document.selection(),
+             std::vector<GaussianId>{document.medium().ids()[static_cast<std::size_t>(least)]});
+    QVERIFY(table->model()->setData(table->model()->index(0, 3), "3.5"));
+    QCOMPARE(document.medium().radii()[static_cast<std::size_t>(least)], 3.5);
+    QCOMPARE(column(table, 3).back(), 3.5);
+    QCOMPARE(document.selection().size(), std::size_t{1});
+    document.undo_stack().undo();
+    QCOMPARE(column(table, 3), sorted(unsorted));
+    click_header(table, 3);
+    QVERIFY(column(table, 3).front() >= column(table, 3).back());
+    click_header(table, 3);  // as they came
+    QCOMPARE(column(table, 3), unsorted);
+  }
+
+  void a_filter_shows_some() {
+    TestWindow window;
+    Document& document = window->document();
+    QTableView* table = table_of(*window);
+    document.select({1, 2});
+    set_filter(*window, "radius < 0.4");
+    for (const double radius : column(table, 3)) QVERIFY(radius < 0.4);
+    const auto all = radii_of(document);
+    const auto expected = std::count_if(all.begin(), all.end(), [](double r) { return r < 0.4; });
+    QVERIFY(expected > 0 && expected < 5);
+    QCOMPARE(table->model()->rowCount(), static_cast<int>(expected));
+    QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2}));
+    // What is edited out of the range goes, and comes back.
+    QVERIFY(table->model()->setData(table->model()->index(0, 3), "2"));
+    QVERIFY(table->model()->rowCount() < static_cast<int>(expected));
+    document.undo_stack().undo();
+    QCOMPARE(table->model()->rowCount(), static_cast<int>(expected));
+    // A text that is none changes nothing.
+    auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
+    QTest::keyClicks(filter, " quatsch");
+    QVERIFY(filter->toolTip().contains("quatsch"));
+    QCOMPARE(table->model()->rowCount(), static_cast<int>(expected));
+    table->selectAll();
+    QCOMPARE(document.selection().size(), static_cast<std::size_t>(expected));
+    set_filter(*window, "");
+    QCOMPARE(table->model()->rowCount(), 5);
+  }
+
+  void values_that_differ_are_mixed_and_written_to_all_in_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    auto* radius = window->findChild<NumberField*>("radius");
+    auto* density = window->findChild<NumberField*>("density");
+    document.select({1, 2, 5});
+    QCOMPARE(radius->text(), QString());
+    QCOMPARE(radius->placeholderText(), QString("mixed"));
+    QCOMPARE(density->text(), QString("0.8"));
+    radius->setFocus();
+    QTest::keyClicks(radius, "0.7");
+    QTest::keyClick(radius, Qt::Key_Return);
+    for (const std::size_t k : {0U, 1U, 4U}) QCOMPARE(document.medium().radii()[k], 0.7);
+    QVERIFY(document.medium().radii()[2] != 0.7);
+    QCOMPARE(document.undo_stack().count(), 1);
+    QCOMPARE(radius->text(), QString("0.7"));
+    document.select({});
+    QVERIFY(radius->placeholderText() != "mixed");
+  }
+
+  void a_drag_in_a_histogram_selects_a_range() {
+    TestWindow window;
+    Document& document = window->document();
+    auto* histogram = window->findChild<GaussianHistogram*>("histogram_radius");
+    const auto axis = histogram->axis();
+    const auto radii = radii_of(document);
+    QCOMPARE(axis.low, *std::min_element(radii.begin(), radii.end()));
+    QCOMPARE(axis.high, *std::max_element(radii.begin(), radii.end()));
+    const auto drag = [&](double from, double to, Qt::KeyboardModifiers modifiers) {
+      const auto at = [&](double position) {
+        return QPointF(2.0 + position * (histogram->width() - 4), 10.0);
+      };
+      QTest::mousePress(histogram, Qt::LeftButton, modifiers, at(from).toPoint());
+      for (const double part : {0.3, 0.6, 1.0}) {
+        const QPointF to_now = at(from + part * (to - from));
+        QMouseEvent move(QEvent::MouseMove, to_now, histogram->mapToGlobal(to_now), Qt::NoButton,
+                         Qt::LeftButton, modifiers);
+        QApplication::sendEvent(histogram, &move);
+      }
+      QTest::mouseRelease(histogram, Qt::LeftButton, modifiers, at(to).toPoint());
+    };
+    const auto in_range = [&](double low, double high) {
+      std::vector<GaussianId> ids;
+      for (std::size_t k = 0; k < radii.size(); ++k) {
+        if (radii[k] >= low && radii[k] <= high) ids.push_back(document.medium().ids()[k]);
+      }
+      return ids;
+    };
+    drag(0.5, 1.2, {});
+    const auto upper = in_range(axis.at(0.5), axis.high);
+    QVERIFY(!upper.empty() && upper.size() < 5);
+    QCOMPARE(document.selection(), upper);
+    QCOMPARE(document.undo_stack().count(), 1);
+    QVERIFY(!document.is_modified());
+    drag(0.3, -0.1, Qt::ShiftModifier);
+    QVERIFY(document.selection().size() > upper.size());
+    drag(0.5, 1.2, Qt::ControlModifier);
+    QCOMPARE(document.selection(), in_range(axis.low, axis.at(0.3)));
+    document.undo_stack().setIndex(1);
+    QCOMPARE(document.selection(), upper);
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.selection().empty());
+  }
+
+  void far_apart_values_are_spread_by_factors() {
+    const std::vector<double> values{0.01, 0.1, 10.0};
+    const GaussianHistogram::Axis axis(values);
+    QVERIFY(axis.logarithmic);
+    QVERIFY(std::abs(axis.position(0.1) - 1.0 / 3.0) < 1e-12);
+    QVERIFY(std::abs(axis.at(axis.position(0.37)) - 0.37) < 1e-12);
+    QVERIFY(!GaussianHistogram::Axis(std::vector<double>{0.0, 10.0}).logarithmic);
+    QCOMPARE(GaussianHistogram::Axis(std::vector<double>{2.0}).position(2.0), 0.5);
+  }
+
+  void at_the_cursor_is_what_the_pixel_gets() {
+    TestWindow window;
+    Document& document = window->document();
+    Viewport& view = window->viewport();
+    auto* panel = window->findChild<ContributionPanel*>();
+    auto* dock = qobject_cast<QWidget*>(panel->parent());
+    dock->show();
+    dock->raise();
+    QTRY_VERIFY(panel->isVisible());
+    QVERIFY(!panel->facts());
+    QTest::mouseMove(&view, window.handle(1));
+    QTRY_VERIFY(panel->facts());
+    QCOMPARE(panel->facts()->id, GaussianId{2});
+    const auto& facts = *panel->facts();
+    QVERIFY(facts.contribution.share > 0.1);
+    QCOMPARE(facts.lights.size(), std::size_t{1});
+    // Alone on its ray, it is all the airlight of the pixel, but for where in it the light is
+    // taken.
+    const Frame& frame = view.shown()->frame;
+    const QPoint at = window.handle(1);
+    const auto pixel = static_cast<std::size_t>(at.y() * frame.film.width + at.x());
+    for (int c = 0; c < 3; ++c) {
+      const double shown =
+          static_cast<double>(frame.airlight[3 * pixel + static_cast<std::size_t>(c)]);
+      QVERIFY2(std::abs(facts.lights[0].radiance[c] - shown) < 0.2 * shown,
+               qPrintable(QString("%1 %2").arg(facts.lights[0].radiance[c]).arg(shown)));
+    }
+    // A selected one comes first, if the ray meets it; a click on another selects that.
+    const QPoint between = (window.handle(0) + window.handle(4)) / 2;
+    QTest::mouseMove(&view, between);
+    QTRY_VERIFY(panel->facts() && panel->facts()->met.size() >= 2);
+    const auto last = panel->facts()->met.back().first;
+    document.select({last});
+    QTRY_COMPARE(panel->facts()->id, last);
+    QTest::mouseMove(&view, QPoint(3, 3));
+    QTRY_VERIFY(!panel->facts());
+  }
+};
+
+BRUME_TEST_MAIN(InspectorTest)
+#include "inspector_test.moc"
