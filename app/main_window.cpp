@@ -40,7 +40,7 @@
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
-#include "core/authoring/particles.h"
+#include "core/scene/at_time.h"
 
 namespace brume {
 namespace {

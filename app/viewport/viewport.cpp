@@ -17,8 +17,8 @@
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport_surface.h"
 #include "core/authoring/contribution.h"
-#include "core/authoring/particles.h"
 #include "core/io/number_domain.h"
+#include "core/scene/at_time.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -286,7 +286,7 @@ std::shared_ptr<const Scene> Viewport::shown_scene() const {
   auto scene = document_.visible_snapshot();
   const bool is_clear =
       projection_ == Projection::perspective || scene->medium.homogeneous_density() == 0.0;
-  if (scene->emitters.empty() && is_clear) return scene;
+  if (!is_animated(*scene) && is_clear) return scene;
   if (at_time_of_ != scene) {
     Scene shown = at_time(*scene, time_);
     if (!is_clear) shown.medium.set_homogeneous_density(0.0);

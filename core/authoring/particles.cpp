@@ -6,7 +6,6 @@
 
 #include "core/authoring/random_source.h"
 #include "core/io/limits.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 namespace {
@@ -46,15 +45,6 @@ std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
     particles.push_back(particle(emitter, static_cast<std::uint64_t>(number), age));
   }
   return particles;
-}
-
-Scene at_time(const Scene& scene, double time) {
-  Scene result = scene;
-  for (const Emitter& emitter : scene.emitters) {
-    for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);
-  }
-  result.emitters.clear();
-  return result;
 }
 
 }  // namespace brume

@@ -7,8 +7,6 @@
 
 namespace brume {
 
-struct Scene;
-
 // At most so many of an emitter's particles are there at a time, the youngest.
 inline constexpr int most_particles = 100'000;
 
@@ -17,8 +15,5 @@ inline constexpr int most_particles = 100'000;
 // for, in any order. Radius and density go evenly from birth to death. Numbers stay within what
 // scene files may hold.
 std::vector<Gaussian> particles_at(const Emitter& emitter, double time);
-
-// The scene as it is at a time: its medium with the particles of all emitters, and no emitters.
-Scene at_time(const Scene& scene, double time);
 
 }  // namespace brume

@@ -156,6 +156,14 @@ std::vector<double> read_numbers(const JsonContext& context, const Json& value,
   return numbers;
 }
 
+void add_unknown(Json& object, const std::string& unknown) {
+  if (unknown.empty()) return;
+  const Json keys = Json::parse(unknown);
+  for (const auto& [key, value] : keys.items()) {
+    if (!object.contains(key)) object[key] = value;
+  }
+}
+
 std::string shown_json(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) return "an array of " + std::to_string(value.size()) + " elements";

@@ -96,6 +96,10 @@ std::vector<double> read_numbers(const JsonContext& context, const Json& value,
                                  const JsonPlace& place, std::size_t count,
                                  const NumberDomain& domain);
 
+// Adds the keys that came with an object and that this version does not know, the text of an object
+// or "".
+void add_unknown(Json& object, const std::string& unknown);
+
 // A value as an error message shows it.
 std::string shown_json(const Json& value);
 

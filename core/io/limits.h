@@ -14,10 +14,11 @@ inline constexpr std::size_t volume_blocks = 2'000'000;  // of 8 x 8 x 8 voxels:
 inline constexpr std::size_t lights = 1024;
 inline constexpr std::size_t emitters = 1024;
 inline constexpr std::size_t surfaces = 4096;
-inline constexpr int film_side = 16384;    // pixels
-inline constexpr int image_side = 32768;   // pixels
-inline constexpr int json_depth = 64;      // nested arrays and objects
-inline constexpr std::size_t keys = 1024;  // of one JSON object
+inline constexpr int film_side = 16384;                // pixels
+inline constexpr int image_side = 32768;               // pixels
+inline constexpr int json_depth = 64;                  // nested arrays and objects
+inline constexpr std::size_t keys = 1024;              // of one JSON object
+inline constexpr std::size_t keys_of_value = 100'000;  // of an animation
 
 inline constexpr double coordinate = 1e12;     // |x| [u]
 inline constexpr double least_length = 1e-12;  // of radii and scales [u]

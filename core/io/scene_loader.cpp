@@ -5,11 +5,13 @@
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/json_reader.h"
+#include "core/io/keys_json.h"
 #include "core/io/limits.h"
 #include "core/io/scene_file.h"
 #include "core/io/scene_names.h"
 #include "core/io/scene_references.h"
 #include "core/io/text_scanner.h"
+#include "core/scene/animation.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -59,6 +61,18 @@ class SceneLoader {
     }
   }
 
+  // The member `keys` of an object: those of the values that visit_all(visit) goes through.
+  void load_keys(JsonObject& owner, UnknownKeys& unknown, auto&& visit_all) {
+    const Json* value = owner.find("keys");
+    if (value == nullptr) return;
+    const JsonPlace place = owner.place("keys");
+    JsonObject object(context_, *value, place);
+    visit_all([&](const char* name, const auto&, auto& keys, const NumberDomain& domain) {
+      read_keys(context_, object, name, domain, keys);
+    });
+    unknown = object.unknown();
+  }
+
   void load_camera(const Json& value, const JsonPlace& place) {
     JsonObject object(context_, value, place);
     Camera& camera = scene_.camera;
@@ -72,6 +86,8 @@ class SceneLoader {
     if (!(glm::length(camera.up) > 0.0)) {
       object.fail("up", "found a vector of length 0; allowed: any other");
     }
+    CameraKeys& keys = scene_.camera_keys;
+    load_keys(object, keys.unknown, [&](auto&& visit) { visit_keyed_camera(camera, keys, visit); });
     scene_.unknown_camera = object.unknown();
   }
 
@@ -94,6 +110,10 @@ class SceneLoader {
     optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
     if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
     load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
+    load_keys(object, optics.keys.unknown, [&](auto&& visit) {
+      visit_keyed_density(scene_.medium, scene_.density_keys, visit);
+      visit_keyed_optics(optics, visit);
+    });
     scene_.unknown_medium = object.unknown();
   }
 
@@ -134,6 +154,7 @@ class SceneLoader {
     noise.frequency = object.number("frequency", domain::not_negative, noise.frequency);
     noise.velocity = object.vector("velocity", domain::coordinate, noise.velocity);
     noise.seed = object.integer("seed", INT64_MIN, INT64_MAX, noise.seed);
+    load_keys(object, noise.keys.unknown, [&](auto&& visit) { visit_keyed_noise(noise, visit); });
     noise.unknown = object.unknown();
   }
 
@@ -169,6 +190,7 @@ class SceneLoader {
     light.position = object.vector("position", domain::coordinate, {});
     light.intensity = object.vector("intensity", domain::intensity, light.intensity);
     light.on = object.boolean("on", light.on);
+    load_keys(object, light.keys.unknown, [&](auto&& visit) { visit_keyed_light(light, visit); });
     light.unknown = object.unknown();
     scene_.lights.push_back(std::move(light));
   }
@@ -181,6 +203,8 @@ class SceneLoader {
     environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
     environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
     environment.map = SceneReferences::radiance_map(context_, file, environment.file);
+    load_keys(object, environment.keys.unknown,
+              [&](auto&& visit) { visit_keyed_environment(environment, visit); });
     environment.unknown = object.unknown();
     scene_.environment = std::move(environment);
   }

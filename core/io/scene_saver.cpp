@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/json_reader.h"
+#include "core/io/keys_json.h"
 #include "core/io/scene_file.h"
 #include "core/io/scene_names.h"
 #include "core/io/scene_references.h"
+#include "core/scene/animation.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -16,13 +18,14 @@ Json to_json(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-// Adds the keys that came with an object and that this version does not know.
-void add_unknown(Json& object, const UnknownKeys& unknown) {
-  if (unknown.empty()) return;
-  const Json keys = Json::parse(unknown);
-  for (const auto& [key, value] : keys.items()) {
-    if (!object.contains(key)) object[key] = value;
-  }
+// Adds the member `keys` with the keys of the values that visit_all(visit) goes through, if any.
+void add_keys(Json& object, const UnknownKeys& unknown, auto&& visit_all) {
+  Json all = Json::object();
+  visit_all([&all](const char* name, const auto&, const auto& keys, const NumberDomain&) {
+    if (!keys.empty()) all[name] = keys_to_json(keys);
+  });
+  add_unknown(all, unknown);
+  if (!all.empty()) object["keys"] = std::move(all);
 }
 
 // Whether the Gaussians that came from medium.file are still what they were.
@@ -76,11 +79,17 @@ Json medium_to_json(const Scene& scene, const fs::path& directory) {
                                          {"frequency", noise.frequency},
                                          {"velocity", to_json(noise.velocity)},
                                          {"seed", noise.seed}};
+    add_keys(entry, noise.keys.unknown,
+             [&noise](auto&& visit) { visit_keyed_noise(noise, visit); });
     add_unknown(entry, noise.unknown);
   }
   for (const Emitter& emitter : scene.emitters) {
     object["emitters"].push_back(emitter_to_json(emitter));
   }
+  add_keys(object, optics.keys.unknown, [&](auto&& visit) {
+    visit_keyed_density(medium, scene.density_keys, visit);
+    visit_keyed_optics(optics, visit);
+  });
   add_unknown(object, scene.unknown_medium);
   return object;
 }
@@ -123,6 +132,8 @@ Json to_json(const Scene& scene, const fs::path& directory) {
                         {"target", to_json(camera.target)},
                         {"up", to_json(camera.up)},
                         {"vertical_fov", camera.vertical_fov}};
+  add_keys(root["camera"], scene.camera_keys.unknown,
+           [&](auto&& visit) { visit_keyed_camera(camera, scene.camera_keys, visit); });
   add_unknown(root["camera"], scene.unknown_camera);
   root["film"] = Json{{"width", scene.film.width}, {"height", scene.film.height}};
   add_unknown(root["film"], scene.unknown_film);
@@ -133,6 +144,8 @@ Json to_json(const Scene& scene, const fs::path& directory) {
                {"position", to_json(light.position)},
                {"intensity", to_json(light.intensity)}};
     if (!light.on) entry["on"] = false;
+    add_keys(entry, light.keys.unknown,
+             [&light](auto&& visit) { visit_keyed_light(light, visit); });
     add_unknown(entry, light.unknown);
     lights.push_back(std::move(entry));
   }
@@ -141,6 +154,8 @@ Json to_json(const Scene& scene, const fs::path& directory) {
         Json{{"file", SceneReferences::text_for(scene.environment->file, directory)},
              {"intensity", scene.environment->intensity},
              {"rotation", scene.environment->rotation}};
+    add_keys(entry, scene.environment->keys.unknown,
+             [&](auto&& visit) { visit_keyed_environment(*scene.environment, visit); });
     add_unknown(entry, scene.environment->unknown);
   }
   Json& surfaces = root["surfaces"] = Json::array();

@@ -12,6 +12,7 @@
 #include "core/medium/medium.h"
 #include "core/scene/camera.h"
 #include "core/scene/emitter.h"
+#include "core/scene/keys.h"
 
 namespace brume {
 
@@ -23,14 +24,32 @@ struct TriangleMesh;
 // carries them as the text of one JSON object ("" for none), so that saving keeps them.
 using UnknownKeys = std::string;
 
+// Each ...Keys holds the keys of an object's values; core/scene/animation.h applies them.
+struct LightKeys {
+  Keys<glm::dvec3> position;
+  Keys<glm::dvec3> intensity;
+  UnknownKeys unknown;
+
+  bool operator==(const LightKeys&) const = default;
+};
+
 // An isotropic point light; intensity is radiant intensity, RGB [W/sr], >= 0.
 struct PointLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{1.0};
   UnknownKeys unknown;
   bool on = true;
+  LightKeys keys{};
 
   bool operator==(const PointLight&) const = default;
+};
+
+struct EnvironmentKeys {
+  Keys<double> intensity;
+  Keys<double> rotation;
+  UnknownKeys unknown;
+
+  bool operator==(const EnvironmentKeys&) const = default;
 };
 
 // A latitude-longitude radiance map around the scene; rotation about +y in degrees. Its light is
@@ -41,6 +60,7 @@ struct Environment {
   double intensity = 1.0;
   double rotation = 0.0;
   UnknownKeys unknown;
+  EnvironmentKeys keys{};
 
   bool operator==(const Environment&) const = default;
 };
@@ -74,6 +94,13 @@ struct Surface {
   bool operator==(const Surface&) const = default;
 };
 
+struct NoiseKeys {
+  Keys<double> amplitude;
+  UnknownKeys unknown;
+
+  bool operator==(const NoiseKeys&) const = default;
+};
+
 // 3-D noise that perturbs view rays, see core/medium/noise.h.
 struct Noise {
   double amplitude = 0.0;    // of a Gaussian's shift over its radius, >= 0; 0 is off
@@ -81,8 +108,18 @@ struct Noise {
   glm::dvec3 velocity{0.0};  // with which the pattern moves [u/s]
   std::int64_t seed = 0;
   UnknownKeys unknown;
+  NoiseKeys keys{};
 
   bool operator==(const Noise&) const = default;
+};
+
+// Those of the homogeneous density are Scene::density_keys.
+struct MediumKeys {
+  Keys<glm::dvec3> albedo;
+  Keys<double> anisotropy;
+  UnknownKeys unknown;
+
+  bool operator==(const MediumKeys&) const = default;
 };
 
 // What a medium's light does besides being scattered by its density.
@@ -91,6 +128,7 @@ struct MediumOptics {
       1.0};  // single-scattering albedo, RGB in (0, 1]; extinction = scattering / albedo
   double anisotropy = 0.0;  // g of Henyey-Greenstein, in [-0.95, 0.95]
   Noise noise;
+  MediumKeys keys{};
 
   bool operator==(const MediumOptics&) const = default;
 };
@@ -103,12 +141,23 @@ struct MediumFile {
   std::vector<Gaussian> gaussians;
 };
 
+struct CameraKeys {
+  Keys<glm::dvec3> eye;
+  Keys<glm::dvec3> target;
+  Keys<double> vertical_fov;
+  UnknownKeys unknown;
+
+  bool operator==(const CameraKeys&) const = default;
+};
+
 // Everything a frame needs except the way it is rendered. A value: copying shares the meshes.
 // Paths are absolute.
 struct Scene {
   Camera camera;
+  CameraKeys camera_keys;
   Film film;
   Medium medium;
+  Keys<double> density_keys;  // of the medium's homogeneous density
   MediumOptics optics;
   std::shared_ptr<const MediumFile> medium_file;
   std::vector<Emitter> emitters;  // their particles are not in `medium`, see at_time()

@@ -5,7 +5,7 @@
 
 #include "core/authoring/airbrush.h"
 #include "core/authoring/particles.h"
-#include "core/scene/scene.h"
+#include "core/scene/at_time.h"
 
 namespace brume {
 namespace {

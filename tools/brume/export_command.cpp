@@ -1,7 +1,6 @@
 #include <iostream>
 #include <string>
 
-#include "core/authoring/particles.h"
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/gaussian_csv.h"
@@ -10,6 +9,7 @@
 #include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume_file.h"
+#include "core/scene/at_time.h"
 #include "core/volume/medium_grid.h"
 #include "render/frame_file.h"
 #include "tools/brume/command.h"
@@ -36,7 +36,7 @@ class ExportCommand final : public Command {
                    "size of a voxel of the .vdb; by default half the least radius")
         ->check(finite_in(1e-12, 1e12));
     app.add_flag("--half", half_, "store the .vdb in half precision");
-    app.add_option("--time", time_, "the moment [s] that emitters are shown at")
+    app.add_option("--time", time_, "the moment to write [s], of keys and emitters")
         ->check(finite_in(-1e9, 1e9))
         ->capture_default_str();
   }

@@ -6,12 +6,12 @@
 #include <functional>
 #include <iostream>
 
-#include "core/authoring/particles.h"
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/limits.h"
 #include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
+#include "core/scene/at_time.h"
 #include "render/auto_quality.h"
 #include "render/frame_file.h"
 #include "render/render_plan.h"
@@ -103,7 +103,7 @@ class RenderCommand final : public Command {
     app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
         ->check(finite_in(1e-12, 1.0))
         ->capture_default_str();
-    app.add_option("--time", time_, "the moment to show: emitters and the wind start at 0 seconds")
+    app.add_option("--time", time_, "the moment to show [s], of keys, emitters and the wind")
         ->check(finite_in(-1e9, 1e9))
         ->capture_default_str();
     app.add_option("--backend", backend_, "auto or cpu")->capture_default_str();

@@ -331,6 +331,19 @@ class RandomScene {
       surface.unknown = unknown();
       scene.surfaces.push_back(surface);
     }
+    keys(scene.camera_keys.eye, 1e6);
+    keys(scene.camera_keys.vertical_fov, 179.0);
+    keys(scene.density_keys, 9.0);
+    keys(scene.optics.keys.albedo, 1.0);
+    keys(scene.optics.noise.keys.amplitude, 2.0);
+    for (PointLight& light : scene.lights) {
+      keys(light.keys.position, 1e6);
+      keys(light.keys.intensity, 1e9);
+      light.keys.unknown = unknown();
+    }
+    if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
+    scene.camera_keys.unknown = unknown();
+    scene.optics.keys.unknown = unknown();
     scene.unknown = unknown();
     scene.unknown_camera = unknown();
     scene.unknown_film = unknown();
@@ -347,6 +360,18 @@ class RandomScene {
   }
   bool maybe() { return whole(0, 1) == 0; }
   glm::dvec3 point() { return {number(-1e6, 1e6), number(-1, 1), number(-1e-6, 1e-6)}; }
+  double below(double greatest, double) { return number(0.01, greatest); }
+  glm::dvec3 below(double greatest, const glm::dvec3&) {
+    return {number(0.01, greatest), number(0.01, greatest), number(0.01, greatest)};
+  }
+  template <class T>
+  void keys(Keys<T>& keys, double greatest) {
+    double time = number(-9, 9);
+    for (int i = maybe() ? whole(0, 4) : 0; i > 0; --i, time += number(1e-3, 5)) {
+      keys.push_back(
+          {time, below(greatest, T{}), static_cast<Interpolation>(whole(0, 1)), unknown()});
+    }
+  }
   UnknownKeys unknown() {
     if (maybe()) return {};
     std::string text = R"({"later\n)";

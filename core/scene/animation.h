@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/io/number_domain.h"
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Values of a scene that change over time by keys (core/scene/keys.h). Each visit_ function calls
+// visit(name, value, keys, domain) for every value of an object that can be keyed; `name` is what
+// the scene file calls it.
+
+template <class L>
+void visit_keyed_light(L& light, auto&& visit) {
+  visit("position", light.position, light.keys.position, domain::coordinate);
+  visit("intensity", light.intensity, light.keys.intensity, domain::intensity);
+}
+
+template <class E>
+void visit_keyed_environment(E& environment, auto&& visit) {
+  visit("intensity", environment.intensity, environment.keys.intensity, domain::not_negative);
+  visit("rotation", environment.rotation, environment.keys.rotation, domain::degrees);
+}
+
+template <class C, class K>
+void visit_keyed_camera(C& camera, K& keys, auto&& visit) {
+  visit("eye", camera.eye, keys.eye, domain::coordinate);
+  visit("target", camera.target, keys.target, domain::coordinate);
+  visit("vertical_fov", camera.vertical_fov, keys.vertical_fov, domain::field_of_view);
+}
+
+template <class O>
+void visit_keyed_optics(O& optics, auto&& visit) {
+  visit("albedo", optics.albedo, optics.keys.albedo, domain::albedo);
+  visit("anisotropy", optics.anisotropy, optics.keys.anisotropy, domain::anisotropy);
+}
+
+template <class D, class K>
+void visit_keyed_density(D& homogeneous_density, K& keys, auto&& visit) {
+  visit("density", homogeneous_density, keys, domain::density);
+}
+
+template <class N>
+void visit_keyed_noise(N& noise, auto&& visit) {
+  visit("amplitude", noise.amplitude, noise.keys.amplitude, domain::not_negative);
+}
+
+// Whether anything of the scene has keys.
+bool has_keys(const Scene& scene);
+
+// Gives every value that has keys the one of a moment [s]. Where the camera's eye and target would
+// meet it looks along -z.
+void apply_keys(Scene& scene, double time);
+
+void clear_keys(Scene& scene);
+
+}  // namespace brume
