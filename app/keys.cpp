@@ -51,6 +51,7 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"time.next", "."},
     {"time.previous", ","},
     {"time.first", "Shift+Home"},
+    {"time.set_key", "I"},
     {"view.frame_all", "Home"},
     {"view.frame_selection", "F"},
     {"view.scene_camera", "0"},

@@ -166,7 +166,9 @@ void MainWindow::create_docks() {
   }
   auto* timeline_dock = new QDockWidget(tr("Timeline"), this);
   timeline_dock->setObjectName("timeline");
-  timeline_dock->setWidget(new TimelineBar(*timeline_, this));
+  timeline_bar_ = new TimelineBar(
+      *timeline_, document_, [this] { return viewport_->camera(); }, this);
+  timeline_dock->setWidget(timeline_bar_);
   addDockWidget(Qt::BottomDockWidgetArea, timeline_dock);
 
   connect(outliner, &Outliner::asked_for, this,
@@ -234,11 +236,11 @@ void MainWindow::connect_document() {
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::modified_changed, this, &MainWindow::update_title);
-  connect(timeline_, &Timeline::frame_changed, this,
-          [this] { views_->set_time(timeline_->time()); });
+  connect(timeline_, &Timeline::frame_changed, this, &MainWindow::show_time);
   connect(&document_, &Document::scene_replaced, timeline_, [this] {
     timeline_->stop();
     timeline_->set_frame(0);
+    timeline_->show_all_of(document_.scene());
   });
   connect(tools_, &ToolBox::activated, this, &MainWindow::update_status);
   for (const ToolBox::Entry& entry : tools_->entries()) {
@@ -297,6 +299,15 @@ void MainWindow::update_error() {
   error_->setText(status);
   quality_->setText(corner);
   for (QLabel* label : {error_, quality_}) label->setEnabled(view.is_measured());
+}
+
+void MainWindow::show_time() {
+  const bool looks_through_camera = viewport_->camera() == document_.scene().camera;
+  views_->set_time(timeline_->time());
+  document_.set_time(timeline_->time());
+  if (looks_through_camera && viewport_->camera() != document_.scene().camera) {
+    viewport_->set_camera(document_.scene().camera);
+  }
 }
 
 void MainWindow::say(const QString& message) {

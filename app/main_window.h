@@ -16,6 +16,7 @@ class GaussianPanel;
 class MessageBar;
 class SceneFiles;
 class Timeline;
+class TimelineBar;
 class ToolBox;
 class ViewGrid;
 class Viewport;
@@ -61,6 +62,7 @@ class MainWindow : public QMainWindow {
   void isolate_selection();  // shows all again if anything is hidden
   void export_frame();
   void change_exposure(double stops);
+  void show_time();  // what the timeline says
   void say(const QString& message);
 
   Document document_;
@@ -71,6 +73,7 @@ class MainWindow : public QMainWindow {
   Viewport* viewport_;  // the perspective one
   ToolBox* tools_;
   Timeline* timeline_;
+  TimelineBar* timeline_bar_ = nullptr;
   GaussianPanel* gaussian_panel_ = nullptr;
   FrameExport* frame_export_ = nullptr;
   QLabel* hint_ = nullptr;

@@ -9,13 +9,14 @@
 
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
+#include "app/commands/edit_keys.h"
 #include "app/commands/edit_medium.h"
-#include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
 #include "app/frame_export.h"
 #include "app/help_windows.h"
 #include "app/keys.h"
 #include "app/main_window.h"
+#include "app/panels/timeline_bar.h"
 #include "app/scene_files.h"
 #include "app/timeline.h"
 #include "app/tools/tool_bars.h"
@@ -122,6 +123,7 @@ void MainWindow::create_actions() {
       [this] { timeline_->set_frame(timeline_->frame() - 1); });
   add(time, tr("&First Frame"), "time.first", [this] { timeline_->set_frame(timeline_->first()); });
   time->addSeparator();
+  add(time, tr("Set &Key"), "time.set_key", [this] { timeline_bar_->set_key(); });
   add(time, tr("Freeze &Emitters into Gaussians"), "",
       [this] { freeze_particles(document_, timeline_->time()); });
 
@@ -131,8 +133,9 @@ void MainWindow::create_actions() {
       [this] { views_->active().frame_selection(); });
   add(view, tr("&Scene Camera"), "view.scene_camera",
       [this] { viewport_->set_camera(document_.scene().camera); });
-  add(view, tr("S&tore View as Scene Camera"), "view.store_camera",
-      [this] { set_scene_part(document_, viewport_->camera(), tr("Store view as scene camera")); });
+  add(view, tr("S&tore View as Scene Camera"), "view.store_camera", [this] {
+    set_scene_camera(document_, viewport_->camera(), tr("Store view as scene camera"));
+  });
   view->addSeparator();
   QAction* four = add(view, tr("F&our Views"), "view.four",
                       [this] { views_->show_four(!views_->shows_four()); });

@@ -1,6 +1,9 @@
 #include "app/timeline.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/scene/at_time.h"
 
 namespace brume {
 
@@ -25,6 +28,12 @@ void Timeline::set_range(int first, int last) {
   first_ = std::max(first, 0);
   last_ = std::max(last, first_);
   Q_EMIT changed();
+}
+
+void Timeline::show_all_of(const Scene& scene) {
+  const double last = std::ceil(last_moment(scene) * frames_per_second - 1e-6);
+  constexpr double most = 1'000'000;
+  set_range(0, static_cast<int>(std::clamp<double>(last, frames_at_first, most)));
 }
 
 void Timeline::set_loop(bool loops) {

@@ -6,6 +6,8 @@
 
 namespace brume {
 
+struct Scene;
+
 // The frame that is shown, and playing. State of the editor.
 class Timeline : public QObject {
   Q_OBJECT
@@ -22,6 +24,8 @@ class Timeline : public QObject {
   void set_range(int first, int last);  // 0 <= first <= last, or what comes nearest
   [[nodiscard]] bool loops() const { return loops_; }
   void set_loop(bool loops);
+  // The range from 0 to the last of what moves in a scene, 120 frames at least.
+  void show_all_of(const Scene& scene);
 
   // In real time: frames that cannot be shown in time are left out. From the first frame if the
   // last is shown; on, from the first again, or to a stop at the last.
@@ -38,7 +42,8 @@ class Timeline : public QObject {
 
   int frame_ = 0;
   int first_ = 0;
-  int last_ = 120;
+  static constexpr int frames_at_first = 120;
+  int last_ = frames_at_first;
   bool loops_ = true;
   QTimer timer_;
   QElapsedTimer clock_;

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <vector>
 
+#include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 
 namespace brume {
@@ -38,8 +39,13 @@ void delete_selection(Document& document, const QString& verb) {
 }
 
 void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {
-  push(document, MediumEdit::set_homogeneous_density(document.medium(), b0),
-       tr("Set density everywhere to %1").arg(number_text(b0)), merge_id);
+  const QString text = tr("Set density everywhere to %1").arg(number_text(b0));
+  const Keys<double>& keys = document.scene().density_keys;
+  if (keys.empty()) {
+    push(document, MediumEdit::set_homogeneous_density(document.medium(), b0), text, merge_id);
+  } else {
+    set_scene_part(document, KeyedDensity{b0, keys}, text, merge_id);
+  }
 }
 
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,

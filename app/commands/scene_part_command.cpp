@@ -1,6 +1,7 @@
 #include "app/commands/scene_part_command.h"
 
 #include "app/document/document.h"
+#include "app/document/key_rows.h"
 
 namespace brume {
 
@@ -30,7 +31,9 @@ bool ScenePartCommand::take(const SceneCommand& later) {
 }
 
 void set_scene_part(Document& document, ScenePart part, const QString& text, MergeId merge_id) {
-  if (scene_part(document.scene(), part.index()) == part) return;
+  const ScenePart before = scene_part(document.scene(), part.index());
+  if (part == before) return;
+  key_changes(before, part, document.time());
   document.undo_stack().push(new ScenePartCommand(document, std::move(part), text, merge_id));
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/document/paths.h"
 #include "core/io/scene_file.h"
+#include "core/scene/animation.h"
 
 namespace brume {
 namespace {
@@ -59,7 +60,10 @@ void Document::create() {
 
 void Document::save(const std::filesystem::path& file) {
   const std::filesystem::path absolute = std::filesystem::absolute(file);
-  save_scene(scene_, absolute);
+  // Whatever moment is looked at, the same file.
+  Scene at_start = scene_;
+  apply_keys(at_start, 0.0);
+  save_scene(at_start, absolute);
   file_ = absolute;
   saved_revision_ = revision_;
   undo_stack_.setClean();
@@ -75,6 +79,8 @@ void Document::open_unsaved(Scene scene, const std::filesystem::path& file) {
 void Document::open(Scene scene, const std::filesystem::path& file) {
   undo_stack_.clear();
   scene_ = std::move(scene);
+  time_ = 0.0;
+  apply_keys(scene_, time_);
   selection_.clear();
   hidden_.clear();
   locked_.clear();
@@ -88,6 +94,15 @@ void Document::open(Scene scene, const std::filesystem::path& file) {
   Q_EMIT freedom_changed();
   Q_EMIT file_changed();
   Q_EMIT modified_changed();
+}
+
+void Document::set_time(double time) {
+  if (time == time_) return;
+  time_ = time;
+  if (!has_keys(scene_)) return;
+  apply_keys(scene_, time_);
+  scene_changed();
+  Q_EMIT part_changed();
 }
 
 bool Document::is_selected(GaussianId id) const {
@@ -154,6 +169,7 @@ void Document::apply(const MediumEdit& edit) {
 
 void Document::set_part(const ScenePart& part) {
   set_scene_part(scene_, part);
+  apply_keys(scene_, time_);
   scene_changed();
   const auto last = [](const auto& list) { return std::max<std::size_t>(list.size(), 1) - 1; };
   active_light_ = std::min(active_light_, last(scene_.lights));

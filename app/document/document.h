@@ -42,6 +42,11 @@ class Document : public QObject {
   // Keeps the history and marks its present state as saved, or throws InputError.
   void save(const std::filesystem::path& file);
 
+  // The moment that is being looked at [s]; a state of the editor, 0 in the beginning. Values of
+  // the scene that have keys are always those of this moment.
+  [[nodiscard]] double time() const { return time_; }
+  void set_time(double time);
+
   // Ordered by id; always Gaussians of this medium.
   [[nodiscard]] const std::vector<GaussianId>& selection() const { return selection_; }
   [[nodiscard]] bool is_selected(GaussianId id) const;
@@ -95,6 +100,7 @@ class Document : public QObject {
   std::vector<GaussianId> selection_;
   std::vector<GaussianId> hidden_;
   std::vector<GaussianId> locked_;
+  double time_ = 0.0;
   std::size_t active_light_ = 0;
   std::size_t active_emitter_ = 0;
   std::uint64_t revision_ = 0;

@@ -5,27 +5,42 @@
 namespace brume {
 namespace {
 
-// In the order of the variant.
+// Those that a scene holds as they are, in the order of the variant.
+constexpr std::size_t first_whole = 2;
 template <class S>
-auto parts(S& scene) {
-  return std::tie(scene.camera, scene.lights, scene.environment, scene.optics, scene.surfaces,
-                  scene.emitters);
+auto whole_parts(S& scene) {
+  return std::tie(scene.lights, scene.environment, scene.optics, scene.surfaces, scene.emitters);
 }
 
 }  // namespace
 
 ScenePart scene_part(const Scene& scene, std::size_t index) {
+  if (index == 0) return KeyedCamera{scene.camera, scene.camera_keys};
+  if (index == 1) return KeyedDensity{scene.medium.homogeneous_density(), scene.density_keys};
   ScenePart part;
-  const auto parts_of_scene = parts(scene);
+  const auto parts = whole_parts(scene);
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    ((i == index ? void(part.emplace<i>(std::get<i>(parts_of_scene))) : void()), ...);
+    ((first_whole + i == index ? void(part.emplace<first_whole + i>(std::get<i>(parts))) : void()),
+     ...);
   }
-  (std::make_index_sequence<std::variant_size_v<ScenePart>>());
+  (std::make_index_sequence<std::variant_size_v<ScenePart> - first_whole>());
   return part;
 }
 
 void set_scene_part(Scene& scene, const ScenePart& part) {
-  std::visit([&scene]<class T>(const T& value) { std::get<T&>(parts(scene)) = value; }, part);
+  std::visit(
+      [&scene]<class T>(const T& value) {
+        if constexpr (std::is_same_v<T, KeyedCamera>) {
+          scene.camera = value.camera;
+          scene.camera_keys = value.keys;
+        } else if constexpr (std::is_same_v<T, KeyedDensity>) {
+          scene.medium.set_homogeneous_density(value.density);
+          scene.density_keys = value.keys;
+        } else {
+          std::get<T&>(whole_parts(scene)) = value;
+        }
+      },
+      part);
 }
 
 }  // namespace brume

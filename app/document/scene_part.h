@@ -10,8 +10,21 @@ namespace brume {
 using Lights = std::vector<PointLight>;
 using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
-using ScenePart =
-    std::variant<Camera, Lights, std::optional<Environment>, MediumOptics, Surfaces, Emitters>;
+struct KeyedCamera {
+  Camera camera;
+  CameraKeys keys;
+
+  bool operator==(const KeyedCamera&) const = default;
+};
+// The homogeneous density while it has keys; without, it is edited as the Gaussians are.
+struct KeyedDensity {
+  double density = 0.0;
+  Keys<double> keys;
+
+  bool operator==(const KeyedDensity&) const = default;
+};
+using ScenePart = std::variant<KeyedCamera, KeyedDensity, Lights, std::optional<Environment>,
+                               MediumOptics, Surfaces, Emitters>;
 
 // The part of a scene that has an index of the variant; and a scene with another part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

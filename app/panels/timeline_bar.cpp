@@ -1,14 +1,19 @@
 #include "app/panels/timeline_bar.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QVBoxLayout>
 
+#include "app/commands/edit_keys.h"
+#include "app/document/document.h"
 #include "app/icons.h"
+#include "app/panels/key_strip.h"
 #include "app/timeline.h"
 
 namespace brume {
@@ -29,7 +34,9 @@ QSpinBox* new_number(QWidget* parent, const char* name, const QString& tip) {
 
 }  // namespace
 
-TimelineBar::TimelineBar(Timeline& timeline, QWidget* parent) : QWidget(parent) {
+TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<Camera()> view,
+                         QWidget* parent)
+    : QWidget(parent), document_(document), view_(std::move(view)), target_(new QComboBox(this)) {
   const QColor color = palette().color(QPalette::ButtonText);
   const auto button = [this, &color](const char* icon, const QString& tip) {
     auto* made = new QToolButton(this);
@@ -52,7 +59,21 @@ TimelineBar::TimelineBar(Timeline& timeline, QWidget* parent) : QWidget(parent) 
   auto* loop = new QCheckBox(tr("Loop"), this);
   loop->setObjectName("loop");
 
-  auto* row = new QHBoxLayout(this);
+  target_->setObjectName("key_target");
+  target_->setToolTip(tr("What a key is set of"));
+  target_->setFocusPolicy(Qt::ClickFocus);
+  target_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  auto* key = button("key", tr("Set a key of this, at this frame (I)"));
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
+  auto* keys = new KeyStrip(timeline, document_, this);
+  keys->setObjectName("keys");
+  column->addWidget(keys);
+  column->addStretch();
   row->setContentsMargins(8, 2, 8, 2);
   for (QToolButton* b : {to_first, back, play, forward}) row->addWidget(b);
   row->addWidget(frame);
@@ -61,6 +82,8 @@ TimelineBar::TimelineBar(Timeline& timeline, QWidget* parent) : QWidget(parent) 
   row->addWidget(first);
   row->addWidget(last);
   row->addWidget(loop);
+  row->addWidget(target_);
+  row->addWidget(key);
 
   connect(to_first, &QToolButton::clicked, &timeline,
           [&timeline] { timeline.set_frame(timeline.first()); });
@@ -77,6 +100,11 @@ TimelineBar::TimelineBar(Timeline& timeline, QWidget* parent) : QWidget(parent) 
   connect(last, &QSpinBox::valueChanged, &timeline,
           [&timeline](int value) { timeline.set_range(timeline.first(), value); });
   connect(loop, &QCheckBox::toggled, &timeline, &Timeline::set_loop);
+  connect(key, &QToolButton::clicked, this, &TimelineBar::set_key);
+  for (const auto signal : {&Document::scene_replaced, &Document::part_changed}) {
+    connect(&document_, signal, this, &TimelineBar::refresh_targets);
+  }
+  refresh_targets();
 
   const auto show = [=, &timeline] {
     const QSignalBlocker blockers[]{QSignalBlocker(slider), QSignalBlocker(frame),
@@ -93,6 +121,29 @@ TimelineBar::TimelineBar(Timeline& timeline, QWidget* parent) : QWidget(parent) 
   };
   connect(&timeline, &Timeline::changed, this, show);
   show();
+}
+
+void TimelineBar::refresh_targets() {
+  QStringList titles;
+  for (const KeyRow& row : key_rows(document_.scene())) titles << row.title;
+  QStringList shown;
+  for (int k = 0; k < target_->count(); ++k) shown << target_->itemText(k);
+  if (titles == shown) return;
+  const QString chosen = target_->currentText();
+  target_->clear();
+  target_->addItems(titles);
+  target_->setCurrentIndex(std::max(0, target_->findText(chosen)));
+}
+
+void TimelineBar::set_key() {
+  const std::vector<KeyRow> rows = key_rows(document_.scene());
+  const auto k = static_cast<std::size_t>(target_->currentIndex());
+  if (k >= rows.size()) return;
+  if (rows[k].part == ScenePart(KeyedCamera{}).index()) {
+    set_camera_keys(document_, view_());
+  } else {
+    set_keys(document_, rows[k]);
+  }
 }
 
 }  // namespace brume

@@ -1,16 +1,35 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+
+#include "core/scene/camera.h"
+
+class QComboBox;
 
 namespace brume {
 
+class Document;
 class Timeline;
 
-// The timeline as a row: play, step, the frame on a slider, the range, loop.
+// The timeline: play, step, the frame on a slider, the range, loop; what to set a key of; and below
+// it the keys.
 class TimelineBar : public QWidget {
   Q_OBJECT
  public:
-  TimelineBar(Timeline& timeline, QWidget* parent);
+  // `view` is what a key of the camera takes.
+  TimelineBar(Timeline& timeline, Document& document, std::function<Camera()> view,
+              QWidget* parent);
+
+  // Sets a key of what is chosen, at the frame shown.
+  void set_key();
+
+ private:
+  void refresh_targets();
+
+  Document& document_;
+  std::function<Camera()> view_;
+  QComboBox* target_;
 };
 
 }  // namespace brume

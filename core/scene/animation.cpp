@@ -1,5 +1,6 @@
 #include "core/scene/animation.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "core/scene/keys.h"
@@ -26,6 +27,16 @@ bool has_keys(const Scene& scene) {
               found = found || !keys.empty();
             });
   return found;
+}
+
+double last_key_time(const Scene& scene) {
+  double last = 0.0;
+  double unused = 0.0;
+  visit_all(scene, unused,
+            [&last](const char*, const auto&, const auto& keys, const NumberDomain&) {
+              if (!keys.empty()) last = std::max(last, keys.back().time);
+            });
+  return last;
 }
 
 void apply_keys(Scene& scene, double time) {

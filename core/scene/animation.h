@@ -46,6 +46,8 @@ void visit_keyed_noise(N& noise, auto&& visit) {
 
 // Whether anything of the scene has keys.
 bool has_keys(const Scene& scene);
+// The time of the last key, 0 if none is later [s].
+double last_key_time(const Scene& scene);
 
 // Gives every value that has keys the one of a moment [s]. Where the camera's eye and target would
 // meet it looks along -z.

@@ -9,6 +9,10 @@ bool is_animated(const Scene& scene) {
   return !scene.emitters.empty() || has_keys(scene);
 }
 
+double last_moment(const Scene& scene) {
+  return last_key_time(scene);
+}
+
 Scene at_time(const Scene& scene, double time) {
   Scene result = scene;
   apply_keys(result, time);

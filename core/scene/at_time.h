@@ -7,6 +7,9 @@ namespace brume {
 // Whether a scene is another one at another time, its noise aside.
 bool is_animated(const Scene& scene);
 
+// The time of the last key, 0 without any [s].
+double last_moment(const Scene& scene);
+
 // The scene as it is at a time [s]: values that have keys are those of that time, its medium has
 // the particles of all emitters, and there are neither keys nor emitters.
 Scene at_time(const Scene& scene, double time);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "app/commands/edit_keys.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
@@ -206,7 +207,7 @@ class DocumentTest : public QObject {
     const Camera before = document.scene().camera;
     Camera camera = before;
     camera.eye.x += 1.0;
-    set_scene_part(document, camera, "Store view as scene camera");
+    set_scene_camera(document, camera, "Store view as scene camera");
     QVERIFY(document.scene().camera == camera && document.is_modified());
     document.undo_stack().undo();
     QVERIFY(document.scene().camera == before);

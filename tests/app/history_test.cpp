@@ -7,6 +7,7 @@
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_gesture.h"
+#include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
@@ -34,7 +35,7 @@ class RandomHands {
         &RandomHands::copy,        &RandomHands::choose,  &RandomHands::choose_by_rule,
         &RandomHands::light,       &RandomHands::emitter, &RandomHands::whole_medium,
         &RandomHands::surface,     &RandomHands::camera,  &RandomHands::hide_or_lock,
-        &RandomHands::environment, &RandomHands::go_back};
+        &RandomHands::environment, &RandomHands::key,     &RandomHands::go_back};
     (this->*acts[below(std::size(acts))])();
   }
 
@@ -161,13 +162,36 @@ class RandomHands {
   void camera() {
     Camera camera = document_.scene().camera;
     camera.eye = point() + glm::dvec3(3.0);
-    set_scene_part(document_, camera, "Store view");
+    set_scene_camera(document_, camera, "Store view");
   }
   void environment() {
     std::optional<Environment> environment;
     if (below(2) == 0)
       environment = {BRUME_RESOURCES "/environments/sunset.exr", {}, number(), 0.0, {}};
     set_scene_part(document_, environment, "Set environment");
+  }
+  void key() {
+    document_.set_time(static_cast<double>(below(4)));
+    const std::vector<KeyRow> rows = key_rows(document_.scene());
+    const KeyRow& row = rows[below(rows.size())];
+    const auto moment = [this] { return static_cast<double>(below(4)); };
+    switch (below(4)) {
+      case 0:
+        return delete_keys(document_, row, moment());
+      case 1: {
+        const ScenePart before = scene_part(document_.scene(), row.part);
+        const double from = moment();
+        const MergeId merge_id = new_merge_id();
+        for (int step = 0; step < 2; ++step) {
+          move_keys(document_, row, before, from, moment(), merge_id);
+        }
+        return;
+      }
+      case 2:
+        return set_interpolation(document_, row, moment(), static_cast<Interpolation>(below(2)));
+      default:
+        return set_keys(document_, row);
+    }
   }
   void hide_or_lock() {
     if (below(2) == 0) {
@@ -239,12 +263,14 @@ class HistoryTest : public QObject {
       RandomHands hands(document, seed);
       for (int k = 0; k < 25; ++k) hands.act();
       document.save(file);
+      document.set_time(0.0);  // the moment that a file's values are of
       QVERIFY(!document.is_modified());
       const Scene loaded = load_scene(file);
       QCOMPARE(scene_to_json(loaded, "/"), bytes_of(document));
       const std::string middle = bytes_of(document);
       const int saved_at = document.undo_stack().index();
       for (int k = 0; k < 25; ++k) hands.act();
+      document.set_time(0.0);
       const std::string after = bytes_of(document);
       const int end = document.undo_stack().index();
       if (end >= saved_at && document.undo_stack().cleanIndex() == saved_at) {

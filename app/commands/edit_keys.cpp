@@ -1,0 +1,66 @@
+#include "app/commands/edit_keys.h"
+
+#include <QCoreApplication>
+
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+
+namespace brume {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Undo", text);
+}
+
+QString in_sentence(const KeyRow& row) {
+  return row.title.toLower();
+}
+
+void push(Document& document, ScenePart part, const QString& text, MergeId merge_id = no_merge) {
+  // So that what keys do to the values is not taken for an edit of them.
+  apply_keys(part, document.time());
+  set_scene_part(document, std::move(part), text, merge_id);
+}
+
+}  // namespace
+
+void set_keys(Document& document, const KeyRow& row) {
+  ScenePart part = scene_part(document.scene(), row.part);
+  set_keys(part, row, document.time());
+  push(document, std::move(part), tr("Set key of %1").arg(in_sentence(row)));
+}
+
+void set_camera_keys(Document& document, const Camera& camera) {
+  const KeyRow row = key_rows(document.scene()).front();
+  ScenePart part = KeyedCamera{camera, document.scene().camera_keys};
+  set_keys(part, row, document.time());
+  push(document, std::move(part), tr("Set key of %1").arg(in_sentence(row)));
+}
+
+void delete_keys(Document& document, const KeyRow& row, double time) {
+  ScenePart part = scene_part(document.scene(), row.part);
+  delete_keys(part, row, time);
+  push(document, std::move(part), tr("Delete key of %1").arg(in_sentence(row)));
+}
+
+void move_keys(Document& document, const KeyRow& row, const ScenePart& before, double from,
+               double to, MergeId merge_id) {
+  ScenePart part = before;
+  move_keys(part, row, from, to);
+  push(document, std::move(part), tr("Move key of %1").arg(in_sentence(row)), merge_id);
+}
+
+void set_interpolation(Document& document, const KeyRow& row, double time,
+                       Interpolation interpolation) {
+  ScenePart part = scene_part(document.scene(), row.part);
+  set_interpolation(part, row, time, interpolation);
+  const QString text = interpolation == Interpolation::linear ? tr("Make key of %1 linear")
+                                                              : tr("Make key of %1 smooth");
+  push(document, std::move(part), text.arg(in_sentence(row)));
+}
+
+void set_scene_camera(Document& document, const Camera& camera, const QString& text) {
+  set_scene_part(document, KeyedCamera{camera, document.scene().camera_keys}, text);
+}
+
+}  // namespace brume

@@ -1,0 +1,258 @@
+// Values that have keys: on the timeline, with the mouse.
+
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QToolButton>
+
+#include "app/commands/edit_lights.h"
+#include "app/commands/edit_medium.h"
+#include "app/panels/key_strip.h"
+#include "app/panels/number_field.h"
+#include "app/panels/value_field.h"
+#include "app/scene_files.h"
+#include "app/timeline.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
+#include "core/scene/at_time.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+constexpr double frame = 1.0 / Timeline::frames_per_second;
+
+KeyStrip& strip(TestWindow& window) {
+  return *window->findChild<KeyStrip*>("keys");
+}
+
+void choose(TestWindow& window, const char* target) {
+  auto* box = window->findChild<QComboBox*>("key_target");
+  QVERIFY(box->findText(target) >= 0);
+  box->setCurrentText(target);
+}
+
+void set_key_at(TestWindow& window, int number) {
+  window->timeline().set_frame(number);
+  window.key(Qt::Key_I);
+}
+
+void move_light(TestWindow& window, const glm::dvec3& to) {
+  change_light(window->document(), 0, "Move %1", no_merge,
+               [&to](PointLight& light) { light.position = to; });
+}
+
+const PointLight& light(TestWindow& window) {
+  return window->document().scene().lights.at(0);
+}
+
+void drag(KeyStrip& keys, QPoint from, QPoint to) {
+  QTest::mousePress(&keys, Qt::LeftButton, {}, from);
+  for (int k = 1; k <= 4; ++k) {
+    const QPointF at = QPointF(from) + QPointF(to - from) * k / 4.0;
+    QMouseEvent event(QEvent::MouseMove, at, keys.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                      {});
+    QApplication::sendEvent(&keys, &event);
+  }
+  QTest::mouseRelease(&keys, Qt::LeftButton, {}, to);
+}
+
+}  // namespace
+
+class KeysTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_keyed_light_moves_and_edits_set_its_keys() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    QVERIFY(!strip(window).isVisible());
+    choose(window, "Light 1 position");
+    set_key_at(window, 0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set key of light 1 position"));
+    QVERIFY(strip(window).isVisible());
+    window->timeline().set_frame(30);
+    move_light(window, {5, 2, 2});  // sets a key of now
+    QCOMPARE(light(window).keys.position.size(), std::size_t{2});
+    QCOMPARE(light(window).keys.position[1].time, 1.0);
+    QVERIFY(document.is_modified());
+
+    // The document, its panels and the picture show the moment.
+    window->timeline().set_frame(15);
+    QCOMPARE(light(window).position, glm::dvec3(3, 2, 2));
+    auto* field = window->findChild<ValueField*>("light_position_x")->findChild<NumberField*>();
+    QCOMPARE(field->text(), QString("3"));
+    QVERIFY(window.settle());
+    const auto shown = window->viewport().shown()->request.scene;
+    QCOMPARE(shown->lights[0].position, glm::dvec3(3, 2, 2));
+    QVERIFY(shown->lights[0].keys == LightKeys{});
+    QCOMPARE(document.undo_stack().count(), 2);  // looking at another moment is no edit
+
+    // The file is the same whatever moment is looked at, and means the same.
+    QVERIFY(window->files().save_to(window.file("keys.brume")));
+    const Scene saved = load_scene(window.file("keys.brume"));
+    QVERIFY(saved.lights[0].keys == light(window).keys);
+    QCOMPARE(saved.lights[0].position, glm::dvec3(1, 2, 2));
+    QCOMPARE(at_time(saved, 0.5).lights, shown->lights);
+
+    document.undo_stack().undo();
+    QCOMPARE(light(window).position, glm::dvec3(1, 2, 2));
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+    QVERIFY(!strip(window).isVisible());
+    document.undo_stack().redo();
+    document.undo_stack().redo();
+    QCOMPARE(light(window).position, glm::dvec3(3, 2, 2));
+  }
+
+  void keys_are_moved_made_and_deleted_with_the_mouse() {
+    TestWindow window;
+    Document& document = window->document();
+    choose(window, "Light 1 position");
+    set_key_at(window, 0);
+    window->timeline().set_frame(60);
+    move_light(window, {5, 2, 2});
+    const Scene two_keys = document.scene();
+    KeyStrip& keys = strip(window);
+    const auto times = [&] {
+      std::vector<int> frames;
+      for (const auto& key : light(window).keys.position)
+        frames.push_back(qRound(key.time / frame));
+      return frames;
+    };
+    drag(keys, keys.position(0, 60), keys.position(0, 90));
+    QCOMPARE(times(), (std::vector{0, 90}));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move key of light 1 position"));
+    QCOMPARE(document.undo_stack().count(), 3);
+    QCOMPARE(window->timeline().frame(), 60);
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == two_keys);
+    // There and back is no edit.
+    QTest::mousePress(&keys, Qt::LeftButton, {}, keys.position(0, 60));
+    for (const int to : {80, 60}) {
+      const QPointF at = keys.position(0, to);
+      QMouseEvent event(QEvent::MouseMove, at, keys.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                        {});
+      QApplication::sendEvent(&keys, &event);
+    }
+    QTest::mouseRelease(&keys, Qt::LeftButton, {}, keys.position(0, 60));
+    QVERIFY(document.scene() == two_keys);
+    QCOMPARE(document.undo_stack().index(), 2);
+
+    QTest::mouseDClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
+    QCOMPARE(times(), (std::vector{0, 30, 60}));
+    QCOMPARE(light(window).position, glm::dvec3(3, 2, 2));  // where it was at that moment
+    QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
+    QTest::keyClick(&keys, Qt::Key_Delete);
+    QCOMPARE(times(), (std::vector{0, 60}));
+    QCOMPARE(document.undo_stack().undoText(), QString("Delete key of light 1 position"));
+    QCOMPARE(document.medium().size(), std::size_t{5});  // Delete meant the key
+    document.undo_stack().undo();
+    QCOMPARE(times(), (std::vector{0, 30, 60}));
+
+    // Beside the keys a drag looks through time.
+    drag(keys, keys.position(0, 40), keys.position(0, 45));
+    QCOMPARE(window->timeline().frame(), 45);
+    QCOMPARE(times(), (std::vector{0, 30, 60}));
+  }
+
+  void a_key_becomes_linear_by_its_menu() {
+    TestWindow window;
+    choose(window, "Light 1 intensity");
+    set_key_at(window, 0);
+    set_key_at(window, 60);
+    KeyStrip& keys = strip(window);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, keys.position(0, 0),
+                            keys.mapToGlobal(keys.position(0, 0)));
+    QApplication::sendEvent(&keys, &event);
+    auto* menu = keys.findChild<QMenu*>();
+    QVERIFY(menu);
+    for (QAction* action : menu->actions()) {
+      if (action->text() == "&Linear") action->trigger();
+    }
+    menu->close();
+    QCOMPARE(light(window).keys.intensity[0].interpolation, Interpolation::linear);
+    QCOMPARE(window->document().undo_stack().undoText(),
+             QString("Make key of light 1 intensity linear"));
+    // What is keyed after it goes on like this.
+    set_key_at(window, 30);
+    QCOMPARE(light(window).keys.intensity[1].interpolation, Interpolation::linear);
+  }
+
+  void the_view_goes_with_the_camera_until_it_is_moved() {
+    TestWindow window;
+    Document& document = window->document();
+    Viewport& view = window->viewport();
+    choose(window, "Camera");
+    QTest::mouseClick(window->findChild<QToolButton*>("key"), Qt::LeftButton);
+    Camera aside = view.camera();
+    aside.eye.x = 4.0;
+    window->timeline().set_frame(60);
+    view.set_camera(aside);
+    window.key(Qt::Key_I);
+    QVERIFY(document.scene().camera == aside);
+    window->timeline().set_frame(30);
+    QCOMPARE(view.camera().eye.x, 2.0);
+    QVERIFY(at_time(document.scene(), 1.0).camera == view.camera());
+    view.set_camera(aside);
+    window->timeline().set_frame(0);
+    QVERIFY(view.camera() == aside);  // whoever looks from elsewhere stays there
+    window.key(Qt::Key_0);
+    window->timeline().set_frame(60);
+    QCOMPARE(view.camera().eye.x, 4.0);
+    window->timeline().set_frame(0);
+    QCOMPARE(view.camera().eye.x, 0.0);
+  }
+
+  void density_has_keys_too() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    set_homogeneous_density(document, 0.1, no_merge);
+    choose(window, "Density everywhere");
+    set_key_at(window, 0);
+    window->timeline().set_frame(60);
+    set_homogeneous_density(document, 0.3, no_merge);
+    QCOMPARE(document.scene().density_keys.size(), std::size_t{2});
+    window->timeline().set_frame(30);
+    QVERIFY(std::abs(document.medium().homogeneous_density() - 0.2) < 1e-12);
+    document.undo_stack().undo();
+    document.undo_stack().undo();
+    QCOMPARE(document.medium().homogeneous_density(), 0.1);
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void deleting_a_light_leaves_the_keys_of_the_others() {
+    TestWindow window;
+    Document& document = window->document();
+    add_light(document, {0, 5, 0});
+    choose(window, "Light 2 position");
+    set_key_at(window, 0);
+    window->timeline().set_frame(60);
+    change_light(document, 1, "Move %1", no_merge, [](PointLight& light) {
+      light.position = {0, 9, 0};
+    });
+    const Scene both = document.scene();
+    delete_light(document, 0);
+    QCOMPARE(strip(window).rows().size(), std::size_t{1});
+    QCOMPARE(strip(window).rows()[0].title, QString("Light 1 position"));
+    QCOMPARE(light(window).keys.position.size(), std::size_t{2});
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == both);
+  }
+
+  void the_range_holds_all_keys_of_a_scene() {
+    Scene scene = small_scene();
+    scene.density_keys = {{.time = 0.0, .value = 0.0}, {.time = 7.0, .value = 1.0}};
+    TestWindow window(scene);
+    QCOMPARE(window->timeline().last(), 210);
+    window->files().create();
+    QCOMPARE(window->timeline().last(), 120);
+  }
+};
+
+BRUME_TEST_MAIN(KeysTest)
+#include "keys_test.moc"
