@@ -17,7 +17,7 @@
 #include "render/frame_file.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
-#include "tools/brume/frame_pattern.h"
+#include "tools/brume/frame_range.h"
 #include "tools/brume/progress_line.h"
 
 namespace brume {
@@ -69,8 +69,8 @@ class FitCommand final : public Command {
       return done;
     }
     if (max_error_ > 0.0) throw UsageError("--max-error: not for a sequence; allowed: --count");
-    const FramePattern volumes(volume_);
-    const FramePattern outputs(output_);
+    const FramePattern volumes = parse_pattern(volume_);
+    const FramePattern outputs = parse_pattern(output_);
     for (const int frame : parse_frames(frames_)) fit(volumes.of(frame), outputs.of(frame), frame);
     return done;
   }

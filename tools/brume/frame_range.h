@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/io/frame_pattern.h"
+
+namespace brume {
+
+// The file names of a sequence. Throws UsageError.
+FramePattern parse_pattern(const std::string& text);
+
+// "11-40" as 11, 12, ..., 40; "7" as 7. Throws UsageError.
+std::vector<int> parse_frames(const std::string& text);
+
+}  // namespace brume
