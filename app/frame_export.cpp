@@ -3,13 +3,84 @@
 #include <exception>
 
 #include "app/document/paths.h"
-#include "render/frame_file.h"
-#include "render/render_plan.h"
-#include "render/renderer.h"
-#include "render/transfer/transfer_cache.h"
-#include "render/transfer/transfer_store.h"
+#include "app/frame_source.h"
+#include "app/video_file.h"
+#include "core/io/atomic_file.h"
 
 namespace brume {
+namespace {
+
+struct Cancelled {};
+
+// The work of one export, in its thread. Every function throws InputError, and Cancelled.
+class Exporter {
+ public:
+  Exporter(const FrameExportRequest& request, const Job& job)
+      : request_(request), job_(job), source_(request.scene, request.camera, request.settings) {}
+
+  void run() {
+    if (!request_.range) {
+      write(request_.file, frame(request_.settings.time, 0, 1));
+    } else if (lower_case_extension(request_.file) == ".mp4") {
+      write_video();
+    } else {
+      for_each_frame([this](int number, const Frame& frame) {
+        write(numbered_file(request_.file, number), frame);
+      });
+    }
+  }
+
+  [[nodiscard]] int written() const { return written_; }
+
+ private:
+  // The k-th of `count` frames.
+  Frame frame(double time, int k, int count) {
+    auto frame = source_.at(time, job_.part(static_cast<double>(k) / count, (k + 1.0) / count));
+    if (!frame || job_.stop.stop_requested()) throw Cancelled();
+    return std::move(*frame);
+  }
+
+  void for_each_frame(const std::function<void(int, const Frame&)>& take) {
+    const FrameExportRequest::Range& range = *request_.range;
+    const int count = range.last - range.first + 1;
+    for (int k = 0; k < count; ++k) {
+      const int number = range.first + k;
+      take(number, frame(number / range.frames_per_second, k, count));
+    }
+  }
+
+  void write(const std::filesystem::path& file, const Frame& frame) {
+    write_frame(file, frame, request_.info);
+    ++written_;
+  }
+
+  void write_video() {
+    write_atomically(request_.file, [this](const std::filesystem::path& temporary) {
+      VideoFile video(request_.file, temporary, request_.scene->film,
+                      request_.range->frames_per_second);
+      for_each_frame([&](int, const Frame& frame) {
+        video.add(to_display(frame, request_.info.exposure), job_.stop);
+      });
+      video.finish();
+    });
+    ++written_;
+  }
+
+  const FrameExportRequest& request_;
+  Job job_;
+  FrameSource source_;
+  int written_ = 0;
+};
+
+}  // namespace
+
+std::filesystem::path numbered_file(const std::filesystem::path& file, int frame) {
+  const QString name = QString("%1_%2%3")
+                           .arg(to_qstring(file.stem()))
+                           .arg(frame, 4, 10, QChar('0'))
+                           .arg(to_qstring(file.extension()));
+  return file.parent_path() / to_path(name);
+}
 
 FrameExport::FrameExport(QWidget* parent) : JobBar(parent) {
   connect(this, &JobBar::cancel_clicked, this, &FrameExport::cancel);
@@ -17,42 +88,36 @@ FrameExport::FrameExport(QWidget* parent) : JobBar(parent) {
 
 FrameExport::~FrameExport() = default;
 
-void FrameExport::start(std::shared_ptr<const Scene> scene, const Camera& camera,
-                        const Settings& settings, const FrameInfo& info,
-                        const std::filesystem::path& file) {
+void FrameExport::start(const FrameExportRequest& request) {
   if (running_) return;
   running_ = true;
-  show_job(tr("Exporting %1").arg(to_qstring(file.filename())));
+  show_job(tr("Exporting %1").arg(to_qstring(request.file.filename())));
   thread_ = std::jthread([=, this](const std::stop_token& stop) {
-    Outcome outcome = Outcome::cancelled;
-    QString text = to_qstring(file);
+    Outcome outcome = Outcome::written;
+    QString text = to_qstring(request.file);
+    int told = 0;  // per cent
+    const auto progress = [this, &told](double done) {
+      const int percent = static_cast<int>(100.0 * done);
+      if (percent == told) return;
+      told = percent;
+      QMetaObject::invokeMethod(
+          this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
+    };
+    int written = 0;
     try {
-      int told = 0;  // per cent
-      const auto progress = [this, &told](double done) {
-        const int percent = static_cast<int>(100.0 * done);
-        if (percent == told) return;
-        told = percent;
-        QMetaObject::invokeMethod(
-            this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
-      };
-      const Job job{stop, progress};
-      const std::vector<TransferRequest> needed = RenderPlan(*scene, settings.airlight).transfers;
-      const double first = needed.empty() ? 0.0 : 0.5;
-      const auto transfers = std::make_shared<TransferStore>();
-      transfers->make(needed, cache_folder(), job.part(0.0, first));
-      Renderer renderer(transfers);
-      const auto frame = renderer.render(*scene, camera, scene->film, settings, stop,
-                                         job.part(first, 1.0).progress);
-      if (frame && !stop.stop_requested()) {
-        write_frame(file, *frame, info);
-        outcome = Outcome::written;
+      Exporter exporter(request, {stop, progress});
+      try {
+        exporter.run();
+      } catch (const Cancelled&) {
+        outcome = Outcome::cancelled;
       }
+      written = exporter.written();
     } catch (const std::exception& error) {
       outcome = Outcome::failed;
       text = QString::fromUtf8(error.what());
     }
     QMetaObject::invokeMethod(
-        this, [this, outcome, text] { end(outcome, text); }, Qt::QueuedConnection);
+        this, [=, this] { end(outcome, written, text); }, Qt::QueuedConnection);
   });
 }
 
@@ -60,7 +125,7 @@ void FrameExport::cancel() {
   thread_.request_stop();
 }
 
-void FrameExport::end(Outcome outcome, const QString& text) {
+void FrameExport::end(Outcome outcome, int written, const QString& text) {
   thread_.join();
   running_ = false;
   hide();
@@ -69,7 +134,7 @@ void FrameExport::end(Outcome outcome, const QString& text) {
       Q_EMIT finished(text);
       break;
     case Outcome::cancelled:
-      Q_EMIT cancelled();
+      Q_EMIT cancelled(written);
       break;
     case Outcome::failed:
       Q_EMIT failed(text);

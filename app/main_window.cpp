@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
@@ -18,6 +19,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/animation_dialog.h"
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/frame_export.h"
@@ -40,7 +42,6 @@
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
-#include "core/scene/at_time.h"
 
 namespace brume {
 namespace {
@@ -212,7 +213,9 @@ void MainWindow::create_status_bar() {
   statusBar()->addPermanentWidget(error_);
   connect(frame_export_, &FrameExport::finished, this,
           [this](const QString& file) { say(tr("Exported %1").arg(file)); });
-  connect(frame_export_, &FrameExport::cancelled, this, [this] { say(tr("Export cancelled")); });
+  connect(frame_export_, &FrameExport::cancelled, this, [this](int written) {
+    say(written == 0 ? tr("Export cancelled") : tr("Export cancelled after %1 files").arg(written));
+  });
   connect(frame_export_, &FrameExport::failed, message_bar_, &MessageBar::show_error);
 }
 
@@ -340,11 +343,32 @@ void MainWindow::export_frame() {
 }
 
 void MainWindow::export_frame_to(const std::filesystem::path& file) {
+  frame_export_->start(export_request(file));
+}
+
+void MainWindow::export_animation() {
+  const QString folder =
+      document_.file().empty() ? QDir::homePath() : to_qstring(document_.file().parent_path());
+  auto* dialog = new AnimationDialog(*timeline_, folder, this);
+  connect(dialog, &AnimationDialog::wanted, this, &MainWindow::export_animation_to);
+  dialog->show();
+}
+
+void MainWindow::export_animation_to(const std::filesystem::path& file, int first, int last) {
+  FrameExportRequest request = export_request(file);
+  request.range = {first, last, Timeline::frames_per_second};
+  if (document_.scene().camera_keys != CameraKeys{}) request.camera.reset();
+  frame_export_->start(request);
+}
+
+FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
   const Settings settings = viewport_->quality().settings();
-  const FrameInfo info{document_.file().string(), to_string(settings.airlight), "cpu",
-                       viewport_->exposure()};
-  auto scene = std::make_shared<const Scene>(at_time(document_.scene(), viewport_->time()));
-  frame_export_->start(std::move(scene), viewport_->camera(), settings, info, file);
+  return {document_.snapshot(),
+          viewport_->camera(),
+          settings,
+          {document_.file().string(), to_string(settings.airlight), "cpu", viewport_->exposure()},
+          file,
+          std::nullopt};
 }
 
 void MainWindow::quit_with_screenshot(const QString& file) {

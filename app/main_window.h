@@ -12,6 +12,7 @@ namespace brume {
 
 class Autosave;
 class FrameExport;
+struct FrameExportRequest;
 class GaussianPanel;
 class MessageBar;
 class SceneFiles;
@@ -38,6 +39,10 @@ class MainWindow : public QMainWindow {
   // Exports what the view sees, on the scene's film.
   void export_frame_to(const std::filesystem::path& file);
 
+  // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
+  // the scene's camera sees them if it has keys, else as the view does.
+  void export_animation_to(const std::filesystem::path& file, int first, int last);
+
   // Saves a picture of this window once it shows a full frame and its error, then quits.
   void quit_with_screenshot(const QString& file);
 
@@ -61,6 +66,8 @@ class MainWindow : public QMainWindow {
   void add_gaussian_in_view();
   void isolate_selection();  // shows all again if anything is hidden
   void export_frame();
+  void export_animation();
+  [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
   void change_exposure(double stops);
   void show_time();  // what the timeline says
   void say(const QString& message);

@@ -58,9 +58,13 @@ void MainWindow::create_actions() {
   add(file, tr("Save &As…"), "file.save_as", [this] { files_->save_as(); });
   file->addSeparator();
   QAction* exporting = add(file, tr("&Export Frame…"), "file.export", [this] { export_frame(); });
-  connect(file, &QMenu::aboutToShow, this,
-          [this, exporting] { exporting->setEnabled(!frame_export_->is_running()); });
-  connect(file, &QMenu::aboutToHide, this, [exporting] { exporting->setEnabled(true); });
+  QAction* animation = add(file, tr("Export Ani&mation…"), "", [this] { export_animation(); });
+  connect(file, &QMenu::aboutToShow, this, [this, exporting, animation] {
+    for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->is_running());
+  });
+  connect(file, &QMenu::aboutToHide, this, [exporting, animation] {
+    for (QAction* a : {exporting, animation}) a->setEnabled(true);
+  });
   file->addSeparator();
   add(file, tr("&Quit"), "file.quit", [this] { close(); });
 

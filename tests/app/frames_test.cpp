@@ -310,8 +310,8 @@ class FramesTest : public QObject {
     Scene big = small_scene();
     big.film = {3000, 2000};
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
-    exporter->start(std::make_shared<const Scene>(big), big.camera, Settings{}, FrameInfo{},
-                    window.file("big.png"));
+    exporter->start({std::make_shared<const Scene>(big), big.camera, Settings{}, FrameInfo{},
+                     window.file("big.png"), std::nullopt});
     exporter->cancel();
     QVERIFY(cancelled.wait(30000));
     QVERIFY(!std::filesystem::exists(window.file("big.png")));

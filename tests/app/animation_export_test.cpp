@@ -1,0 +1,190 @@
+// Frames of an animation, as files and as a video.
+
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardItemModel>
+#include <fstream>
+
+#include "app/animation_dialog.h"
+#include "app/document/paths.h"
+#include "app/frame_export.h"
+#include "app/timeline.h"
+#include "app/viewport/viewport.h"
+#include "core/io/image_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A light that goes out within a second.
+Scene dimming_scene() {
+  Scene scene = small_scene();
+  scene.film = {31, 21};
+  scene.lights[0].keys.intensity = {{.time = 0.0, .value = glm::dvec3(12.0)},
+                                    {.time = 1.0, .value = glm::dvec3(0.0)}};
+  return scene;
+}
+
+double brightness(const fs::path& file) {
+  const ImageLayers layers = read_exr(file);
+  double sum = 0.0;
+  for (const float value : layers.channels.at("R")) sum += value;
+  return sum;
+}
+
+std::size_t files_in(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+// A folder with a program `ffmpeg`, and nothing else on the PATH.
+class FakeFfmpeg {
+ public:
+  explicit FakeFfmpeg(const char* script) : path_(qgetenv("PATH")) {
+    const QString file = folder_.filePath("ffmpeg");
+    std::ofstream(file.toStdString()) << "#!/bin/sh\nPATH=/usr/bin:/bin\n" << script;
+    QFile::setPermissions(file, QFile::ReadOwner | QFile::ExeOwner);
+    qputenv("PATH", folder_.path().toUtf8());
+  }
+  ~FakeFfmpeg() { qputenv("PATH", path_); }
+
+ private:
+  QByteArray path_;
+  QTemporaryDir folder_;
+};
+
+}  // namespace
+
+class AnimationExportTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_sequence_shows_each_frame_at_its_time() {
+    TestWindow window(dimming_scene());
+    auto* exporter = window->findChild<FrameExport*>();
+    QSignalSpy finished(exporter, &FrameExport::finished);
+    window->export_animation_to(window.file("a.exr"), 28, 30);
+    QVERIFY(finished.wait(60000));
+    QVERIFY(!fs::exists(window.file("a_0027.exr")) && !fs::exists(window.file("a_0031.exr")));
+    const double before = brightness(window.file("a_0028.exr"));
+    const double later = brightness(window.file("a_0029.exr"));
+    QVERIFY(before > later && later > 0.0);
+    QCOMPARE(brightness(window.file("a_0030.exr")), 0.0);
+    window->export_animation_to(window.file("a.png"), 0, 0);
+    QVERIFY(finished.wait(60000));
+    QCOMPARE(QImage(to_qstring(window.file("a_0000.png"))).size(), QSize(31, 21));
+  }
+
+  void a_keyed_camera_is_the_one_that_sees() {
+    Scene scene = dimming_scene();
+    scene.camera_keys.eye = {{.time = 0.0, .value = {0, 0, 6}},
+                             {.time = 0.1, .value = {0, 0, 600}}};
+    TestWindow window(scene);
+    QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
+    window->export_animation_to(window.file("k.exr"), 0, 3);
+    QVERIFY(finished.wait(60000));
+    QVERIFY(brightness(window.file("k_0003.exr")) < 0.5 * brightness(window.file("k_0000.exr")));
+  }
+
+  void a_cancelled_export_leaves_whole_files_only() {
+    TestWindow window(dimming_scene());
+    auto* exporter = window->findChild<FrameExport*>();
+    const fs::path folder = window.file("out");
+    fs::create_directory(folder);
+    QSignalSpy cancelled(exporter, &FrameExport::cancelled);
+    window->export_animation_to(folder / "c.png", 0, 100'000);
+    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 2; }, 60000));
+    exporter->cancel();
+    QVERIFY(cancelled.wait(60000));
+    const int written = cancelled[0][0].toInt();
+    QCOMPARE(files_in(folder), static_cast<std::size_t>(written));
+    for (int k = 0; k < written; ++k) {
+      QCOMPARE(QImage(to_qstring(numbered_file(folder / "c.png", k))).size(), QSize(31, 21));
+    }
+  }
+
+  void ffmpeg_gets_every_frame() {
+    const FakeFfmpeg ffmpeg("for last; do :; done\necho \"$@\" >&2\nexec cat > \"$last\"\n");
+    TestWindow window(dimming_scene());
+    QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
+    window->export_animation_to(window.file("v.mp4"), 0, 4);
+    QVERIFY(finished.wait(60000));
+    QCOMPARE(fs::file_size(window.file("v.mp4")), std::uintmax_t{31 * 21 * 3 * 5});
+  }
+
+  void what_ffmpeg_complains_of_is_said_and_nothing_is_left() {
+    const FakeFfmpeg ffmpeg("echo no such codec >&2\nexit 1\n");
+    TestWindow window(dimming_scene());
+    const fs::path folder = window.file("out");
+    fs::create_directory(folder);
+    QSignalSpy failed(window->findChild<FrameExport*>(), &FrameExport::failed);
+    window->export_animation_to(folder / "v.mp4", 0, 2);
+    QVERIFY(failed.wait(60000));
+    QVERIFY2(failed[0][0].toString().contains("v.mp4: cannot be written by ffmpeg: no such codec"),
+             qPrintable(failed[0][0].toString()));
+    QCOMPARE(files_in(folder), std::size_t{0});
+  }
+
+  void a_cancelled_video_leaves_nothing() {
+    const FakeFfmpeg ffmpeg("for last; do :; done\nexec cat > \"$last\"\n");
+    TestWindow window(dimming_scene());
+    auto* exporter = window->findChild<FrameExport*>();
+    const fs::path folder = window.file("out");
+    fs::create_directory(folder);
+    QSignalSpy cancelled(exporter, &FrameExport::cancelled);
+    window->export_animation_to(folder / "v.mp4", 0, 100'000);
+    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 0; }, 60000));
+    exporter->cancel();
+    QVERIFY(cancelled.wait(60000));
+    QCOMPARE(files_in(folder), std::size_t{0});
+  }
+
+  void the_dialog_says_what_will_be_written() {
+    const FakeFfmpeg ffmpeg("exit 0\n");
+    TestWindow window(dimming_scene());
+    window->timeline().set_range(3, 7);
+    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.show();
+    QVERIFY(!dialog.findChild<QLabel*>("no_video")->isVisible());
+    QSignalSpy wanted(&dialog, &AnimationDialog::wanted);
+    dialog.findChild<QLineEdit*>("animation_file")->setText("/tmp/steam.png");
+    dialog.findChild<QComboBox*>("animation_format")->setCurrentIndex(1);
+    QCOMPARE(dialog.findChild<QLineEdit*>("animation_file")->text(), QString("/tmp/steam.exr"));
+    dialog.findChild<QSpinBox*>("animation_last")->setValue(2);
+    auto* button = dialog.findChild<QPushButton*>("export_animation");
+    QVERIFY(!button->isEnabled());
+    dialog.findChild<QSpinBox*>("animation_last")->setValue(5);
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].value<fs::path>(), fs::path("/tmp/steam.exr"));
+    QCOMPARE(wanted[0][1].toInt(), 3);
+    QCOMPARE(wanted[0][2].toInt(), 5);
+  }
+
+  void without_ffmpeg_there_is_no_video_and_the_dialog_says_why() {
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", "/nowhere");
+    TestWindow window(dimming_scene());
+    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.show();
+    qputenv("PATH", path);
+    auto* format = dialog.findChild<QComboBox*>("animation_format");
+    const QStandardItem* video = qobject_cast<QStandardItemModel*>(format->model())->item(2);
+    QVERIFY(!video->isEnabled());
+    QVERIFY(dialog.findChild<QLabel*>("no_video")->isVisible());
+    QVERIFY(dialog.findChild<QLabel*>("no_video")->text().contains("ffmpeg"));
+  }
+};
+
+BRUME_TEST_MAIN(AnimationExportTest)
+#include "animation_export_test.moc"
