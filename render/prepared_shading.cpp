@@ -71,7 +71,7 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
     const Surface& surface = scene.surfaces[i];
     if (surface.material.type != Material::Type::diffuse &&
         (plan.scattered_on_surfaces || plan.environment)) {
-      shading_[i].brdf = &sh_material_of(surface.material).brdf();
+      shading_[i].material = &sh_material_of(surface.material);
     }
     if (needs_average) {
       shading_[i].average_depth = &average_depth_of(surface);

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene/brdf.h"
 #include "core/scene/scene.h"
 #include "render/cpu/average_depth_grid.h"
 #include "render/cpu/transferred_light.h"
@@ -20,11 +19,10 @@ namespace brume {
 
 // What shading one surface needs besides its material.
 struct SurfaceShading {
-  const BrdfSh* brdf = nullptr;  // null: the material is diffuse, or nothing needs it
+  const ShMaterial* material = nullptr;             // null: it is diffuse, or nothing needs it
   const AverageDepthGrid* average_depth = nullptr;  // of the Gaussians; null: 0
   // Null: the surface needs no transfer, or it is not there yet.
   const RadianceTransfer* transfer = nullptr;
-  const ShMaterial* material = nullptr;           // with transfer only
   const TransferredLight* transferred = nullptr;  // after take_light()
 };
 

@@ -84,14 +84,8 @@ namespace {
 // What integrals of products of harmonics that vanish come to; the others are above 5e-3.
 constexpr double rounding = 1e-13;
 
-// The element (i, j) of a sparse matrix.
-struct Element {
-  std::size_t i, j;
-  double value;
-};
-
-// The turn by +90 degrees about +x, which takes +y to +z, by a quadrature that is exact for it.
-std::vector<Element> quarter_turn() {
+// By a quadrature that is exact for it.
+std::vector<ShElement> quarter_turn() {
   constexpr std::size_t size = sh_size(sh_most_bands);
   std::array<double, size * size> matrix{};
   for (const auto& [d, weight] : sphere_rule(2 * (sh_most_bands - 1))) {
@@ -101,7 +95,7 @@ std::vector<Element> quarter_turn() {
       matrix[k] += weight * to[k / size] * from[k % size];
     }
   }
-  std::vector<Element> elements;
+  std::vector<ShElement> elements;
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     if (std::abs(matrix[k]) > rounding) elements.push_back({k / size, k % size, matrix[k]});
   }
@@ -110,14 +104,13 @@ std::vector<Element> quarter_turn() {
 
 template <class Value>
 ShVector<Value> turn_about_x(const ShVector<Value>& f, bool forward) {
-  static const std::vector<Element> elements = quarter_turn();
   ShVector<Value> result(f.order());
-  for (const Element& e : elements) {
-    if (e.i >= f.size()) break;
+  for (const ShElement& e : sh_quarter_turn()) {
+    if (e.to >= f.size()) break;
     if (forward) {
-      result[e.i] += e.value * f[e.j];
+      result[e.to] += e.value * f[e.from];
     } else {
-      result[e.j] += e.value * f[e.i];
+      result[e.from] += e.value * f[e.to];
     }
   }
   return result;
@@ -145,6 +138,11 @@ ShVector<Value> turn_about_z(const ShVector<Value>& f, double angle) {
 }
 
 }  // namespace
+
+std::span<const ShElement> sh_quarter_turn() {
+  static const std::vector<ShElement> elements = quarter_turn();
+  return elements;
+}
 
 template <class Value>
 ShVector<Value> sh_rotate(const ShVector<Value>& f, const glm::dquat& q) {

@@ -85,6 +85,15 @@ ShVector<Value> sh_convolve(const ShVector<Value>& f, const ZonalSh<Real>& g) {
 template <class Value>
 ShVector<Value> sh_rotate(const ShVector<Value>& f, const glm::dquat& q);
 
+// The elements (to, from) of the matrix that turns coefficients by +90 degrees about +x, which
+// takes +y to +z, but for those that vanish; ascending in `to`. Its inverse is its transpose.
+// Thread-safe.
+struct ShElement {
+  std::size_t to, from;
+  double value;
+};
+std::span<const ShElement> sh_quarter_turn();
+
 // The integral of Y_i Y_j Y_k over the sphere, for one of the triples where it is not zero. All
 // permutations are listed.
 struct ShTriple {

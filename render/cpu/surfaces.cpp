@@ -8,6 +8,7 @@
 
 #include "core/scene/brdf.h"
 #include "render/cpu/path_depths.h"
+#include "render/cpu/reflection_kernels.h"
 #include "render/cpu/slice_kernels.h"
 #include "render/cpu/surface_kernels.h"
 
@@ -47,54 +48,30 @@ void add_measured_light(const SurfacePoints& points, const LightAtPoints& at,
   }
 }
 
-// What a surface of any BRDF reflects of light from wi in the bands' shares, RGB [1/sr].
-glm::vec3 reflection(const BrdfSh& brdf, const BandArrays& factors, std::size_t k,
-                     const glm::dvec3& normal, const glm::dvec3& to_eye, const glm::dvec3& wi) {
-  const ShVector<glm::dvec3> B = brdf(glm::dot(normal, to_eye));
-  const glm::dquat frame = surface_frame(normal, to_eye);
-  const ShVector<float> delta = sh_basis(B.order(), glm::vec3(glm::conjugate(frame) * wi));
-  glm::vec3 sum(0.0f);
-  for (int l = 0; l < B.order(); ++l) {
-    // In that frame B is even in y: what is odd, m < 0, vanishes.
-    glm::vec3 band(0.0f);
-    for (int m = 0; m <= l; ++m) band += delta[sh_index(l, m)] * glm::vec3(B[sh_index(l, m)]);
-    sum += factors[static_cast<std::size_t>(l)][k] * band;
+// light += what the medium scatters of a lamp, in the bands' shares.
+void add_scattered(const LightAtPoints& at, const BandArrays& factors, const glm::vec3& intensity,
+                   std::size_t count, IncidentLight& light) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const ShVector<float> direction =
+        sh_basis(sh_most_bands, glm::vec3(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]));
+    for (int l = 0; l < sh_most_bands; ++l) {
+      const glm::vec3 band =
+          at.inverse_square[k] * factors[static_cast<std::size_t>(l)][k] * intensity;
+      for (int m = -l; m <= l; ++m) {
+        light.add(k, sh_index(l, m), direction[sh_index(l, m)] * band);
+      }
+    }
   }
-  return glm::max(sum, 0.0f);
 }
 
-void add_reflections(const BrdfSh& brdf, const BandArrays& factors, const SurfacePoints& points,
-                     const LightAtPoints& at, const glm::vec3& intensity, PointRadiance& radiance) {
+// What is not diffuse reflects all light that does not come straight from lamps at once.
+void add_reflected(const SurfacePoints& points, const ReflectionTable& table,
+                   const IncidentLight& light, PointRadiance& radiance) {
+  thread_local PointRadiance sent;
+  reflect(points, table, light, sent);
   for (std::size_t k = 0; k < points.count; ++k) {
-    const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
-    add(intensity * (at.inverse_square[k] *
-                     reflection(brdf, factors, k, points.normal[k], points.to_eye[k], wi)),
-        k, radiance);
+    add(glm::max(glm::vec3(sent.r[k], sent.g[k], sent.b[k]), 0.0f), k, radiance);
   }
-}
-
-// `arriving` is what EnvironmentLight takes.
-template <class Arriving>
-glm::vec3 of_environment(const EnvironmentLight& environment, const Arriving& arriving,
-                         const BrdfSh* brdf, const SurfacePoints& points, std::size_t k) {
-  const glm::dvec3 normal = points.normal[k];
-  if (!brdf) {
-    return glm::vec3(points.surface->material.reflectance) * environment.diffuse(normal, arriving);
-  }
-  const glm::dquat frame = surface_frame(normal, points.to_eye[k]);
-  const ShVector<glm::dvec3> light =
-      sh_rotate(environment.incident(arriving), glm::conjugate(frame));
-  const ShVector<glm::dvec3> B = (*brdf)(glm::dot(normal, points.to_eye[k]));
-  glm::dvec3 sum(0.0);
-  for (std::size_t i = 0; i < B.size(); ++i) sum += light[i] * B[i];
-  return glm::vec3(glm::max(sum, 0.0));
-}
-
-void add_environment(const SurfaceLighting& lighting, const SurfaceShading& shading,
-                     const SurfacePoints& points, PointRadiance& radiance) {
-  each_arrival(lighting, shading.average_depth, points, [&](std::size_t k, const auto& arriving) {
-    add(of_environment(*lighting.environment, arriving, shading.brdf, points, k), k, radiance);
-  });
 }
 
 }  // namespace
@@ -131,8 +108,11 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
                                PointRadiance& radiance) {
   thread_local LightAtPoints at;
   thread_local BandArrays factors;
+  thread_local IncidentLight indirect;  // of what is not diffuse
   for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
   const Material& material = points.surface->material;
+  const bool is_diffuse = !shading.material || shading.material->is_diffuse();
+  if (!is_diffuse) indirect.clear();
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
     const glm::vec3 position(light.light.position - points.origin);
@@ -147,16 +127,29 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
     }
     if (!lighting.point) continue;
     find_spread(at, points.padded_size(),
-                {lighting.point, lighting.distant, static_cast<float>(light.density)},
-                !shading.brdf, factors);
+                {lighting.point, lighting.distant, static_cast<float>(light.density)}, is_diffuse,
+                factors);
     reflected.intensity *= static_cast<float>(lighting.albedo);
-    if (shading.brdf) {
-      add_reflections(*shading.brdf, factors, points, at, reflected.intensity, radiance);
-    } else {
+    if (is_diffuse) {
       add_scattered_light(points, at, factors, reflected, radiance);
+    } else {
+      add_scattered(at, factors, reflected.intensity, points.count, indirect);
     }
   }
-  if (lighting.environment) add_environment(lighting, shading, points, radiance);
+  if (lighting.environment) {
+    const EnvironmentLight& environment = *lighting.environment;
+    each_arrival(lighting, shading.average_depth, points, [&](std::size_t k, const auto& arriving) {
+      if (is_diffuse) {
+        add(glm::vec3(material.reflectance) * environment.diffuse(points.normal[k], arriving), k,
+            radiance);
+      } else {
+        indirect.add(k, environment.incident(arriving));
+      }
+    });
+  }
+  if (!is_diffuse && (lighting.point || lighting.environment)) {
+    add_reflected(points, shading.material->table(), indirect, radiance);
+  }
   return pairs;
 }
 

@@ -1,6 +1,7 @@
 #include "render/cpu/transferred_light.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
@@ -8,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/scene/mesh.h"
+#include "render/cpu/reflection_kernels.h"
 #include "render/cpu/surface_kernels.h"
 #include "render/cpu/surfaces.h"
 
@@ -151,29 +153,37 @@ void TransferredLight::receive(const RadianceTransfer& transfer, std::size_t ver
 
 void TransferredLight::add(std::span<const SurfaceHit> hits, const SurfacePoints& points,
                            PointRadiance& radiance) const {
+  thread_local IncidentLight incident;
+  thread_local PointRadiance reflected;
+  const std::size_t size = sh_size(order_);
+  if (!material_->is_diffuse()) incident.clear();
+  std::array<glm::vec3, Tiles::pixels> sent;
   for (std::size_t p = 0; p < hits.size(); ++p) {
+    sent[p] = glm::vec3(0.0f);
     const glm::uvec3& corners = triangles_[hits[p].triangle];
     const glm::vec3 weights(1.0f - hits[p].u - hits[p].v, hits[p].u, hits[p].v);
     const glm::vec3 normal(points.normal.x[p], points.normal.y[p], points.normal.z[p]);
     const Side& side = sides_[static_cast<std::size_t>(seen_side(corners, weights, normal))];
     if (side.radiance.empty()) continue;
-    glm::vec3 sent(0.0f);
-    for (int k = 0; k < 3; ++k) sent += weights[k] * side.radiance[corners[k]];
-    if (side.incident.empty()) {
-      sent = glm::max(sent, 0.0f);
-    } else {
-      ReceivedLight light{ShVector<glm::dvec3>(order_), glm::dvec3(sent)};
-      const std::size_t size = light.incident.size();
-      for (std::size_t i = 0; i < size; ++i) {
-        light.incident[i] = glm::dvec3(weights[0] * side.incident[corners[0] * size + i] +
-                                       weights[1] * side.incident[corners[1] * size + i] +
-                                       weights[2] * side.incident[corners[2] * size + i]);
-      }
-      sent = glm::vec3(material_->reflected(light, glm::dvec3(normal), points.to_eye[p]));
+    for (int k = 0; k < 3; ++k) sent[p] += weights[k] * side.radiance[corners[k]];
+    if (side.incident.empty()) continue;
+    const glm::vec3* light[3];
+    for (int k = 0; k < 3; ++k) light[k] = side.incident.data() + corners[k] * size;
+    for (std::size_t i = 0; i < size; ++i) {
+      incident.add(p, i,
+                   weights[0] * light[0][i] + weights[1] * light[1][i] + weights[2] * light[2][i]);
     }
-    radiance.r[p] += sent.r;
-    radiance.g[p] += sent.g;
-    radiance.b[p] += sent.b;
+  }
+  if (!material_->is_diffuse()) {
+    reflect(points, material_->table(), incident, reflected);
+    for (std::size_t p = 0; p < hits.size(); ++p) {
+      sent[p] += glm::vec3(reflected.r[p], reflected.g[p], reflected.b[p]);
+    }
+  }
+  for (std::size_t p = 0; p < hits.size(); ++p) {
+    radiance.r[p] += std::max(sent[p].r, 0.0f);
+    radiance.g[p] += std::max(sent[p].g, 0.0f);
+    radiance.b[p] += std::max(sent[p].b, 0.0f);
   }
 }
 

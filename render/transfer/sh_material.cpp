@@ -12,6 +12,7 @@ ShMaterial::ShMaterial(const Material& material, int order)
   // By reciprocity what leaves along the normal of light from everywhere.
   const double everywhere = std::sqrt(4.0 * std::numbers::pi);
   albedo_ = glm::clamp(everywhere * brdf_(1.0)[0], 0.0, 1.0);
+  if (!diffuse_) table_.emplace(brdf_);
 }
 
 glm::dvec3 ShMaterial::unshadowed(const ShVector<glm::dvec3>& light, const glm::dvec3& n,

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "core/math/spherical_harmonics.h"
 #include "core/scene/brdf.h"
 #include "core/scene/scene.h"
+#include "render/cpu/reflection_kernels.h"
 #include "render/transfer/radiance_transfer.h"
 
 namespace brume {
@@ -46,6 +49,8 @@ class ShMaterial {
 
   [[nodiscard]] bool is_diffuse() const { return diffuse_; }
   [[nodiscard]] const BrdfSh& brdf() const { return brdf_; }
+  // Of what is not diffuse; the same for many points at once.
+  [[nodiscard]] const ReflectionTable& table() const { return *table_; }
 
   // The share of light that is reflected, RGB in [0, 1]: of a diffuse material its reflectance, of
   // others that of light along the normal.
@@ -54,6 +59,7 @@ class ShMaterial {
  private:
   bool diffuse_;
   BrdfSh brdf_;
+  std::optional<ReflectionTable> table_;
   glm::dvec3 albedo_;
 };
 
