@@ -1,9 +1,8 @@
 #include "render/frame_file.h"
 
-#include <algorithm>
-#include <cctype>
 
 #include "core/error.h"
+#include "core/io/file_bytes.h"
 #include "core/io/image_file.h"
 #include "core/io/number_domain.h"
 #include "core/io/text_scanner.h"
@@ -23,13 +22,6 @@ std::map<std::string, std::string> metadata_of(const FrameInfo& info) {
 }
 
 }  // namespace
-
-std::string lower_case_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 void check_frame_extension(const std::filesystem::path& file) {
   const std::string extension = lower_case_extension(file);

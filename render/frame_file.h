@@ -15,9 +15,6 @@ struct FrameInfo {
   double exposure = 0.0;  // [stops], of a PNG; an EXR is linear
 };
 
-// ".png" of "a/B.PNG".
-std::string lower_case_extension(const std::filesystem::path& file);
-
 // Throws InputError unless write_frame knows the extension, .exr or .png in any case.
 void check_frame_extension(const std::filesystem::path& file);
 

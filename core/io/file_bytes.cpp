@@ -1,6 +1,7 @@
 #include "core/io/file_bytes.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -43,6 +44,13 @@ std::string read_bytes(const fs::path& file) {
                          std::to_string(limits::file_bytes));
   }
   return read_first_bytes(file, static_cast<std::size_t>(size));
+}
+
+std::string lower_case_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 }  // namespace brume

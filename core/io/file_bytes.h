@@ -15,4 +15,7 @@ std::string read_bytes(const std::filesystem::path& file);
 // At most `count` bytes from the start of a regular file. Throws InputError.
 std::string read_first_bytes(const std::filesystem::path& file, std::size_t count);
 
+// ".png" of "a/B.PNG".
+std::string lower_case_extension(const std::filesystem::path& file);
+
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -38,13 +39,18 @@ std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
                                         const std::vector<std::string_view>& header) {
   std::array<std::size_t, 5> columns{};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto at = std::find(header.begin(), header.end(), names[i]);
-    if (at == header.end()) {
+    const auto column =
+        gaussian_columns::find_column(i, [&](std::string_view name) -> std::optional<std::size_t> {
+          const auto at = std::find(header.begin(), header.end(), name);
+          if (at == header.end()) return std::nullopt;
+          return static_cast<std::size_t>(at - header.begin());
+        });
+    if (!column) {
       throw InputError(
           file, "line 1",
           "there is no column " + std::string(names[i]) + "; needed: x,y,z,radius,density");
     }
-    columns[i] = static_cast<std::size_t>(at - header.begin());
+    columns[i] = *column;
   }
   return columns;
 }

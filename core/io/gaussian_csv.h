@@ -9,8 +9,8 @@
 namespace brume {
 
 // Gaussians as a table of comma-separated values: the first line names the columns, among them x,
-// y, z, radius and density in any order; others are skipped, and so are empty lines. Throws
-// InputError naming file and line.
+// y, z, radius and density (or as other programs call them: gaussian_columns.h) in any order;
+// others are skipped, and so are empty lines. Throws InputError naming file and line.
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file);
 
 // Writes x,y,z,radius,density with the fewest digits that read back the same.

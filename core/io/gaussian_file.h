@@ -8,11 +8,11 @@
 
 namespace brume {
 
-// Gaussians as PLY points: per vertex x y z radius density; ascii or binary of either byte order,
-// other properties and elements are skipped. Throws InputError naming file and vertex.
+// Gaussians in a file of either format (gaussian_ply.h, gaussian_csv.h), told by its first bytes.
+// Throws InputError naming file and place.
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file);
 
-// Writes binary little-endian PLY in double precision: what is read back is the same.
+// As a table where the file is called .csv, else as PLY: what is read back is the same.
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians);
 
 }  // namespace brume

@@ -1,7 +1,6 @@
 #include "core/io/mesh_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <string>
@@ -20,15 +19,8 @@ namespace {
 using OpenMesh::Vec3f;
 using OpenMesh::VertexHandle;
 
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 RawMesh read_raw(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
+  const std::string extension = lower_case_extension(file);
   const auto reader = extension == ".obj"   ? read_obj
                       : extension == ".off" ? read_off
                       : extension == ".ply" ? read_ply_mesh

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/gaussian_csv.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/image_file.h"
 #include "core/io/volume_file.h"
@@ -44,6 +43,10 @@ constexpr std::string_view points =
     "ply\nformat ascii 1.0\ncomment points\nelement vertex 2\nproperty float x\nproperty float y\n"
     "property float z\nproperty double radius\nproperty double density\nend_header\n"
     "1 2 3 .5 1e-2\n-1 +2 0 4 5\n";
+constexpr std::string_view splats =
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float opacity\nproperty float scale_0\nproperty float scale_1\n"
+    "property float scale_2\nend_header\n1 2 3 .5 -1 -2 -3\n";
 
 void write(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::create_directories(file.parent_path());
@@ -63,6 +66,7 @@ void write_seeds(const std::filesystem::path& folder) {
   write(folder / "stl/binary.stl", binary);
   write(folder / "mesh_ply/text.ply", mesh);
   write(folder / "gaussian_ply/text.ply", points);
+  write(folder / "gaussian_ply/splats.ply", splats);
   const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 1 +X 8\n";
   write(folder / "hdr/flat.hdr", hdr + std::string(8 * 4, '\x80'));
   write(folder / "hdr/runs.hdr", hdr + std::string("\2\2\0\10\210\12\210\13\210\14\210\210", 12));
@@ -72,7 +76,7 @@ void write_seeds(const std::filesystem::path& folder) {
   std::vector<Gaussian> gaussians{{{0.1, 0.2, 0.3}, 0.5, 1.0}, {{-0.2, 0.0, 0.1}, 0.3, 0.5}};
   for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
   write_gaussians(folder / "gaussian_ply/binary.ply", gaussians);
-  write_gaussians_csv(folder / "gaussian_csv/table.csv", gaussians);
+  write_gaussians(folder / "gaussian_csv/table.csv", gaussians);
   ImageLayers image;
   image.width = image.height = 4;
   for (const char* channel : {"R", "G", "B", "Z"}) {

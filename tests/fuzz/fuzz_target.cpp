@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 #include "core/io/gaussian_csv.h"
-#include "core/io/gaussian_file.h"
+#include "core/io/gaussian_ply.h"
 #include "core/io/hdr_file.h"
 #include "core/io/image_file.h"
 #include "core/io/merl_file.h"
@@ -32,7 +32,7 @@ struct Parser {
 
 constexpr Parser parsers[] = {
     {"scene", ".brume", [](const Path& file) { load_scene(file); }},
-    {"gaussian_ply", ".ply", [](const Path& file) { read_gaussians(file); }},
+    {"gaussian_ply", ".ply", [](const Path& file) { read_gaussians_ply(file); }},
     {"gaussian_csv", ".csv", [](const Path& file) { read_gaussians_csv(file); }},
     {"mesh_ply", ".ply", [](const Path& file) { read_mesh(file); }},
     {"obj", ".obj", [](const Path& file) { read_mesh(file); }},

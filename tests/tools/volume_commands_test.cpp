@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/gaussian_file.h"
+#include "core/io/volume_file.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -62,6 +63,45 @@ TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
   };
   EXPECT_GT(count("1"), 5u);
   EXPECT_LT(count("-1"), 1u);
+}
+
+TEST_F(VolumeCommands, ExportsATimeRange) {
+  const std::string scene = folder_
+                                .write("e.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 10 } ] } })")
+                                .string();
+  const ProgramResult result = run_brume({"export", scene, "--frames", "9-11", "--fps", "10", "-o",
+                                          file("s_%04d.vdb"), "--voxel", "0.1"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const auto& [frame, time] :
+       {std::pair("s_0009.vdb", "0.9"), std::pair("s_0011.vdb", "1.1")}) {
+    ASSERT_EQ(run_brume({"export", scene, "--time", time, "-o", file("one.vdb"), "--voxel", "0.1"})
+                  .exit_code,
+              0);
+    const DensityGrid of_sequence = read_volume(file(frame), "density");
+    const DensityGrid alone = read_volume(file("one.vdb"), "density");
+    EXPECT_GT(alone.mass(), 0.0);
+    EXPECT_DOUBLE_EQ(of_sequence.mass(), alone.mass());
+  }
+  EXPECT_NE(read_volume(file("s_0010.vdb"), "density").mass(),
+            read_volume(file("s_0011.vdb"), "density").mass());
+
+  // Files of Gaussians too, alone and as sequences.
+  const std::vector<Gaussian> gaussians{{{0, 0, 0}, 1, 1}, {{1, 0, 0}, 0.5, 2}};
+  write_gaussians(file("g_1.ply"), gaussians);
+  write_gaussians(file("g_2.ply"), std::span(gaussians).first(1));
+  EXPECT_EQ(
+      run_brume({"export", file("g_%d.ply"), "--frames", "1-2", "-o", file("g_%d.csv")}).exit_code,
+      0);
+  EXPECT_EQ(read_gaussians(file("g_1.csv")), gaussians);
+  EXPECT_EQ(read_gaussians(file("g_2.csv")).size(), 1u);
+  EXPECT_EQ(run_brume({"export", file("g_1.csv"), "-o", file("g.vdb")}).exit_code, 0);
+  EXPECT_GT(read_volume(file("g.vdb"), "density").mass(), 0.0);
+
+  expect_refused({"export", scene, "--frames", "1-2", "-o", file("b.vdb")}, {"%04d"});
+  expect_refused({"export", scene, "-o", file("b%d.vdb")}, {"--frames"});
+  expect_refused({"export", scene, "--frames", "1-2", "--time", "1", "-o", file("b%d.vdb")},
+                 {"--time"});
 }
 
 TEST_F(VolumeCommands, ExportsTheMedium) {

@@ -1,9 +1,11 @@
 #include <iostream>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
-#include "core/io/gaussian_csv.h"
+#include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/number_domain.h"
 #include "core/io/scene_file.h"
@@ -11,9 +13,9 @@
 #include "core/io/volume_file.h"
 #include "core/scene/at_time.h"
 #include "core/volume/medium_grid.h"
-#include "render/frame_file.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
+#include "tools/brume/frame_range.h"
 #include "tools/brume/progress_line.h"
 
 namespace brume {
@@ -28,7 +30,10 @@ std::string in_megabytes(std::uintmax_t bytes) {
 class ExportCommand final : public Command {
  public:
   explicit ExportCommand(CLI::App& app) {
-    app.add_option("SCENE", scene_, "the scene, .brume")->required();
+    app.add_option("SCENE", input_,
+                   "a scene, .brume, or Gaussians, .ply or .csv; these with %04d for the frame: a "
+                   "sequence")
+        ->required();
     app.add_option("-o,--output", output_,
                    "its Gaussians: .vdb (a fog volume, grid density), .ply or .csv")
         ->required();
@@ -36,8 +41,15 @@ class ExportCommand final : public Command {
                    "size of a voxel of the .vdb; by default half the least radius")
         ->check(finite_in(1e-12, 1e12));
     app.add_flag("--half", half_, "store the .vdb in half precision");
-    app.add_option("--time", time_, "the moment to write [s], of keys and emitters")
-        ->check(finite_in(-1e9, 1e9))
+    auto* const time =
+        app.add_option("--time", time_, "the moment to write [s], of keys and emitters");
+    time->check(finite_in(-1e9, 1e9))->capture_default_str();
+    app.add_option("--frames", frames_,
+                   "FIRST-LAST, a sequence: OUT with %04d for the frame; frame n of a scene is at "
+                   "n / fps seconds")
+        ->excludes(time);
+    app.add_option("--fps", fps_, "frames per second")
+        ->check(finite_in(1e-3, 1e6))
         ->capture_default_str();
   }
 
@@ -50,51 +62,82 @@ class ExportCommand final : public Command {
     if (extension != ".vdb" && (half_ || voxel_size_ > 0.0)) {
       throw UsageError("--voxel and --half: only for .vdb");
     }
-    check_writable(output_);
-    std::vector<std::string> warnings;
-    const Scene scene = at_time(load_scene(scene_, &warnings), time_);
-    const Medium& medium = scene.medium;
-    if (medium.homogeneous_density() > 0.0) {
-      warnings.push_back("the homogeneous density, " + shown(medium.homogeneous_density()) +
-                         " everywhere, has no bounds and is left out");
+    const bool is_sequence = !frames_.empty();
+    const bool are_files = FramePattern::is_pattern(input_);
+    if (is_sequence != FramePattern::is_pattern(output_) || (are_files && !is_sequence)) {
+      throw UsageError("a sequence needs --frames FIRST-LAST and %04d for the frame in OUT");
     }
-    print_warnings(warnings);
-    if (extension == ".vdb") {
-      write_volume(output_, sample(medium), half_);
+    if (!is_sequence) {
+      write(read(time_), output_);
       return done;
     }
-    std::vector<Gaussian> gaussians;
-    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
-    if (extension == ".csv") {
-      write_gaussians_csv(output_, gaussians);
-    } else {
-      write_gaussians(output_, gaussians);
+    const FramePattern outputs = parse_pattern(output_);
+    for (const int frame : parse_frames(frames_)) {
+      write(are_files ? read_file(parse_pattern(input_).of(frame)) : read(frame / fps_),
+            outputs.of(frame));
     }
     return done;
   }
 
  private:
-  // Says how large the grid will be before it is made.
-  [[nodiscard]] DensityGrid sample(const Medium& medium) const {
-    const double chosen = voxel_size_ > 0.0 ? voxel_size_ : fitting_voxel_size(medium);
-    const double size = chosen > 0.0 ? chosen : 1.0;  // nothing to sample
+  static Medium read_file(const std::string& file) {
+    Medium medium;
+    for (const Gaussian& gaussian : read_gaussians(file)) medium.append(gaussian);
+    return medium;
+  }
+
+  // The medium at a time [s].
+  [[nodiscard]] Medium read(double time) {
+    if (lower_case_extension(input_) != ".brume") return read_file(input_);
+    if (!scene_) {
+      std::vector<std::string> warnings;
+      scene_ = load_scene(input_, &warnings);
+      const double homogeneous = scene_->medium.homogeneous_density();
+      if (homogeneous > 0.0) {
+        warnings.push_back("the homogeneous density, " + shown(homogeneous) +
+                           " everywhere, has no bounds and is left out");
+      }
+      print_warnings(warnings);
+    }
+    return at_time(*scene_, time).medium;
+  }
+
+  void write(const Medium& medium, const std::string& output) {
+    check_writable(output);
+    if (lower_case_extension(output) == ".vdb") {
+      write_volume(output, sample(medium, output), half_);
+      return;
+    }
+    std::vector<Gaussian> gaussians;
+    for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
+    write_gaussians(output, gaussians);
+  }
+
+  // Says how large the grid will be before it is made. All frames have the voxels of the first that
+  // has any.
+  [[nodiscard]] DensityGrid sample(const Medium& medium, const std::string& output) {
+    if (!(voxel_size_ > 0.0)) voxel_size_ = fitting_voxel_size(medium);
+    const double size = voxel_size_ > 0.0 ? voxel_size_ : 1.0;  // nothing to sample
     const auto plan = MediumSampling::plan(medium, size, most_bytes / sizeof(DensityGrid::Block));
     if (!plan) {
-      throw InputError(scene_, "medium",
+      throw InputError(input_, "medium",
                        "a grid with voxels of " + shown(size) + " needs more than " +
                            in_megabytes(most_bytes) + "; allowed: a larger --voxel");
     }
     std::cerr << "brume: voxels of " << shown(size) << ", " << in_megabytes(plan->bytes())
               << " of memory\n";
-    const ProgressLine line(output_);
+    const ProgressLine line(output);
     return *plan->sample({}, line.progress());
   }
 
-  std::string scene_;
+  std::string input_;
   std::string output_;
   double voxel_size_ = 0.0;
   bool half_ = false;
   double time_ = 0.0;
+  std::string frames_;
+  double fps_ = 24.0;
+  std::optional<Scene> scene_;  // once read
 };
 
 }  // namespace

@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/io/file_bytes.h"
 #include "core/fit/fit_error.h"
 #include "core/fit/gaussian_fit.h"
 #include "core/io/atomic_file.h"
-#include "core/io/gaussian_csv.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/limits.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume_file.h"
-#include "render/frame_file.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
@@ -115,11 +114,7 @@ class FitCommand final : public Command {
           static_cast<std::size_t>(std::count(refit.renewed.begin(), refit.renewed.end(), true));
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    if (lower_case_extension(output) == ".csv") {
-      write_gaussians_csv(output, fit.gaussians);
-    } else {
-      write_gaussians(output, fit.gaussians);
-    }
+    write_gaussians(output, fit.gaussians);
 
     nlohmann::ordered_json json;
     if (frame) json["frame"] = *frame;

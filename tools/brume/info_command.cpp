@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "core/io/gaussian_csv.h"
+#include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/number_domain.h"
 #include "core/io/scene_file.h"
@@ -11,7 +11,6 @@
 #include "core/io/volume_file.h"
 #include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
-#include "render/frame_file.h"
 #include "tools/brume/command.h"
 
 namespace brume {
@@ -135,9 +134,7 @@ class InfoCommand final : public Command {
       json["grids"] = grids_json(file_);
     } else if (extension == ".ply" || extension == ".csv") {
       Medium medium;
-      const auto gaussians =
-          extension == ".csv" ? read_gaussians_csv(file_) : read_gaussians(file_);
-      for (const Gaussian& gaussian : gaussians) medium.append(gaussian);
+      for (const Gaussian& gaussian : read_gaussians(file_)) medium.append(gaussian);
       json["medium"] = medium_json(medium);
     } else if (extension == ".brume") {
       std::vector<std::string> warnings;

@@ -41,6 +41,63 @@ TEST(GaussianFile, ReadsBackExactlyWhatWasWritten) {
   }
 }
 
+TEST(GaussianFile, TellsTheFormatByItsContent) {
+  const TemporaryFolder folder;
+  const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.1, 0.3}};
+  write_gaussians(folder / "a.CSV", gaussians);
+  EXPECT_TRUE(content_of(folder / "a.CSV").starts_with("x,y,z"));
+  std::filesystem::rename(folder / "a.CSV", folder / "a.ply");
+  EXPECT_EQ(read_gaussians(folder / "a.ply"), gaussians);
+}
+
+TEST(GaussianFile, KnowsTheNamesOfOtherPrograms) {
+  const TemporaryFolder folder;
+  std::string text = header;
+  text.replace(text.find("radius"), 6, "pscale");
+  text.replace(text.find("density"), 7, "scalar_density");
+  const std::vector<Gaussian> expected{{{1, 2, 3}, 0.5, 0.01}, {{-1, 2, 0}, 4, 5}};
+  EXPECT_EQ(read_gaussians(folder.write("a.ply", text + "1 2 3 .5 1e-2\n-1 +2 0 4 5")), expected);
+  EXPECT_EQ(read_gaussians(
+                folder.write("a.csv", "x,y,z,scalar_radius,density\n1,2,3,.5,1e-2\n-1,2,0,4,5\n")),
+            expected);
+}
+
+// As Gaussian splatting stores them: an ellipsoid becomes the ball of its volume that is as opaque
+// across its middle.
+TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
+  const TemporaryFolder folder;
+  const std::string splats =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float f_dc_0\nproperty float opacity\n"
+      "property float scale_0\nproperty float scale_1\nproperty float scale_2\n"
+      "property float rot_0\nproperty float rot_1\nproperty float rot_2\nproperty float rot_3\n"
+      "end_header\n";
+  const auto file = folder.write("a.ply", splats +
+                                              "1 2 3 0 .5 0 -1 -2 -3 1 0 0 0\n"
+                                              "0 0 0 0 0 2 0 0 0 1 0 0 0\n"
+                                              "0 0 0 0 0 -40 0 0 0 1 0 0 0\n"
+                                              "0 0 0 0 0 800 0 0 0 1 0 0 0\n");
+  const std::vector<Gaussian> balls = read_gaussians(file);
+  ASSERT_EQ(balls.size(), 4u);
+  EXPECT_EQ(balls[0].center, glm::dvec3(1, 2, 3));
+  EXPECT_NEAR(balls[0].radius, std::sqrt(2.0) * std::exp(-2.0), 1e-15);
+  const auto opacity = [](const Gaussian& g) {
+    return -std::expm1(-g.density * std::sqrt(std::acos(-1.0)) * g.radius);
+  };
+  EXPECT_NEAR(opacity(balls[0]), 0.5, 1e-15);
+  EXPECT_NEAR(opacity(balls[1]), 1.0 / (1.0 + std::exp(-2.0)), 1e-15);
+  EXPECT_NEAR(opacity(balls[2]) / std::exp(-40.0), 1.0, 1e-12);
+  EXPECT_NEAR(balls[3].density * std::sqrt(std::acos(-1.0)) * balls[3].radius, 800.0, 1e-9);
+
+  for (const char* row : {"0 0 0 0 0 nan 0 0 0 1 0 0 0", "0 0 0 0 0 0 900 900 900 1 0 0 0",
+                          "0 0 0 0 0 0 -90 -90 -90 1 0 0 0", "0 0 0 0 0 1e300 0 0 0 1 0 0 0"}) {
+    std::string one = splats;
+    one.replace(one.find("vertex 4"), 8, "vertex 1");
+    const auto bad = folder.write("b.ply", one + row);
+    EXPECT_TRUE(contains(error_of([&] { read_gaussians(bad); }), "vertex 0")) << row;
+  }
+}
+
 TEST(GaussianFile, ReadsAscii) {
   const TemporaryFolder folder;
   const auto file = folder.write("a.ply", std::string(header) + "1 2 3 .5 1e-2\r\n-1 +2 0 4 5");
@@ -89,8 +146,8 @@ TEST(GaussianFile, RefusesBadFilesAndNamesThePlace) {
     return text.replace(text.find(what), what.size(), by) + "1 2 3 1 1\n1 2 3 1 1\n";
   };
   const BadFile files[] = {
-      {"empty", "", "line 0"},
-      {"no PLY", "solid x\n", "line 1"},
+      {"empty", "", "empty"},
+      {"neither PLY nor a table", "solid x\n", "line 1"},
       {"header without end", "ply\nformat ascii 1.0\n", "line 2"},
       {"no format", replaced("format ascii 1.0\n", ""), "header has no format"},
       {"unknown format", replaced("ascii", "ebcdic"), "ebcdic"},

@@ -1,0 +1,128 @@
+#include "core/io/gaussian_ply.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/gaussian_columns.h"
+#include "core/io/limits.h"
+#include "core/io/ply.h"
+
+namespace brume {
+namespace {
+
+using gaussian_columns::domains;
+using gaussian_columns::names;
+
+void append_little_endian(std::string& bytes, double value) {
+  std::array<char, sizeof(double)> raw;
+  std::memcpy(raw.data(), &value, sizeof(double));
+  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+// Makes a vertex a Gaussian's numbers, in the order of `names`.
+using Numbers = std::array<double, 5>;
+using ToNumbers = std::function<Numbers(const PlyFile::Row&)>;
+
+// Where properties of one number each stand; nothing if one of them is not there.
+template <std::size_t count>
+std::optional<std::array<std::size_t, count>> columns(
+    const PlyFile::Element& vertices, const std::array<std::string_view, count>& properties) {
+  std::array<std::size_t, count> result{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto column = vertices.property(properties[i]);
+    if (!column || vertices.properties[*column].list_count) return std::nullopt;
+    result[i] = *column;
+  }
+  return result;
+}
+
+std::optional<ToNumbers> from_splats(const PlyFile::Element& vertices) {
+  const auto at = columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
+  if (!at) return std::nullopt;
+  return [at = *at](const PlyFile::Row& row) -> Numbers {
+    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+    const double radius = std::numbers::sqrt2 * std::exp((value(3) + value(4) + value(5)) / 3.0);
+    // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
+    const double logit = value(6);
+    const double depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
+    return {value(0), value(1), value(2), radius, depth * std::numbers::inv_sqrtpi / radius};
+  };
+}
+
+ToNumbers from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
+  std::array<std::size_t, 5> at{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto column = gaussian_columns::find_column(
+        i, [&](std::string_view name) { return columns<1>(vertices, {name}); });
+    if (!column) {
+      throw InputError(
+          file, "element vertex",
+          "there is no property " + std::string(names[i]) +
+              "; needed: x y z radius density, or x y z scale_0 scale_1 scale_2 opacity");
+    }
+    at[i] = (*column)[0];
+  }
+  return [at](const PlyFile::Row& row) {
+    Numbers numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.scalars[at[i]];
+    return numbers;
+  };
+}
+
+}  // namespace
+
+std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file) {
+  const std::string bytes = read_bytes(file);
+  const PlyFile ply(file, bytes);
+  const PlyFile::Element* vertices = ply.element("vertex");
+  if (vertices == nullptr) throw InputError(file, "header", "there is no element vertex");
+  if (vertices->count > limits::gaussians) {
+    throw InputError(file, "element vertex",
+                     "found " + std::to_string(vertices->count) + " Gaussians; allowed: at most " +
+                         std::to_string(limits::gaussians));
+  }
+  const auto splats = from_splats(*vertices);
+  const ToNumbers to_numbers = splats ? *splats : from_points(file, *vertices);
+  std::vector<Gaussian> gaussians;
+  ply.for_each_row(
+      [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
+        if (&element != vertices) return;
+        const Numbers value = to_numbers(row);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+          if (!domains[i]->contains(value[i])) {
+            throw InputError(file, "vertex " + std::to_string(index),
+                             std::string(names[i]) + ": " + domains[i]->refusal(value[i]));
+          }
+        }
+        gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
+      });
+  return gaussians;
+}
+
+void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians) {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Gaussians of a Brume medium\n";
+  bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
+  for (const std::string_view name : names) bytes += "property double " + std::string(name) + "\n";
+  bytes += "end_header\n";
+  bytes.reserve(bytes.size() + gaussians.size() * names.size() * sizeof(double));
+  for (const Gaussian& g : gaussians) {
+    for (const double value : {g.center.x, g.center.y, g.center.z, g.radius, g.density}) {
+      append_little_endian(bytes, value);
+    }
+  }
+  write_atomically(file, bytes);
+}
+
+}  // namespace brume

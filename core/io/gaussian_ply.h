@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+// Gaussians as PLY points, ascii or binary of either byte order; other properties and elements are
+// skipped. A vertex has x y z radius density, or what Gaussian splatting stores: x y z, scale_0 to
+// scale_2 (logarithms of standard deviations s_k), and the logit of an opacity o. Such an ellipsoid
+// becomes the ball of its volume, radius = sqrt(2) (s_0 s_1 s_2)^(1/3), which is as opaque across
+// its middle: density = -ln(1 - o) / (sqrt(pi) radius). How it is turned (rot_0 to rot_3) is then
+// of no matter; colours are skipped. Throws InputError naming file and vertex.
+std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file);
+
+// Writes binary little-endian PLY in double precision: what is read back is the same.
+void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians);
+
+}  // namespace brume
