@@ -36,4 +36,7 @@ void write_png(const std::filesystem::path& file, int width, int height,
                std::span<const std::uint8_t> rgb,
                const std::map<std::string, std::string>& metadata);
 
+// The same as the bytes of a file.
+std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb);
+
 }  // namespace brume

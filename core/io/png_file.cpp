@@ -4,7 +4,9 @@
 #include <cassert>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
@@ -89,6 +91,21 @@ void write_png(const std::filesystem::path& file, int width, int height,
     if (!written) throw InputError(file, "", std::string("cannot be written: ") + failure.reason);
     if (!closed) throw InputError(file, "", "cannot be written: the disk may be full");
   });
+}
+
+std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb) {
+  assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+  char* memory = nullptr;
+  std::size_t size = 0;
+  std::FILE* out = open_memstream(&memory, &size);
+  if (out == nullptr) throw std::bad_alloc();
+  Failure failure{};
+  const bool written = write_image(out, width, height, rgb.data(), nullptr, 0, failure);
+  const bool closed = std::fclose(out) == 0;
+  const std::string bytes = written && closed ? std::string(memory, size) : std::string();
+  std::free(memory);
+  if (bytes.empty()) throw std::bad_alloc();
+  return bytes;
 }
 
 }  // namespace brume

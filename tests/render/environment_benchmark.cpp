@@ -9,7 +9,7 @@
 #include "core/scene/radiance_map.h"
 #include "render/auto_quality.h"
 #include "render/environment_source.h"
-#include "tests/render/benchmark_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
 
 namespace brume {
 namespace {

@@ -26,8 +26,8 @@
 #include "render/renderer.h"
 #include "render/tiles.h"
 #include "tests/render/benchmark_increments.h"
-#include "tests/render/benchmark_scenes.h"
-#include "tests/render/table_one_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/table_one_scenes.h"
 
 namespace brume {
 namespace {

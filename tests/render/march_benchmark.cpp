@@ -12,7 +12,7 @@
 
 #include "render/error_estimate.h"
 #include "render/renderer.h"
-#include "tests/render/benchmark_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
 
 namespace brume {
 namespace {

@@ -13,7 +13,7 @@
 #include "render/compare.h"
 #include "render/cpu/path_depths.h"
 #include "render/renderer.h"
-#include "tests/render/benchmark_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
 
 namespace brume {
 namespace {

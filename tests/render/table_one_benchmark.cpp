@@ -27,8 +27,8 @@
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
-#include "tests/render/benchmark_scenes.h"
-#include "tests/render/table_one_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/table_one_scenes.h"
 
 namespace brume {
 namespace {

@@ -12,8 +12,8 @@
 #include "render/renderer.h"
 #include "render/transfer/radiance_transfer.h"
 #include "render/transfer/transfer_store.h"
-#include "tests/render/benchmark_scenes.h"
 #include "tests/render/test_meshes.h"
+#include "tools/bench/benchmark_scenes.h"
 
 namespace brume {
 namespace {

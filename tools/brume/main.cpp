@@ -68,11 +68,13 @@ int run(int argc, char** argv) {
   CLI::App& info = *app.add_subcommand("info", "say what a scene or a medium holds");
   CLI::App& fit = *app.add_subcommand("fit", "fit Gaussians to a volume");
   CLI::App& exports = *app.add_subcommand("export", "write the medium of a scene for others");
+  CLI::App& bench = *app.add_subcommand("bench", "measure speed against error");
   const auto render_command = make_render_command(render);
   const auto compare_command = make_compare_command(compare);
   const auto info_command = make_info_command(info);
   const auto fit_command = make_fit_command(fit);
   const auto export_command = make_export_command(exports);
+  const auto bench_command = make_bench_command(bench);
 
   try {
     check_names(app, {argv + 1, argv + argc});
@@ -87,8 +89,10 @@ int run(int argc, char** argv) {
   if (info.parsed()) return info_command->run();
   if (fit.parsed()) return fit_command->run();
   if (exports.parsed()) return export_command->run();
+  if (bench.parsed()) return bench_command->run();
   throw UsageError(
-      "a subcommand is missing: render, compare, info, fit or export; brume -h explains them");
+      "a subcommand is missing: render, compare, info, fit, export or bench; brume -h explains "
+      "them");
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 #include "tools/brume/render_statistics.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
+
+#include "tools/bench/bench_json.h"
 
 namespace brume {
 namespace {
@@ -15,17 +16,6 @@ double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-// The name of the processor, as Linux tells it.
-std::string device_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (!line.starts_with("model name")) continue;
-    const std::size_t begin = line.find_first_not_of(" \t:", line.find(':'));
-    if (begin != std::string::npos) return line.substr(begin);
-  }
-  return "unknown";
 }
 
 // Each stage's median, in the order in which stages first ran.

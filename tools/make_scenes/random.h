@@ -28,6 +28,14 @@ class Random {
   double uniform() { return unit_from_hash(hash64(seed_ + counter_++)); }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
+  // Uniform in the cube [-size, size]^3.
+  glm::dvec3 point(double size) {
+    // In this order: the order of a call's arguments is up to the compiler.
+    const double x = uniform(-size, size);
+    const double y = uniform(-size, size);
+    return {x, y, uniform(-size, size)};
+  }
+
   // Uniform in the unit ball.
   glm::dvec3 in_ball() {
     for (;;) {

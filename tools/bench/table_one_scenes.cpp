@@ -1,4 +1,4 @@
-#include "tests/render/table_one_scenes.h"
+#include "tools/bench/table_one_scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,28 +8,14 @@
 #include <vector>
 
 #include "core/io/radiance_map_file.h"
-#include "core/medium/medium_summary.h"
-#include "tests/random.h"
-#include "tests/render/benchmark_meshes.h"
+#include "tools/bench/benchmark_meshes.h"
+#include "tools/bench/benchmark_scenes.h"
+#include "tools/make_scenes/random.h"
 
 namespace brume {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-// The medium of these Gaussians, densities scaled so that its greatest optical depth is `depth`.
-Medium with_depth(const std::vector<Gaussian>& gaussians, double depth) {
-  const auto scaled = [&](double factor) {
-    Medium medium;
-    medium.reserve(gaussians.size());
-    for (Gaussian g : gaussians) {
-      g.density *= factor;
-      medium.append(g);
-    }
-    return medium;
-  };
-  return scaled(depth / summarize(scaled(1.0)).greatest_optical_depth);
-}
 
 Surface surface(MeshBuilder& mesh, const glm::dvec3& reflectance) {
   Surface result;

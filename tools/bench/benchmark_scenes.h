@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/scene/scene.h"
 #include "render/renderer.h"
 
@@ -12,6 +14,12 @@ Scene sample_airlight(const char* name);
 
 // Two thick overlapping Gaussians, one light.
 Scene two_gaussians();
+
+// A ball of random Gaussians of radius 0.3, whose greatest optical depth is `depth`, lit by a lamp.
+Scene cloud(int count, double depth);
+
+// The medium of these Gaussians, densities scaled so that its greatest optical depth is `depth`.
+Medium with_depth(std::span<const Gaussian> gaussians, double depth);
 
 // n Gaussians in a unit box with the same optical depth through it for every n: radii shrink so
 // that a ray always meets about the same number of them.

@@ -1,14 +1,16 @@
-#include "tests/render/benchmark_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
 
 #include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "core/io/scene_file.h"
+#include "core/medium/medium_summary.h"
 #include "render/error_estimate.h"
-#include "tests/random.h"
+#include "tools/make_scenes/random.h"
 
 namespace brume {
 
@@ -25,6 +27,33 @@ Scene two_gaussians() {
   scene.medium.append({{-0.3, 0.1, 0}, 0.6, 2.0});
   scene.medium.append({{0.4, -0.1, 0.2}, 0.5, 2.5});
   return scene;
+}
+
+Scene cloud(int count, double depth) {
+  Random random(1);
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < count; ++i) {
+    gaussians.push_back({random.in_ball(), 0.3, random.uniform(0.5, 1.5)});
+  }
+  Scene scene;
+  scene.medium = with_depth(gaussians, depth);
+  scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
+  scene.film = {200, 150};
+  scene.lights.push_back({{1.5, 3.0, 2.0}, {10, 10, 10}, {}});
+  return scene;
+}
+
+Medium with_depth(std::span<const Gaussian> gaussians, double depth) {
+  const auto scaled = [&](double factor) {
+    Medium medium;
+    medium.reserve(gaussians.size());
+    for (Gaussian g : gaussians) {
+      g.density *= factor;
+      medium.append(g);
+    }
+    return medium;
+  };
+  return scaled(depth / summarize(scaled(1.0)).greatest_optical_depth);
 }
 
 Medium box_of(int count) {

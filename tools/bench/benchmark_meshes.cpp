@@ -1,4 +1,4 @@
-#include "tests/render/benchmark_meshes.h"
+#include "tools/bench/benchmark_meshes.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

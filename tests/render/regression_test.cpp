@@ -1,0 +1,47 @@
+// Work and error of a fixed set of frames, so that a change which makes them costlier or worse is
+// seen without a clock. Pairs of Gaussians and rays are what frames cost; they are the same on
+// every machine but for vectors of other lengths, hence a tenth of slack.
+
+#include <gtest/gtest.h>
+
+#include "render/auto_quality.h"
+#include "render/renderer.h"
+#include "tools/bench/benchmark_scenes.h"
+
+namespace brume {
+namespace {
+
+struct Row {
+  const char* name;
+  Scene scene;
+  int slices, scale;
+  // As measured: in millions, and the error.
+  double view_pairs, light_pairs, error;
+};
+
+TEST(Regression, FramesTakeNoMoreWorkAndAreNoWorse) {
+  const Row rows[] = {
+      {"two Gaussians", two_gaussians(), 24, 1, 0, 0, 0},
+      {"cloud of 30", cloud(30, 1.0), 24, 1, 0, 0, 0},
+      {"cloud of 300", cloud(300, 3.0), 24, 4, 0, 0, 0},
+      {"dense cloud of 30", cloud(30, 10.0), 48, 4, 0, 0, 0},
+      {"box of 3,000", box_scene(3000, 2), 24, 4, 0, 0, 0},
+  };
+  for (Row row : rows) {
+    row.scene.film = {200, 150};
+    Settings settings;
+    settings.airlight_scale = row.scale;
+    settings = sliced_settings(settings, row.slices);
+    const Frame frame = *Renderer().render(row.scene, row.scene.camera, row.scene.film, settings);
+    const auto sample = ErrorSample::take(row.scene, row.scene.camera, frame, 60, 1, 1e-3);
+    const double error = sample->measure(frame).rel_rmse;
+    const double view = 1e-6 * static_cast<double>(frame.statistics.view_pairs);
+    const double light = 1e-6 * static_cast<double>(frame.statistics.light_pairs);
+    EXPECT_LT(view, 1.1 * row.view_pairs) << row.name;
+    EXPECT_LT(light, 1.1 * row.light_pairs) << row.name;
+    EXPECT_LT(error, 1.2 * row.error) << row.name;
+  }
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,104 @@
+// What `brume bench` makes of its measurements, and a run of it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "tests/tools/command_line.h"
+#include "tools/bench/bench_compare.h"
+#include "tools/bench/frontier.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+Measurement measured(double cpu, double error) {
+  Measurement m;
+  m.cpu_milliseconds = {cpu, 0.9 * cpu, 1.1 * cpu};
+  m.error = {error, 0.9 * error, 1.1 * error, 100};
+  return m;
+}
+
+TEST(Frontier, IsWhatNothingBeats) {
+  const std::vector<Measurement> all = {measured(10, 0.02), measured(5, 0.05), measured(12, 0.03),
+                                        measured(20, 0.005), measured(5.5, 0.06)};
+  EXPECT_EQ(frontier(all), (std::vector<std::size_t>{1, 0, 3}));
+  EXPECT_EQ(cheapest_within(all, 0.1), 1u);
+  EXPECT_EQ(cheapest_within(all, 0.022), 0u);
+  EXPECT_EQ(cheapest_within(all, 0.0219), 3u) << "the interval's upper end counts";
+  EXPECT_EQ(cheapest_within(all, 0.001), std::nullopt);
+}
+
+TEST(Frontier, FitsExponents) {
+  std::vector<CostPoint> points;
+  for (const double n : {10.0, 30.0, 100.0, 1000.0}) points.push_back({n, 0.3 * std::pow(n, 1.2)});
+  EXPECT_NEAR(fitted_exponent(points), 1.2, 1e-12);
+}
+
+std::string report(double cpu, double error) {
+  const Json setting = {{"setting", "sliced 24"},
+                        {"cpu_ms", {{"median", cpu}, {"min", 0.9 * cpu}, {"max", 1.1 * cpu}}},
+                        {"error", {{"low", 0.9 * error}, {"high", 1.1 * error}}}};
+  return Json{{"scenes", {{{"name", "a"}, {"size", {8, 8}}, {"settings", {setting}}}}},
+              {"table_one", Json::array()}}
+      .dump();
+}
+
+TEST(BenchCompare, SaysWhatIsWorseBeyondTheSpread) {
+  const std::string old = report(10.0, 0.01);
+  EXPECT_TRUE(compare_reports("old.json", old, report(12.0, 0.012)).empty());
+  EXPECT_TRUE(compare_reports("old.json", old, report(5.0, 0.005)).empty());
+  const auto slower = compare_reports("old.json", old, report(14.0, 0.01));
+  ASSERT_EQ(slower.size(), 1u);
+  EXPECT_EQ(slower[0], "a, sliced 24: slower, at best 12.6 ms where it was at most 11.0 ms");
+  const auto worse = compare_reports("old.json", old, report(10.0, 0.02));
+  ASSERT_EQ(worse.size(), 1u);
+  EXPECT_EQ(worse[0], "a, sliced 24: less accurate, at least 1.80% where it was at most 1.10%");
+  EXPECT_THROW(compare_reports("old.json", "{}", old), InputError);
+  EXPECT_THROW(compare_reports("old.json", "no json", old), InputError);
+}
+
+using BenchCommand = CommandLine;
+
+TEST_F(BenchCommand, WritesAReport) {
+  const ProgramResult result =
+      run_brume({"bench", "--quick", scene_, "-o", file("report"), "--threads", "2"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("a.brume: 2 Gaussians"), std::string::npos) << result.out;
+  const Json json = Json::parse(content_of(file("report.json")));
+  EXPECT_EQ(json["threads"], 2);
+  ASSERT_EQ(json["scenes"].size(), 1u);
+  const Json& settings = json["scenes"][0]["settings"];
+  EXPECT_GT(settings.size(), 10u);
+  double least_error = 1.0;
+  for (const Json& setting : settings) {
+    EXPECT_GT(setting["cpu_ms"]["min"].get<double>(), 0.0) << setting;
+    EXPECT_LE(setting["cpu_ms"]["min"], setting["cpu_ms"]["median"]) << setting;
+    EXPECT_LE(setting["error"]["low"], setting["error"]["high"]) << setting;
+    least_error = std::min(least_error, setting["error"]["rel_rmse"].get<double>());
+  }
+  EXPECT_LT(least_error, 0.01);
+  EXPECT_EQ(settings[0]["setting"], "paper");
+  EXPECT_GT(settings[0]["error"]["rel_rmse"], 0.02);
+  const std::string html = content_of(file("report.html"));
+  EXPECT_NE(html.find("<svg"), std::string::npos);
+  EXPECT_NE(html.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_EQ(html.find(">nan"), std::string::npos);
+
+  // A report is at least as good as itself.
+  const std::string old = content_of(file("report.json"));
+  EXPECT_TRUE(compare_reports("report.json", old, old).empty());
+}
+
+TEST_F(BenchCommand, RefusesBeforeLongWork) {
+  expect_refused({"bench", "--quick"}, {"-o"});
+  expect_refused({"bench", "-o", file("missing/report")}, {"missing"});
+  expect_refused({"bench", "-o", file("report"), "--compare", scene_}, {scene_, "no report"});
+}
+
+}  // namespace
+}  // namespace brume

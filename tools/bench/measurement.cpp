@@ -1,0 +1,85 @@
+#include "tools/bench/measurement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "tools/bench/benchmark_scenes.h"
+
+namespace brume {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  const double median =
+      values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+  return {median, values.front(), values.back()};
+}
+
+std::string setting_name(const Settings& settings) {
+  std::string name = airlight_name(settings);
+  if (settings.airlight == AirlightMethod::sliced) name += ' ' + std::to_string(settings.slices);
+  if (settings.airlight_scale > 1) name += ", scale " + std::to_string(settings.airlight_scale);
+  return name;
+}
+
+Truth find_truth(const Scene& scene, std::size_t pixels) {
+  const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 12));
+  const double begin = cpu_seconds();
+  ErrorSample sample = *ErrorSample::take(scene, scene.camera, guide, pixels, 1, 1e-4);
+  const double film = static_cast<double>(scene.film.width) * scene.film.height;
+  return {std::move(sample), 1e3 * (cpu_seconds() - begin) * film / static_cast<double>(pixels)};
+}
+
+Measurement measure(Renderer& renderer, const Scene& scene, const Settings& settings,
+                    const ErrorSample& truth, double seconds) {
+  constexpr int least_frames = 3;
+  constexpr int most_frames = 15;
+  Measurement result;
+  result.setting = setting_name(settings);
+  result.settings = settings;
+  const Clock::time_point begin = Clock::now();
+  const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
+  result.first_milliseconds = milliseconds_since(begin);
+  result.error = truth.measure(first);
+  result.pairs = first.statistics.view_pairs;
+
+  std::vector<double> times;
+  std::vector<double> cpu_times;
+  std::map<std::string, std::vector<double>> stages;
+  std::vector<std::string> order;
+  const Clock::time_point moving = Clock::now();
+  for (int i = 1; i <= most_frames; ++i) {
+    if (i > least_frames && milliseconds_since(moving) > 1e3 * seconds) break;
+    // A step so small that it changes no cost, but nothing of the last view can be used again.
+    Camera camera = scene.camera;
+    camera.eye += i * 1e-6 * (camera.target - camera.eye);
+    const Clock::time_point start = Clock::now();
+    const double cpu_start = cpu_seconds();
+    const Frame frame = *renderer.render(scene, camera, scene.film, settings);
+    cpu_times.push_back(1e3 * (cpu_seconds() - cpu_start));
+    times.push_back(milliseconds_since(start));
+    for (const StageTime& stage : frame.statistics.stages) {
+      if (!stages.contains(stage.name)) order.push_back(stage.name);
+      stages[stage.name].push_back(stage.milliseconds);
+    }
+  }
+  result.milliseconds = spread_of(times);
+  result.cpu_milliseconds = spread_of(cpu_times);
+  for (const std::string& name : order) {
+    result.stages.push_back({name, spread_of(stages[name]).median});
+  }
+  return result;
+}
+
+}  // namespace brume
