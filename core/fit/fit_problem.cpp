@@ -127,6 +127,15 @@ double square_sum(std::span<const float> values) {
 
 }  // namespace
 
+std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
+                                          std::span<const Gaussian> gaussians) {
+  std::vector<FitGaussian> result;
+  for (const Gaussian& g : gaussians) {
+    result.push_back({grid.spacing * grid.to_voxel(g.center), 1.0 / g.radius, g.density});
+  }
+  return result;
+}
+
 double FitGaussian::mass() const {
   return c * std::pow(std::numbers::pi, 1.5) / (a * a * a);
 }

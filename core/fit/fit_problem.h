@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/medium/gaussian.h"
 #include "core/volume/density_grid.h"
 
 namespace brume {
@@ -18,6 +19,10 @@ struct FitGaussian {
 
   [[nodiscard]] double mass() const;  // [u^2]
 };
+
+// Gaussians of the world in a grid's own axes.
+std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
+                                          std::span<const Gaussian> gaussians);
 
 // A change of one Gaussian, without unit: a db (three numbers), d log a, d log c.
 using FitStep = std::array<double, 5>;

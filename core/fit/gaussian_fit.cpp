@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -54,6 +55,9 @@ class Fitting {
   [[nodiscard]] double error() const {
     return std::sqrt(squares_.voxels / std::max(problem_.sum_of_squares(), 1e-300));
   }
+
+  // What is made least: the sum of squares of all residuals.
+  [[nodiscard]] double squares() const { return squares_.all; }
 
   // Up to `steps` steps, ending early where they no longer help. False when stopped.
   bool descend(int steps, double error_wanted, double from, double to) {
@@ -308,19 +312,19 @@ std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Ga
                                      const std::stop_token& stop,
                                      const std::function<void(double)>& progress) {
   Fitting fitting(grid, stop, progress);
-  std::vector<FitGaussian> gaussians;
-  for (const Gaussian& g : start) {
-    gaussians.push_back({grid.spacing * grid.to_voxel(g.center), 1.0 / g.radius, g.density});
-  }
-  fitting.begin(std::move(gaussians));
+  fitting.begin(to_fit_gaussians(grid, start));
   constexpr int rounds = 9;
   constexpr int steps = 8;
+  constexpr double worth_a_round = 0.01;  // of the squares
+  double last = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
     const double begin = round / static_cast<double>(rounds);
     const double end = (round + 1) / static_cast<double>(rounds);
     const bool goes_on = round == 0 ? fitting.descend(steps, 0.0, begin, end)
                                     : fitting.renew_and_descend(steps, 0.0, begin, end);
     if (!goes_on) return std::nullopt;
+    if (fitting.squares() > (1.0 - worth_a_round) * last) break;
+    last = fitting.squares();
   }
   fitting.scale_mass();
   return Refit{fitting.result(), fitting.renewed()};

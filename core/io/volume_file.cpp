@@ -18,6 +18,7 @@
 #include "core/io/limits.h"
 #include "core/io/number_domain.h"
 #include "core/io/text_scanner.h"
+#include "core/io/vdb_blocks.h"
 #include "core/io/vdb_file.h"
 #include "core/io/vdb_tree.h"
 
@@ -43,35 +44,14 @@ std::string names_of(const std::vector<VdbGrid>& grids) {
   return names.empty() ? "none" : names;
 }
 
-ByteReader tree_of(const Path& path, std::string_view bytes, const VdbGrid& grid) {
-  ByteReader reader(path, bytes.substr(0, static_cast<std::size_t>(grid.end)));
-  reader.seek(grid.tree);
-  return reader;
-}
-
-// The transform as spacing, rotation and origin.
-void set_transform(const Path& path, const VdbGrid::Transform& transform, DensityGrid& grid) {
-  grid.origin = transform.origin;
-  glm::dmat3 axes = transform.axes;
-  for (int k = 0; k < 3; ++k) {
-    grid.spacing[k] = glm::length(axes[k]);
-    const bool fits =
-        std::isfinite(grid.origin[k]) && std::abs(grid.origin[k]) <= limits::coordinate &&
-        grid.spacing[k] >= limits::least_length && grid.spacing[k] <= limits::greatest_length;
-    if (!fits) throw InputError(path, "transform", "its voxels have no size or place we can use");
-    axes[k] /= grid.spacing[k];
+// Of a volume, to 0 or more.
+float to_density(const Path& path, const std::string& name, double value) {
+  if (!std::isfinite(value) || value > limits::density) {
+    throw InputError(
+        path, name,
+        "found a density of " + shown(value) + "; allowed: 0 to " + shown(limits::density));
   }
-  const double shear =
-      std::max({std::abs(glm::dot(axes[0], axes[1])), std::abs(glm::dot(axes[1], axes[2])),
-                std::abs(glm::dot(axes[2], axes[0]))});
-  if (shear > 1e-5) {
-    throw InputError(path, "transform", "found a sheared one; allowed: moving, turning, scaling");
-  }
-  if (glm::determinant(axes) < 0.0) {
-    axes[0] = -axes[0];
-    grid.spacing.x = -grid.spacing.x;
-  }
-  grid.rotation = glm::normalize(glm::quat_cast(axes));
+  return static_cast<float>(std::max(value, 0.0));
 }
 
 const VdbGrid& grid_named(const Path& path, const std::vector<VdbGrid>& grids,
@@ -81,84 +61,8 @@ const VdbGrid& grid_named(const Path& path, const std::vector<VdbGrid>& grids,
   if (at == grids.end()) {
     throw InputError(path, "", "has no grid " + shown(name) + "; its grids: " + names_of(grids));
   }
-  if (!at->transform) {
-    throw InputError(path, "transform",
-                     "found a perspective one; allowed: moving, turning, scaling");
-  }
   return *at;
 }
-
-class DensityReader {
- public:
-  DensityReader(const Path& path, std::string_view bytes, const VdbGrid& grid)
-      : path_(path), name_(grid.name), values_(*grid.values), reader_(tree_of(path, bytes, grid)) {}
-
-  std::vector<DensityGrid::Block> read() {
-    read_vdb_topology(reader_, values_,
-                      {[&](const VdbTile& tile) { add(tile); },
-                       [&](const VdbLeaf& leaf) {
-                         count(1);
-                         leaves_.push_back(leaf);
-                       }});
-    read_vdb_leaves(
-        reader_, values_, leaves_,
-        [&](const VdbLeaf& leaf, std::span<const double> values) { add(leaf, values); });
-    return std::move(blocks_);
-  }
-
- private:
-  // Before they take any memory.
-  void count(double blocks) {
-    count_ += blocks;
-    if (count_ > static_cast<double>(limits::volume_blocks)) {
-      throw InputError(path_, name_,
-                       "has more active voxels than fit into " +
-                           std::to_string(limits::volume_blocks) + " blocks of 8 x 8 x 8");
-    }
-  }
-
-  [[nodiscard]] float density(double value) const {
-    if (!std::isfinite(value) || value > limits::density) {
-      throw InputError(
-          path_, name_,
-          "found a density of " + shown(value) + "; allowed: 0 to " + shown(limits::density));
-    }
-    return static_cast<float>(std::max(value, 0.0));
-  }
-
-  // A tile becomes voxels.
-  void add(const VdbTile& tile) {
-    const float value = density(tile.value.x);
-    if (!(value > 0.0f)) return;
-    const int across = tile.side / DensityGrid::side;
-    count(std::pow(across, 3.0));
-    for (int i = 0; i < across * across * across; ++i) {
-      const glm::ivec3 place(i / (across * across), i / across % across, i % across);
-      blocks_.push_back({tile.corner + DensityGrid::side * place, {}});
-      blocks_.back().values.fill(value);
-    }
-  }
-
-  void add(const VdbLeaf& leaf, std::span<const double> values) {
-    DensityGrid::Block block{leaf.corner, {}};
-    bool is_empty = true;
-    auto next = values.begin();
-    for (std::size_t i = 0; i < VdbLeaf::size; ++i) {
-      if (!leaf.is_active(i)) continue;
-      block.values[i] = density(*next++);
-      is_empty = is_empty && !(block.values[i] > 0.0f);
-    }
-    if (!is_empty) blocks_.push_back(block);
-  }
-
-  const Path& path_;
-  const std::string& name_;
-  const VdbValues& values_;
-  ByteReader reader_;
-  double count_ = 0.0;
-  std::vector<VdbLeaf> leaves_;
-  std::vector<DensityGrid::Block> blocks_;
-};
 
 // The box around active voxels, and how many they are.
 struct Extent {
@@ -199,15 +103,39 @@ DensityGrid read_volume(const Path& path, const std::string& name) {
   if (source.kind == "level set") {
     throw InputError(path, name, "found a level set; allowed: a fog volume");
   }
-  if (!source.values || source.values->components != 1) {
+  if (source.transform && (!source.values || source.values->components != 1)) {
     throw InputError(path, name,
                      "found values of type " + shown(source.type) + "; allowed: one number each");
   }
-  DensityGrid grid;
-  set_transform(path, *source.transform, grid);
-  grid.blocks = DensityReader(path, bytes, source).read();
-  grid.sort();
-  return grid;
+  return read_vdb_blocks(path, bytes, source, 0,
+                         [&](double value) { return to_density(path, name, value); });
+}
+
+std::optional<VelocityGrid> read_velocity(const Path& path) {
+  const std::string bytes = read_bytes(path);
+  for (const VdbGrid& source : read_vdb_grids(path, bytes)) {
+    const bool is_velocity =
+        source.name == "velocity" || source.name == "vel" || source.name == "v";
+    if (!is_velocity || !source.values || source.values->components != 3) continue;
+    const auto speed = [&](double value) {
+      if (!(std::abs(value) <= limits::coordinate)) {
+        throw InputError(path, source.name, "found a speed of " + shown(value));
+      }
+      return static_cast<float>(value);
+    };
+    VelocityGrid grid;
+    for (std::size_t k = 0; k < 3; ++k) {
+      DensityGrid& component = grid.components[k];
+      component = read_vdb_blocks(path, bytes, source, k, speed);
+      if (source.kind != "staggered") continue;
+      // On the voxel's face of lower x, y or z.
+      glm::dvec3 face(0.0);
+      face[static_cast<int>(k)] = -0.5;
+      component.origin = component.to_world(face);
+    }
+    return grid;
+  }
+  return std::nullopt;
 }
 
 std::vector<VolumeGridInfo> volume_grids(const Path& path) {
@@ -221,7 +149,7 @@ std::vector<VolumeGridInfo> volume_grids(const Path& path) {
     const auto& [axes, origin] = *grid.transform;
     for (int k = 0; k < 3; ++k) info.voxel_size[k] = glm::length(axes[k]);
     if (!grid.values) continue;
-    const Extent extent = extent_of(tree_of(path, bytes, grid), *grid.values);
+    const Extent extent = extent_of(vdb_tree(path, bytes, grid), *grid.values);
     info.voxels = extent.voxels;
     if (info.voxels == 0) continue;
     info.least = glm::dvec3(std::numeric_limits<double>::infinity());

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/volume/density_grid.h"
+#include "core/volume/velocity_grid.h"
 
 namespace brume {
 
@@ -15,6 +17,10 @@ namespace brume {
 // Voxels must be finite and at most limits::density, and at most limits::voxels active ones. Throws
 // InputError naming the file, and what grids it has where there is none of that name.
 DensityGrid read_volume(const std::filesystem::path& file, const std::string& grid);
+
+// Reads the grid `velocity`, `vel` or `v` if the file has one of three numbers each: in the world's
+// axes [u/s], at the voxels' points or, of a staggered grid, on their faces. Throws InputError.
+std::optional<VelocityGrid> read_velocity(const std::filesystem::path& file);
 
 struct VolumeGridInfo {
   std::string name;

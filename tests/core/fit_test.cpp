@@ -12,6 +12,7 @@
 #include "core/fit/fit_problem.h"
 #include "core/fit/fit_start.h"
 #include "core/fit/gaussian_fit.h"
+#include "core/fit/next_start.h"
 #include "core/io/volume_file.h"
 #include "core/volume/medium_grid.h"
 #include "tests/random.h"
@@ -198,6 +199,90 @@ TEST(GaussianFit, SimulatedSmokeWithinItsBounds) {
   }
   EXPECT_LT(renewed, 100u);
   EXPECT_LT(strayed, 25u);
+}
+
+// Turning about the z axis while moving along it.
+glm::dvec3 helix_velocity(const glm::dvec3& x) {
+  return {-3.0 * x.y, 3.0 * x.x, 1.0};
+}
+
+VelocityGrid helix() {
+  VelocityGrid velocity;
+  for (int k = 0; k < 3; ++k) {
+    DensityGrid& grid = velocity.components[static_cast<std::size_t>(k)];
+    grid.spacing = glm::dvec3(0.25);
+    for (int block = 0; block < 64; ++block) {
+      const glm::ivec3 corner = 8 * (glm::ivec3(block / 16, block / 4 % 4, block % 4) - 2);
+      grid.blocks.push_back({corner, {}});
+      for (int i = 0; i < 512; ++i) {
+        const glm::ivec3 voxel = corner + glm::ivec3(i / 64, i / 8 % 8, i % 8);
+        grid.blocks.back().values[static_cast<std::size_t>(i)] =
+            static_cast<float>(helix_velocity(grid.to_world(glm::dvec3(voxel)))[k]);
+      }
+    }
+  }
+  return velocity;
+}
+
+Medium turned(const Medium& medium, double seconds) {
+  const glm::dquat turn = glm::angleAxis(3.0 * seconds, glm::dvec3(0.0, 0.0, 1.0));
+  Medium result;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    Gaussian g = medium.gaussian(i);
+    g.center = turn * g.center + glm::dvec3(0.0, 0.0, seconds);
+    result.append(g);
+  }
+  return result;
+}
+
+TEST(VelocityGrid, MovesGaussiansAlong) {
+  const Medium medium = some_medium(20, 11);
+  std::vector<Gaussian> gaussians;
+  for (std::size_t i = 0; i < medium.size(); ++i) gaussians.push_back(medium.gaussian(i));
+  VelocityGrid velocity = helix();
+  const Medium expected = turned(medium, 0.1);
+  const glm::dquat turn = glm::normalize(glm::dquat(1.0, 0.3, -0.2, 0.5));
+  const std::vector<Gaussian> moved = advected(gaussians, velocity, 0.1);
+  rotate(velocity, turn);
+  for (Gaussian& g : gaussians) g.center = turn * g.center;
+  const std::vector<Gaussian> elsewhere = advected(gaussians, velocity, 0.1);
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    // (3 * 0.1)^5 / 120 of fourth order, and single precision.
+    EXPECT_LT(glm::length(moved[i].center - expected.gaussian(i).center), 1e-4);
+    EXPECT_LT(glm::length(elsewhere[i].center - turn * expected.gaussian(i).center), 1e-4);
+  }
+}
+
+// The next frame's fit begins where the velocity says: nearer, and Gaussian i stays the same piece
+// of smoke.
+TEST(GaussianFit, NextFrameFollowsTheVelocity) {
+  Random random(12);
+  Medium medium;
+  for (int i = 0; i < 25; ++i) {
+    medium.append({random.point(1.0), random.uniform(0.3, 0.4), random.uniform(0.2, 2.0)});
+  }
+  constexpr double seconds = 0.2;  // 0.6 in angle: up to twice a radius
+  const DensityGrid second = sampled(turned(medium, seconds), 0.1);
+  std::vector<Gaussian> before;
+  for (std::size_t i = 0; i < medium.size(); ++i) before.push_back(medium.gaussian(i));
+  // As if the solver's unit were another: 16 times the time.
+  const std::vector<Gaussian> start = next_start(second, before, helix(), 16.0 * seconds);
+  const Refit with = *refit_gaussians(second, start);
+  const Refit without = *refit_gaussians(second, before);
+  EXPECT_LT(depth_error(second, start, 2000), 0.1 * depth_error(second, before, 2000));
+  EXPECT_LT(with.fit.density_error, 0.01);
+  const Medium exact = turned(medium, seconds);
+  const auto kept = [&](const Refit& refit) {
+    int count = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Gaussian g = exact.gaussian(i);
+      const bool is_there = glm::length(refit.fit.gaussians[i].center - g.center) < 0.1 * g.radius;
+      count += !refit.renewed[i] && is_there ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(kept(with), 25);
+  EXPECT_LT(kept(without), 10);
 }
 
 TEST(GaussianFit, IsTheSameEachTimeAndStops) {

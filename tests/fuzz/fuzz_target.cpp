@@ -44,6 +44,7 @@ constexpr Parser parsers[] = {
     {"vdb", ".vdb",
      [](const Path& file) {
        volume_grids(file);
+       read_velocity(file);
        read_volume(file, "density");
      }},
 };

@@ -1,15 +1,17 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
-#include "core/io/file_bytes.h"
 #include "core/fit/fit_error.h"
 #include "core/fit/gaussian_fit.h"
+#include "core/fit/next_start.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/limits.h"
 #include "core/io/text_scanner.h"
@@ -48,6 +50,10 @@ class FitCommand final : public Command {
         ->check(finite_in(1e-12, 1e12))
         ->capture_default_str();
     app.add_option("--frames", frames_, "FIRST-LAST, of a sequence");
+    app.add_option("--fps", fps_,
+                   "frames per second, where a sequence has velocities to move its Gaussians with")
+        ->check(finite_in(1e-3, 1e6))
+        ->capture_default_str();
     app.footer(
         "Prints one line of JSON per frame: the relative RMS errors of density and of optical\n"
         "depth along 10,000 random lines, the mass over the volume's, and seconds. A frame of a\n"
@@ -84,17 +90,19 @@ class FitCommand final : public Command {
     check_writable(output);
   }
 
+  // What turns the volume's axes into ours.
+  [[nodiscard]] glm::dquat turn() const {
+    return up_ == "z" ? glm::angleAxis(glm::radians(-90.0), glm::dvec3(1.0, 0.0, 0.0))
+                      : glm::dquat(1.0, 0.0, 0.0, 0.0);
+  }
+
   [[nodiscard]] DensityGrid read(const std::string& volume) const {
     DensityGrid grid = read_volume(volume, grid_);
     while (grid.blocks.size() > most_blocks) grid = coarser(grid);
     for (DensityGrid::Block& block : grid.blocks) {
       for (float& value : block.values) value *= static_cast<float>(density_scale_);
     }
-    if (up_ == "z") {
-      const glm::dquat turn = glm::angleAxis(glm::radians(-90.0), glm::dvec3(1.0, 0.0, 0.0));
-      grid.rotation = turn * grid.rotation;
-      grid.origin = turn * grid.origin;
-    }
+    rotate(grid, turn());
     return grid;
   }
 
@@ -108,6 +116,7 @@ class FitCommand final : public Command {
     if (last_.empty() || grid.blocks.empty()) {
       fit = *fit_gaussians(grid, {count_, max_error_}, {}, line.progress());
     } else {
+      if (velocity_) last_ = next_start(grid, last_, *velocity_, 1.0 / fps_);
       Refit refit = *refit_gaussians(grid, last_, {}, line.progress());
       fit = std::move(refit.fit);
       renewed =
@@ -126,6 +135,9 @@ class FitCommand final : public Command {
     json["seconds"] = seconds.count();
     print_result(json.dump() + "\n");
     last_ = std::move(fit.gaussians);
+    if (!frame) return;
+    velocity_ = read_velocity(volume);
+    if (velocity_) rotate(*velocity_, turn());
   }
 
   std::string volume_;
@@ -136,7 +148,9 @@ class FitCommand final : public Command {
   std::string up_ = "y";
   double density_scale_ = 1.0;
   std::string frames_;
-  std::vector<Gaussian> last_;  // of the frame before
+  double fps_ = 24.0;
+  std::vector<Gaussian> last_;  // of the frame before, and what moves them
+  std::optional<VelocityGrid> velocity_;
 };
 
 }  // namespace

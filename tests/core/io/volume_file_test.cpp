@@ -64,6 +64,43 @@ TEST(VolumeFile, ReadsSmokeOfASimulation) {
   EXPECT_EQ(volume_grids(volumes / "smoke_0025.vdb").size(), 5u);
 }
 
+// At the voxels' points, or each component in the middle of its face.
+TEST(VolumeFile, ReadsVelocities) {
+  const TemporaryFolder folder;
+  openvdb::initialize();
+  const auto field = [](const openvdb::Vec3d& x) {
+    return openvdb::Vec3d(1.0 + x.y(), 2.0 * x.x() - x.z(), -0.5 * x.z());
+  };
+  for (const bool staggered : {false, true}) {
+    const auto grid = openvdb::Vec3SGrid::create();
+    grid->setTransform(openvdb::math::Transform::createLinearTransform(0.5));
+    if (staggered) grid->setGridClass(openvdb::GRID_STAGGERED);
+    for (int i = 0; i < 1000; ++i) {
+      const openvdb::Coord voxel(i / 100 - 5, i / 10 % 10 - 5, i % 10 - 5);
+      openvdb::Vec3s value;
+      for (int k = 0; k < 3; ++k) {
+        openvdb::Vec3d at = voxel.asVec3d();
+        if (staggered) at[k] -= 0.5;
+        value[k] = static_cast<float>(field(0.5 * at)[k]);
+      }
+      grid->tree().setValue(voxel, value);
+    }
+    write(folder / "a.vdb", "vel", grid);
+    const auto velocity = read_velocity(folder / "a.vdb");
+    ASSERT_TRUE(velocity);
+    Random random(3);
+    for (int i = 0; i < 100; ++i) {
+      const glm::dvec3 x = random.point(1.5);
+      const openvdb::Vec3d expected = field({x.x, x.y, x.z});
+      EXPECT_LT(glm::length(velocity->at(x) - glm::dvec3(expected.x(), expected.y(), expected.z())),
+                1e-5);
+    }
+  }
+  EXPECT_TRUE(read_velocity(volumes / "smoke_0025.vdb"));
+  write_volume(folder / "a.vdb", some_grid(), false);
+  EXPECT_FALSE(read_velocity(folder / "a.vdb"));
+}
+
 TEST(VolumeFile, TilesAreVoxels) {
   const TemporaryFolder folder;
   openvdb::initialize();

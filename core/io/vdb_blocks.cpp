@@ -1,0 +1,135 @@
+#include "core/io/vdb_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <span>
+
+#include "core/io/limits.h"
+
+namespace brume {
+namespace {
+
+using Path = std::filesystem::path;
+
+// The transform as spacing, rotation and origin.
+void set_transform(const Path& path, const VdbGrid::Transform& transform, DensityGrid& grid) {
+  grid.origin = transform.origin;
+  glm::dmat3 axes = transform.axes;
+  for (int k = 0; k < 3; ++k) {
+    grid.spacing[k] = glm::length(axes[k]);
+    const bool fits =
+        std::isfinite(grid.origin[k]) && std::abs(grid.origin[k]) <= limits::coordinate &&
+        grid.spacing[k] >= limits::least_length && grid.spacing[k] <= limits::greatest_length;
+    if (!fits) throw InputError(path, "transform", "its voxels have no size or place we can use");
+    axes[k] /= grid.spacing[k];
+  }
+  const double shear =
+      std::max({std::abs(glm::dot(axes[0], axes[1])), std::abs(glm::dot(axes[1], axes[2])),
+                std::abs(glm::dot(axes[2], axes[0]))});
+  if (shear > 1e-5) {
+    throw InputError(path, "transform", "found a sheared one; allowed: moving, turning, scaling");
+  }
+  if (glm::determinant(axes) < 0.0) {
+    axes[0] = -axes[0];
+    grid.spacing.x = -grid.spacing.x;
+  }
+  grid.rotation = glm::normalize(glm::quat_cast(axes));
+}
+
+class BlockReader {
+ public:
+  BlockReader(const Path& path, std::string_view bytes, const VdbGrid& grid, std::size_t component,
+              const std::function<float(double)>& to_value)
+      : path_(path),
+        name_(grid.name),
+        values_(*grid.values),
+        component_(component),
+        to_value_(to_value),
+        reader_(vdb_tree(path, bytes, grid)) {}
+
+  std::vector<DensityGrid::Block> read() {
+    read_vdb_topology(reader_, values_,
+                      {[&](const VdbTile& tile) { add(tile); },
+                       [&](const VdbLeaf& leaf) {
+                         count(1);
+                         leaves_.push_back(leaf);
+                       }});
+    read_vdb_leaves(
+        reader_, values_, leaves_,
+        [&](const VdbLeaf& leaf, std::span<const double> values) { add(leaf, values); });
+    return std::move(blocks_);
+  }
+
+ private:
+  // Before they take any memory.
+  void count(double blocks) {
+    count_ += blocks;
+    if (count_ > static_cast<double>(limits::volume_blocks)) {
+      throw InputError(path_, name_,
+                       "has more active voxels than fit into " +
+                           std::to_string(limits::volume_blocks) + " blocks of 8 x 8 x 8");
+    }
+  }
+
+  // A tile becomes voxels.
+  void add(const VdbTile& tile) {
+    const float value = to_value_(tile.value[static_cast<int>(component_)]);
+    if (value == 0.0f) return;
+    const int across = tile.side / DensityGrid::side;
+    count(std::pow(across, 3.0));
+    for (int i = 0; i < across * across * across; ++i) {
+      const glm::ivec3 place(i / (across * across), i / across % across, i % across);
+      blocks_.push_back({tile.corner + DensityGrid::side * place, {}});
+      blocks_.back().values.fill(value);
+    }
+  }
+
+  void add(const VdbLeaf& leaf, std::span<const double> values) {
+    DensityGrid::Block block{leaf.corner, {}};
+    bool is_empty = true;
+    std::size_t next = component_;
+    for (std::size_t i = 0; i < VdbLeaf::size; ++i) {
+      if (!leaf.is_active(i)) continue;
+      block.values[i] = to_value_(values[next]);
+      next += values_.components;
+      is_empty = is_empty && block.values[i] == 0.0f;
+    }
+    if (!is_empty) blocks_.push_back(block);
+  }
+
+  const Path& path_;
+  const std::string& name_;
+  const VdbValues& values_;
+  std::size_t component_;
+  const std::function<float(double)>& to_value_;
+  ByteReader reader_;
+  double count_ = 0.0;
+  std::vector<VdbLeaf> leaves_;
+  std::vector<DensityGrid::Block> blocks_;
+};
+
+}  // namespace
+
+ByteReader vdb_tree(const Path& path, std::string_view bytes, const VdbGrid& grid) {
+  ByteReader reader(path, bytes.substr(0, static_cast<std::size_t>(grid.end)));
+  reader.seek(grid.tree);
+  return reader;
+}
+
+DensityGrid read_vdb_blocks(const Path& path, std::string_view bytes, const VdbGrid& grid,
+                            std::size_t component, const std::function<float(double)>& to_value) {
+  if (!grid.transform) {
+    throw InputError(path, "transform",
+                     "found a perspective one; allowed: moving, turning, scaling");
+  }
+  DensityGrid result;
+  set_transform(path, *grid.transform, result);
+  result.blocks = BlockReader(path, bytes, grid, component, to_value).read();
+  result.sort();
+  return result;
+}
+
+}  // namespace brume
