@@ -65,6 +65,20 @@ TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
   EXPECT_LT(count("-1"), 1u);
 }
 
+// Another program reads the analytic density at the voxels, to the last bit of what is stored.
+TEST_F(VolumeCommands, ExportedVolumesAreReadByOpenVdbInPython) {
+  for (const char* precision : {"float", "half"}) {
+    std::vector<std::string> arguments{"export", scene_, "-o", file("m.vdb"), "--voxel", "0.2"};
+    if (precision == std::string("half")) arguments.push_back("--half");
+    ASSERT_EQ(run_brume(arguments).exit_code, 0);
+    const std::string command = quoted(BRUME_PYTHON) + " " + quoted(BRUME_READ_VOLUME) + " " +
+                                quoted(file("m.vdb")) + " 0.2 " + precision +
+                                " 0,0,0,1,0.5 1,0,0,0.5,2 > " + quoted(file("voxels"));
+    ASSERT_EQ(std::system(command.c_str()), 0) << "Debian's python3-openvdb is needed";
+    EXPECT_GT(std::stoi(content_of(file("voxels"))), 10'000);
+  }
+}
+
 TEST_F(VolumeCommands, ExportsATimeRange) {
   const std::string scene = folder_
                                 .write("e.brume", R"({ "format": "brume-scene", "version": 1,
