@@ -1,6 +1,7 @@
 #include "app/tools/airbrush_tool.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -14,30 +15,33 @@
 namespace brume {
 namespace {
 
-constexpr double step = 1.0 / 30.0;  // seconds
-constexpr int most_steps = 6;        // at once, however long a picture took
+constexpr qint64 steps_per_second = 30;
+constexpr qint64 most_steps = 20 * steps_per_second;  // at once: the computer may have slept
 constexpr NumberDomain rate_domain{0.0, 1e4, "a number from 0 to 10000"};
-constexpr NumberDomain seed_domain{0.0, 1e9, "a whole number from 0 to 1e9"};
+
+qint64 now() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
 
 }  // namespace
 
-AirbrushTool::AirbrushTool(Document& document, Viewport& viewport) : BrushTool(document, viewport) {
-  timer_.setInterval(static_cast<int>(1000.0 * step));
+AirbrushTool::AirbrushTool(Document& document, Viewport& view)
+    : FogBrushTool(document, view), clock_(now) {
+  timer_.setInterval(static_cast<int>(1000 / steps_per_second));
   connect(&timer_, &QTimer::timeout, this, &AirbrushTool::spray);
-  connect(&document, &Document::scene_replaced, this, &AirbrushTool::fit_to_view);
-  fit_to_view();
+  AirbrushTool::fit_to(target_distance(document.scene().camera));
 }
 
 void AirbrushTool::set_airbrush(const Airbrush& airbrush) {
   airbrush_ = airbrush;
-  airbrush_.radius = std::clamp(airbrush.radius, domain::length.least, domain::length.greatest);
-  airbrush_.density = std::clamp(airbrush.density, domain::density.least, domain::density.greatest);
   Q_EMIT options_changed();
 }
 
-void AirbrushTool::set_plane(PaintPlane plane) {
-  plane_ = plane;
-  Q_EMIT options_changed();
+void AirbrushTool::set_gaussian(double radius, double density) {
+  airbrush_.radius = radius;
+  airbrush_.density = density;
 }
 
 void AirbrushTool::set_inside(bool inside) {
@@ -52,62 +56,42 @@ QString AirbrushTool::hint() const {
 }
 
 void AirbrushTool::add_options(QHBoxLayout& row) {
-  using Scale = ValueField::Scale;
   const auto add = [&](const QString& title, const char* name, const NumberDomain& domain,
-                       Scale scale, double field_step, double Airbrush::*number) {
+                       double Airbrush::*number) {
     add_number(
-        row, *this, {title, name, domain, scale, field_step},
+        row, *this, {title, name, domain, ValueField::Scale::logarithmic, 0.01},
         [this, number] { return airbrush_.*number; },
         [this, number](double value) {
           airbrush_.*number = value;
           Q_EMIT options_changed();
         });
   };
-  add(tr("Radius"), "air_radius", domain::length, Scale::logarithmic, 0.01, &Airbrush::radius);
-  add(tr("Density"), "air_density", domain::density, Scale::logarithmic, 0.01, &Airbrush::density);
-  add(tr("Rate"), "air_rate", rate_domain, Scale::logarithmic, 0.01, &Airbrush::rate);
-  add(tr("Speed"), "air_speed", domain::not_negative, Scale::logarithmic, 0.01, &Airbrush::speed);
-  add_number(
-      row, *this, {tr("Seed"), "air_seed", seed_domain, Scale::linear, 1.0},
-      [this] { return static_cast<double>(seed_); },
-      [this](double value) {
-        seed_ = static_cast<int>(std::round(value));
-        Q_EMIT options_changed();
-      });
-  add_choice(
-      row, *this, {tr("On"), "air_plane"}, {tr("View plane"), tr("Ground"), tr("Surfaces")},
-      [this] { return static_cast<int>(plane_); },
-      [this](int index) { set_plane(static_cast<PaintPlane>(index)); });
+  add_gaussian_options(row, "air");
+  add(tr("Rate"), "air_rate", rate_domain, &Airbrush::rate);
+  add(tr("Speed"), "air_speed", domain::not_negative, &Airbrush::speed);
+  add_place_options(row, "air");
   add_choice(
       row, *this, {{}, "air_side"}, {tr("Outside"), tr("Inside")},
       [this] { return inside_ ? 1 : 0; }, [this](int index) { set_inside(index == 1); });
 }
 
-void AirbrushTool::change_size(double factor) {
-  Airbrush airbrush = airbrush_;
-  airbrush.radius *= factor;
-  set_airbrush(airbrush);
-}
-
-void AirbrushTool::change_strength(double factor) {
-  Airbrush airbrush = airbrush_;
-  airbrush.density *= factor;
-  set_airbrush(airbrush);
-}
-
 void AirbrushTool::begin_stroke(QPointF position) {
-  spray_.emplace(airbrush_, static_cast<std::uint64_t>(seed_) * 0x9e3779b97f4a7c15U +
-                                document_.medium().next_id());
-  nozzle_.reset();
+  spray_.emplace(airbrush_, stroke_seed());
   ids_.clear();
-  extend_stroke(position);
+  nozzle_ = paint_at(position);
   steps_ = 0;
-  clock_.start();
+  begun_ = clock_();
   timer_.start();
 }
 
 void AirbrushTool::extend_stroke(QPointF position) {
+  spray();  // what is due from where the nozzle was
   nozzle_ = paint_at(position);
+}
+
+void AirbrushTool::release(QPointF position) {
+  if (gesture_.is_running()) spray();
+  FogBrushTool::release(position);
 }
 
 void AirbrushTool::end_stroke() {
@@ -115,9 +99,10 @@ void AirbrushTool::end_stroke() {
 }
 
 void AirbrushTool::spray() {
-  const auto due = static_cast<qint64>(1e-3 * static_cast<double>(clock_.elapsed()) / step);
-  const auto missed = std::min<qint64>(due - steps_, most_steps);
+  const qint64 due = (clock_() - begun_) * steps_per_second / 1000;
+  const qint64 missed = std::min(due - steps_, most_steps);
   steps_ = due;
+  if (missed <= 0) return;
   if (!nozzle_) return;
   const glm::dvec3 direction = inside_ ? -nozzle_->normal : nozzle_->normal;
   // Off the surface, on the side that is sprayed.
@@ -128,7 +113,9 @@ void AirbrushTool::spray() {
     if (!hit) return std::nullopt;
     return Obstacle{glm::distance(hit->position, origin), hit->normal};
   };
-  for (qint64 k = 0; k < missed; ++k) spray_->advance(step, from, direction, obstacle);
+  for (qint64 k = 0; k < missed; ++k) {
+    spray_->advance(1.0 / steps_per_second, from, direction, obstacle);
+  }
   std::vector<Gaussian> gaussians = spray_->frozen();
   for (Gaussian& gaussian : gaussians) gaussian = within_domains(gaussian);
   const std::span<const Gaussian> all(gaussians);
@@ -139,14 +126,12 @@ void AirbrushTool::spray() {
   gesture_.apply(std::move(edit), tr("Spray %1").arg(gaussians_text(gaussians.size())));
 }
 
-void AirbrushTool::fit_to_view() {
+void AirbrushTool::fit_to(double distance) {
   Airbrush airbrush = airbrush_;
-  const auto rounded = [](double value) { return QString::number(value, 'g', 2).toDouble(); };
-  const double distance = target_distance(document_.scene().camera);
-  airbrush.radius = rounded(0.04 * distance);
-  airbrush.density = rounded(0.3 / (std::sqrt(std::numbers::pi) * airbrush.radius));
-  airbrush.speed = rounded(0.2 * distance);
-  airbrush.wander = rounded(0.1 * distance);
+  airbrush.radius = two_digits(0.04 * distance);
+  airbrush.density = two_digits(0.3 / (std::sqrt(std::numbers::pi) * airbrush.radius));
+  airbrush.speed = two_digits(0.2 * distance);
+  airbrush.wander = two_digits(0.1 * distance);
   set_airbrush(airbrush);
 }
 

@@ -1,47 +1,49 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QTimer>
+#include <functional>
 
-#include "app/tools/brush_tool.h"
+#include "app/tools/fog_brush_tool.h"
 #include "core/authoring/airbrush.h"
 
 namespace brume {
 
-// Sprays particles while the button is down; when it is released they stay where they are.
-class AirbrushTool : public BrushTool {
+// Sprays particles while the button is down; when it is released they stay where they are. Time
+// goes in steps of one length: what comes out depends on when, by the clock, the mouse was where,
+// and not on how often pictures came.
+class AirbrushTool : public FogBrushTool {
   Q_OBJECT
  public:
-  AirbrushTool(Document& document, Viewport& viewport);
+  AirbrushTool(Document& document, Viewport& view);
 
   [[nodiscard]] const Airbrush& airbrush() const { return airbrush_; }
   void set_airbrush(const Airbrush& airbrush);
-  void set_plane(PaintPlane plane);
   // Whether the fog goes behind the surface that is painted on: into a closed mesh.
   void set_inside(bool inside);
+  // Milliseconds that never go back; a replay has its own.
+  void set_clock(std::function<qint64()> clock) { clock_ = std::move(clock); }
 
   [[nodiscard]] QString hint() const override;
   void add_options(QHBoxLayout& row) override;
-  void change_size(double factor) override;
-  void change_strength(double factor) override;
+  void release(QPointF position) override;
 
  protected:
-  [[nodiscard]] double cursor_radius() const override { return airbrush_.radius; }
-  [[nodiscard]] PaintPlane plane() const override { return plane_; }
+  [[nodiscard]] double radius() const override { return airbrush_.radius; }
+  [[nodiscard]] double density() const override { return airbrush_.density; }
+  void set_gaussian(double radius, double density) override;
+  void fit_to(double distance) override;
   void begin_stroke(QPointF position) override;
   void extend_stroke(QPointF position) override;
   void end_stroke() override;
 
  private:
   void spray();  // as far as time has gone
-  void fit_to_view();
 
   Airbrush airbrush_;
-  PaintPlane plane_ = PaintPlane::view;
   bool inside_ = false;
-  int seed_ = 1;
   QTimer timer_;
-  QElapsedTimer clock_;
+  std::function<qint64()> clock_;
+  qint64 begun_ = 0;  // by the clock
   qint64 steps_ = 0;  // of time that have been sprayed
   std::optional<Spray> spray_;
   std::optional<PaintPoint> nozzle_;

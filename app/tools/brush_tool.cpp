@@ -5,8 +5,8 @@
 
 namespace brume {
 
-BrushTool::BrushTool(Document& document, Viewport& viewport)
-    : Tool(document, viewport), gesture_(document) {
+BrushTool::BrushTool(Document& document, Viewport& view)
+    : Tool(document, view), gesture_(document) {
   connect(this, &Tool::options_changed, this, &Tool::looks_changed);
 }
 
@@ -56,7 +56,7 @@ void BrushTool::medium_changed() {
 
 std::optional<PaintPoint> BrushTool::paint_at(QPointF position) const {
   const glm::dvec3 pivot = gesture_.is_running() ? pivot_ : view().pivot();
-  return paint_point(plane(), pivot, view().rays(), position, view().surfaces());
+  return paint_point(target(), pivot, view().rays(), position, view().surfaces());
 }
 
 void BrushTool::draw(Overlay& overlay, const CameraRays& rays) const {

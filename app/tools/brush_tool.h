@@ -13,7 +13,7 @@ namespace brume {
 class BrushTool : public Tool {
   Q_OBJECT
  public:
-  BrushTool(Document& document, Viewport& viewport);
+  BrushTool(Document& document, Viewport& view);
 
   void hover(QPointF position) override;
   void leave() override;
@@ -32,7 +32,7 @@ class BrushTool : public Tool {
  protected:
   // Of the cursor's ball at the point where it paints [u].
   [[nodiscard]] virtual double cursor_radius() const = 0;
-  [[nodiscard]] virtual PaintPlane plane() const = 0;
+  [[nodiscard]] virtual PaintTarget target() const = 0;
   virtual void begin_stroke(QPointF position) = 0;
   virtual void extend_stroke(QPointF position) = 0;
   virtual void end_stroke() {}  // however it ended

@@ -26,14 +26,13 @@ QString EmitterTool::hint() const {
 }
 
 void EmitterTool::add_options(QHBoxLayout& row) {
-  add_choice(
-      row, *this, {tr("On"), "emitter_plane"}, {tr("View plane"), tr("Ground"), tr("Surfaces")},
-      [this] { return static_cast<int>(plane_); },
-      [this](int index) { set_plane(static_cast<PaintPlane>(index)); });
+  add_target(
+      row, *this, "emitter", [this] { return target_; },
+      [this](const PaintTarget& target) { set_target(target); });
 }
 
-void EmitterTool::set_plane(PaintPlane plane) {
-  plane_ = plane;
+void EmitterTool::set_target(const PaintTarget& target) {
+  target_ = target;
   Q_EMIT options_changed();
 }
 
@@ -60,7 +59,7 @@ void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
     return;
   }
   const auto point =
-      paint_point(plane_, view().pivot(), view().rays(), position, view().surfaces());
+      paint_point(target_, view().pivot(), view().rays(), position, view().surfaces());
   if (!point) return;
   add_emitter(document_, point->position, view().distance());
   document_.set_active_emitter(document_.scene().emitters.size() - 1);

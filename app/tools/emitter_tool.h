@@ -17,7 +17,7 @@ class EmitterTool : public Tool {
 
   [[nodiscard]] QString hint() const override;
   void add_options(QHBoxLayout& row) override;
-  void set_plane(PaintPlane plane);
+  void set_target(const PaintTarget& target);
   void hover(QPointF position) override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
   void move(QPointF position) override;
@@ -37,7 +37,7 @@ class EmitterTool : public Tool {
   };
   [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
 
-  PaintPlane plane_ = PaintPlane::view;
+  PaintTarget target_;
   std::optional<std::size_t> hovered_;
   std::optional<DragState> drag_;
 };

@@ -21,7 +21,7 @@ class EraserTool : public BrushTool {
 
  protected:
   [[nodiscard]] double cursor_radius() const override;
-  [[nodiscard]] PaintPlane plane() const override { return PaintPlane::view; }
+  [[nodiscard]] PaintTarget target() const override { return {}; }
   void begin_stroke(QPointF position) override;
   void extend_stroke(QPointF position) override;
 

@@ -6,8 +6,8 @@
 
 namespace brume {
 
-void add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
-                const std::function<double()>& get, const std::function<void(double)>& set) {
+ValueField* add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
+                       const std::function<double()>& get, const std::function<void(double)>& set) {
   auto* field = new ValueField(option.title, option.domain, option.scale, option.step);
   field->setObjectName(option.name);
   field->setMaximumWidth(130);
@@ -17,6 +17,7 @@ void add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
   QObject::connect(field, &ValueField::refused, &tool, &Tool::refused);
   QObject::connect(&tool, &Tool::options_changed, field,
                    [field, get] { field->show_value(get()); });
+  return field;
 }
 
 void add_choice(QHBoxLayout& row, Tool& tool, const ChoiceOption& option,
@@ -30,6 +31,29 @@ void add_choice(QHBoxLayout& row, Tool& tool, const ChoiceOption& option,
   row.addWidget(box);
   QObject::connect(box, &QComboBox::activated, box, set);
   QObject::connect(&tool, &Tool::options_changed, box, [box, get] { box->setCurrentIndex(get()); });
+}
+
+void add_target(QHBoxLayout& row, Tool& tool, const QString& prefix,
+                const std::function<PaintTarget()>& get,
+                const std::function<void(const PaintTarget&)>& set) {
+  add_choice(
+      row, tool, {Tool::tr("On"), prefix + "_plane"},
+      {Tool::tr("View plane"), Tool::tr("Ground, y"), Tool::tr("Wall, x"), Tool::tr("Wall, z"),
+       Tool::tr("Surfaces")},
+      [get] { return static_cast<int>(get().plane); },
+      [get, set](int index) {
+        set({static_cast<PaintPlane>(index), get().position});
+      });
+  ValueField* at = add_number(
+      row, tool,
+      {Tool::tr("at"), prefix + "_position", domain::coordinate, ValueField::Scale::linear, 0.01},
+      [get] { return get().position; },
+      [get, set](double value) {
+        set({get().plane, value});
+      });
+  const auto show = [at, get] { at->setVisible(get().has_position()); };
+  QObject::connect(&tool, &Tool::options_changed, at, show);
+  show();
 }
 
 }  // namespace brume

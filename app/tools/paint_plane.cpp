@@ -22,15 +22,22 @@ std::optional<PaintPoint> on_plane(const glm::dvec3& through, const glm::dvec3& 
 
 }  // namespace
 
-std::optional<PaintPoint> paint_point(PaintPlane plane, const glm::dvec3& pivot,
+std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec3& pivot,
                                       const CameraRays& rays, QPointF position,
                                       SurfacePicker& surfaces) {
   const glm::dvec3 direction = rays.direction(position.x(), position.y());
-  switch (plane) {
+  const auto across_axis = [&](const glm::dvec3& axis) {
+    return on_plane(target.position * axis, axis, rays, direction);
+  };
+  switch (target.plane) {
     case PaintPlane::view:
       return on_plane(pivot, -rays.forward(), rays, direction);
     case PaintPlane::ground:
-      return on_plane(glm::dvec3(0.0), {0.0, 1.0, 0.0}, rays, direction);
+      return across_axis({0.0, 1.0, 0.0});
+    case PaintPlane::wall_x:
+      return across_axis({1.0, 0.0, 0.0});
+    case PaintPlane::wall_z:
+      return across_axis({0.0, 0.0, 1.0});
     case PaintPlane::surface:
       if (const auto hit = surfaces.hit(rays.eye(), direction)) {
         return PaintPoint{hit->position, hit->normal};

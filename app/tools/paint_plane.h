@@ -11,9 +11,18 @@ namespace brume {
 class SurfacePicker;
 struct Overlay;
 
-// Where a brush paints: on the plane across the view through a pivot, on the ground (y = 0), or on
-// the surfaces of the scene.
-enum class PaintPlane { view, ground, surface };
+// Where a brush paints: on the plane across the view through a pivot, on one across an axis of the
+// world (the ground across y, walls across x and z), or on the surfaces of the scene.
+enum class PaintPlane { view, ground, wall_x, wall_z, surface };
+
+struct PaintTarget {
+  PaintPlane plane = PaintPlane::view;
+  double position = 0.0;  // of ground and walls, along their axis [u]
+
+  [[nodiscard]] bool has_position() const {
+    return plane != PaintPlane::view && plane != PaintPlane::surface;
+  }
+};
 
 struct PaintPoint {
   glm::dvec3 position{0.0};
@@ -21,7 +30,7 @@ struct PaintPoint {
 };
 
 // nullopt where the position looks past the plane or the surfaces.
-std::optional<PaintPoint> paint_point(PaintPlane plane, const glm::dvec3& pivot,
+std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec3& pivot,
                                       const CameraRays& rays, QPointF position,
                                       SurfacePicker& surfaces);
 

@@ -1,40 +1,32 @@
 #pragma once
 
-#include "app/tools/brush_tool.h"
+#include "app/tools/fog_brush_tool.h"
 #include "core/authoring/paintbrush.h"
 
 namespace brume {
 
 // Paints Gaussians along a stroke.
-class PaintbrushTool : public BrushTool {
+class PaintbrushTool : public FogBrushTool {
   Q_OBJECT
  public:
-  PaintbrushTool(Document& document, Viewport& viewport);
+  PaintbrushTool(Document& document, Viewport& view);
 
   [[nodiscard]] const Paintbrush& brush() const { return brush_; }
   void set_brush(const Paintbrush& brush);
-  void set_plane(PaintPlane plane);
 
   [[nodiscard]] QString hint() const override;
   void add_options(QHBoxLayout& row) override;
-  void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
-  [[nodiscard]] bool takes_alt() const override { return true; }
-  void change_size(double factor) override;
-  void change_strength(double factor) override;
 
  protected:
-  [[nodiscard]] double cursor_radius() const override { return brush_.radius; }
-  [[nodiscard]] PaintPlane plane() const override { return plane_; }
+  [[nodiscard]] double radius() const override { return brush_.radius; }
+  [[nodiscard]] double density() const override { return brush_.density; }
+  void set_gaussian(double radius, double density) override;
+  void fit_to(double distance) override;
   void begin_stroke(QPointF position) override;
   void extend_stroke(QPointF position) override;
 
  private:
-  void pick(QPointF position);  // radius and density of the Gaussian seen there
-  void fit_to_view();           // a radius that suits the size of another scene
-
   Paintbrush brush_;
-  PaintPlane plane_ = PaintPlane::view;
-  int seed_ = 1;
   std::optional<PaintStroke> stroke_;
 };
 

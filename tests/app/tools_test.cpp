@@ -1,5 +1,6 @@
 // The tools that paint and erase, with a mouse and a keyboard.
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolBar>
@@ -203,6 +204,39 @@ class ToolsTest : public QObject {
     window.drag(QPoint(200, 5), QPoint(350, 5));  // above the horizon there is no ground
     QCOMPARE(medium.size(), painted);
     QCOMPARE(window->document().undo_stack().count(), 1);
+  }
+
+  void a_plane_stands_where_the_user_wants_it() {
+    TestWindow window;
+    window.key(Qt::Key_B);
+    PaintbrushTool& tool = ::tool<PaintbrushTool>(window);
+    tool.set_brush({.radius = 0.2, .density = 1.0, .spacing = 1.0, .scatter = 0.0});
+    auto* box = window->findChild<QComboBox*>("brush_plane");
+    auto* at = window->findChild<ValueField*>("brush_position");
+    QVERIFY(!at->isVisible());
+    const auto paint_at = [&](PaintPlane plane, const char* position) {
+      box->setCurrentIndex(static_cast<int>(plane));
+      Q_EMIT box->activated(static_cast<int>(plane));
+      QVERIFY(at->isVisible());
+      auto* field = at->findChild<NumberField*>();
+      field->setFocus();
+      QTest::keyClicks(field, position);
+      QTest::keyClick(field, Qt::Key_Return);
+      const int low = window->viewport().height() - 20;
+      window.drag(QPoint(300, low), QPoint(400, low - 10));
+    };
+    const Medium& medium = window->document().medium();
+    const auto check = [&](std::size_t first, int axis, double position) {
+      QVERIFY(medium.size() > first);
+      for (std::size_t k = first; k < medium.size(); ++k) {
+        QVERIFY(std::abs(medium.centers()[k][axis] - position) < 1e-9);
+      }
+    };
+    paint_at(PaintPlane::wall_z, "-1.5");
+    check(5, 2, -1.5);
+    const std::size_t painted = medium.size();
+    paint_at(PaintPlane::ground, "-2.25");
+    check(painted, 1, -2.25);
   }
 
   void brackets_and_alt_set_the_brush() {
