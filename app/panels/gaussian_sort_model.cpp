@@ -27,23 +27,28 @@ std::optional<int> GaussianSortModel::row(GaussianId id) const {
   return mapped.isValid() ? std::optional(mapped.row()) : std::nullopt;
 }
 
-std::optional<Gaussian> GaussianSortModel::gaussian(int source_row) const {
-  const auto at = document_.medium().index_of(rows_.id(source_row));
-  return at ? std::optional(document_.medium().gaussian(*at)) : std::nullopt;
+std::optional<std::size_t> GaussianSortModel::index_of(int source_row) const {
+  const GaussianId id = rows_.id(source_row);
+  const auto ids = document_.medium().ids();
+  // Nearly always rows are as in the medium.
+  const auto same = static_cast<std::size_t>(source_row);
+  if (same < ids.size() && ids[same] == id) return same;
+  return document_.medium().index_of(id);
 }
 
 bool GaussianSortModel::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
   if (filter_.is_empty()) return true;
-  const auto found = gaussian(row);
-  return !found || filter_.passes(*found);
+  const auto index = index_of(row);
+  return !index || filter_.passes(document_.medium().gaussian(*index));
 }
 
 bool GaussianSortModel::lessThan(const QModelIndex& left, const QModelIndex& right) const {
-  const auto a = gaussian(left.row());
-  const auto b = gaussian(right.row());
-  const GaussianField field = gaussian_fields[static_cast<std::size_t>(left.column())];
+  const auto a = index_of(left.row());
+  const auto b = index_of(right.row());
   if (!a || !b) return b.has_value();
-  return field_value(*a, field) < field_value(*b, field);
+  const Medium& medium = document_.medium();
+  const GaussianField field = gaussian_fields[static_cast<std::size_t>(left.column())];
+  return field_value(medium.gaussian(*a), field) < field_value(medium.gaussian(*b), field);
 }
 
 }  // namespace brume

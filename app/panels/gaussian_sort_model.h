@@ -27,8 +27,8 @@ class GaussianSortModel : public QSortFilterProxyModel {
   [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
-  // nullopt while the medium is ahead of the table; it will be told.
-  [[nodiscard]] std::optional<Gaussian> gaussian(int source_row) const;
+  // In the medium; nullopt where that is ahead of the table, which is yet to be told.
+  [[nodiscard]] std::optional<std::size_t> index_of(int source_row) const;
 
   const Document& document_;
   GaussianTableModel& rows_;

@@ -66,8 +66,21 @@ void GaussianTableModel::announce_changes(const MediumEdit& edit) {
   for (const auto& change : edit.changed()) rows.push_back(*row(change.id));
   std::vector<Run> runs = runs_of(rows);
   if (runs.size() > max_runs) runs = {{runs.front().first, runs.back().last}};
+  // Only the columns that changed: a view that is sorted by another one need not sort anew.
+  std::array<bool, gaussian_fields.size()> changed{};
+  for (const auto& change : edit.changed()) {
+    for (std::size_t k = 0; k < changed.size(); ++k) {
+      const GaussianField field = gaussian_fields[k];
+      changed[k] =
+          changed[k] || field_value(change.before, field) != field_value(change.after, field);
+    }
+  }
   for (const Run& run : runs) {
-    Q_EMIT dataChanged(index(run.first, 0), index(run.last, columnCount() - 1));
+    for (int k = 0; k < columnCount(); ++k) {
+      if (changed[static_cast<std::size_t>(k)]) {
+        Q_EMIT dataChanged(index(run.first, k), index(run.last, k));
+      }
+    }
   }
 }
 

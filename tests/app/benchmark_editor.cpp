@@ -1,0 +1,211 @@
+// Main-thread time of what designers do all the time, at 10,000 and 100,000 Gaussians: no display
+// needed (QT_QPA_PLATFORM=offscreen). Prints milliseconds of CPU time of the main thread, from an
+// event until everything that follows from it in that thread is done, painting included; frames are
+// rendered in other threads.
+
+#include <QAbstractScrollArea>
+#include <QScrollBar>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+#include "app/application.h"
+#include "app/commands/edit_medium.h"
+#include "app/commands/select_command.h"
+#include "app/document/paths.h"
+#include "app/panels/gaussian_panel.h"
+#include "app/scene_files.h"
+#include "app/scene_load.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+#include "tests/random.h"
+
+using namespace brume;
+
+namespace {
+
+// CPU time, since the machine may be busy with other things.
+double thread_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+// Knows the longest time that one event held up the others.
+class MeteredApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (depth_++ > 0) {
+      const bool result = QApplication::notify(receiver, event);
+      --depth_;
+      return result;
+    }
+    const double start = thread_milliseconds();
+    const QString name = receiver->metaObject()->className();
+    const bool result = QApplication::notify(receiver, event);
+    const double taken = thread_milliseconds() - start;
+    --depth_;
+    hear(taken, name);
+    return result;
+  }
+
+  void hear(double milliseconds, const QString& from) {
+    if (milliseconds <= longest) return;
+    longest = milliseconds;
+    whose = from;
+  }
+
+  double longest = 0.0;
+  QString whose;
+
+ private:
+  int depth_ = 0;
+};
+
+Scene cloud(int count) {
+  Scene scene = small_scene();
+  scene.medium = {};
+  Random random(1);
+  for (int k = 0; k < count; ++k) {
+    const glm::dvec3 center = random.point(1.8);
+    const double radius = random.uniform(0.01, 0.04);
+    scene.medium.append({center, radius, random.uniform(0.1, 2.0)});
+  }
+  return scene;
+}
+
+class Benchmark {
+ public:
+  explicit Benchmark(MeteredApplication& application) : application_(application) {}
+
+  void run(int count) {
+    std::printf("\n%d Gaussians%*s median    worst    longest block\n", count, 12, "");
+    save_scene(cloud(count), to_path(folder_.filePath("cloud.brume")));
+    MainWindow window;
+    window.resize(1280, 800);
+    window.show();
+    begin();
+    window.files().open_file(to_path(folder_.filePath("cloud.brume")));
+    while (window.files().loading().is_running()) QTest::qWait(5);
+    QTest::qWait(1500);
+    report("open (from the file to the first frames)");
+
+    Viewport& view = window.viewport();
+    Document& document = window.document();
+    const auto position = [&](int k) {
+      return QPoint(view.width() / 4 + 11 * k, view.height() / 2 + (k % 5) * 9);
+    };
+    measure("pick: what is under the mouse", 20,
+            [&](int k) { QTest::mouseMove(&view, position(k)); });
+    measure("pick: click that selects", 10,
+            [&](int k) { QTest::mouseClick(&view, Qt::LeftButton, {}, position(k)); });
+    auto* table = window.findChild<GaussianPanel*>()->table();
+    QScrollBar* bar = table->verticalScrollBar();
+    measure("scroll the table", 40, [&](int k) { bar->setValue(bar->maximum() / 40 * k); });
+    measure("inspector: select 1000 others", 10, [&](int k) {
+      std::vector<GaussianId> ids;
+      for (int i = 0; i < 1000; ++i) {
+        const auto at = static_cast<std::size_t>((k * 37 + i * 7) % count);
+        ids.push_back(document.medium().ids()[at]);
+      }
+      select_gaussians(document, ids);
+    });
+    measure("inspector: select all, then none", 6,
+            [&](int k) { k % 2 == 0 ? select_all(document) : select_gaussians(document, {}); });
+    select_all(document);
+    settle();
+    measure("set the radius of all", 3, [&](int k) {
+      set_field(document, document.selection(), GaussianField::radius, 0.02 + 0.001 * k);
+    });
+    measure("undo that", 3, [&](int) { document.undo_stack().undo(); });
+    select_gaussians(document, {});
+    table->sortByColumn(3, Qt::AscendingOrder);
+    settle();
+    stroke(window, "paintbrush", "paintbrush: a step of a stroke");
+    measure("undo the stroke", 1, [&](int) { document.undo_stack().undo(); });
+    stroke(window, "eraser", "eraser: a step of a stroke");
+    measure("undo the stroke", 1, [&](int) { document.undo_stack().undo(); });
+    measure("sort the table by a column", 2,
+            [&](int k) { table->sortByColumn(k, Qt::AscendingOrder); });
+    window.document().undo_stack().clear();
+  }
+
+ private:
+  void stroke(MainWindow& window, const char* name, const char* title) {
+    ToolBox& tools = window.tools();
+    for (std::size_t k = 0; k < tools.entries().size(); ++k) {
+      if (tools.entries()[k].name == name) tools.activate(k);
+    }
+    Viewport& view = window.viewport();
+    const QPoint start = view.rect().center() - QPoint(100, 0);
+    QTest::mousePress(&view, Qt::LeftButton, {}, start);
+    settle();
+    measure(title, 20, [&](int k) {
+      const QPointF at = start + QPoint(10 * k, 4 * (k % 3));
+      QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                       {});
+      QApplication::sendEvent(&view, &move);
+    });
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, start);
+    settle();
+    tools.activate(0);
+  }
+
+  // Until what has come so far is worked off.
+  void settle() {
+    for (int k = 0; k < 3; ++k) QTest::qWait(20);
+  }
+
+  void begin() {
+    settle();
+    application_.longest = 0.0;
+    times_.clear();
+  }
+
+  template <class Act>
+  void measure(const char* title, int times, Act act) {
+    begin();
+    for (int k = 0; k < times; ++k) {
+      const double start = thread_milliseconds();
+      act(k);
+      application_.hear(thread_milliseconds() - start, "the act itself");
+      QTest::qWait(30);
+      times_.push_back(thread_milliseconds() - start);
+    }
+    report(title);
+  }
+
+  void report(const char* title) {
+    std::sort(times_.begin(), times_.end());
+    if (times_.empty()) {
+      std::printf("  %-40s                  ", title);
+    } else {
+      std::printf("  %-40s %7.1f  %7.1f  ", title, times_[times_.size() / 2], times_.back());
+    }
+    std::printf("%7.1f  %s\n", application_.longest, qPrintable(application_.whose));
+    std::fflush(stdout);
+  }
+
+  MeteredApplication& application_;
+  QTemporaryDir folder_;
+  std::vector<double> times_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const QTemporaryDir settings;
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
+    qputenv(name, settings.path().toUtf8());
+  }
+  MeteredApplication application(argc, argv);
+  set_up_application(application);
+  std::printf("CPU time of the main thread [ms]\n");
+  Benchmark benchmark(application);
+  for (const int count : {10'000, 100'000}) benchmark.run(count);
+  return 0;
+}
