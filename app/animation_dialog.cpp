@@ -15,6 +15,7 @@
 #include "app/frame_export.h"
 #include "app/timeline.h"
 #include "app/video_file.h"
+#include "core/io/file_bytes.h"
 
 namespace brume {
 

@@ -6,6 +6,7 @@
 #include "app/frame_source.h"
 #include "app/video_file.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
 
 namespace brume {
 namespace {
