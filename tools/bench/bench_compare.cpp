@@ -41,8 +41,10 @@ void compare(const std::string& what, const Json& before, const Json& after,
 }
 
 void compare_scenes(const Json& before, const Json& after, std::vector<std::string>& lines) {
+  const Json& old_scenes = before.at("scenes");
+  const Json& old_rows = before.at("table_one");
   for (const Json& scene : after.at("scenes")) {
-    for (const Json& old : before.at("scenes")) {
+    for (const Json& old : old_scenes) {
       if (old.at("name") != scene.at("name") || old.at("size") != scene.at("size")) continue;
       for (const Json& setting : scene.at("settings")) {
         for (const Json& known : old.at("settings")) {
@@ -55,7 +57,7 @@ void compare_scenes(const Json& before, const Json& after, std::vector<std::stri
     }
   }
   for (const Json& row : after.at("table_one")) {
-    for (const Json& old : before.at("table_one")) {
+    for (const Json& old : old_rows) {
       if (old.at("name") != row.at("name")) continue;
       compare("Table 1, " + row.at("name").get<std::string>(), old, row, lines);
     }
