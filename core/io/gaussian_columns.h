@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 #include "core/io/number_domain.h"
@@ -16,6 +17,14 @@ inline constexpr std::array<const NumberDomain*, 5> domains{
 // What other programs call them: Houdini, CloudCompare. Read, never written.
 inline constexpr std::array<std::array<std::string_view, 2>, 5> other_names{
     {{}, {}, {}, {"pscale", "scalar_radius"}, {"scalar_density", ""}}};
+
+// Gaussians of a sequence keep this number from frame to frame; whole.
+inline constexpr std::string_view id_name = "id";
+inline constexpr NumberDomain id_domain{0.0, 4294967295.0, "a whole number from 0 to 4294967295"};
+constexpr bool is_id(double value) {
+  return id_domain.contains(value) &&
+         value == static_cast<double>(static_cast<std::uint32_t>(value));
+}
 
 // find(name) for the name of number i, then for its other names, until that gives a value.
 template <class Find>

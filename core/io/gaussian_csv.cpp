@@ -57,11 +57,15 @@ std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
 
 }  // namespace
 
-std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file) {
+std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids) {
   const std::string bytes = read_bytes(file);
   TextScanner text(bytes);
   if (!text.next_line()) throw InputError(file, "", "the file is empty");
-  const std::array<std::size_t, 5> columns = find_columns(file, cells(text.rest_of_line()));
+  const std::vector<std::string_view> header = cells(text.rest_of_line());
+  const std::array<std::size_t, 5> columns = find_columns(file, header);
+  const auto id_column = static_cast<std::size_t>(
+      std::find(header.begin(), header.end(), gaussian_columns::id_name) - header.begin());
   std::vector<Gaussian> gaussians;
   while (text.next_line()) {
     const std::vector<std::string_view> row = cells(text.rest_of_line());
@@ -85,24 +89,35 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file) {
                        "found more than " + std::to_string(limits::gaussians) + " Gaussians");
     }
     gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
+    if (!ids || id_column == header.size()) continue;
+    const auto id = id_column < row.size() ? parse_number(row[id_column]) : std::nullopt;
+    if (!id || !gaussian_columns::is_id(*id)) {
+      throw InputError(file, text.place() + ", id",
+                       (id ? "found " + shown(row[id_column]) : std::string("no number")) +
+                           "; allowed: " + gaussian_columns::id_domain.allowed);
+    }
+    ids->push_back(static_cast<GaussianNumber>(*id));
   }
   return gaussians;
 }
 
-void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians) {
-  std::string text = "x,y,z,radius,density\n";
-  const auto append = [&](double value, char after) {
+void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids) {
+  std::string text = ids.empty() ? "x,y,z,radius,density\n" : "x,y,z,radius,density,id\n";
+  const auto append = [&](auto value, char after) {
     std::array<char, 32> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     text.append(digits.data(), end);
     text += after;
   };
-  for (const Gaussian& g : gaussians) {
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    const Gaussian& g = gaussians[i];
     append(g.center.x, ',');
     append(g.center.y, ',');
     append(g.center.z, ',');
     append(g.radius, ',');
-    append(g.density, '\n');
+    append(g.density, ids.empty() ? '\n' : ',');
+    if (!ids.empty()) append(ids[i], '\n');
   }
   write_atomically(file, text);
 }

@@ -11,9 +11,11 @@ namespace brume {
 // Gaussians as a table of comma-separated values: the first line names the columns, among them x,
 // y, z, radius and density (or as other programs call them: gaussian_columns.h) in any order;
 // others are skipped, and so are empty lines. Throws InputError naming file and line.
-std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file);
+std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids = nullptr);
 
 // Writes x,y,z,radius,density with the fewest digits that read back the same.
-void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians);
+void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids = {});
 
 }  // namespace brume

@@ -9,10 +9,13 @@
 namespace brume {
 
 // Gaussians in a file of either format (gaussian_ply.h, gaussian_csv.h), told by its first bytes.
-// Throws InputError naming file and place.
-std::vector<Gaussian> read_gaussians(const std::filesystem::path& file);
+// Throws InputError naming file and place. `ids` gets what Gaussians of a sequence keep from frame
+// to frame, where the file has it.
+std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
+                                     std::vector<GaussianNumber>* ids = nullptr);
 
 // As a table where the file is called .csv, else as PLY: what is read back is the same.
-void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians);
+void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                     std::span<const GaussianNumber> ids = {});
 
 }  // namespace brume

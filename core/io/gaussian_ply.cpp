@@ -24,9 +24,10 @@ namespace {
 using gaussian_columns::domains;
 using gaussian_columns::names;
 
-void append_little_endian(std::string& bytes, double value) {
-  std::array<char, sizeof(double)> raw;
-  std::memcpy(raw.data(), &value, sizeof(double));
+template <class T>
+void append_little_endian(std::string& bytes, T value) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), &value, sizeof(T));
   if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
   bytes.append(raw.data(), raw.size());
 }
@@ -83,7 +84,8 @@ ToNumbers from_points(const std::filesystem::path& file, const PlyFile::Element&
 
 }  // namespace
 
-std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file) {
+std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids) {
   const std::string bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
@@ -95,6 +97,7 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file) {
   }
   const auto splats = from_splats(*vertices);
   const ToNumbers to_numbers = splats ? *splats : from_points(file, *vertices);
+  const auto id = columns<1>(*vertices, {gaussian_columns::id_name});
   std::vector<Gaussian> gaussians;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
@@ -107,20 +110,31 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file) {
           }
         }
         gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
+        if (!ids || !id) return;
+        const double number = row.scalars[(*id)[0]];
+        if (!gaussian_columns::is_id(number)) {
+          throw InputError(file, "vertex " + std::to_string(index),
+                           "id: " + gaussian_columns::id_domain.refusal(number));
+        }
+        ids->push_back(static_cast<GaussianNumber>(number));
       });
   return gaussians;
 }
 
-void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians) {
+void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Gaussians of a Brume medium\n";
   bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
   for (const std::string_view name : names) bytes += "property double " + std::string(name) + "\n";
+  if (!ids.empty()) bytes += "property uint " + std::string(gaussian_columns::id_name) + "\n";
   bytes += "end_header\n";
   bytes.reserve(bytes.size() + gaussians.size() * names.size() * sizeof(double));
-  for (const Gaussian& g : gaussians) {
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    const Gaussian& g = gaussians[i];
     for (const double value : {g.center.x, g.center.y, g.center.z, g.radius, g.density}) {
       append_little_endian(bytes, value);
     }
+    if (!ids.empty()) append_little_endian(bytes, ids[i]);
   }
   write_atomically(file, bytes);
 }

@@ -14,9 +14,14 @@ namespace brume {
 // becomes the ball of its volume, radius = sqrt(2) (s_0 s_1 s_2)^(1/3), which is as opaque across
 // its middle: density = -ln(1 - o) / (sqrt(pi) radius). How it is turned (rot_0 to rot_3) is then
 // of no matter; colours are skipped. Throws InputError naming file and vertex.
-std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file);
+//
+// `ids` gets the numbers of the property id, where there is one.
+std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids = nullptr);
 
 // Writes binary little-endian PLY in double precision: what is read back is the same.
-void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians);
+// With ids, as many, if any are given.
+void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids = {});
 
 }  // namespace brume

@@ -19,6 +19,9 @@ Scene load_scene(const std::filesystem::path& file, std::vector<std::string>* wa
 // new file where they can. An existing file is replaced only by a complete one. Throws InputError.
 void save_scene(const Scene& scene, const std::filesystem::path& file);
 
+// Whether a saved scene refers to its medium_file: while that one's Gaussians are what they were.
+bool refers_to_medium_file(const Scene& scene);
+
 // The text save_scene writes to a file in `directory`.
 std::string scene_to_json(const Scene& scene, const std::filesystem::path& directory);
 

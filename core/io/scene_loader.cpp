@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <new>
@@ -110,6 +111,7 @@ class SceneLoader {
     optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
     if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
     load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
+    load_elements(object, "sequences", limits::sequences, &SceneLoader::load_sequence);
     load_keys(object, optics.keys.unknown, [&](auto&& visit) {
       visit_keyed_density(scene_.medium, scene_.density_keys, visit);
       visit_keyed_optics(optics, visit);
@@ -172,6 +174,26 @@ class SceneLoader {
     emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
     emitter.unknown = object.unknown();
     scene_.emitters.push_back(std::move(emitter));
+  }
+
+  void load_sequence(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    MediumSequence sequence;
+    const JsonPlace file = object.place("file");
+    sequence.file = references_.resolve_pattern(context_, file, object.text("file", {}));
+    constexpr std::int64_t most = 999'999'999;
+    const std::int64_t first = object.integer("first", 0, most, 0);
+    const std::int64_t last =
+        object.integer("last", first, std::min(most, first + limits::sequence_frames - 1), first);
+    sequence.first = static_cast<int>(first);
+    sequence.last = static_cast<int>(last);
+    sequence.frames_per_second =
+        object.number("frames_per_second", domain::rate, sequence.frames_per_second);
+    sequence.start = object.number("start", domain::seconds, sequence.start);
+    sequence.frames = std::make_shared<std::vector<SequenceFrame>>(
+        SceneReferences::sequence(context_, file, sequence.file, sequence.first, sequence.last));
+    sequence.unknown = object.unknown();
+    scene_.sequences.push_back(std::move(sequence));
   }
 
   // At birth and at death.

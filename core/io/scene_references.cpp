@@ -8,6 +8,7 @@
 #include "core/io/merl_file.h"
 #include "core/io/mesh_file.h"
 #include "core/io/radiance_map_file.h"
+#include "core/io/sequence_file.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
@@ -34,13 +35,39 @@ auto at_place(const JsonContext& context, const JsonPlace& place, Read&& read) {
 SceneReferences::SceneReferences(const fs::path& scene_file)
     : scene_file_(scene_file), directory_(real_folder(scene_file.parent_path())) {}
 
-fs::path SceneReferences::resolve(const JsonContext& context, const JsonPlace& place,
-                                  const std::string& text) const {
+fs::path SceneReferences::absolute(const JsonContext& context, const JsonPlace& place,
+                                   const std::string& text) const {
   const bool is_name = !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) {
     return c < 0x20 || c == 0x7f;
   });
   if (!is_name) context.fail(place, "found \"" + text + "\"; allowed: a file name");
-  const fs::path file = (directory_ / text).lexically_normal();
+  return (directory_ / text).lexically_normal();
+}
+
+fs::path SceneReferences::resolve_pattern(const JsonContext& context, const JsonPlace& place,
+                                          const std::string& text) const {
+  if (!FramePattern::parse(fs::path(text).filename().string()) ||
+      FramePattern::is_pattern(fs::path(text).parent_path().string())) {
+    context.fail(
+        place, "found " + shown(text) + "; allowed: a file name with one %d or %04d for the frame");
+  }
+  const fs::path file = absolute(context, place, text);
+  if (!FramePattern::parse(file.string())) {
+    context.fail(place, "found " + shown(file.string()) + "; allowed: a path without another %d");
+  }
+  return file;
+}
+
+std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
+                                                     const JsonPlace& place, const fs::path& file,
+                                                     int first, int last) {
+  return at_place(context, place,
+                  [&] { return read_sequence(*FramePattern::parse(file.string()), first, last); });
+}
+
+fs::path SceneReferences::resolve(const JsonContext& context, const JsonPlace& place,
+                                  const std::string& text) const {
+  const fs::path file = absolute(context, place, text);
   at_place(context, place, [&] { return regular_file_size(file); });
   std::error_code error;
   if (fs::equivalent(file, scene_file_, error)) {

@@ -21,6 +21,14 @@ class SceneReferences {
   std::filesystem::path resolve(const JsonContext& context, const JsonPlace& place,
                                 const std::string& text) const;
 
+  // The same of a name with %04d for the number of a frame; whether its files are there is not
+  // looked at.
+  std::filesystem::path resolve_pattern(const JsonContext& context, const JsonPlace& place,
+                                        const std::string& text) const;
+  static std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPlace& place,
+                                             const std::filesystem::path& file, int first,
+                                             int last);
+
   // Meshes and measured BRDFs are read once and shared.
   std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPlace& place,
                                            const std::filesystem::path& file);
@@ -38,6 +46,9 @@ class SceneReferences {
                               const std::filesystem::path& directory);
 
  private:
+  [[nodiscard]] std::filesystem::path absolute(const JsonContext& context, const JsonPlace& place,
+                                               const std::string& text) const;
+
   std::filesystem::path scene_file_;
   std::filesystem::path directory_;
   std::map<std::filesystem::path, std::shared_ptr<const TriangleMesh>> meshes_;

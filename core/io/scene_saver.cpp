@@ -54,8 +54,7 @@ Json emitter_to_json(const Emitter& emitter) {
 
 Json medium_to_json(const Scene& scene, const fs::path& directory) {
   const Medium& medium = scene.medium;
-  const MediumFile* file = scene.medium_file.get();
-  if (file != nullptr && !is_unchanged(*file, scene)) file = nullptr;
+  const MediumFile* file = refers_to_medium_file(scene) ? scene.medium_file.get() : nullptr;
 
   Json object;
   object["density"] = medium.homogeneous_density();
@@ -85,6 +84,15 @@ Json medium_to_json(const Scene& scene, const fs::path& directory) {
   }
   for (const Emitter& emitter : scene.emitters) {
     object["emitters"].push_back(emitter_to_json(emitter));
+  }
+  for (const MediumSequence& sequence : scene.sequences) {
+    Json entry{{"file", SceneReferences::text_for(sequence.file, directory)},
+               {"first", sequence.first},
+               {"last", sequence.last},
+               {"frames_per_second", sequence.frames_per_second},
+               {"start", sequence.start}};
+    add_unknown(entry, sequence.unknown);
+    object["sequences"].push_back(std::move(entry));
   }
   add_keys(object, optics.keys.unknown, [&](auto&& visit) {
     visit_keyed_density(medium, scene.density_keys, visit);
@@ -238,6 +246,10 @@ class Layout {
 };
 
 }  // namespace
+
+bool refers_to_medium_file(const Scene& scene) {
+  return scene.medium_file != nullptr && is_unchanged(*scene.medium_file, scene);
+}
 
 std::string scene_to_json(const Scene& scene, const fs::path& directory) {
   try {

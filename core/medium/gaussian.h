@@ -18,4 +18,7 @@ struct Gaussian {
 // Names a Gaussian for as long as its medium lives; ids are never used twice in one medium.
 using GaussianId = std::uint64_t;
 
+// What a Gaussian of a sequence of files keeps from frame to frame.
+using GaussianNumber = std::uint32_t;
+
 }  // namespace brume

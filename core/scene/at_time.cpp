@@ -1,16 +1,20 @@
 #include "core/scene/at_time.h"
 
+#include <algorithm>
+
 #include "core/authoring/particles.h"
 #include "core/scene/animation.h"
 
 namespace brume {
 
 bool is_animated(const Scene& scene) {
-  return !scene.emitters.empty() || has_keys(scene);
+  return !scene.emitters.empty() || !scene.sequences.empty() || has_keys(scene);
 }
 
 double last_moment(const Scene& scene) {
-  return last_key_time(scene);
+  double last = last_key_time(scene);
+  for (const MediumSequence& sequence : scene.sequences) last = std::max(last, end_of(sequence));
+  return last;
 }
 
 Scene at_time(const Scene& scene, double time) {
@@ -20,7 +24,11 @@ Scene at_time(const Scene& scene, double time) {
   for (const Emitter& emitter : scene.emitters) {
     for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);
   }
+  for (const MediumSequence& sequence : scene.sequences) {
+    for (const Gaussian& gaussian : sequence_at(sequence, time)) result.medium.append(gaussian);
+  }
   result.emitters.clear();
+  result.sequences.clear();
   return result;
 }
 

@@ -7,11 +7,12 @@ namespace brume {
 // Whether a scene is another one at another time, its noise aside.
 bool is_animated(const Scene& scene);
 
-// The time of the last key, 0 without any [s].
+// The time of the last key or the last frame of a sequence, 0 if none is later [s].
 double last_moment(const Scene& scene);
 
 // The scene as it is at a time [s]: values that have keys are those of that time, its medium has
-// the particles of all emitters, and there are neither keys nor emitters.
+// the particles of all emitters and the Gaussians of all sequences, and there are neither keys nor
+// emitters nor sequences.
 Scene at_time(const Scene& scene, double time);
 
 }  // namespace brume

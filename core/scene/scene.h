@@ -13,6 +13,7 @@
 #include "core/scene/camera.h"
 #include "core/scene/emitter.h"
 #include "core/scene/keys.h"
+#include "core/scene/medium_sequence.h"
 
 namespace brume {
 
@@ -160,7 +161,8 @@ struct Scene {
   Keys<double> density_keys;  // of the medium's homogeneous density
   MediumOptics optics;
   std::shared_ptr<const MediumFile> medium_file;
-  std::vector<Emitter> emitters;  // their particles are not in `medium`, see at_time()
+  std::vector<Emitter> emitters;          // their particles are not in `medium`, see at_time()
+  std::vector<MediumSequence> sequences;  // not in `medium` either
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/io/gaussian_file.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -40,6 +41,36 @@ TEST_F(AnimationCommands, RendersTheMomentOfItsKeys) {
   EXPECT_EQ(run_brume({"compare", file("earlier.exr"), file("still.exr"), "--max-rel-rmse", "0.1"})
                 .exit_code,
             1);
+}
+
+// What fit writes of a sequence, a scene plays, and gather takes along.
+TEST_F(AnimationCommands, PlaysASequenceThatWasFitted) {
+  const std::string volumes = BRUME_VOLUMES "/smoke_%04d.vdb";
+  ASSERT_EQ(run_brume({"fit", volumes, "--frames", "25-26", "--up", "z", "--count", "40", "-o",
+                       file("s_%02d.csv")})
+                .exit_code,
+            0);
+  const std::string scene = folder_
+                                .write("s.brume", R"({ "format": "brume-scene", "version": 1,
+    "medium": { "sequences": [ { "file": "s_%02d.csv", "first": 25, "last": 26,
+                                 "frames_per_second": 10 } ] } })")
+                                .string();
+  const auto medium_at = [&](const char* time) {
+    EXPECT_EQ(run_brume({"export", scene, "--time", time, "-o", file("m.ply")}).exit_code, 0);
+    return read_gaussians(file("m.ply"));
+  };
+  std::vector<GaussianNumber> ids;
+  EXPECT_EQ(medium_at("0"), read_gaussians(file("s_25.csv"), &ids));
+  ASSERT_EQ(ids.size(), 40u);
+  EXPECT_EQ(medium_at("0.1").size(), 40u);
+  EXPECT_GE(medium_at("0.05").size(), 40u);
+
+  ASSERT_EQ(run_brume({"gather", scene, file("out")}).exit_code, 0);
+  std::filesystem::remove(file("s_25.csv"));
+  EXPECT_EQ(run_brume({"export", file("out/s.brume"), "-o", file("n.ply")}).exit_code, 0);
+  EXPECT_EQ(read_gaussians(file("n.ply")).size(), 40u);
+  expect_refused({"gather", file("out/s.brume"), file("out")}, {"out", "is there already"});
+  expect_refused({"export", scene, "-o", file("n.ply")}, {"medium.sequences[0].file", "s_25.csv"});
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ std::unique_ptr<Command> make_info_command(CLI::App& app);
 std::unique_ptr<Command> make_fit_command(CLI::App& app);
 std::unique_ptr<Command> make_export_command(CLI::App& app);
 std::unique_ptr<Command> make_bench_command(CLI::App& app);
+std::unique_ptr<Command> make_gather_command(CLI::App& app);
 
 // Writes a result to standard output. Throws InputError if it cannot be written.
 void print_result(const std::string& text);

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/fit/fit_error.h"
 #include "core/fit/gaussian_fit.h"
+#include "core/fit/gaussian_numbers.h"
 #include "core/fit/next_start.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
@@ -57,9 +58,10 @@ class FitCommand final : public Command {
     app.footer(
         "Prints one line of JSON per frame: the relative RMS errors of density and of optical\n"
         "depth along 10,000 random lines, the mass over the volume's, and seconds. A frame of a\n"
-        "sequence starts from the one before; Gaussian i stays Gaussian i, but for those that are\n"
-        "renewed: they left off where they were of no more use, and began where smoke was "
-        "missing.");
+        "sequence starts from the one before; a Gaussian keeps its id in the column id; those "
+        "that\n"
+        "are renewed left off where they were of no more use, began where smoke was missing, and\n"
+        "have a new one.");
   }
 
   ExitCode run() override {
@@ -115,15 +117,16 @@ class FitCommand final : public Command {
     std::size_t renewed = 0;
     if (last_.empty() || grid.blocks.empty()) {
       fit = *fit_gaussians(grid, {count_, max_error_}, {}, line.progress());
+      numbers_.begin(fit.gaussians.size());
     } else {
       if (velocity_) last_ = next_start(grid, last_, *velocity_, 1.0 / fps_);
       Refit refit = *refit_gaussians(grid, last_, {}, line.progress());
       fit = std::move(refit.fit);
-      renewed =
-          static_cast<std::size_t>(std::count(refit.renewed.begin(), refit.renewed.end(), true));
+      renewed = numbers_.renew(refit.renewed);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    write_gaussians(output, fit.gaussians);
+    write_gaussians(output, fit.gaussians,
+                    frame ? numbers_.ids() : std::span<const GaussianNumber>());
 
     nlohmann::ordered_json json;
     if (frame) json["frame"] = *frame;
@@ -151,6 +154,7 @@ class FitCommand final : public Command {
   double fps_ = 24.0;
   std::vector<Gaussian> last_;  // of the frame before, and what moves them
   std::optional<VelocityGrid> velocity_;
+  GaussianNumbers numbers_;
 };
 
 }  // namespace

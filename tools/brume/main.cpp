@@ -63,18 +63,22 @@ void check_names(const CLI::App& app, const std::vector<std::string>& arguments)
 int run(int argc, char** argv) {
   CLI::App app("Brume renders what light does in fog.", "brume");
   app.set_version_flag("--version", "brume " BRUME_VERSION);
-  CLI::App& render = *app.add_subcommand("render", "render a frame of a scene");
-  CLI::App& compare = *app.add_subcommand("compare", "compare two EXR images");
-  CLI::App& info = *app.add_subcommand("info", "say what a scene or a medium holds");
-  CLI::App& fit = *app.add_subcommand("fit", "fit Gaussians to a volume");
-  CLI::App& exports = *app.add_subcommand("export", "write the medium of a scene for others");
-  CLI::App& bench = *app.add_subcommand("bench", "measure speed against error");
-  const auto render_command = make_render_command(render);
-  const auto compare_command = make_compare_command(compare);
-  const auto info_command = make_info_command(info);
-  const auto fit_command = make_fit_command(fit);
-  const auto export_command = make_export_command(exports);
-  const auto bench_command = make_bench_command(bench);
+  struct Subcommand {
+    CLI::App* app;
+    std::unique_ptr<Command> command;
+  };
+  std::vector<Subcommand> subcommands;
+  const auto add = [&](const char* name, const char* what, auto make) {
+    CLI::App* subcommand = app.add_subcommand(name, what);
+    subcommands.push_back({subcommand, make(*subcommand)});
+  };
+  add("render", "render a frame of a scene", make_render_command);
+  add("compare", "compare two EXR images", make_compare_command);
+  add("info", "say what a scene or a medium holds", make_info_command);
+  add("fit", "fit Gaussians to a volume", make_fit_command);
+  add("export", "write the medium of a scene for others", make_export_command);
+  add("gather", "copy a scene and its files into one folder", make_gather_command);
+  add("bench", "measure speed against error", make_bench_command);
 
   try {
     check_names(app, {argv + 1, argv + argc});
@@ -84,15 +88,12 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
-  if (render.parsed()) return render_command->run();
-  if (compare.parsed()) return compare_command->run();
-  if (info.parsed()) return info_command->run();
-  if (fit.parsed()) return fit_command->run();
-  if (exports.parsed()) return export_command->run();
-  if (bench.parsed()) return bench_command->run();
-  throw UsageError(
-      "a subcommand is missing: render, compare, info, fit, export or bench; brume -h explains "
-      "them");
+  std::string names;
+  for (const Subcommand& subcommand : subcommands) {
+    if (subcommand.app->parsed()) return subcommand.command->run();
+    names += (names.empty() ? "" : ", ") + subcommand.app->get_name();
+  }
+  throw UsageError("a subcommand is missing: " + names + "; brume -h explains them");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/io/gaussian_file.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/random.h"
@@ -42,6 +43,27 @@ TEST(GaussianCsv, SaysWhatIsWrongAndWhere) {
   EXPECT_TRUE(contains(refusal(header + "1,2,3,0,5\n"), "line 2, radius: found 0"));
   EXPECT_TRUE(contains(refusal(header + "1,nan,3,1,5\n"), "line 2, y: found nan"));
   EXPECT_TRUE(contains(refusal(header + "1,2,3,1,-5\n"), "line 2, density"));
+}
+
+TEST(GaussianIds, ComeBackTheSame) {
+  const TemporaryFolder folder;
+  const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.5, 0.25}, {{4, 5, 6}, 1.5, 2.0}};
+  const std::vector<GaussianNumber> ids{4294967295, 0};
+  for (const char* name : {"a.csv", "a.ply"}) {
+    write_gaussians(folder / name, gaussians, ids);
+    std::vector<GaussianNumber> read;
+    EXPECT_EQ(read_gaussians(folder / name, &read), gaussians);
+    EXPECT_EQ(read, ids);
+    EXPECT_EQ(read_gaussians(folder / name), gaussians);
+  }
+  std::vector<GaussianNumber> none;
+  read_gaussians(folder.write("b.csv", "x,y,z,radius,density\n1,2,3,1,1\n"), &none);
+  EXPECT_TRUE(none.empty());
+  for (const char* id : {"-1", "0.5", "4294967296", "nan", "", "x"}) {
+    const auto file =
+        folder.write("c.csv", std::string("id,x,y,z,radius,density\n") + id + ",1,2,3,1,1\n");
+    EXPECT_THROW(read_gaussians(file, &none), InputError) << id;
+  }
 }
 
 }  // namespace

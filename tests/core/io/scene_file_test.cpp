@@ -383,6 +383,53 @@ class RandomScene {
   const TemporaryFolder& folder_;
 };
 
+TEST(SceneFile, NamesSequencesAndReadsTheirFrames) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "smoke");
+  const std::vector<GaussianNumber> ids{7, 3};
+  write_gaussians(folder / "smoke/s_011.ply", column, ids);
+  write_gaussians(folder / "smoke/s_012.ply", column);
+  const char* text = R"({"format": "brume-scene", "version": 1, "medium": {"sequences": [
+    {"file": "smoke/s_%03d.ply", "first": 11, "last": 12, "start": 0.5, "loops": true}]}})";
+  const Scene scene = load_scene(folder.write("a.brume", text));
+  ASSERT_EQ(scene.sequences.size(), 1u);
+  const std::vector<SequenceFrame>& frames = *scene.sequences[0].frames;
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames[0], (SequenceFrame{{3, 7}, {column[1], column[0]}})) << "ordered by id";
+  EXPECT_EQ(frames[1], (SequenceFrame{{0, 1}, column})) << "without ids by line";
+  EXPECT_EQ(scene.sequences[0].frames_per_second, 30.0);
+  EXPECT_EQ(scene.sequences[0].start, 0.5);
+  save_scene(scene, folder / "smoke/b.brume");
+  EXPECT_TRUE(contains(content_of(folder / "smoke/b.brume"), R"("file": "s_%03d.ply")"));
+  EXPECT_TRUE(contains(content_of(folder / "smoke/b.brume"), R"("loops": true)"));
+  Scene loaded = load_scene(folder / "smoke/b.brume");
+  EXPECT_EQ(*loaded.sequences[0].frames, frames);
+  loaded.sequences[0].frames = scene.sequences[0].frames;
+  EXPECT_EQ(loaded, scene);
+
+  const auto refusal = [&](const std::string& sequence) {
+    return error_of([&] {
+      load_scene(folder.write(
+          "bad.brume", R"({"format": "brume-scene", "version": 1, "medium": {"sequences": [)" +
+                           sequence + "]}}"));
+    });
+  };
+  EXPECT_TRUE(
+      contains(refusal(R"({"file": "smoke/s_%03d.ply", "first": 11, "last": 13})"), "s_013.ply"));
+  EXPECT_TRUE(contains(refusal(R"({"file": "smoke/s_011.ply"})"), "medium.sequences[0].file"));
+  EXPECT_TRUE(contains(refusal(R"({"file": "smoke/s_%03d.ply", "first": 12, "last": 11})"),
+                       "medium.sequences[0].last"));
+  EXPECT_TRUE(
+      contains(refusal(R"({"file": "smoke/s_%03d.ply", "first": 11, "frames_per_second": 0})"),
+               "frames_per_second"));
+  EXPECT_TRUE(
+      contains(refusal(R"({"file": "s_%03d.ply", "last": 2000000})"), "medium.sequences[0].last"));
+  const std::vector<GaussianNumber> twice{3, 3};
+  write_gaussians(folder / "smoke/s_012.csv", column, twice);
+  EXPECT_TRUE(contains(refusal(R"({"file": "smoke/s_%03d.csv", "first": 12, "last": 12})"),
+                       "the id 3 twice"));
+}
+
 TEST(SceneFile, RandomScenesComeBackTheSame) {
   const TemporaryFolder folder;
   write_example_files(folder);

@@ -1,0 +1,153 @@
+#include "core/io/gather.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "core/error.h"
+#include "core/io/frame_pattern.h"
+#include "core/io/scene_file.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+struct Stopped {};
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// The copies of one scene's files.
+class Copies {
+ public:
+  Copies(fs::path folder, const std::stop_token& stop) : folder_(std::move(folder)), stop_(stop) {}
+
+  // Makes `file` its copy.
+  void take(fs::path& file) {
+    if (file.empty()) return;
+    const auto [copy, is_new] = copies_.try_emplace(file);
+    if (is_new) {
+      copy->second = folder_ / free_name(file.stem().string(), file.extension().string());
+      make(file, copy->second);
+    }
+    file = copy->second;
+  }
+
+  // The same for all files of a sequence, which get a folder of their own.
+  void take(MediumSequence& sequence) {
+    const auto files = FramePattern::parse(sequence.file.string());
+    if (!files) throw InputError(sequence.file, "", "is no sequence");
+    const fs::path folder = folder_ / free_name("sequence", "");
+    const fs::path copy = folder / sequence.file.filename();
+    const auto copies = FramePattern::parse(copy.string());
+    if (!copies) throw InputError(copy, "", "cannot be the name of a sequence");
+    fs::create_directories(folder);
+    for (int frame = sequence.first; frame <= sequence.last; ++frame) {
+      make(files->of(frame), copies->of(frame));
+    }
+    sequence.file = copy;
+  }
+
+ private:
+  std::string free_name(const std::string& stem, const std::string& extension) {
+    std::string name = stem + extension;
+    for (int k = 2; !names_.insert(lower_case(name)).second; ++k) {
+      name = stem + "_" + std::to_string(k) + extension;
+    }
+    return name;
+  }
+
+  void make(const fs::path& file, const fs::path& copy) {
+    if (stop_.stop_requested()) throw Stopped();
+    std::error_code error;
+    fs::create_directories(copy.parent_path(), error);
+    if (!error) fs::copy_file(file, copy, error);
+    if (error) throw InputError(file, "", "cannot be copied: " + error.message());
+  }
+
+  fs::path folder_;
+  const std::stop_token& stop_;
+  std::map<fs::path, fs::path> copies_;
+  std::set<std::string> names_;  // in lower case
+};
+
+// A new folder beside `folder`, which goes unless it is renamed.
+class TemporaryTarget {
+ public:
+  explicit TemporaryTarget(const fs::path& folder) {
+    static std::atomic<unsigned> counter = 0;
+    const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+    std::error_code error;
+    do {
+      path_ = fs::weakly_canonical(parent, error) /
+              (".brume-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+    } while (!error && fs::exists(path_));
+    if (!error) fs::create_directory(path_, error);
+    if (error) throw InputError(folder, "", "cannot be made: " + error.message());
+  }
+  ~TemporaryTarget() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryTarget(const TemporaryTarget&) = delete;
+  TemporaryTarget& operator=(const TemporaryTarget&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+  void become(const fs::path& folder) {
+    std::error_code error;
+    fs::rename(path_, folder, error);
+    if (error) throw InputError(folder, "", "cannot be made: " + error.message());
+  }
+
+ private:
+  fs::path path_;
+};
+
+// A name without a slash at its end.
+fs::path cleaned(const fs::path& folder) {
+  const fs::path normal = folder.lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+}  // namespace
+
+bool gather_scene(const Scene& scene, const fs::path& to, const std::string& name,
+                  const std::stop_token& stop) {
+  const fs::path folder = cleaned(to);
+  std::error_code error;
+  if (fs::exists(folder, error) &&
+      !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
+    throw InputError(folder, "", "is there already; allowed: a new or an empty folder");
+  }
+  try {
+    TemporaryTarget target(folder);
+    Copies copies(target.path() / "files", stop);
+    Scene gathered = scene;
+    for (Surface& surface : gathered.surfaces) {
+      copies.take(surface.mesh_file);
+      if (surface.material.type == Material::Type::measured) copies.take(surface.material.file);
+    }
+    if (gathered.environment) copies.take(gathered.environment->file);
+    for (MediumSequence& sequence : gathered.sequences) copies.take(sequence);
+    if (refers_to_medium_file(scene)) {
+      auto file = std::make_shared<MediumFile>(*scene.medium_file);
+      copies.take(file->file);
+      gathered.medium_file = std::move(file);
+    }
+    save_scene(gathered, target.path() / (name + ".brume"));
+    target.become(folder);
+  } catch (const Stopped&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace brume

@@ -1,0 +1,55 @@
+#include "core/scene/medium_sequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace brume {
+namespace {
+
+Gaussian between(const Gaussian& a, const Gaussian& b, double u) {
+  return {glm::mix(a.center, b.center, u), a.radius * std::pow(b.radius / a.radius, u),
+          std::lerp(a.density, b.density, u)};
+}
+
+Gaussian faded(Gaussian gaussian, double share) {
+  gaussian.density *= share;
+  return gaussian;
+}
+
+}  // namespace
+
+std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame& b, double u) {
+  std::vector<Gaussian> result;
+  result.reserve(std::max(a.ids.size(), b.ids.size()));
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.ids.size() || j < b.ids.size()) {
+    if (j == b.ids.size() || (i < a.ids.size() && a.ids[i] < b.ids[j])) {
+      result.push_back(faded(a.gaussians[i++], 1.0 - u));
+    } else if (i == a.ids.size() || b.ids[j] < a.ids[i]) {
+      result.push_back(faded(b.gaussians[j++], u));
+    } else {
+      result.push_back(between(a.gaussians[i++], b.gaussians[j++], u));
+    }
+  }
+  return result;
+}
+
+std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time) {
+  const std::vector<SequenceFrame>& frames = *sequence.frames;
+  if (frames.empty()) return {};
+  const double last = static_cast<double>(frames.size()) - 1.0;
+  const double at = std::clamp((time - sequence.start) * sequence.frames_per_second, 0.0, last);
+  // Frames are met at moments that have no exact number.
+  const double nearest = std::round(at);
+  if (std::abs(at - nearest) < 1e-6) return frames[static_cast<std::size_t>(nearest)].gaussians;
+  const auto before = static_cast<std::size_t>(at);
+  return between_frames(frames[before], frames[before + 1], at - static_cast<double>(before));
+}
+
+double end_of(const MediumSequence& sequence) {
+  return sequence.start + (sequence.last - sequence.first) / sequence.frames_per_second;
+}
+
+}  // namespace brume
