@@ -8,6 +8,8 @@
 
 #include "core/io/gaussian_file.h"
 #include "core/io/volume_file.h"
+#include "core/transport/optical_depth.h"
+#include "tests/random.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -63,6 +65,36 @@ TEST_F(VolumeCommands, ExportsWhatEmittersHaveMade) {
   };
   EXPECT_GT(count("1"), 5u);
   EXPECT_LT(count("-1"), 1u);
+}
+
+double depth_between(std::span<const Gaussian> gaussians, const glm::dvec3& a,
+                     const glm::dvec3& b) {
+  double depth = 0.0;
+  for (const Gaussian& g : gaussians) depth += optical_depth(GaussianTerm<double>(g), a, b);
+  return depth;
+}
+
+// Medium, volume, Gaussians again: the optical depth stays.
+TEST_F(VolumeCommands, ExportAndFitGiveBackTheOpticalDepth) {
+  Random random(5);
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 12; ++i) {
+    gaussians.push_back({random.point(1.0), random.uniform(0.25, 0.5), random.uniform(0.2, 2.0)});
+  }
+  write_gaussians(file("a.ply"), gaussians);
+  ASSERT_EQ(run_brume({"export", file("a.ply"), "-o", file("a.vdb")}).exit_code, 0);
+  ASSERT_EQ(run_brume({"fit", file("a.vdb"), "--count", "60", "-o", file("b.ply")}).exit_code, 0);
+  const std::vector<Gaussian> back = read_gaussians(file("b.ply"));
+  double wrong = 0.0;
+  double right = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec3 a = random.point(1.5);
+    const glm::dvec3 b = random.point(1.5);
+    const double depth = depth_between(gaussians, a, b);
+    wrong += std::pow(depth_between(back, a, b) - depth, 2.0);
+    right += depth * depth;
+  }
+  EXPECT_LT(std::sqrt(wrong / right), 0.02);
 }
 
 // Another program reads the analytic density at the voxels, to the last bit of what is stored.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/volume/density_grid.h"
+
+namespace brume {
+
+// What a volume itself looks like, to hold pictures of fitted Gaussians against: the radiance that
+// it scatters once, isotropically, from a point light to the eye, through itself both ways, by the
+// midpoint rule along rays with steps of half a voxel; red only, rows from the top. The density is
+// linear between voxels.
+std::vector<float> grid_picture(const DensityGrid& grid, const Camera& camera, const Film& film,
+                                const PointLight& light);
+
+}  // namespace brume
