@@ -12,6 +12,7 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"file.open", "Ctrl+O"},
     {"file.save", "Ctrl+S"},
     {"file.save_as", "Ctrl+Shift+S"},
+    {"file.import", "Ctrl+Shift+I"},
     {"file.export", "Ctrl+E"},
     {"file.quit", "Ctrl+Q"},
     {"edit.undo", "Ctrl+Z"},

@@ -2,12 +2,9 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDir>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStandardPaths>
@@ -19,11 +16,12 @@
 #include <cstdio>
 #include <numbers>
 
-#include "app/animation_dialog.h"
+#include "app/background_job.h"
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/frame_export.h"
 #include "app/frame_text.h"
+#include "app/import/scene_import.h"
 #include "app/message_bar.h"
 #include "app/panels/contribution_panel.h"
 #include "app/panels/emitter_panel.h"
@@ -52,15 +50,6 @@ constexpr double max_exposure = 20.0;  // stops, either way
 // To three digits: numbers that a user meets should be short.
 double rounded(double value) {
   return QString::number(value, 'g', 3).toDouble();
-}
-
-// The first dropped file that could be a scene.
-QString dropped_scene(const QMimeData& data) {
-  for (const QUrl& url : data.urls()) {
-    const QString file = url.toLocalFile();
-    if (file.endsWith(".brume", Qt::CaseInsensitive)) return file;
-  }
-  return {};
 }
 
 std::filesystem::path recovery_folder() {
@@ -205,10 +194,16 @@ void MainWindow::create_status_bar() {
   quality_->setContentsMargins(0, 4, 8, 0);
   menuBar()->setCornerWidget(quality_);
   frame_export_ = new FrameExport(this);
+  file_job_ = new BackgroundJob(this);
+  import_ = new SceneImport(document_, *file_job_, this);
+  connect(file_job_, &BackgroundJob::cancelled, this, [this] { say(tr("Cancelled")); });
+  connect(file_job_, &BackgroundJob::failed, message_bar_, &MessageBar::show_error);
+  connect(import_, &SceneImport::failed, message_bar_, &MessageBar::show_error);
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(&files_->loading());
   statusBar()->addPermanentWidget(&views_->transfer_job());
   statusBar()->addPermanentWidget(frame_export_);
+  statusBar()->addPermanentWidget(file_job_);
   statusBar()->addPermanentWidget(numbers_);
   statusBar()->addPermanentWidget(error_);
   connect(frame_export_, &FrameExport::finished, this,
@@ -331,46 +326,6 @@ void MainWindow::change_exposure(double stops) {
   say(tr("Exposure %1 stops").arg(view.exposure(), 0, 'f', 1));
 }
 
-void MainWindow::export_frame() {
-  QFileDialog dialog(this, tr("Export frame"), {},
-                     tr("PNG picture (*.png);;OpenEXR layers (*.exr)"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix("png");
-  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-    dialog.setDefaultSuffix(filter.contains("exr") ? "exr" : "png");
-  });
-  if (dialog.exec() == QDialog::Accepted) export_frame_to(to_path(dialog.selectedFiles().value(0)));
-}
-
-void MainWindow::export_frame_to(const std::filesystem::path& file) {
-  frame_export_->start(export_request(file));
-}
-
-void MainWindow::export_animation() {
-  const QString folder =
-      document_.file().empty() ? QDir::homePath() : to_qstring(document_.file().parent_path());
-  auto* dialog = new AnimationDialog(*timeline_, folder, this);
-  connect(dialog, &AnimationDialog::wanted, this, &MainWindow::export_animation_to);
-  dialog->show();
-}
-
-void MainWindow::export_animation_to(const std::filesystem::path& file, int first, int last) {
-  FrameExportRequest request = export_request(file);
-  request.range = {first, last, Timeline::frames_per_second};
-  if (document_.scene().camera_keys != CameraKeys{}) request.camera.reset();
-  frame_export_->start(request);
-}
-
-FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
-  const Settings settings = viewport_->quality().settings();
-  return {document_.snapshot(),
-          viewport_->camera(),
-          settings,
-          {document_.file().string(), to_string(settings.airlight), "cpu", viewport_->exposure()},
-          file,
-          std::nullopt};
-}
-
 void MainWindow::quit_with_screenshot(const QString& file) {
   const auto take = [this, file] {
     if (!viewport_->is_measured() || files_->loading().is_running()) return;
@@ -396,14 +351,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings.setValue("window/state", saveState());
   autosave_->end();
   event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dropped_scene(*event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  files_->open_file(to_path(dropped_scene(*event->mimeData())));
 }
 
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <filesystem>
 
+#include "app/background_job.h"
 #include "app/document/document.h"
 
 class QLabel;
@@ -16,6 +17,7 @@ struct FrameExportRequest;
 class GaussianPanel;
 class MessageBar;
 class SceneFiles;
+class SceneImport;
 class Timeline;
 class TimelineBar;
 class ToolBox;
@@ -43,6 +45,11 @@ class MainWindow : public QMainWindow {
   // the scene's camera sees them if it has keys, else as the view does.
   void export_animation_to(const std::filesystem::path& file, int first, int last);
 
+  // What comes from other files.
+  SceneImport& import() { return *import_; }
+  // Copies the scene and all files it refers to into a folder that is not there yet, or is empty.
+  void gather_to(const std::filesystem::path& folder);
+
   // Saves a picture of this window once it shows a full frame and its error, then quits.
   void quit_with_screenshot(const QString& file);
 
@@ -67,6 +74,11 @@ class MainWindow : public QMainWindow {
   void isolate_selection();  // shows all again if anything is hidden
   void export_frame();
   void export_animation();
+  void export_medium();
+  void gather();
+  // Unless another is running.
+  void start_file_job(const QString& title, const BackgroundJob::Work& work);
+  [[nodiscard]] QString folder() const;  // of the scene
   [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
   void change_exposure(double stops);
   void show_time();  // what the timeline says
@@ -83,6 +95,8 @@ class MainWindow : public QMainWindow {
   TimelineBar* timeline_bar_ = nullptr;
   GaussianPanel* gaussian_panel_ = nullptr;
   FrameExport* frame_export_ = nullptr;
+  BackgroundJob* file_job_ = nullptr;  // imports, exports of the medium, gathers
+  SceneImport* import_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* numbers_ = nullptr;
   QLabel* error_ = nullptr;

@@ -14,6 +14,7 @@
 #include "app/commands/select_command.h"
 #include "app/frame_export.h"
 #include "app/help_windows.h"
+#include "app/import/scene_import.h"
 #include "app/keys.h"
 #include "app/main_window.h"
 #include "app/panels/timeline_bar.h"
@@ -57,8 +58,13 @@ void MainWindow::create_actions() {
   add(file, tr("&Save"), "file.save", [this] { files_->save(); });
   add(file, tr("Save &As…"), "file.save_as", [this] { files_->save_as(); });
   file->addSeparator();
+  add(file, tr("&Import…"), "file.import", [this] { import_->ask(); });
+  add(file, tr("Import Se&quence…"), "", [this] { import_->ask_sequence(); });
+  file->addSeparator();
   QAction* exporting = add(file, tr("&Export Frame…"), "file.export", [this] { export_frame(); });
   QAction* animation = add(file, tr("Export Ani&mation…"), "", [this] { export_animation(); });
+  add(file, tr("Export Me&dium…"), "", [this] { export_medium(); });
+  add(file, tr("&Gather into Folder…"), "", [this] { gather(); });
   connect(file, &QMenu::aboutToShow, this, [this, exporting, animation] {
     for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->is_running());
   });
@@ -128,7 +134,7 @@ void MainWindow::create_actions() {
   add(time, tr("&First Frame"), "time.first", [this] { timeline_->set_frame(timeline_->first()); });
   time->addSeparator();
   add(time, tr("Set &Key"), "time.set_key", [this] { timeline_bar_->set_key(); });
-  add(time, tr("Freeze &Emitters into Gaussians"), "",
+  add(time, tr("&Freeze this Moment into Gaussians"), "",
       [this] { freeze_particles(document_, timeline_->time()); });
 
   QMenu* view = menuBar()->addMenu(tr("&View"));

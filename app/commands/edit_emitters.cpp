@@ -62,6 +62,10 @@ void freeze_particles(Document& document, double time) {
     const auto particles = particles_at(emitter, time);
     frozen.insert(frozen.end(), particles.begin(), particles.end());
   }
+  for (const MediumSequence& sequence : document.scene().sequences) {
+    const auto gaussians = sequence_at(sequence, time);
+    frozen.insert(frozen.end(), gaussians.begin(), gaussians.end());
+  }
   add_gaussians(document, frozen, tr("Freeze"));
 }
 

@@ -21,7 +21,8 @@ void change_emitter(Document& document, std::size_t index, const QString& verb, 
                     const std::function<void(Emitter&)>& change);
 QString emitter_name(std::size_t index);  // "emitter 2"
 
-// Makes Gaussians of the particles that are there at a time [s]; the emitters stay.
+// Makes Gaussians of the particles and the Gaussians of sequences that are there at a time [s]; the
+// emitters and sequences stay.
 void freeze_particles(Document& document, double time);
 
 }  // namespace brume

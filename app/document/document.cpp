@@ -58,12 +58,15 @@ void Document::create() {
   open(new_scene(), {});
 }
 
-void Document::save(const std::filesystem::path& file) {
-  const std::filesystem::path absolute = std::filesystem::absolute(file);
-  // Whatever moment is looked at, the same file.
+Scene Document::scene_to_save() const {
   Scene at_start = scene_;
   apply_keys(at_start, 0.0);
-  save_scene(at_start, absolute);
+  return at_start;
+}
+
+void Document::save(const std::filesystem::path& file) {
+  const std::filesystem::path absolute = std::filesystem::absolute(file);
+  save_scene(scene_to_save(), absolute);
   file_ = absolute;
   saved_revision_ = revision_;
   undo_stack_.setClean();

@@ -39,6 +39,8 @@ class Document : public QObject {
   void open(Scene scene, const std::filesystem::path& file);
   // The same with work that the file does not have yet.
   void open_unsaved(Scene scene, const std::filesystem::path& file);
+  // What a file gets: whatever moment is looked at, values with keys are those of the beginning.
+  [[nodiscard]] Scene scene_to_save() const;
   // Keeps the history and marks its present state as saved, or throws InputError.
   void save(const std::filesystem::path& file);
 

@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t first_whole = 2;
 template <class S>
 auto whole_parts(S& scene) {
-  return std::tie(scene.lights, scene.environment, scene.optics, scene.surfaces, scene.emitters);
+  return std::tie(scene.lights, scene.environment, scene.optics, scene.surfaces, scene.emitters,
+                  scene.sequences);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace brume {
 using Lights = std::vector<PointLight>;
 using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
+using Sequences = std::vector<MediumSequence>;
 struct KeyedCamera {
   Camera camera;
   CameraKeys keys;
@@ -24,7 +25,7 @@ struct KeyedDensity {
   bool operator==(const KeyedDensity&) const = default;
 };
 using ScenePart = std::variant<KeyedCamera, KeyedDensity, Lights, std::optional<Environment>,
-                               MediumOptics, Surfaces, Emitters>;
+                               MediumOptics, Surfaces, Emitters, Sequences>;
 
 // The part of a scene that has an index of the variant; and a scene with another part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

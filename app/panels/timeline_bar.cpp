@@ -4,11 +4,13 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/commands/edit_keys.h"
 #include "app/document/document.h"
@@ -36,7 +38,12 @@ QSpinBox* new_number(QWidget* parent, const char* name, const QString& tip) {
 
 TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<Camera()> view,
                          QWidget* parent)
-    : QWidget(parent), document_(document), view_(std::move(view)), target_(new QComboBox(this)) {
+    : QWidget(parent),
+      document_(document),
+      view_(std::move(view)),
+      target_(new QComboBox(this)),
+      keys_(new KeyStrip(timeline, document, this)),
+      key_area_(new QScrollArea(this)) {
   const QColor color = palette().color(QPalette::ButtonText);
   const auto button = [this, &color](const char* icon, const QString& tip) {
     auto* made = new QToolButton(this);
@@ -70,9 +77,12 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   column->setSpacing(0);
   auto* row = new QHBoxLayout;
   column->addLayout(row);
-  auto* keys = new KeyStrip(timeline, document_, this);
-  keys->setObjectName("keys");
-  column->addWidget(keys);
+  keys_->setObjectName("keys");
+  key_area_->setWidget(keys_);
+  key_area_->setWidgetResizable(true);
+  key_area_->setFrameShape(QFrame::NoFrame);
+  key_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(key_area_);
   column->addStretch();
   row->setContentsMargins(8, 2, 8, 2);
   for (QToolButton* b : {to_first, back, play, forward}) row->addWidget(b);
@@ -103,8 +113,10 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   connect(key, &QToolButton::clicked, this, &TimelineBar::set_key);
   for (const auto signal : {&Document::scene_replaced, &Document::part_changed}) {
     connect(&document_, signal, this, &TimelineBar::refresh_targets);
+    connect(&document_, signal, this, &TimelineBar::fit_keys);
   }
   refresh_targets();
+  fit_keys();
 
   const auto show = [=, &timeline] {
     const QSignalBlocker blockers[]{QSignalBlocker(slider), QSignalBlocker(frame),
@@ -121,6 +133,12 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   };
   connect(&timeline, &Timeline::changed, this, show);
   show();
+}
+
+void TimelineBar::fit_keys() {
+  constexpr int most = 112;  // pixels: six rows
+  key_area_->setVisible(!keys_->rows().empty());
+  key_area_->setFixedHeight(std::min(most, keys_->sizeHint().height()));
 }
 
 void TimelineBar::refresh_targets() {

@@ -6,10 +6,12 @@
 #include "core/scene/camera.h"
 
 class QComboBox;
+class QScrollArea;
 
 namespace brume {
 
 class Document;
+class KeyStrip;
 class Timeline;
 
 // The timeline: play, step, the frame on a slider, the range, loop; what to set a key of; and below
@@ -26,10 +28,13 @@ class TimelineBar : public QWidget {
 
  private:
   void refresh_targets();
+  void fit_keys();  // a few rows are seen at once
 
   Document& document_;
   std::function<Camera()> view_;
   QComboBox* target_;
+  KeyStrip* keys_;
+  QScrollArea* key_area_;
 };
 
 }  // namespace brume

@@ -1,0 +1,59 @@
+#include "app/background_job.h"
+
+#include <exception>
+#include <utility>
+
+namespace brume {
+
+BackgroundJob::BackgroundJob(QWidget* parent) : JobBar(parent) {
+  connect(this, &JobBar::cancel_clicked, this, &BackgroundJob::cancel);
+}
+
+BackgroundJob::~BackgroundJob() = default;
+
+bool BackgroundJob::start(const QString& title, const Work& work) {
+  if (running_) return false;
+  running_ = true;
+  cancelled_ = false;
+  show_job(title);
+  thread_ = std::jthread([this, work](const std::stop_token& stop) {
+    Take take;
+    QString problem;
+    try {
+      int told = 0;  // per cent
+      const auto progress = [this, &told](double done) {
+        const int percent = static_cast<int>(100.0 * done);
+        if (percent == std::exchange(told, percent)) return;
+        QMetaObject::invokeMethod(
+            this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
+      };
+      take = work({stop, progress});
+    } catch (const std::exception& error) {
+      problem = QString::fromUtf8(error.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [this, take, problem] { end(take, problem); }, Qt::QueuedConnection);
+  });
+  return true;
+}
+
+void BackgroundJob::cancel() {
+  cancelled_ = true;
+  thread_.request_stop();
+}
+
+void BackgroundJob::end(const Take& take, const QString& problem) {
+  thread_.join();
+  running_ = false;
+  hide();
+  if (cancelled_) {
+    Q_EMIT cancelled();
+  } else if (!problem.isEmpty()) {
+    Q_EMIT failed(problem);
+  } else {
+    if (take) take();
+    Q_EMIT finished();
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,215 @@
+#include "app/import/scene_import.h"
+
+#include <QFileDialog>
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <string_view>
+
+#include "app/commands/edit_medium.h"
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "app/document/paths.h"
+#include "app/import/volume_dialog.h"
+#include "app/import/vtk_points.h"
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/gaussian_file.h"
+#include "core/io/mesh_file.h"
+#include "core/io/ply.h"
+#include "core/io/radiance_map_file.h"
+#include "core/io/sequence_file.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::array<std::string_view, 2> tables{".csv", ".ply"};
+constexpr std::array<std::string_view, 2> vtk_files{".vtp", ".vtu"};
+constexpr std::array<std::string_view, 3> meshes{".obj", ".stl", ".off"};
+constexpr std::array<std::string_view, 2> environments{".exr", ".hdr"};
+
+bool is_one_of(const fs::path& file, const auto& extensions) {
+  const std::string extension = lower_case_extension(file);
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+bool is_volume(const fs::path& file) {
+  return lower_case_extension(file) == ".vdb";
+}
+
+// A PLY may be either.
+bool is_mesh(const fs::path& file) {
+  if (lower_case_extension(file) != ".ply") return is_one_of(file, meshes);
+  const std::string bytes = read_bytes(file);
+  const PlyFile::Element* faces = PlyFile(file, bytes).element("face");
+  return faces != nullptr && faces->count > 0;
+}
+
+std::vector<Gaussian> read_any_gaussians(const fs::path& file) {
+  return is_one_of(file, vtk_files) ? read_vtk_points(file) : read_gaussians(file);
+}
+
+Surface read_surface(const fs::path& file) {
+  Surface surface;
+  surface.mesh_file = file;
+  surface.mesh = read_mesh(file);
+  return surface;
+}
+
+}  // namespace
+
+FrameRun frames_around(const fs::path& file) {
+  const auto files = FramePattern::around(file.string());
+  if (!files) {
+    throw InputError(file, "",
+                     "is no frame of a sequence; allowed: one of several files whose "
+                     "names differ in a number");
+  }
+  const std::vector<int> numbers = files->frames();
+  const auto at = std::find_if(numbers.begin(), numbers.end(),
+                               [&](int number) { return files->of(number) == file.string(); });
+  if (at == numbers.end()) throw InputError(file, "", "is not there");
+  auto first = at;
+  while (first != numbers.begin() && *(first - 1) == *first - 1) --first;
+  auto last = at;
+  while (last + 1 != numbers.end() && *(last + 1) == *last + 1) ++last;
+  return {*files, *first, *last};
+}
+
+SceneImport::SceneImport(Document& document, BackgroundJob& job, QWidget* window)
+    : QObject(window), document_(document), job_(job), window_(window) {}
+
+bool SceneImport::can_import(const fs::path& file) {
+  return is_volume(file) || is_one_of(file, tables) || is_one_of(file, vtk_files) ||
+         is_one_of(file, meshes) || is_one_of(file, environments);
+}
+
+void SceneImport::ask() {
+  const QString name = QFileDialog::getOpenFileName(
+      window_, tr("Import"), {},
+      tr("All that can be imported (*.vdb *.csv *.ply *.vtp *.vtu *.obj *.stl *.off *.exr *.hdr);;"
+         "Volumes (*.vdb);;Gaussians (*.csv *.ply *.vtp *.vtu);;Meshes (*.obj *.ply *.stl *.off);;"
+         "Environments (*.exr *.hdr);;All files (*)"));
+  if (!name.isEmpty()) import_file(to_path(name));
+}
+
+void SceneImport::ask_sequence() {
+  const QString name =
+      QFileDialog::getOpenFileName(window_, tr("Import a sequence: any of its frames"), {},
+                                   tr("Frames (*.vdb *.csv *.ply);;All files (*)"));
+  if (!name.isEmpty()) import_sequence(to_path(name));
+}
+
+void SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
+  if (!job_.start(tr("Importing %1").arg(to_qstring(file.filename())), work)) {
+    Q_EMIT failed(tr("Something else is still being imported or exported."));
+  }
+}
+
+void SceneImport::import_file(const fs::path& given) {
+  const fs::path file = fs::absolute(given);
+  if (is_volume(file)) {
+    auto* dialog = new VolumeDialog(file, std::nullopt, window_);
+    connect(dialog, &VolumeDialog::wanted, this,
+            [this, file](const VolumeFit& how) { import_volume(file, how); });
+    dialog->show();
+    return;
+  }
+  start(file, [this, file](const Job&) -> BackgroundJob::Take {
+    if (is_one_of(file, environments)) {
+      const auto map = read_radiance_map(file);
+      return [this, file, map] {
+        Environment environment = document_.scene().environment.value_or(Environment{});
+        environment.file = file;
+        environment.map = map;
+        set_scene_part(document_, std::optional(std::move(environment)),
+                       tr("Import environment %1").arg(to_qstring(file.filename())));
+      };
+    }
+    if (is_mesh(file)) {
+      return [this, surface = read_surface(file)] {
+        Surfaces surfaces = document_.scene().surfaces;
+        surfaces.push_back(surface);
+        set_scene_part(document_, std::move(surfaces),
+                       tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
+      };
+    }
+    return [this, gaussians = read_any_gaussians(file)] {
+      add_gaussians(document_, gaussians, tr("Import"));
+    };
+  });
+}
+
+void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
+  start(file, [this, file, how](const Job& job) -> BackgroundJob::Take {
+    const auto gaussians = fit_volume(file, how, job);
+    if (!gaussians) return {};
+    return [this, gaussians] { add_gaussians(document_, *gaussians, tr("Import")); };
+  });
+}
+
+double SceneImport::start_time() const {
+  return document_.time();
+}
+
+void SceneImport::add_sequence(MediumSequence sequence) {
+  sequence.start = start_time();
+  Sequences sequences = document_.scene().sequences;
+  const QString name = to_qstring(sequence.file.filename());
+  sequences.push_back(std::move(sequence));
+  set_scene_part(document_, std::move(sequences), tr("Import sequence %1").arg(name));
+}
+
+void SceneImport::import_sequence(const fs::path& given) {
+  const fs::path file = fs::absolute(given);
+  try {
+    const FrameRun run = frames_around(file);
+    if (is_volume(file)) {
+      auto* dialog = new VolumeDialog(file, run, window_);
+      connect(dialog, &VolumeDialog::wanted, this, [this, run, dialog](const VolumeFit& how) {
+        import_volumes(run, how, dialog->folder());
+      });
+      dialog->show();
+      return;
+    }
+    start(file, [this, run](const Job&) -> BackgroundJob::Take {
+      MediumSequence sequence;
+      sequence.file = run.files.text();
+      sequence.first = run.first;
+      sequence.last = run.last;
+      sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(
+          read_sequence(run.files, run.first, run.last));
+      return [this, sequence] { add_sequence(sequence); };
+    });
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
+                                 const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (int frame = run.first; frame <= run.last; ++frame) files.push_back(run.files.of(frame));
+  fs::path names = fs::absolute(folder) / fs::path(run.files.text()).filename();
+  names.replace_extension(".ply");
+  start(files.front(), [this, run, how, files, names](const Job& job) -> BackgroundJob::Take {
+    std::vector<SequenceFrame> frames = fit_volumes(files, how, job);
+    if (frames.size() != files.size()) return {};
+    // Only now, so that nothing is there of what was cancelled.
+    const auto to = FramePattern::parse(names.string());
+    if (!to) throw InputError(names, "", "cannot be the name of a sequence");
+    fs::create_directories(names.parent_path());
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      write_gaussians(to->of(run.first + static_cast<int>(k)), frames[k].gaussians, frames[k].ids);
+    }
+    MediumSequence sequence;
+    sequence.file = names;
+    sequence.first = run.first;
+    sequence.last = run.last;
+    sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(std::move(frames));
+    return [this, sequence] { add_sequence(sequence); };
+  });
+}
+
+}  // namespace brume

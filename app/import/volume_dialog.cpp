@@ -1,0 +1,97 @@
+#include "app/import/volume_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QDoubleValidator>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <exception>
+
+#include "app/document/paths.h"
+#include "core/io/volume_file.h"
+
+namespace brume {
+
+VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optional<FrameRun>& run,
+                           QWidget* parent)
+    : QDialog(parent),
+      grid_(new QComboBox(this)),
+      count_(new QSpinBox(this)),
+      error_(new QDoubleSpinBox(this)),
+      scale_(new QLineEdit("1", this)),
+      up_(new QComboBox(this)) {
+  setWindowTitle(tr("Import %1").arg(to_qstring(file.filename())));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* form = new QFormLayout(this);
+  grid_->setObjectName("volume_grid");
+  QString problem;
+  try {
+    for (const VolumeGridInfo& grid : volume_grids(file)) {
+      grid_->addItem(QString::fromStdString(grid.name));
+    }
+    grid_->setCurrentIndex(std::max(0, grid_->findText("density")));
+  } catch (const std::exception& error) {
+    problem = QString::fromUtf8(error.what());
+  }
+  form->addRow(tr("Grid"), grid_);
+  count_->setObjectName("volume_count");
+  count_->setRange(1, 1'000'000);
+  count_->setValue(500);
+  form->addRow(tr("Gaussians, at most"), count_);
+  error_->setObjectName("volume_error");
+  error_->setRange(0.0, 100.0);
+  error_->setSuffix(" %");
+  error_->setSpecialValueText(tr("as small as it gets"));
+  if (!run) form->addRow(tr("Error of density that will do"), error_);
+  scale_->setObjectName("volume_scale");
+  auto* domain = new QDoubleValidator(1e-12, 1e12, 12, scale_);
+  domain->setLocale(QLocale::c());
+  scale_->setValidator(domain);
+  form->addRow(tr("Scattering of density 1, 1/u"), scale_);
+  up_->setObjectName("volume_up");
+  up_->addItems({tr("y"), tr("z, turned to y")});
+  form->addRow(tr("Up in the volume"), up_);
+  if (run) {
+    folder_ = new QLineEdit(to_qstring(file.parent_path() / "gaussians"), this);
+    folder_->setObjectName("volume_folder");
+    folder_->setMinimumWidth(320);
+    form->addRow(tr("Gaussians are written to"), folder_);
+    form->addRow(new QLabel(tr("Frames %1 to %2").arg(run->first).arg(run->last), this));
+  }
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  QPushButton* import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+  import->setObjectName("import_volume");
+  import->setEnabled(grid_->count() > 0);
+  if (grid_->count() == 0) {
+    auto* why = new QLabel(problem.isEmpty() ? tr("The file has no grids.") : problem, this);
+    why->setWordWrap(true);
+    form->addRow(why);
+  }
+  form->addRow(buttons);
+  connect(scale_, &QLineEdit::textChanged, this, [this, import] {
+    import->setEnabled(scale_->hasAcceptableInput() && grid_->count() > 0);
+  });
+  connect(buttons, &QDialogButtonBox::accepted, this, &VolumeDialog::take);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+std::filesystem::path VolumeDialog::folder() const {
+  return folder_ ? to_path(folder_->text()) : std::filesystem::path();
+}
+
+void VolumeDialog::take() {
+  VolumeFit how;
+  how.grid = grid_->currentText().toStdString();
+  how.options.count = static_cast<std::size_t>(count_->value());
+  how.options.max_error = 0.01 * error_->value();
+  how.density_scale = scale_->text().toDouble();
+  how.z_up = up_->currentIndex() == 1;
+  Q_EMIT wanted(how);
+  accept();
+}
+
+}  // namespace brume

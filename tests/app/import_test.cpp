@@ -1,0 +1,284 @@
+// What comes in from files, and what goes out of the window but for frames.
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSpinBox>
+#include <fstream>
+
+#include "app/background_job.h"
+#include "app/document/paths.h"
+#include "app/import/scene_import.h"
+#include "app/import/volume_dialog.h"
+#include "app/import/vtk_points.h"
+#include "app/medium_dialog.h"
+#include "app/scene_files.h"
+#include "app/timeline.h"
+#include "app/viewport/viewport.h"
+#include "core/error.h"
+#include "core/io/gaussian_file.h"
+#include "core/io/scene_file.h"
+#include "core/io/volume_file.h"
+#include "core/scene/at_time.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path smoke = BRUME_RESOURCES "/volumes/smoke_0025.vdb";
+const std::vector<Gaussian> two{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+// Lets files fall onto the window.
+void drop(TestWindow& window, const std::vector<fs::path>& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const fs::path& file : files) urls << QUrl::fromLocalFile(to_qstring(file));
+  data.setUrls(urls);
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&*window, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&*window, &event);
+}
+
+// Waits for what is done in the background; what went wrong, or nothing.
+QString wait(TestWindow& window) {
+  auto* job = window->findChild<BackgroundJob*>();
+  QString problem;
+  const auto connection = QObject::connect(job, &BackgroundJob::failed,
+                                           [&problem](const QString& text) { problem = text; });
+  const bool ended = QTest::qWaitFor([job] { return !job->is_running(); }, 120000);
+  QObject::disconnect(connection);
+  return ended ? problem : QString("it did not end");
+}
+
+template <class Dialog>
+Dialog* shown(TestWindow& window) {
+  auto* dialog = window->findChild<Dialog*>();
+  return dialog && dialog->isVisible() ? dialog : nullptr;
+}
+
+std::size_t files_in(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+class ImportTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void tables_meshes_and_environments_are_dropped_each_as_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    write_gaussians(window.file("two.csv"), two);
+    write_gaussians(window.file("two.ply"), two);
+    for (const char* name : {"two.csv", "two.ply"}) {
+      drop(window, {window.file(name)});
+      QCOMPARE(wait(window), QString());
+      QCOMPARE(document.undo_stack().undoText(), QString("Import 2 Gaussians"));
+      QCOMPARE(document.selection().size(), std::size_t{2});
+    }
+    QCOMPARE(document.medium().size(), std::size_t{9});
+    drop(window, {BRUME_RESOURCES "/meshes/bunny.obj"});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.undo_stack().undoText(), QString("Import bunny.obj"));
+    QCOMPARE(document.scene().surfaces.size(), std::size_t{1});
+    write_text(window.file("face.ply"),
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+               "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+               "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    drop(window, {window.file("face.ply")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
+    drop(window, {BRUME_RESOURCES "/environments/sunset.exr"});
+    QCOMPARE(wait(window), QString());
+    QVERIFY(document.scene().environment);
+    QCOMPARE(document.undo_stack().count(), 5);
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void what_is_wrong_with_a_file_is_said_and_nothing_changes() {
+    TestWindow window;
+    write_text(window.file("bad.csv"), "x,y,z,radius,density\n0,0,0,-1,1\n");
+    drop(window, {window.file("bad.csv")});
+    QVERIFY(wait(window).contains("line 2, radius"));
+    QVERIFY(!window->document().is_modified());
+    drop(window, {window.file("bad.csv"), window.file("other.csv")});  // no sequence
+    QVERIFY(!window->document().is_modified());
+    QVERIFY(!SceneImport::can_import("readme.txt"));
+  }
+
+  void points_of_vtk_files_bring_radius_and_density() {
+    TestWindow window;
+    const auto points = [&](const char* name, const char* arrays) {
+      write_text(
+          window.file(name),
+          std::string("<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData>"
+                      "<Piece NumberOfPoints=\"2\"><PointData>") +
+              arrays +
+              "</PointData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+              "format=\"ascii\">0 0 0 1 2 4</DataArray></Points></Piece></PolyData></VTKFile>");
+      return window.file(name);
+    };
+    const auto array = [](const char* name, const char* values) {
+      return std::string("<DataArray type=\"Float32\" Name=\"") + name + "\" format=\"ascii\">" +
+             values + "</DataArray>";
+    };
+    const auto full =
+        points("full.vtp", (array("radius", "0.5 0.25") + array("density", "2 3")).c_str());
+    drop(window, {full});
+    QCOMPARE(wait(window), QString());
+    QVERIFY(window->document().medium().gaussian(6) == (Gaussian{{1, 2, 4}, 0.25, 3.0}));
+    QCOMPARE(window->document().undo_stack().undoText(), QString("Import 2 Gaussians"));
+    const auto bare = read_vtk_points(points("bare.vtp", ""));
+    QCOMPARE(bare[0].density, 1.0);
+    QCOMPARE(bare[0].radius, std::cbrt(8.0 / 2.0));
+    QVERIFY_EXCEPTION_THROWN(read_vtk_points(points("bad.vtp", array("radius", "1 0").c_str())),
+                             InputError);
+    write_text(window.file("junk.vtp"), "no XML");
+    QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("junk.vtp")), InputError);
+    QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("none.vtu")), InputError);
+  }
+
+  void a_volume_is_fitted_as_the_dialog_says() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    drop(window, {smoke});
+    auto* dialog = shown<VolumeDialog>(window);
+    QVERIFY(dialog);
+    QCOMPARE(dialog->findChild<QComboBox*>("volume_grid")->currentText(), QString("density"));
+    dialog->findChild<QSpinBox*>("volume_count")->setValue(30);
+    dialog->findChild<QComboBox*>("volume_up")->setCurrentIndex(1);
+    dialog->findChild<QLineEdit*>("volume_scale")->setText("2.5");
+    QTest::mouseClick(dialog->findChild<QPushButton*>("import_volume"), Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.undo_stack().undoText(), QString("Import 30 Gaussians"));
+    VolumeFit how;
+    how.options.count = 30;
+    how.z_up = true;
+    how.density_scale = 2.5;
+    const auto fitted = fit_volume(smoke, how, {});
+    QVERIFY(document.medium().gaussian(5) == fitted->front());
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void fitting_can_be_cancelled() {
+    TestWindow window;
+    VolumeFit how;
+    how.options.count = 100'000;
+    window->import().import_volume(smoke, how);
+    auto* job = window->findChild<BackgroundJob*>();
+    QSignalSpy cancelled(job, &BackgroundJob::cancelled);
+    QTest::qWait(100);
+    job->cancel();
+    QVERIFY(cancelled.wait(60000));
+    QVERIFY(!window->document().is_modified());
+  }
+
+  void a_sequence_plays_and_can_be_frozen() {
+    TestWindow window;
+    Document& document = window->document();
+    const std::vector<GaussianNumber> ids{0, 1};
+    for (int frame = 1; frame <= 3; ++frame) {
+      std::vector<Gaussian> moved = two;
+      for (Gaussian& gaussian : moved) gaussian.center.x += frame;
+      const std::string name = "steam_" + std::to_string(frame) + ".csv";
+      write_gaussians(window.file(name.c_str()), moved, ids);
+    }
+    window->timeline().set_frame(30);
+    drop(window, {window.file("steam_2.csv"), window.file("steam_3.csv")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.undo_stack().undoText(), QString("Import sequence steam_%d.csv"));
+    const MediumSequence& sequence = document.scene().sequences.at(0);
+    QCOMPARE(sequence.first, 1);
+    QCOMPARE(sequence.last, 3);
+    QCOMPARE(sequence.start, 1.0);
+    window->timeline().set_frame(31);
+    QVERIFY(window.settle());
+    const Scene& seen = *window->viewport().shown()->request.scene;
+    QCOMPARE(seen.medium.size(), std::size_t{7});
+    QVERIFY(std::abs(seen.medium.centers()[5].x - 2.0) < 1e-12);
+    QVERIFY(window->files().save_to(window.file("steam.brume")));
+    QCOMPARE(at_time(load_scene(window.file("steam.brume")), 31 / 30.0).medium, seen.medium);
+    for (QAction* action : window->findChildren<QAction*>()) {
+      if (action->text().contains("Freeze")) action->trigger();
+    }
+    QCOMPARE(document.undo_stack().undoText(), QString("Freeze 2 Gaussians"));
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene().sequences.empty());
+  }
+
+  void volumes_become_a_sequence_of_files() {
+    TestWindow window;
+    window->import().import_sequence(smoke);
+    auto* dialog = shown<VolumeDialog>(window);
+    QVERIFY(dialog);
+    dialog->findChild<QSpinBox*>("volume_count")->setValue(25);
+    const fs::path folder = window.file("made");
+    dialog->findChild<QLineEdit*>("volume_folder")->setText(to_qstring(folder));
+    QTest::mouseClick(dialog->findChild<QPushButton*>("import_volume"), Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(window->document().scene().sequences.size(), std::size_t{1});
+    QCOMPARE(window->document().scene().sequences[0].frames->size(), std::size_t{2});
+    QCOMPARE(read_gaussians(folder / "smoke_0026.ply").size(), std::size_t{25});
+    QCOMPARE(files_in(folder), std::size_t{2});
+  }
+
+  void the_medium_leaves_as_a_volume_whose_memory_is_told() {
+    TestWindow window;
+    for (QAction* action : window->findChildren<QAction*>()) {
+      if (action->text().contains("Export Me")) action->trigger();
+    }
+    auto* dialog = shown<MediumDialog>(window);
+    QVERIFY(dialog);
+    auto* button = dialog->findChild<QPushButton*>("export_medium");
+    auto* memory = dialog->findChild<QLabel*>("medium_memory");
+    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(window.file("m.vdb")));
+    QVERIFY2(memory->text().endsWith("MB"), qPrintable(memory->text()));
+    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.0001");
+    QVERIFY(memory->text().contains("More than 2 GB"));
+    QVERIFY(!button->isEnabled());
+    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
+    dialog->findChild<QCheckBox*>("medium_is_range")->setChecked(true);
+    dialog->findChild<QSpinBox*>("medium_first")->setValue(4);
+    dialog->findChild<QSpinBox*>("medium_last")->setValue(5);
+    QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(volume_grids(window.file("m_0005.vdb")).at(0).name, std::string("density"));
+    QVERIFY(fs::exists(window.file("m_0004.vdb")));
+  }
+
+  void gathered_scenes_open_elsewhere() {
+    TestWindow window;
+    drop(window, {BRUME_RESOURCES "/meshes/bunny.obj"});
+    QCOMPARE(wait(window), QString());
+    window->gather_to(window.file("gathered"));
+    QCOMPARE(wait(window), QString());
+    const Scene scene = load_scene(window.file("gathered") / "scene.brume");
+    QCOMPARE(scene.surfaces.size(), std::size_t{1});
+    QVERIFY(fs::exists(window.file("gathered") / "files/bunny.obj"));
+    QVERIFY(window->document().is_modified());  // what is being edited is not what was written
+    window->gather_to(window.file("gathered"));
+    QVERIFY(wait(window).contains("is there already"));
+  }
+};
+
+BRUME_TEST_MAIN(ImportTest)
+#include "import_test.moc"
