@@ -11,6 +11,7 @@
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
 #include "app/frame_export.h"
 #include "app/help_windows.h"
@@ -136,6 +137,8 @@ void MainWindow::create_actions() {
   add(time, tr("Set &Key"), "time.set_key", [this] { timeline_bar_->set_key(); });
   add(time, tr("&Freeze this Moment into Gaussians"), "",
       [this] { freeze_particles(document_, timeline_->time()); });
+  add(time, tr("&Remove Sequences"), "",
+      [this] { set_scene_part(document_, Sequences{}, tr("Remove sequences")); });
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   add(view, tr("Frame &All"), "view.frame_all", [this] { views_->active().frame_all(); });

@@ -42,6 +42,13 @@ void Outliner::rebuild() {
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     medium->addChild(new_item(tr("Emitter %1").arg(k + 1), Kind::emitter, k));
   }
+  for (const MediumSequence& sequence : scene.sequences) {
+    medium->addChild(new_item(tr("Sequence %1, frames %2 to %3")
+                                  .arg(to_qstring(sequence.file.filename()))
+                                  .arg(sequence.first)
+                                  .arg(sequence.last),
+                              Kind::medium));
+  }
   addTopLevelItem(medium);
   auto* lights = new_item(tr("Lights"), Kind::light);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {

@@ -221,6 +221,12 @@ class ImportTest : public QObject {
       if (action->text().contains("Freeze")) action->trigger();
     }
     QCOMPARE(document.undo_stack().undoText(), QString("Freeze 2 Gaussians"));
+    for (QAction* action : window->findChildren<QAction*>()) {
+      if (action->text().contains("Remove Seq")) action->trigger();
+    }
+    QVERIFY(document.scene().sequences.empty());
+    document.undo_stack().undo();
+    QCOMPARE(document.scene().sequences.size(), std::size_t{1});
     document.undo_stack().setIndex(0);
     QVERIFY(document.scene().sequences.empty());
   }
