@@ -315,7 +315,7 @@ std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Ga
   fitting.begin(to_fit_gaussians(grid, start));
   constexpr int rounds = 9;
   constexpr int steps = 8;
-  constexpr double worth_a_round = 0.003;  // of the squares
+  constexpr double worth_a_round = 0.001;  // of the squares
   double last = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
     const double begin = round / static_cast<double>(rounds);

@@ -176,6 +176,8 @@ class TopologyReader {
     reader_.take(whole_size(values_));  // the background
     const auto tiles = reader_.number<std::uint32_t>();
     const auto nodes = reader_.number<std::uint32_t>();
+    constexpr std::uint32_t most = 1'000'000;  // of 4096^3 voxels each
+    if (tiles > most || nodes > most) reader_.fail("holds a root of too many nodes");
     for (std::uint32_t i = 0; i < tiles; ++i) {
       const glm::ivec3 corner = root_corner();
       std::vector<double> number;
