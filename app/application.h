@@ -9,7 +9,12 @@ namespace brume {
 // The one colour that marks what is selected or active.
 QColor accent_color();
 
-// Names the application and gives it its dark look.
+// Names the application and gives it its look.
 void set_up_application(QApplication& application);
+
+// The look of everything but the picture; remembered.
+enum class Theme { dark, light };
+Theme theme();
+void set_theme(Theme theme);
 
 }  // namespace brume

@@ -33,6 +33,7 @@
 #include "app/panels/outliner.h"
 #include "app/panels/performance_panel.h"
 #include "app/panels/timeline_bar.h"
+#include "app/recent_pictures.h"
 #include "app/recovery_bar.h"
 #include "app/scene_files.h"
 #include "app/scene_load.h"
@@ -229,6 +230,7 @@ void MainWindow::connect_document() {
     connect(views_, signal, this, &MainWindow::update_error);
   }
   connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
+  connect(viewport_, &Viewport::frame_shown, this, &MainWindow::keep_recent_picture);
   connect(&document_, &Document::scene_replaced, message_bar_, &QWidget::hide);
   connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
@@ -306,6 +308,15 @@ void MainWindow::show_time() {
   if (looks_through_camera && viewport_->camera() != document_.scene().camera) {
     viewport_->set_camera(document_.scene().camera);
   }
+}
+
+void MainWindow::keep_recent_picture() {
+  const RenderedFrame* frame = viewport_->shown();
+  const std::filesystem::path& file = document_.file();
+  if (!viewport_->is_settled() || file.empty() || document_.is_modified()) return;
+  if (pictured_ == std::pair(file, document_.revision())) return;
+  pictured_ = {file, document_.revision()};
+  save_recent_picture(file, to_picture(frame->frame, viewport_->exposure(), ViewMode::final));
 }
 
 void MainWindow::say(const QString& message) {

@@ -64,6 +64,8 @@ class MainWindow : public QMainWindow {
   void create_actions();  // main_window_actions.cpp
   void fill_airlight_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);
+  void fill_navigation_menu(QMenu* menu);
+  void fill_theme_menu(QMenu* menu);
   void connect_document();
   void offer_recovery();
 
@@ -81,7 +83,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QString folder() const;  // of the scene
   [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
   void change_exposure(double stops);
-  void show_time();  // what the timeline says
+  void keep_recent_picture();  // of the scene as it is in its file
+  void show_time();            // what the timeline says
   void say(const QString& message);
 
   Document document_;
@@ -97,6 +100,7 @@ class MainWindow : public QMainWindow {
   FrameExport* frame_export_ = nullptr;
   BackgroundJob* file_job_ = nullptr;  // imports, exports of the medium, gathers
   SceneImport* import_ = nullptr;
+  std::pair<std::filesystem::path, std::uint64_t> pictured_;  // file and revision
   QLabel* hint_ = nullptr;
   QLabel* numbers_ = nullptr;
   QLabel* error_ = nullptr;

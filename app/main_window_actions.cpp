@@ -7,6 +7,7 @@
 #include <QMenuBar>
 #include <QSettings>
 
+#include "app/application.h"
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_keys.h"
@@ -19,6 +20,7 @@
 #include "app/keys.h"
 #include "app/main_window.h"
 #include "app/panels/timeline_bar.h"
+#include "app/recent_pictures.h"
 #include "app/scene_files.h"
 #include "app/timeline.h"
 #include "app/tools/tool_bars.h"
@@ -29,6 +31,7 @@ namespace brume {
 namespace {
 
 constexpr const char* airlight_key = "view/airlight";
+constexpr const char* navigation_key = "view/navigation";
 constexpr double tool_step = 1.15;  // of a tool's size by one key
 
 constexpr double duplicate_shift = 24.0;  // pixels, so that a copy is seen beside its original
@@ -54,6 +57,7 @@ void MainWindow::create_actions() {
   add(file, tr("&New"), "file.new", [this] { files_->create(); });
   add(file, tr("&Open…"), "file.open", [this] { files_->open(); });
   QMenu* recent = file->addMenu(tr("Open &Recent"));
+  show_large_icons(*recent);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_->fill_recent_menu(*recent); });
   file->addSeparator();
   add(file, tr("&Save"), "file.save", [this] { files_->save(); });
@@ -158,6 +162,8 @@ void MainWindow::create_actions() {
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
   fill_mode_menu(view->addMenu(tr("S&how")));
   fill_airlight_menu(view->addMenu(tr("Air&light")));
+  fill_navigation_menu(view->addMenu(tr("&Navigation")));
+  fill_theme_menu(view->addMenu(tr("&Theme")));
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
@@ -226,6 +232,40 @@ void MainWindow::fill_airlight_menu(QMenu* menu) {
   add("auto", tr("&Auto"), std::nullopt);
   add(to_string(AirlightMethod::paper), tr("&Paper"), AirlightMethod::paper);
   add(to_string(AirlightMethod::sliced), tr("&Sliced"), AirlightMethod::sliced);
+  menu->addActions(group->actions());
+}
+
+void MainWindow::fill_navigation_menu(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  const int remembered = QSettings().value(navigation_key).toInt();
+  const auto add = [&](const char* name, const QString& text, NavigationPreset preset) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setObjectName(QString("navigation_") + name);
+    if (remembered == static_cast<int>(preset)) views_->set_navigation(preset);
+    action->setChecked(remembered == static_cast<int>(preset));
+    connect(action, &QAction::triggered, this, [this, preset] {
+      views_->set_navigation(preset);
+      QSettings().setValue(navigation_key, static_cast<int>(preset));
+    });
+  };
+  add("brume", tr("&Brume: middle button, or Alt"), NavigationPreset::brume);
+  add("blender", tr("Like B&lender: middle button, Shift, Ctrl"), NavigationPreset::blender);
+  add("maya", tr("Like &Maya: Alt and a button"), NavigationPreset::maya);
+  menu->addActions(group->actions());
+}
+
+void MainWindow::fill_theme_menu(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const char* name, const QString& text, Theme theme) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setObjectName(QString("theme_") + name);
+    action->setChecked(brume::theme() == theme);
+    connect(action, &QAction::triggered, this, [theme] { set_theme(theme); });
+  };
+  add("dark", tr("&Dark"), Theme::dark);
+  add("light", tr("&Light"), Theme::light);
   menu->addActions(group->actions());
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/recent_pictures.h"
 #include "app/scene_load.h"
 
 namespace brume {
@@ -124,6 +125,7 @@ void SceneFiles::fill_recent_menu(QMenu& menu) {
     const QString text = QFileInfo(name).fileName().replace('&', "&&");
     QAction* action = menu.addAction(text, this, [this, name] { open_file(to_path(name)); });
     action->setStatusTip(name);
+    action->setIcon(recent_picture(to_path(name)));
   }
   if (menu.isEmpty()) menu.addAction(tr("No scenes yet"))->setEnabled(false);
 }

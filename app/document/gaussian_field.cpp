@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/document/arithmetic.h"
 #include "core/io/number_domain.h"
 
 namespace brume {
@@ -111,7 +112,8 @@ double parse_number(const QString& text) {
   double value = plain.toDouble(&ok);
   // A decimal comma is what many keyboards give.
   if (!ok) value = plain.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
-  return ok ? value : std::numeric_limits<double>::quiet_NaN();
+  if (ok) return value;
+  return evaluate(plain).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 QString number_text(double value) {

@@ -26,7 +26,8 @@ Gaussian within_domains(const Gaussian& gaussian);
 // Why `value` is outside the field's domain, in the user's words; empty if it is fine.
 QString field_problem(GaussianField field, double value);
 
-// A number as the user typed it; not a number (NaN) if the text is none.
+// A number as the user typed it, be it as arithmetic (see evaluate()); not a number (NaN) if the
+// text is none.
 double parse_number(const QString& text);
 // Short, for reading; and exact, for editing.
 QString number_text(double value);

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <exception>
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/scene_part_command.h"
@@ -14,19 +13,29 @@
 #include "app/document/gaussian_field.h"
 #include "app/document/paths.h"
 #include "app/panels/color_button.h"
+#include "app/panels/environment_picture.h"
 #include "app/viewport/view_grid.h"
 #include "core/io/radiance_map_file.h"
 
 namespace brume {
+namespace {
+
+constexpr int picture_width = 180;
+
+}  // namespace
 
 LightPanel::LightPanel(Document& document, const ViewGrid& views, QWidget* parent)
-    : SceneForm(document, parent), views_(views), list_(new QListWidget(this)) {
+    : SceneForm(document, parent),
+      views_(views),
+      list_(new QListWidget(this)),
+      reader_(this, read_radiance_map) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
   add_light_fields(*form);
   add_environment_fields(*form);
   connect(&document_, &Document::active_light_changed, this, &LightPanel::refresh);
+  connect(&document_, &Document::scene_replaced, this, [this] { reader_.cancel(); });
   refresh();
 }
 
@@ -137,6 +146,10 @@ void LightPanel::add_environment_fields(QFormLayout& form) {
   row->addWidget(choose);
   row->addWidget(remove);
   form.addRow(tr("Environment"), row);
+  picture_ = new QLabel(this);
+  picture_->setObjectName("environment_picture");
+  picture_->setToolTip(tr("All around the scene: −z in the middle, +x right of it"));
+  form.addRow({}, picture_);
   connect(choose, &QPushButton::clicked, this, &LightPanel::choose_environment);
   connect(remove, &QPushButton::clicked, this, [this] {
     set_scene_part(document_, std::optional<Environment>(), tr("Remove environment"));
@@ -145,6 +158,11 @@ void LightPanel::add_environment_fields(QFormLayout& form) {
     const auto& environment = document_.scene().environment;
     name->setText(environment ? to_qstring(environment->file.filename()) : tr("none"));
     remove->setEnabled(environment.has_value());
+    // Thousands of directions: not for each drag of a light.
+    if (environment != pictured_) {
+      pictured_ = environment;
+      show_environment();
+    }
   });
 
   const auto add = [&](const QString& title, const char* widget, const NumberDomain& domain,
@@ -176,13 +194,32 @@ void LightPanel::choose_environment() {
 }
 
 void LightPanel::load_environment(const QString& file) {
-  try {
-    Environment environment = document_.scene().environment.value_or(Environment{});
-    environment.file = std::filesystem::absolute(to_path(file));
-    environment.map = read_radiance_map(environment.file);
-    set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
-  } catch (const std::exception& error) {
-    Q_EMIT refused(QString::fromUtf8(error.what()));
+  const std::filesystem::path path = std::filesystem::absolute(to_path(file));
+  picture_->setText(tr("Reading %1 …").arg(to_qstring(path.filename())));
+  reader_.start(
+      path,
+      [this, path](const std::shared_ptr<const RadianceMap>& map) {
+        Environment environment = document_.scene().environment.value_or(Environment{});
+        environment.file = path;
+        environment.map = map;
+        set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
+      },
+      [this](const QString& problem) {
+        show_environment();
+        Q_EMIT refused(problem);
+      });
+}
+
+void LightPanel::show_environment() {
+  const auto& environment = document_.scene().environment;
+  if (environment && environment->map) {
+    const double scale = devicePixelRatioF();
+    QImage image = environment_picture(*environment, static_cast<int>(scale * picture_width),
+                                       static_cast<int>(scale * picture_width / 2));
+    image.setDevicePixelRatio(scale);
+    picture_->setPixmap(QPixmap::fromImage(image));
+  } else {
+    picture_->clear();
   }
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "app/file_reader.h"
 #include "app/panels/scene_form.h"
+#include "core/scene/scene.h"
 
+class QLabel;
 class QListWidget;
 
 namespace brume {
 
-struct PointLight;
 class ViewGrid;
 
 // The lights, the one that is meant in numbers, and the environment.
@@ -15,7 +17,7 @@ class LightPanel : public SceneForm {
  public:
   LightPanel(Document& document, const ViewGrid& views, QWidget* parent);
 
-  // Reads a radiance map, which becomes the environment.
+  // Reads a radiance map in the background; it becomes the environment.
   void load_environment(const QString& file);
 
  private:
@@ -24,11 +26,15 @@ class LightPanel : public SceneForm {
   void add_environment_fields(QFormLayout& form);
   void show_lights();
   void choose_environment();
+  void show_environment();
   [[nodiscard]] const PointLight* light() const;  // the one that is meant; nullptr if none
 
   const ViewGrid& views_;
   QListWidget* list_;
+  QLabel* picture_ = nullptr;            // of the environment
+  std::optional<Environment> pictured_;  // of which one
   bool showing_ = false;
+  FileReader<std::shared_ptr<const RadianceMap>> reader_;
 };
 
 }  // namespace brume

@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <algorithm>
-#include <exception>
 
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
@@ -17,7 +16,8 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent),
       surfaces_(new QComboBox(this)),
       type_(new QComboBox(this)),
-      transfer_(new QComboBox(this)) {
+      transfer_(new QComboBox(this)),
+      reader_(this, read_merl) {
   surfaces_->setObjectName("surface");
   type_->setObjectName("material_type");
   type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…")});
@@ -52,6 +52,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     change_surface(tr("Set what %1 casts onto itself"), no_merge,
                    [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
+  connect(&document_, &Document::scene_replaced, this, [this] { reader_.cancel(); });
   // After the list, which says what surface the fields are about.
   add_fields(*form);
   form->addRow(tr("Onto itself"), transfer_);
@@ -120,26 +121,35 @@ void MaterialPanel::add_fields(QFormLayout& form) {
 
 void MaterialPanel::choose_type(int index) {
   const auto type = static_cast<Material::Type>(index);
-  std::filesystem::path file;
-  std::shared_ptr<const MeasuredBrdf> measured;
-  if (type == Material::Type::measured) {
-    file = to_path(QFileDialog::getOpenFileName(this, tr("Choose a measured material"), {},
-                                                tr("MERL materials (*.binary);;All files (*)")));
-    try {
-      if (!file.empty()) measured = read_merl(file);
-    } catch (const std::exception& error) {
-      Q_EMIT refused(QString::fromUtf8(error.what()));
-    }
-    if (!measured) {
-      refresh();
-      return;
-    }
+  if (type != Material::Type::measured) {
+    set_type(surfaces_->currentIndex(), type, {}, nullptr);
+    return;
   }
-  change(tr("Set material of %1"), no_merge, [&](Material& m) {
-    m.type = type;
-    m.file = file;
-    m.measured = measured;
-  });
+  const QString file = QFileDialog::getOpenFileName(this, tr("Choose a measured material"), {},
+                                                    tr("MERL materials (*.binary);;All files (*)"));
+  refresh();  // until it is read, the type is what it was
+  if (!file.isEmpty()) load_measured(to_path(file));
+}
+
+void MaterialPanel::load_measured(const std::filesystem::path& file) {
+  reader_.start(
+      file,
+      [this, file, index = surfaces_->currentIndex()](const auto& measured) {
+        set_type(index, Material::Type::measured, file, measured);
+      },
+      [this](const QString& problem) { Q_EMIT refused(problem); });
+}
+
+void MaterialPanel::set_type(int index, Material::Type type, const std::filesystem::path& file,
+                             const std::shared_ptr<const MeasuredBrdf>& measured) {
+  Surfaces surfaces = document_.scene().surfaces;
+  if (index < 0 || static_cast<std::size_t>(index) >= surfaces.size()) return;
+  Material& material = surfaces[static_cast<std::size_t>(index)].material;
+  material.type = type;
+  material.file = file;
+  material.measured = measured;
+  set_scene_part(document_, std::move(surfaces),
+                 tr("Set material of %1").arg(surfaces_->itemText(index)));
 }
 
 }  // namespace brume

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "app/file_reader.h"
 #include "app/panels/scene_form.h"
+#include "core/scene/scene.h"
 
 class QComboBox;
 
 namespace brume {
-
-struct Material;
-struct Surface;
 
 // What a surface is made of, and whether it shadows and lights itself.
 class MaterialPanel : public SceneForm {
@@ -16,10 +15,14 @@ class MaterialPanel : public SceneForm {
   MaterialPanel(Document& document, QWidget* parent);
 
   void show_surface(std::size_t index);
+  // Reads a measured material in the background; the surface shown now becomes of it.
+  void load_measured(const std::filesystem::path& file);
 
  private:
   void add_fields(QFormLayout& form);
   void choose_type(int type);
+  void set_type(int index, Material::Type type, const std::filesystem::path& file,
+                const std::shared_ptr<const MeasuredBrdf>& measured);
   void change_surface(const QString& text, MergeId gesture,
                       const std::function<void(Surface&)>& how);
   void change(const QString& text, MergeId gesture, const std::function<void(Material&)>& how);
@@ -29,6 +32,7 @@ class MaterialPanel : public SceneForm {
   QComboBox* surfaces_;
   QComboBox* type_;
   QComboBox* transfer_;
+  FileReader<std::shared_ptr<const MeasuredBrdf>> reader_;
 };
 
 }  // namespace brume

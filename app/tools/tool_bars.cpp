@@ -1,6 +1,7 @@
 #include "app/tools/tool_bars.h"
 
 #include <QActionGroup>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStackedWidget>
@@ -19,12 +20,7 @@ ToolBar::ToolBar(ToolBox& tools, QWidget* parent) : QToolBar(tr("Tools"), parent
   auto* group = new QActionGroup(this);
   for (std::size_t k = 0; k < tools.entries().size(); ++k) {
     const ToolBox::Entry& entry = tools.entries()[k];
-    QIcon icon = load_icon(entry.name, palette().color(QPalette::ButtonText));
-    const QIcon active = load_icon(entry.name, accent_color());
-    for (const QSize size : active.availableSizes()) {
-      icon.addPixmap(active.pixmap(size), QIcon::Normal, QIcon::On);
-    }
-    QAction* action = addAction(icon, entry.title);
+    QAction* action = addAction(entry.title);
     action->setObjectName("tool." + entry.name);
     action->setCheckable(true);
     action->setChecked(k == tools.active());
@@ -37,6 +33,24 @@ ToolBar::ToolBar(ToolBox& tools, QWidget* parent) : QToolBar(tr("Tools"), parent
   connect(&tools, &ToolBox::activated, this, [group](std::size_t index) {
     group->actions().at(static_cast<qsizetype>(index))->setChecked(true);
   });
+  draw_icons();
+}
+
+void ToolBar::changeEvent(QEvent* event) {
+  QToolBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) draw_icons();
+}
+
+void ToolBar::draw_icons() {
+  for (QAction* action : actions()) {
+    const QString name = action->objectName().section('.', 1);
+    QIcon icon = load_icon(name, palette().color(QPalette::ButtonText));
+    const QIcon active = load_icon(name, accent_color());
+    for (const QSize size : active.availableSizes()) {
+      icon.addPixmap(active.pixmap(size), QIcon::Normal, QIcon::On);
+    }
+    action->setIcon(icon);
+  }
 }
 
 ToolOptions::ToolOptions(ToolBox& tools, QWidget* parent) : QFrame(parent) {

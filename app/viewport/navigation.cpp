@@ -70,4 +70,27 @@ Camera frame_sphere(const Camera& camera, const Film& film, const glm::dvec3& ce
   return result;
 }
 
+std::optional<NavigationDrag> navigation_drag(NavigationPreset preset, Qt::MouseButton button,
+                                              Qt::KeyboardModifiers modifiers) {
+  using Drag = NavigationDrag;
+  const bool alt = modifiers.testFlag(Qt::AltModifier);
+  const bool shift = modifiers.testFlag(Qt::ShiftModifier);
+  const bool control = modifiers.testFlag(Qt::ControlModifier);
+  const bool middle = button == Qt::MiddleButton;
+  switch (preset) {
+    case NavigationPreset::brume:
+      if (middle) return alt || shift ? Drag::pan : Drag::orbit;
+      break;
+    case NavigationPreset::blender:
+      if (middle) return shift ? Drag::pan : control ? Drag::zoom : Drag::orbit;
+      break;
+    case NavigationPreset::maya:
+      if (middle && alt) return Drag::pan;
+      break;
+  }
+  if (alt && button == Qt::LeftButton) return Drag::orbit;
+  if (alt && button == Qt::RightButton && preset != NavigationPreset::blender) return Drag::zoom;
+  return std::nullopt;
+}
+
 }  // namespace brume

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <Qt>
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "core/scene/camera.h"
 
@@ -23,5 +26,16 @@ Camera frame_sphere(const Camera& camera, const Film& film, const glm::dvec3& ce
                     double radius);
 
 double target_distance(const Camera& camera);
+
+// Which buttons move the view: Brume's own, or those that users of other programs have in their
+// hands.
+enum class NavigationPreset { brume, blender, maya };
+inline constexpr std::array navigation_presets{NavigationPreset::brume, NavigationPreset::blender,
+                                               NavigationPreset::maya};
+
+enum class NavigationDrag { orbit, pan, zoom };
+// What a drag with a button is; nullopt: none of the view.
+std::optional<NavigationDrag> navigation_drag(NavigationPreset preset, Qt::MouseButton button,
+                                              Qt::KeyboardModifiers modifiers);
 
 }  // namespace brume

@@ -4,16 +4,35 @@
 
 namespace brume {
 
+SurfacePicker::SurfacePicker(const Document& document)
+    : document_(document), thread_([](const Job& job, const std::stop_token&) {
+        try {
+          job.promise->set_value(std::make_shared<const Visibility>(job.surfaces));
+        } catch (...) {
+          job.promise->set_exception(std::current_exception());
+        }
+      }) {
+  connect(&document, &Document::scene_replaced, this, &SurfacePicker::prepare);
+  connect(&document, &Document::part_changed, this, &SurfacePicker::prepare);
+  prepare();
+}
+
+void SurfacePicker::prepare() {
+  if (document_.scene().surfaces == surfaces_) return;
+  surfaces_ = document_.scene().surfaces;
+  auto promise = std::make_shared<std::promise<Built>>();
+  built_ = promise->get_future().share();
+  thread_.start({surfaces_, std::move(promise)});
+}
+
 std::optional<SurfacePoint> SurfacePicker::hit(const glm::dvec3& origin,
                                                const glm::dvec3& direction) {
-  const auto& surfaces = document_.scene().surfaces;
-  if (surfaces.empty()) return std::nullopt;
-  if (!visibility_ || !visibility_->shows(surfaces)) {
-    visibility_ = std::make_unique<Visibility>(surfaces);
-  }
-  const SurfaceHit hit = visibility_->first_hit(origin, direction);
+  prepare();  // others hear of a change sooner than this
+  if (surfaces_.empty()) return std::nullopt;
+  const Visibility& visibility = *built_.get();
+  const SurfaceHit hit = visibility.first_hit(origin, direction);
   if (!hit) return std::nullopt;
-  return visibility_->point(hit, origin, direction, surfaces);
+  return visibility.point(hit, origin, direction, surfaces_);
 }
 
 }  // namespace brume

@@ -64,6 +64,7 @@ void ViewGrid::make_pane(Projection projection) {
     pane->set_exposure(perspective().exposure());
     pane->quality().set_airlight(perspective().quality().airlight());
     pane->quality().set_max_error(perspective().quality().max_error());
+    pane->set_navigation(perspective().navigation());
     pane->set_tool(tool_);
     Q_EMIT pane_made(pane);
   }
@@ -129,6 +130,10 @@ void ViewGrid::set_time(double time) {
 
 void ViewGrid::set_airlight(std::optional<AirlightMethod> method) {
   for (Viewport* pane : panes_) pane->quality().set_airlight(method);
+}
+
+void ViewGrid::set_navigation(NavigationPreset preset) {
+  for (Viewport* pane : panes_) pane->set_navigation(preset);
 }
 
 void ViewGrid::set_max_error(double max_error) {

@@ -35,6 +35,7 @@ class ViewGrid : public QWidget {
   void set_time(double time);
   void set_airlight(std::optional<AirlightMethod> method);
   void set_max_error(double max_error);
+  void set_navigation(NavigationPreset preset);
 
   [[nodiscard]] TransferJob& transfer_job() { return *services_.transfer_job; }
 

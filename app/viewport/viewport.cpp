@@ -421,19 +421,27 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   Q_EMIT used();
   if (tool_) tool_->set_view(*this);
   last_position_ = event->position();
-  const bool alt = event->modifiers().testFlag(Qt::AltModifier);
-  const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-  const Drag turn = projection_ == Projection::perspective ? Drag::orbit : Drag::pan;
-  if (event->button() == Qt::MiddleButton) {
-    drag_ = alt || shift ? Drag::pan : turn;
-  } else if (event->button() == Qt::LeftButton && alt && !(tool_ && tool_->takes_alt())) {
-    drag_ = turn;
-  } else if (event->button() == Qt::RightButton && alt) {
-    drag_ = Drag::zoom;
-  } else if (event->button() == Qt::LeftButton && tool_) {
-    drag_ = Drag::tool;
-    tool_->press(event->position(), event->modifiers());
+  drag_ = drag_of(*event);
+  if (drag_ == Drag::tool) tool_->press(event->position(), event->modifiers());
+}
+
+Viewport::Drag Viewport::drag_of(const QMouseEvent& event) const {
+  const bool left = event.button() == Qt::LeftButton;
+  const bool tools_own = left && tool_ && tool_->takes_alt() &&
+                         event.modifiers().testFlag(Qt::AltModifier) &&
+                         navigation_ != NavigationPreset::maya;
+  const auto drag = navigation_drag(navigation_, event.button(), event.modifiers());
+  if (drag && !tools_own) {
+    switch (*drag) {
+      case NavigationDrag::orbit:
+        return projection_ == Projection::perspective ? Drag::orbit : Drag::pan;
+      case NavigationDrag::pan:
+        return Drag::pan;
+      case NavigationDrag::zoom:
+        return Drag::zoom;
+    }
   }
+  return left && tool_ ? Drag::tool : Drag::none;
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {

@@ -9,6 +9,7 @@
 #include "app/viewport/axis_view.h"
 #include "app/viewport/frame_quality.h"
 #include "app/viewport/handles.h"
+#include "app/viewport/navigation.h"
 #include "app/viewport/view_services.h"
 
 namespace brume {
@@ -43,6 +44,9 @@ class Viewport : public QWidget {
   void set_exposure(double stops);
   [[nodiscard]] ViewMode mode() const { return mode_; }
   void set_mode(ViewMode mode);
+
+  void set_navigation(NavigationPreset preset) { navigation_ = preset; }
+  [[nodiscard]] NavigationPreset navigation() const { return navigation_; }
 
   // What has the left button from now on; a gesture in flight is cancelled. nullptr: nothing.
   void set_tool(Tool* tool);
@@ -117,6 +121,7 @@ class Viewport : public QWidget {
 
  private:
   enum class Drag { none, orbit, pan, zoom, tool };
+  [[nodiscard]] Drag drag_of(const QMouseEvent& event) const;
 
   void frame(const Sphere& sphere);
   void zoom_by(double factor);
@@ -140,6 +145,7 @@ class Viewport : public QWidget {
   QRubberBand band_;
   Legend* legend_;
   bool active_ = false;
+  NavigationPreset navigation_ = NavigationPreset::brume;
 
   Camera camera_;
   double exposure_ = 0.0;

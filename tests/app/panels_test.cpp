@@ -8,11 +8,13 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <fstream>
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_lights.h"
 #include "app/panels/color_button.h"
 #include "app/panels/light_panel.h"
+#include "app/panels/material_panel.h"
 #include "app/panels/number_field.h"
 #include "app/panels/value_field.h"
 #include "app/viewport/viewport.h"
@@ -180,15 +182,25 @@ class PanelsTest : public QObject {
     const Scene before = document.scene();
     auto* intensity = window->findChild<ValueField*>("environment_intensity");
     QVERIFY(!intensity->isEnabled());
+    auto* picture = window->findChild<QLabel*>("environment_picture");
+    QVERIFY(picture->pixmap().isNull());
     window->findChild<LightPanel*>()->load_environment(BRUME_RESOURCES "/environments/sunset.exr");
-    QVERIFY(document.scene().environment && intensity->isEnabled());
+    QVERIFY(picture->text().contains("sunset.exr"));  // it is read in the background
+    QTRY_VERIFY(document.scene().environment);
+    QVERIFY(intensity->isEnabled());
+    const QImage straight = picture->pixmap().toImage();
+    QVERIFY(!straight.isNull());
     enter(window, "environment_rotation", "90");
     enter(window, "environment_intensity", "0.5");
     QCOMPARE(document.scene().environment->rotation, 90.0);
+    QVERIFY(picture->pixmap().toImage() != straight);
     QVERIFY(window.settle());
     const QString file = QString(BRUME_RESOURCES "/environments/missing.exr");
+    QSignalSpy refused(window->findChild<LightPanel*>(), &LightPanel::refused);
     window->findChild<LightPanel*>()->load_environment(file);
+    QTRY_COMPARE(refused.count(), 1);
     QCOMPARE(document.undo_stack().count(), 3);
+    QVERIFY(!picture->pixmap().isNull());
     QTest::mouseClick(window->findChild<QPushButton*>("remove_environment"), Qt::LeftButton);
     QVERIFY(!document.scene().environment);
     document.undo_stack().undo();
@@ -232,6 +244,38 @@ class PanelsTest : public QObject {
     document.undo_stack().setIndex(0);
     QCOMPARE(transfer->currentIndex(), 0);
     QVERIFY(document.scene() == before);
+  }
+
+  void a_measured_material_is_read_in_the_background() {
+    TestWindow window;
+    Document& document = window->document();
+    document.open(load_scene(BRUME_RESOURCES "/scenes/bunny_fog.brume"), {});
+    auto* panel = window->findChild<MaterialPanel*>();
+    const std::filesystem::path file = window.file("grey.binary");
+    {
+      // 90 x 90 x 180 of three colours, 0.5 / pi each (see MERL's scale factors).
+      std::ofstream merl(file, std::ios::binary);
+      const std::int32_t size[]{90, 90, 180};
+      merl.write(reinterpret_cast<const char*>(size), sizeof size);
+      const std::vector<double> plane(90 * 90 * 180, 200.0);
+      for (int c = 0; c < 3; ++c) {
+        merl.write(reinterpret_cast<const char*>(plane.data()),
+                   static_cast<std::streamsize>(plane.size() * sizeof(double)));
+      }
+    }
+    panel->show_surface(1);
+    panel->load_measured(file);
+    panel->show_surface(0);  // the one that was shown is meant
+    QTRY_VERIFY(document.scene().surfaces[1].material.measured);
+    QVERIFY(document.scene().surfaces[1].material.type == Material::Type::measured);
+    QVERIFY(!document.scene().surfaces[0].material.measured);
+    QCOMPARE(document.undo_stack().count(), 1);
+    // Another scene is not given it.
+    document.undo_stack().undo();
+    panel->load_measured(file);
+    document.create();
+    QTest::qWait(500);
+    QCOMPARE(document.undo_stack().count(), 0);
   }
 
   void the_outliner_leads_to_the_panels() {

@@ -1,0 +1,209 @@
+// Pictures of the editor for its manual: every panel, every tool, the views.
+//   editor_pictures SCENE FOLDER
+// Whole windows of 1280 x 800 logical pixels go to FOLDER/window, what the manual shows of them to
+// FOLDER. See tools/make-editor-pictures.
+
+#include <QAction>
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QScrollArea>
+#include <cstdio>
+
+#include "app/application.h"
+#include "app/document/paths.h"
+#include "app/scene_files.h"
+#include "app/scene_load.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/view_grid.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+class Pictures {
+ public:
+  Pictures(const QString& scene, const QString& folder) : folder_(folder) {
+    QDir().mkpath(folder_ + "/window");
+    window_.resize(1280, 800);
+    window_.show();
+    window_.activateWindow();
+    window_.files().open_file(std::filesystem::absolute(to_path(scene)));
+    until([this] { return !window_.files().loading().is_running(); });
+    settle();
+  }
+
+  void make() {
+    take("window");
+    make_tools();
+    make_panels();
+    make_views();
+    make_help();
+    take_light_theme();
+  }
+
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  Viewport& view() { return window_.viewport(); }
+
+  bool until(const std::function<bool()>& done) {
+    const bool is_done = QTest::qWaitFor(done, 120000);
+    if (!is_done) failed_ = true;
+    return is_done;
+  }
+  void settle() {
+    until([this] { return view().isHidden() || view().is_measured(); });
+    QTest::qWait(300);  // until it is painted
+  }
+
+  void save(const QPixmap& picture, const QString& name) {
+    if (!picture.save(folder_ + "/" + name + ".png")) failed_ = true;
+    std::printf("%s\n", qPrintable(name));
+    std::fflush(stdout);
+  }
+  // The whole window, and of it what the manual shows.
+  void take(const QString& name, const QRect& part = {}) {
+    const QPixmap all = window_.grab();
+    save(all, "window/" + name);
+    if (part.isNull()) {
+      save(all, name);
+    } else {
+      const double scale = all.devicePixelRatio();
+      save(all.copy(QRectF(part.topLeft() * scale, part.size() * scale).toRect()), name);
+    }
+  }
+  QRect area(const QWidget* widget) {
+    return {widget->mapTo(&window_, QPoint(0, 0)), widget->size()};
+  }
+
+  void act(const char* action) { window_.findChild<QAction*>(action)->trigger(); }
+  void hover(QPoint at) { QTest::mouseMove(&view(), at); }
+  void move(QPoint to) {
+    QMouseEvent event(QEvent::MouseMove, QPointF(to), view().mapToGlobal(QPointF(to)), Qt::NoButton,
+                      Qt::LeftButton, {});
+    QApplication::sendEvent(&view(), &event);
+  }
+  void stroke(const std::vector<QPoint>& path, int pause) {
+    QTest::mousePress(&view(), Qt::LeftButton, {}, path.front());
+    for (const QPoint at : path) {
+      move(at);
+      QTest::qWait(pause);
+    }
+  }
+  void release(QPoint at) { QTest::mouseRelease(&view(), Qt::LeftButton, {}, at); }
+
+  // The row of options, and the picture below it.
+  QRect tool_part() {
+    const QRect options = area(window_.findChild<QWidget*>("tool_options"));
+    return {options.topLeft(), QSize(options.width(), 340)};
+  }
+
+  // Each with its cursor in the picture, doing what it does.
+  void make_tools() {
+    Document& document = window_.document();
+    const QPoint middle(view().width() / 2, 170);
+    const std::vector<QPoint> path{middle - QPoint(240, -60), middle - QPoint(180, 20),
+                                   middle - QPoint(90, -30), middle - QPoint(20, 70)};
+    const std::vector<QPoint> loop{middle - QPoint(280, -40), middle - QPoint(240, 60),
+                                   middle - QPoint(120, 90),  middle - QPoint(40, 20),
+                                   middle - QPoint(90, -70),  middle - QPoint(200, -100)};
+    for (const auto& entry : window_.tools().entries()) {
+      act(qPrintable("tool." + entry.name));
+      const QString& name = entry.name;
+      const bool turns = name == "move" || name == "rotate" || name == "scale";
+      if (name == "select" || turns) {
+        document.select({document.medium().ids()[2], document.medium().ids()[3]});
+        settle();
+        const glm::dvec3 at = view().rays().project(view().pivot());
+        hover(QPointF(at.x, at.y).toPoint());
+        take("tool_" + name, tool_part());
+      } else {
+        document.select({});
+        const auto& way = name == "lasso" ? loop : path;
+        stroke(way, name == "airbrush" ? 200 : 20);
+        settle();
+        take("tool_" + name, tool_part());
+        release(way.back());
+      }
+      document.undo_stack().setIndex(0);
+      settle();
+    }
+    act("tool.select");
+  }
+
+  void make_panels() {
+    Document& document = window_.document();
+    document.select({document.medium().ids()[2], document.medium().ids()[3]});
+    hover(QPoint(view().width() / 4, view().height() / 2));
+    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+      dock->show();
+      dock->raise();
+      QTest::qWait(100);
+      hover(QPoint(view().width() / 4, view().height() / 2 + 3));
+      QTest::qWait(300);
+      take("panel_" + dock->objectName(), area(dock));
+    }
+    document.select({});
+  }
+
+  void make_views() {
+    ViewGrid& views = window_.views();
+    act("view.four");
+    const auto panes = views.panes();
+    panes[1]->set_mode(ViewMode::optical_depth);
+    panes[2]->set_mode(ViewMode::cost);
+    view().setFocus();
+    view().set_mode(ViewMode::error);
+    until([&] {
+      return std::ranges::all_of(panes, [](const Viewport* p) { return p->is_settled(); }) &&
+             view().error_map() && view().error_map()->done >= 1.0;
+    });
+    QTest::qWait(300);
+    take("views", area(&views));
+    view().set_mode(ViewMode::final);
+    act("view.four");
+    settle();
+  }
+
+  void make_help() {
+    act("help.keys");
+    QTest::qWait(300);
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+      if (top != &window_ && top->isVisible() && qobject_cast<QDialog*>(top)) {
+        save(top->grab(), "keys");
+        top->close();
+      }
+    }
+  }
+
+  void take_light_theme() {
+    act("theme_light");
+    QTest::qWait(300);
+    take("theme_light");
+    act("theme_dark");
+  }
+
+  MainWindow window_;
+  QString folder_;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: editor_pictures SCENE FOLDER\n");
+    return 2;
+  }
+  const QTemporaryDir settings;
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
+    qputenv(name, settings.path().toUtf8());
+  }
+  QApplication application(argc, argv);
+  set_up_application(application);
+  Pictures pictures(argv[1], argv[2]);
+  pictures.make();
+  return pictures.failed() ? 1 : 0;
+}
