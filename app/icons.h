@@ -4,7 +4,8 @@
 
 namespace brume {
 
-// An icon of resources/icons, drawn in `color` wherever the SVG says currentColor.
-QIcon load_icon(const QString& name, const QColor& color);
+// An icon of resources/icons, drawn wherever the SVG says currentColor in the theme's colour of
+// text on buttons, and in the accent colour where it is on.
+QIcon load_icon(const QString& name);
 
 }  // namespace brume

@@ -1,5 +1,7 @@
 #include "app/panels/outliner.h"
 
+#include <QEvent>
+
 #include "app/commands/edit_lights.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
@@ -75,6 +77,11 @@ void Outliner::rebuild() {
 void Outliner::count_gaussians() {
   const std::size_t count = document_.medium().size();
   gaussians_->setText(0, count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count)));
+}
+
+void Outliner::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) rebuild();
 }
 
 }  // namespace brume

@@ -16,6 +16,9 @@ class Outliner : public QTreeWidget {
  Q_SIGNALS:
   void asked_for(brume::Outliner::Kind kind, std::size_t index);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void rebuild();
   void count_gaussians();

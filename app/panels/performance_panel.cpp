@@ -62,6 +62,7 @@ PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
   stages_->setSelectionMode(QAbstractItemView::NoSelection);
   stages_->setFocusPolicy(Qt::NoFocus);
   stages_->header()->setStretchLastSection(true);
+  stages_->setMinimumHeight(50);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 0);

@@ -44,11 +44,10 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
       target_(new QComboBox(this)),
       keys_(new KeyStrip(timeline, document, this)),
       key_area_(new QScrollArea(this)) {
-  const QColor color = palette().color(QPalette::ButtonText);
-  const auto button = [this, &color](const char* icon, const QString& tip) {
+  const auto button = [this](const char* icon, const QString& tip) {
     auto* made = new QToolButton(this);
     made->setObjectName(icon);
-    made->setIcon(load_icon(icon, color));
+    made->setIcon(load_icon(icon));
     made->setAutoRaise(true);
     made->setToolTip(tip);
     return made;
@@ -122,7 +121,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
     const QSignalBlocker blockers[]{QSignalBlocker(slider), QSignalBlocker(frame),
                                     QSignalBlocker(first), QSignalBlocker(last),
                                     QSignalBlocker(loop)};
-    play->setIcon(load_icon(timeline.is_playing() ? "pause" : "play", color));
+    play->setIcon(load_icon(timeline.is_playing() ? "pause" : "play"));
     slider->setRange(timeline.first(), timeline.last());
     slider->setValue(timeline.frame());
     frame->setValue(timeline.frame());

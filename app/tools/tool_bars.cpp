@@ -1,12 +1,10 @@
 #include "app/tools/tool_bars.h"
 
 #include <QActionGroup>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStackedWidget>
 
-#include "app/application.h"
 #include "app/icons.h"
 #include "app/keys.h"
 #include "app/tools/tool_box.h"
@@ -20,7 +18,7 @@ ToolBar::ToolBar(ToolBox& tools, QWidget* parent) : QToolBar(tr("Tools"), parent
   auto* group = new QActionGroup(this);
   for (std::size_t k = 0; k < tools.entries().size(); ++k) {
     const ToolBox::Entry& entry = tools.entries()[k];
-    QAction* action = addAction(entry.title);
+    QAction* action = addAction(load_icon(entry.name), entry.title);
     action->setObjectName("tool." + entry.name);
     action->setCheckable(true);
     action->setChecked(k == tools.active());
@@ -33,24 +31,6 @@ ToolBar::ToolBar(ToolBox& tools, QWidget* parent) : QToolBar(tr("Tools"), parent
   connect(&tools, &ToolBox::activated, this, [group](std::size_t index) {
     group->actions().at(static_cast<qsizetype>(index))->setChecked(true);
   });
-  draw_icons();
-}
-
-void ToolBar::changeEvent(QEvent* event) {
-  QToolBar::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) draw_icons();
-}
-
-void ToolBar::draw_icons() {
-  for (QAction* action : actions()) {
-    const QString name = action->objectName().section('.', 1);
-    QIcon icon = load_icon(name, palette().color(QPalette::ButtonText));
-    const QIcon active = load_icon(name, accent_color());
-    for (const QSize size : active.availableSizes()) {
-      icon.addPixmap(active.pixmap(size), QIcon::Normal, QIcon::On);
-    }
-    action->setIcon(icon);
-  }
 }
 
 ToolOptions::ToolOptions(ToolBox& tools, QWidget* parent) : QFrame(parent) {

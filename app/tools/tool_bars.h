@@ -15,12 +15,6 @@ class ToolBar : public QToolBar {
   Q_OBJECT
  public:
   ToolBar(ToolBox& tools, QWidget* parent);
-
- protected:
-  void changeEvent(QEvent* event) override;
-
- private:
-  void draw_icons();  // in the colours of the theme
 };
 
 // The options of the active tool in one row above the picture.

@@ -103,18 +103,21 @@ class Pictures {
   // Each with its cursor in the picture, doing what it does.
   void make_tools() {
     Document& document = window_.document();
-    const QPoint middle(view().width() / 2, 170);
-    const std::vector<QPoint> path{middle - QPoint(240, -60), middle - QPoint(180, 20),
-                                   middle - QPoint(90, -30), middle - QPoint(20, 70)};
-    const std::vector<QPoint> loop{middle - QPoint(280, -40), middle - QPoint(240, 60),
-                                   middle - QPoint(120, 90),  middle - QPoint(40, 20),
-                                   middle - QPoint(90, -70),  middle - QPoint(200, -100)};
+    // In the fog beside the bunny's head.
+    const std::vector<QPoint> path{{60, 270}, {100, 210}, {150, 240}, {200, 190}};
+    const std::vector<QPoint> loop{{70, 250},  {110, 170}, {220, 160},
+                                   {330, 210}, {240, 290}, {120, 300}};
+    std::vector<GaussianId> some;  // there
+    for (std::size_t k = 0; k < document.medium().size() && some.size() < 2; ++k) {
+      const glm::dvec3& at = view().handles().position(k);
+      if (at.y > 180.0 && at.y < 280.0) some.push_back(document.medium().ids()[k]);
+    }
     for (const auto& entry : window_.tools().entries()) {
       act(qPrintable("tool." + entry.name));
       const QString& name = entry.name;
       const bool turns = name == "move" || name == "rotate" || name == "scale";
       if (name == "select" || turns) {
-        document.select({document.medium().ids()[2], document.medium().ids()[3]});
+        document.select(some);
         settle();
         const glm::dvec3 at = view().rays().project(view().pivot());
         hover(QPointF(at.x, at.y).toPoint());
@@ -123,9 +126,11 @@ class Pictures {
         document.select({});
         const auto& way = name == "lasso" ? loop : path;
         stroke(way, name == "airbrush" ? 200 : 20);
+        if (name == "airbrush") release(way.back());  // it sprays as long as it is held
         settle();
+        hover(way.back());
         take("tool_" + name, tool_part());
-        release(way.back());
+        if (name != "airbrush") release(way.back());
       }
       document.undo_stack().setIndex(0);
       settle();
