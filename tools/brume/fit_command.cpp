@@ -151,7 +151,7 @@ class FitCommand final : public Command {
   std::string up_ = "y";
   double density_scale_ = 1.0;
   std::string frames_;
-  double fps_ = 24.0;
+  double fps_ = 30.0;  // as the timeline
   std::vector<Gaussian> last_;  // of the frame before, and what moves them
   std::optional<VelocityGrid> velocity_;
   GaussianNumbers numbers_;
