@@ -19,6 +19,7 @@
 #include "render/cpu/visibility.h"
 #include "render/environment_source.h"
 #include "render/film_airlight.h"
+#include "render/film_surfaces.h"
 #include "render/fog_end.h"
 #include "render/job.h"
 #include "render/light_limits.h"
@@ -458,53 +459,10 @@ void Renderer::Impl::shade_surfaces(Work& work) {
   }
   shading.take_light(work.scene, prepared.medium(), lighting, work.settings, arithmetic, work.job,
                      work.frame.statistics.light_pairs);
-  // What transfer does not hold.
-  const SurfaceLighting straight{.lights = lighting.lights};
-  std::atomic<std::uint64_t> pairs = 0;
-  work.job.each(work.tiles.count(), [&](std::size_t tile) {
-    struct Seen {
-      SurfaceHit hit;
-      glm::dvec3 direction;
-      std::size_t pixel;
-    };
-    std::array<Seen, Tiles::pixels> seen;
-    std::size_t count = 0;
-    each_pixel(work, tile, [&](std::size_t i, int x, int y) {
-      surface_radiance[i] = glm::vec3(0.0f);
-      if (hits[i]) seen[count++] = {hits[i], work.rays.direction(x + 0.5, y + 0.5), i};
-    });
-    // Surface by surface.
-    for (auto first = seen.begin(), last = first + static_cast<std::ptrdiff_t>(count);
-         first != last;) {
-      const auto after = std::stable_partition(
-          first, last,
-          [surface = first->hit.surface](const Seen& s) { return s.hit.surface == surface; });
-      std::array<SurfaceHit, Tiles::pixels> tile_hits;
-      std::array<glm::dvec3, Tiles::pixels> directions;
-      const auto n = static_cast<std::size_t>(after - first);
-      for (std::size_t k = 0; k < n; ++k) {
-        tile_hits[k] = first[static_cast<std::ptrdiff_t>(k)].hit;
-        directions[k] = first[static_cast<std::ptrdiff_t>(k)].direction;
-      }
-      SurfacePoints points;
-      prepared.visibility().points(std::span(tile_hits).first(n), std::span(directions).first(n),
-                                   work.scene.surfaces, points);
-      PointRadiance radiance;
-      const SurfaceShading& own = shading.surfaces()[static_cast<std::size_t>(first->hit.surface)];
-      pairs += brume::surface_radiance(prepared.medium(), prepared.visibility(),
-                                       own.transferred ? straight : lighting, own, points,
-                                       arithmetic, radiance);
-      if (own.transferred) {
-        own.transferred->add(std::span(tile_hits).first(n), points, radiance);
-      }
-      for (std::size_t k = 0; k < n; ++k) {
-        surface_radiance[first[static_cast<std::ptrdiff_t>(k)].pixel] = {
-            radiance.r[k], radiance.g[k], radiance.b[k]};
-      }
-      first = after;
-    }
-  });
-  work.frame.statistics.light_pairs += pairs;
+  const FilmSurfaces film{
+      work.scene.surfaces, prepared.medium(), prepared.visibility(), shading, lighting, work.rays,
+      work.frame.film,     arithmetic};
+  work.frame.statistics.light_pairs += film.shade(hits, work.job, surface_radiance);
 }
 
 // Eq. 29. An environment is what is seen where nothing is hit.

@@ -2,22 +2,13 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "core/fit/gaussian_fit.h"
+#include "core/fit/volume_fitter.h"
 #include "core/scene/medium_sequence.h"
 #include "render/job.h"
 
 namespace brume {
-
-// How a volume becomes Gaussians.
-struct VolumeFit {
-  std::string grid = "density";
-  FitOptions options;
-  double density_scale = 1.0;  // what a density of 1 scatters [1/u]
-  bool z_up = false;           // z is turned to y
-};
 
 // nullopt when it was stopped. Throws InputError.
 std::optional<std::vector<Gaussian>> fit_volume(const std::filesystem::path& file,

@@ -61,7 +61,8 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids) {
   const std::string bytes = read_bytes(file);
   TextScanner text(bytes);
-  if (!text.next_line()) throw InputError(file, "", "the file is empty");
+  if (!text.next_line())
+    throw InputError(file, "", "the file is empty; allowed: Gaussians as PLY or CSV");
   const std::vector<std::string_view> header = cells(text.rest_of_line());
   const std::array<std::size_t, 5> columns = find_columns(file, header);
   const auto id_column = static_cast<std::size_t>(
