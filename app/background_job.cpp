@@ -1,7 +1,6 @@
 #include "app/background_job.h"
 
 #include <exception>
-#include <utility>
 
 namespace brume {
 
@@ -20,14 +19,7 @@ bool BackgroundJob::start(const QString& title, const Work& work) {
     Take take;
     QString problem;
     try {
-      int told = 0;  // per cent
-      const auto progress = [this, &told](double done) {
-        const int percent = static_cast<int>(100.0 * done);
-        if (percent == std::exchange(told, percent)) return;
-        QMetaObject::invokeMethod(
-            this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
-      };
-      take = work({stop, progress});
+      take = work({stop, progress()});
     } catch (const std::exception& error) {
       problem = QString::fromUtf8(error.what());
     }

@@ -96,17 +96,9 @@ void FrameExport::start(const FrameExportRequest& request) {
   thread_ = std::jthread([=, this](const std::stop_token& stop) {
     Outcome outcome = Outcome::written;
     QString text = to_qstring(request.file);
-    int told = 0;  // per cent
-    const auto progress = [this, &told](double done) {
-      const int percent = static_cast<int>(100.0 * done);
-      if (percent == told) return;
-      told = percent;
-      QMetaObject::invokeMethod(
-          this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
-    };
     int written = 0;
     try {
-      Exporter exporter(request, {stop, progress});
+      Exporter exporter(request, {stop, progress()});
       try {
         exporter.run();
       } catch (const Cancelled&) {

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
+#include <utility>
 
 namespace brume {
 
@@ -31,6 +32,15 @@ void JobBar::show_job(const QString& text) {
 void JobBar::show_progress(int percent) {
   bar_->setRange(0, 100);
   bar_->setValue(percent);
+}
+
+std::function<void(double)> JobBar::progress() {
+  return [this, told = 0](double done) mutable {
+    const int percent = static_cast<int>(100.0 * done);
+    if (percent == std::exchange(told, percent)) return;
+    QMetaObject::invokeMethod(
+        this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
+  };
 }
 
 }  // namespace brume

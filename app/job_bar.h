@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 class QLabel;
 class QProgressBar;
@@ -19,6 +20,8 @@ class JobBar : public QWidget {
  protected:
   void show_job(const QString& text);
   void show_progress(int percent);  // without, the bar says only that something goes on
+  // Tells the bar, from another thread, which share of the work is done.
+  [[nodiscard]] std::function<void(double)> progress();
 
  private:
   QLabel* label_;

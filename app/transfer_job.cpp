@@ -39,15 +39,8 @@ void TransferJob::start() {
     QStringList lines;
     QString problem;
     try {
-      int told = 0;  // per cent
-      const auto progress = [this, &told](double done) {
-        const int percent = static_cast<int>(100.0 * done);
-        if (percent == std::exchange(told, percent)) return;
-        QMetaObject::invokeMethod(
-            this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
-      };
       std::vector<std::string> warnings;
-      is_made = transfers_->make(requests, cache_folder(), {stop, progress}, &warnings);
+      is_made = transfers_->make(requests, cache_folder(), {stop, progress()}, &warnings);
       for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
     } catch (const std::exception& error) {
       problem = QString::fromUtf8(error.what());

@@ -29,7 +29,8 @@ Medium box_of(int count);
 Scene box_scene(int count, int lights);
 
 // `sliced` with the airlight at every fourth pixel and the fewest slices that keep an error of 2%
-// on the scene's own film, by the upper end of the interval of 1000 pixels.
+// on the scene's own film, by the upper end of the interval of 1000 pixels; the most where none
+// does.
 Settings fewest_slices(Renderer& renderer, const Scene& scene);
 
 // CPU seconds that this process has used so far, all threads together.
