@@ -112,7 +112,8 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
   for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
   const Material& material = points.surface->material;
   const bool is_diffuse = !shading.material || shading.material->is_diffuse();
-  if (!is_diffuse) indirect.clear();
+  const bool reflects_indirect = !is_diffuse && (lighting.point || lighting.environment);
+  if (reflects_indirect) indirect.clear();
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
     const glm::vec3 position(light.light.position - points.origin);
@@ -147,7 +148,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
       }
     });
   }
-  if (!is_diffuse && (lighting.point || lighting.environment)) {
+  if (reflects_indirect) {
     add_reflected(points, shading.material->table(), indirect, radiance);
   }
   return pairs;

@@ -48,7 +48,6 @@ class ShMaterial {
                                      const glm::dvec3& wo) const;
 
   [[nodiscard]] bool is_diffuse() const { return diffuse_; }
-  [[nodiscard]] const BrdfSh& brdf() const { return brdf_; }
   // Of what is not diffuse; the same for many points at once.
   [[nodiscard]] const ReflectionTable& table() const { return *table_; }
 
