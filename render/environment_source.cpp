@@ -43,7 +43,7 @@ bool EnvironmentSource::update(const Input& input, const Job& job) {
   const bool same_light = grid_ && environment_.map == environment.map &&
                           anisotropy_ == input.anisotropy && size_ == input.size;
   const bool same = same_light && environment_.rotation == environment.rotation &&
-                    receivers_ == input.receivers && medium_ == input.medium;
+                    has_same(input.receivers) && medium_ == input.medium;
   environment_ = environment;
   scattered_.intensity = environment.intensity;
   scattered_.rotation = environment.rotation;
@@ -69,6 +69,13 @@ bool EnvironmentSource::update(const Input& input, const Job& job) {
                 input.size, job);
   if (job.stop.stop_requested()) grid_.reset();
   return grid_.has_value();
+}
+
+// Of where receivers are only that counts which decides on the grid.
+bool EnvironmentSource::has_same(const std::optional<SourceGrid::Receivers>& receivers) const {
+  if (!receivers_ || !receivers) return receivers_.has_value() == receivers.has_value();
+  return receivers_->optics == receivers->optics &&
+         grid_->holds(receivers_->box) == grid_->holds(receivers->box);
 }
 
 void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std::size_t directions,

@@ -41,6 +41,7 @@ class EnvironmentSource {
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
 
  private:
+  [[nodiscard]] bool has_same(const std::optional<SourceGrid::Receivers>& receivers) const;
   void read_map(const RadianceMap& map, double anisotropy, std::size_t directions, const Job& job);
 
   // What the grid and the lights were made from.

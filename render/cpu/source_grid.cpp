@@ -38,10 +38,6 @@ struct Bounds {
     }
   }
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
-  [[nodiscard]] bool hold(const Box& box) const {
-    return glm::all(glm::lessThanEqual(low, box.low)) &&
-           glm::all(glm::greaterThanEqual(high, box.high));
-  }
 };
 
 // Nodes from `low` to `high` at the least spacing that makes no more than `most` of them, but not
@@ -135,11 +131,12 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
                        const SourceGridSize& size, const Job& job)
     : bands_(content.bands) {
   const Bounds bounds(gaussians);
+  core_ = {bounds.low, bounds.high};
   if (bounds.empty()) {
     levels_.emplace_back();
   } else {
     levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.least_radius, size.nodes));
-    if (content.has_fog || (content.receivers && !bounds.hold(content.receivers->box))) {
+    if (content.has_fog || (content.receivers && !holds(content.receivers->box))) {
       const double beyond = glm::length(bounds.high - bounds.low);
       levels_.push_back(layout(bounds.low - beyond, bounds.high + beyond,
                                2.0 * static_cast<double>(levels_[0].nodes.spacing),
@@ -147,6 +144,11 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     }
   }
   for (Level& level : levels_) fill(level, gaussians, lights, content, job);
+}
+
+bool SourceGrid::holds(const Box& box) const {
+  return glm::all(glm::lessThanEqual(core_.low, box.low)) &&
+         glm::all(glm::greaterThanEqual(core_.high, box.high));
 }
 
 }  // namespace brume

@@ -72,9 +72,12 @@ class SourceGrid {
   // From fine to coarse: one or two.
   [[nodiscard]] std::span<const Level> levels() const { return levels_; }
   [[nodiscard]] int bands() const { return bands_; }
+  // Whether the fine grid alone would do for receivers in this box.
+  [[nodiscard]] bool holds(const Box& box) const;
 
  private:
   int bands_;
+  Box core_;  // of the fine grid; empty without Gaussians
   std::vector<Level> levels_;
 };
 
