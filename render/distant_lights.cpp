@@ -128,34 +128,64 @@ std::optional<std::pair<Box, Box>> halves(const Raster& raster, const Box& box) 
                                box_of(raster, box.x0, cut_y, box.x1, box.y1)};
 }
 
-void append(const Light& light, std::vector<DistantLight>& lights) {
-  if (!(light.power() > 0.0)) return;
+std::optional<DistantLight> distant(const Light& light) {
+  if (!(light.power() > 0.0)) return std::nullopt;
   const double length = glm::length(light.moment);
   // All around and even: any direction is as good as another.
-  lights.push_back({length > 0.0 ? light.moment / length : glm::dvec3(0, 1, 0), light.flux});
+  return DistantLight{length > 0.0 ? light.moment / length : glm::dvec3(0, 1, 0), light.flux};
 }
 
-}  // namespace
+void append(const Light& light, std::vector<DistantLight>& lights) {
+  if (const auto one = distant(light)) lights.push_back(*one);
+}
 
-std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count) {
-  const Raster raster(map, 64);
+constexpr int fine_rows = 64;
+
+// Boxes of `side` cells, split until there are `count`.
+std::vector<Box> split(const Raster& raster, int side, std::size_t count) {
   std::priority_queue<Box> boxes;
-  boxes.push(box_of(raster, 0, 0, raster.columns(), raster.rows()));
-  std::vector<Box> cells;  // that cannot be cut
-  while (!boxes.empty() && boxes.size() + cells.size() < count && boxes.top().spread > 0.0) {
+  for (int y = 0; y < raster.rows(); y += side) {
+    for (int x = 0; x < raster.columns(); x += side) {
+      boxes.push(box_of(raster, x, y, std::min(x + side, raster.columns()),
+                        std::min(y + side, raster.rows())));
+    }
+  }
+  std::vector<Box> result;  // at first those that cannot be split
+  while (!boxes.empty() && boxes.size() + result.size() < count && boxes.top().spread > 0.0) {
     const Box box = boxes.top();
     boxes.pop();
     if (const auto cut = halves(raster, box)) {
       boxes.push(cut->first);
       boxes.push(cut->second);
     } else {
-      cells.push_back(box);
+      result.push_back(box);
     }
   }
+  for (; !boxes.empty(); boxes.pop()) result.push_back(boxes.top());
+  return result;
+}
+
+}  // namespace
+
+std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count) {
+  const Raster raster(map, fine_rows);
   std::vector<DistantLight> lights;
-  for (const Box& cell : cells) append(cell.light, lights);
-  for (; !boxes.empty(); boxes.pop()) append(boxes.top().light, lights);
+  for (const Box& box : split(raster, raster.columns(), count)) append(box.light, lights);
   return lights;
+}
+
+std::vector<LightGroup> distant_light_groups(const RadianceMap& map, std::size_t count, int rows) {
+  const Raster raster(map, fine_rows);
+  std::vector<LightGroup> groups;
+  for (const Box& box : split(raster, fine_rows / rows, count)) {
+    const auto whole = distant(box.light);
+    if (!whole) continue;
+    LightGroup& group = groups.emplace_back(LightGroup{*whole, {}});
+    for (int y = box.y0; y < box.y1; ++y) {
+      for (int x = box.x0; x < box.x1; ++x) append(raster.at(x, y), group.parts);
+    }
+  }
+  return groups;
 }
 
 std::vector<DistantLight> even_distant_lights(const RadianceMap& map, int rows) {

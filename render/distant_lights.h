@@ -20,6 +20,16 @@ struct DistantLight {
 // an even sky is taken at even steps, a sun exactly where it stands, and all the light is there.
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count);
 
+// Some of the lights of a map that a smooth function may take at one direction.
+struct LightGroup {
+  DistantLight whole;
+  std::vector<DistantLight> parts;  // in steps of 180 degrees / 64
+};
+
+// The same lights with what they are made of, `count` of them or as many as there are boxes of
+// 180 degrees / `rows`, which none is larger than; `rows` divides 64.
+std::vector<LightGroup> distant_light_groups(const RadianceMap& map, std::size_t count, int rows);
+
 // The same in rows and columns of equal angles, `rows` >= 1 of them from pole to pole and twice as
 // many around.
 std::vector<DistantLight> even_distant_lights(const RadianceMap& map, int rows);

@@ -10,7 +10,7 @@ namespace brume {
 
 // The inner loops of SourceGrid in single precision (Highway). Values at the nodes of a grid lie
 // with x fastest, then y, then z. A grid is swept slab by slab from the end that light comes from:
-// what a slab gets is interpolated linearly in the slab before, so light spreads sideways a little.
+// what a slab gets is interpolated in the slab before by polynomials of degree 3.
 
 struct GridNodes {
   glm::ivec3 count{2};   // along each axis

@@ -16,12 +16,17 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// From pole to pole. The error of a midpoint rule falls with the square of its steps; the peak of
-// the phase function wants a few of them.
-int rows_of_sphere(double anisotropy, double tolerance) {
-  const double smooth = 0.25 / std::sqrt(tolerance);
-  const double peak = pi / (0.4 * (1.0 - std::abs(anisotropy)));
-  return static_cast<int>(std::ceil(std::clamp(std::max(smooth, peak), 8.0, 64.0)));
+// Directions that the transmittance is taken at. The error of a midpoint rule on the sphere falls
+// with their number; measured on fog patches under skies with a low sun, where light passes through
+// several of them.
+std::size_t directions(double tolerance) {
+  return static_cast<std::size_t>(std::clamp(0.25 / tolerance, 64.0, 8192.0));
+}
+
+// The peak of the phase function makes any part of the sky matter most: none is taken wider than
+// this [180 degrees / rows].
+int least_rows(double anisotropy) {
+  return anisotropy == 0.0 ? 4 : std::abs(anisotropy) < 0.7 ? 8 : 16;
 }
 
 }  // namespace
@@ -30,15 +35,49 @@ ReferenceEnvironment::ReferenceEnvironment(const Environment& environment, doubl
                                            double fog_depth, double tolerance)
     : anisotropy_(anisotropy),
       attenuation_(std::exp(-fog_depth)),
-      lights_(even_distant_lights(*environment.map, rows_of_sphere(anisotropy, tolerance))) {
-  for (DistantLight& light : lights_) {
-    light.direction = environment_rotation(environment) * light.direction;
+      groups_(
+          distant_light_groups(*environment.map, directions(tolerance), least_rows(anisotropy))) {
+  const glm::dquat rotation = environment_rotation(environment);
+  const auto place = [&](DistantLight& light) {
+    light.direction = rotation * light.direction;
     light.flux *= environment.intensity;
+  };
+  for (LightGroup& group : groups_) {
+    place(group.whole);
+    for (DistantLight& part : group.parts) place(part);
   }
+}
+
+std::vector<DistantLight> ReferenceEnvironment::scattered_along(const glm::dvec3& w) const {
+  const double scale = attenuation_ / (4.0 * pi);
+  std::vector<DistantLight> result;
+  result.reserve(groups_.size());
+  for (const LightGroup& group : groups_) {
+    if (anisotropy_ == 0.0) {
+      result.push_back({group.whole.direction, scale * group.whole.flux});
+      continue;
+    }
+    glm::dvec3 flux(0.0);
+    glm::dvec3 moment(0.0);
+    for (const DistantLight& part : group.parts) {
+      const glm::dvec3 turned =
+          scale * henyey_greenstein(glm::dot(w, part.direction), anisotropy_) * part.flux;
+      flux += turned;
+      moment += (turned.x + turned.y + turned.z) * part.direction;
+    }
+    const double length = glm::length(moment);
+    result.push_back({length > 0.0 ? moment / length : group.whole.direction, flux});
+  }
+  return result;
 }
 
 glm::dvec3 ReferenceEnvironment::source(const MediumIndex& medium, const glm::dvec3& x,
                                         const glm::dvec3& w) const {
+  return sum(medium, x, scattered_along(w));
+}
+
+glm::dvec3 ReferenceEnvironment::sum(const MediumIndex& medium, const glm::dvec3& x,
+                                     std::span<const DistantLight> scattered) const {
   GaussiansAroundLight<double> around(x);
   double beyond = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
@@ -48,12 +87,11 @@ glm::dvec3 ReferenceEnvironment::source(const MediumIndex& medium, const glm::dv
     beyond = std::max(beyond, glm::length(medium.gaussians()[i].b - x) + 2.0 * reach);
   }
   around.finish();
-  glm::dvec3 sum(0.0);
-  for (const DistantLight& light : lights_) {
-    const double turned = henyey_greenstein(glm::dot(w, light.direction), anisotropy_);
-    sum += turned * std::exp(-around.depth(light.direction, beyond)) * light.flux;
+  glm::dvec3 result(0.0);
+  for (const DistantLight& light : scattered) {
+    result += std::exp(-around.depth(light.direction, beyond)) * light.flux;
   }
-  return attenuation_ / (4.0 * pi) * sum;
+  return result;
 }
 
 glm::dvec3 ReferenceEnvironment::airlight(const MediumIndex& medium,
@@ -62,21 +100,22 @@ glm::dvec3 ReferenceEnvironment::airlight(const MediumIndex& medium,
   // Over the share u of the ray's light that is gone at x, of which J is a smooth function.
   const double gone = -std::expm1(-ray.depth(ray.d));
   if (!(gone > 0.0)) return glm::dvec3(0.0);
+  const std::vector<DistantLight> scattered = scattered_along(ray.w);
   std::map<double, glm::dvec3> known;  // the channels mostly ask at the same places
-  glm::dvec3 sum(0.0);
+  glm::dvec3 result(0.0);
   for (int c = 0; c < 3; ++c) {
     const auto channel = [&](double u) {
       const auto [at, is_new] = known.try_emplace(u);
       if (is_new) {
         const double t = ray.parameter_at_depth(-std::log1p(-u));
-        at->second = source(medium, ray.eye + t * ray.w, ray.w);
+        at->second = sum(medium, ray.eye + t * ray.w, scattered);
       }
       return at->second[c];
     };
     // The rule's own estimate is more than ten times its error here.
-    sum[c] = integrate<double>(channel, std::array{0.0, gone}, 10.0 * tolerance).value;
+    result[c] = integrate<double>(channel, std::array{0.0, gone}, 10.0 * tolerance).value;
   }
-  return sum;
+  return result;
 }
 
 }  // namespace brume

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -17,7 +18,8 @@ namespace brume {
 class ReferenceEnvironment {
  public:
   // `fog_depth`: optical depth of the homogeneous part from any point to where the fog ends. The
-  // sphere is taken in steps whose error is about `tolerance`, relative.
+  // error of taking the medium's transmittance at so many directions is about `tolerance`,
+  // relative; the phase function is taken at all of the map.
   ReferenceEnvironment(const Environment& environment, double anisotropy, double fog_depth,
                        double tolerance);
 
@@ -31,9 +33,15 @@ class ReferenceEnvironment {
                                     double tolerance) const;
 
  private:
+  // What each group scatters along w where nothing stands in its way, and the middle of where that
+  // comes from.
+  [[nodiscard]] std::vector<DistantLight> scattered_along(const glm::dvec3& w) const;
+  [[nodiscard]] glm::dvec3 sum(const MediumIndex& medium, const glm::dvec3& x,
+                               std::span<const DistantLight> scattered) const;
+
   double anisotropy_;
   double attenuation_;  // by the fog
-  std::vector<DistantLight> lights_;
+  std::vector<LightGroup> groups_;
 };
 
 }  // namespace brume
