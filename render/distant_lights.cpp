@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
-#include <queue>
 
 namespace brume {
 namespace {
@@ -84,6 +83,7 @@ struct Box {
   int x0, y0, x1, y1;
   Light light;
   double spread;
+  int family = 0;
 
   bool operator<(const Box& other) const { return spread < other.spread; }
 };
@@ -141,28 +141,37 @@ void append(const Light& light, std::vector<DistantLight>& lights) {
 
 constexpr int fine_rows = 64;
 
-// Boxes of `side` cells, split until there are `count`.
-std::vector<Box> split(const Raster& raster, int side, std::size_t count) {
-  std::priority_queue<Box> boxes;
+std::vector<Box> split(const Raster& raster, const LightGrouping& grouping) {
+  const int side = raster.rows() / grouping.least_rows;
+  // Where one box is enough, it goes all around.
+  const int width = grouping.least_rows == 1 ? raster.columns() : side;
+  std::vector<Box> boxes;  // a heap, and behind it those that cannot be split
   for (int y = 0; y < raster.rows(); y += side) {
-    for (int x = 0; x < raster.columns(); x += side) {
-      boxes.push(box_of(raster, x, y, std::min(x + side, raster.columns()),
-                        std::min(y + side, raster.rows())));
+    for (int x = 0; x < raster.columns(); x += width) {
+      boxes.push_back(box_of(raster, x, y, x + width, y + side));
     }
   }
-  std::vector<Box> result;  // at first those that cannot be split
-  while (!boxes.empty() && boxes.size() + result.size() < count && boxes.top().spread > 0.0) {
-    const Box box = boxes.top();
-    boxes.pop();
+  auto end = boxes.size();
+  std::make_heap(boxes.begin(), boxes.end());
+  for (;;) {
+    if (boxes.size() <= grouping.families) {
+      for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].family = static_cast<int>(i);
+    }
+    if (end == 0 || boxes.size() >= grouping.groups || !(boxes.front().spread > 0.0)) return boxes;
+    const auto heap_end = boxes.begin() + static_cast<std::ptrdiff_t>(end);
+    std::pop_heap(boxes.begin(), heap_end);
+    const Box box = boxes[end - 1];
     if (const auto cut = halves(raster, box)) {
-      boxes.push(cut->first);
-      boxes.push(cut->second);
+      boxes[end - 1] = cut->first;
+      boxes[end - 1].family = box.family;
+      boxes.insert(heap_end, cut->second)->family = box.family;
+      std::push_heap(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(end));
+      ++end;
+      std::push_heap(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(end));
     } else {
-      result.push_back(box);
+      --end;
     }
   }
-  for (; !boxes.empty(); boxes.pop()) result.push_back(boxes.top());
-  return result;
 }
 
 }  // namespace
@@ -170,17 +179,18 @@ std::vector<Box> split(const Raster& raster, int side, std::size_t count) {
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count) {
   const Raster raster(map, fine_rows);
   std::vector<DistantLight> lights;
-  for (const Box& box : split(raster, raster.columns(), count)) append(box.light, lights);
+  for (const Box& box : split(raster, {.groups = count})) append(box.light, lights);
   return lights;
 }
 
-std::vector<LightGroup> distant_light_groups(const RadianceMap& map, std::size_t count, int rows) {
+std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
+                                             const LightGrouping& grouping) {
   const Raster raster(map, fine_rows);
   std::vector<LightGroup> groups;
-  for (const Box& box : split(raster, fine_rows / rows, count)) {
+  for (const Box& box : split(raster, grouping)) {
     const auto whole = distant(box.light);
     if (!whole) continue;
-    LightGroup& group = groups.emplace_back(LightGroup{*whole, {}});
+    LightGroup& group = groups.emplace_back(LightGroup{*whole, {}, box.family});
     for (int y = box.y0; y < box.y1; ++y) {
       for (int x = box.x0; x < box.x1; ++x) append(raster.at(x, y), group.parts);
     }

@@ -24,11 +24,18 @@ std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t cou
 struct LightGroup {
   DistantLight whole;
   std::vector<DistantLight> parts;  // in steps of 180 degrees / 64
+  int family = 0;                   // of the coarser grouping, that holds it
 };
 
-// The same lights with what they are made of, `count` of them or as many as there are boxes of
-// 180 degrees / `rows`, which none is larger than; `rows` divides 64.
-std::vector<LightGroup> distant_light_groups(const RadianceMap& map, std::size_t count, int rows);
+struct LightGrouping {
+  std::size_t groups = 1;
+  // None is larger than 180 degrees / least_rows, which divides 64; so there may be more.
+  int least_rows = 1;
+  std::size_t families = 1;  // <= groups: of so many, when these were split on
+};
+
+// The same lights as distant_lights(), with what they are made of.
+std::vector<LightGroup> distant_light_groups(const RadianceMap& map, const LightGrouping& grouping);
 
 // The same in rows and columns of equal angles, `rows` >= 1 of them from pole to pole and twice as
 // many around.

@@ -1,6 +1,7 @@
 #include "render/environment_source.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -14,26 +15,42 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The map convolved with the phase function, in rows as fine as the function is narrow.
-std::shared_ptr<const RadianceMap> convolved(const RadianceMap& map, double g, const Job& job) {
+// In rows as fine as the phase function is narrow, 2 R columns of R rows.
+RadianceMap empty_map(double anisotropy) {
   const int rows =
-      std::clamp(static_cast<int>(std::ceil(pi / (0.25 * (1.0 - std::abs(g))))), 24, 64);
-  const std::vector<DistantLight> lights = even_distant_lights(map, rows);
-  auto result = std::make_shared<RadianceMap>(RadianceMap{2 * rows, rows, {}});
-  const auto width = static_cast<std::size_t>(result->width);
-  result->pixels.resize(width * static_cast<std::size_t>(rows));
-  job.each(static_cast<std::size_t>(rows), [&](std::size_t y) {
+      std::clamp(static_cast<int>(std::ceil(pi / (0.25 * (1.0 - std::abs(anisotropy))))), 24, 64);
+  RadianceMap map{2 * rows, rows, {}};
+  map.pixels.resize(static_cast<std::size_t>(2 * rows * rows));
+  return map;
+}
+
+// What a family of groups sends on towards each direction, less what the grid has of it: the bands
+// of the groups as single lights.
+std::shared_ptr<const RadianceMap> scattered_beyond(const PhaseBands& bands, double anisotropy,
+                                                    std::span<const LightGroup* const> family,
+                                                    const Job& job) {
+  auto map = std::make_shared<RadianceMap>(empty_map(anisotropy));
+  const auto width = static_cast<std::size_t>(map->width);
+  job.each(static_cast<std::size_t>(map->height), [&](std::size_t y) {
     for (std::size_t x = 0; x < width; ++x) {
       const glm::dvec3 w =
-          map_direction(*result, {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5});
+          map_direction(*map, {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5});
       glm::dvec3 sum(0.0);
-      for (const DistantLight& light : lights) {
-        sum += henyey_greenstein(glm::dot(w, light.direction), g) * light.flux;
+      for (const LightGroup* group : family) {
+        for (const DistantLight& part : group->parts) {
+          sum +=
+              henyey_greenstein(glm::dot(w, part.direction), anisotropy) / (4.0 * pi) * part.flux;
+        }
+        sum -= bands.phase(glm::dot(w, group->whole.direction)) * group->whole.flux;
       }
-      result->pixels[y * width + x] = glm::vec3(sum / (4.0 * pi));
+      map->pixels[y * width + x] = glm::vec3(sum);
     }
   });
-  return result;
+  return map;
+}
+
+double power(const DistantLight& light) {
+  return light.flux.x + light.flux.y + light.flux.z;
 }
 
 }  // namespace
@@ -45,22 +62,18 @@ bool EnvironmentSource::update(const Input& input, const Job& job) {
   const bool same = same_light && environment_.rotation == environment.rotation &&
                     has_same(input.receivers) && medium_ == input.medium;
   environment_ = environment;
-  scattered_.intensity = environment.intensity;
-  scattered_.rotation = environment.rotation;
   attenuation_ = std::exp(-input.fog_depth);
   if (same) return true;
   if (!same_light) read_map(*environment.map, input.anisotropy, input.size.directions, job);
+  for (Environment& part : beyond_) part.rotation = environment.rotation;
   medium_ = input.medium;
   anisotropy_ = input.anisotropy;
   receivers_ = input.receivers;
   size_ = input.size;
 
-  std::vector<DistantLight> lights = lights_;
-  light_ = ShVector<glm::dvec3>(phase_.count());
-  for (DistantLight& light : lights) {
-    light.direction = environment_rotation(environment) * light.direction;
-    const ShVector<double> basis = sh_basis(light_.order(), light.direction);
-    for (std::size_t i = 0; i < light_.size(); ++i) light_[i] += basis[i] * light.flux;
+  std::vector<SourceLight> lights = lights_;
+  for (SourceLight& light : lights) {
+    light.light.direction = environment_rotation(environment) * light.light.direction;
   }
   std::vector<GaussianTerm<double>> gaussians;
   for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
@@ -80,31 +93,45 @@ bool EnvironmentSource::has_same(const std::optional<SourceGrid::Receivers>& rec
 
 void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std::size_t directions,
                                  const Job& job) {
-  lights_ = distant_lights(map, directions);
+  const std::vector<LightGroup> groups = distant_light_groups(
+      map, {.groups = directions, .families = static_cast<std::size_t>(source_families)});
+  std::array<double, source_families> powers{};
+  for (const LightGroup& group : groups) {
+    powers[static_cast<std::size_t>(group.family)] += power(group.whole);
+  }
+  lights_.clear();
+  power_ = 0.0;
+  for (const LightGroup& group : groups) {
+    const double own = power(group.whole);
+    lights_.push_back(
+        {group.whole, group.family, own / powers[static_cast<std::size_t>(group.family)]});
+    power_ += own;
+  }
   phase_ = PhaseBands(anisotropy);
-  scattered_.map = phase_.count() > 1 ? convolved(map, anisotropy, job) : nullptr;
+  beyond_.clear();
+  if (phase_.count() == 1) return;
+  for (int family = 0; family < source_families; ++family) {
+    std::vector<const LightGroup*> members;
+    for (const LightGroup& group : groups) {
+      if (group.family == family) members.push_back(&group);
+    }
+    beyond_.emplace_back().map = scattered_beyond(phase_, anisotropy, members, job);
+  }
 }
 
 SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
   // Sums of what is beyond float would not be numbers.
-  const double power = glm::length(light_[0]);
   const double scale =
-      std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power, 1e-30));
+      std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power_, 1e-30));
   const auto bands = phase_.at(w);
-  SourceWeights weights{};
-  glm::dvec3 kept(0.0);
-  for (std::size_t i = 0; i < light_.size(); ++i) {
+  SourceWeights weights;
+  for (std::size_t i = 0; i < sh_size(phase_.count()); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      weights[4 * i + c] = static_cast<float>(scale * static_cast<double>(bands[i]));
+      weights.harmonics[4 * i + c] = static_cast<float>(scale * static_cast<double>(bands[i]));
     }
-    kept += static_cast<double>(bands[i]) * light_[i];
   }
-  if (!scattered_.map) return weights;
-  const glm::dvec3 all = environment_radiance(scattered_, w) / environment_.intensity;
-  for (int c = 0; c < 3; ++c) {
-    if (!(light_[0][c] > 0.0)) continue;
-    weights[static_cast<std::size_t>(c)] +=
-        static_cast<float>(scale * (all[c] - kept[c]) / light_[0][c]);
+  for (std::size_t f = 0; f < beyond_.size(); ++f) {
+    weights.families[f] = glm::vec3(scale * environment_radiance(beyond_[f], w));
   }
   return weights;
 }

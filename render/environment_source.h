@@ -18,8 +18,8 @@ namespace brume {
 // value.
 //
 // The grid keeps few bands. What the phase function has beyond them is known without the medium, by
-// the map itself; it is attenuated like the mean of the light at the point, so that thin media are
-// right for any phase function.
+// the map itself; for each of a few parts of the map it is attenuated like the mean of their light,
+// so that thin media are right for any phase function, and a sun is in all.
 class EnvironmentSource {
  public:
   struct Input {
@@ -51,10 +51,12 @@ class EnvironmentSource {
   std::optional<SourceGrid::Receivers> receivers_;
   SourceGridSize size_;
 
-  std::vector<DistantLight> lights_;  // in the frame of the map
-  ShVector<glm::dvec3> light_;        // as the grid has it without a medium, in the scene
-  Environment scattered_;             // the environment convolved with the phase function
-  double attenuation_ = 1.0;          // by the fog
+  std::vector<SourceLight> lights_;  // in the frame of the map
+  double power_ = 0.0;               // of all the light
+  double attenuation_ = 1.0;         // by the fog
+  // For each family of lights the map that it makes by what the phase function has beyond the
+  // bands. Empty where there is nothing.
+  std::vector<Environment> beyond_;
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
 };

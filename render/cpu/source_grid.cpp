@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <numbers>
 
 #include "core/math/spherical_harmonics.h"
 #include "render/cpu/density_grid.h"
@@ -58,30 +59,34 @@ SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double l
   }
 }
 
-// What a light adds to each basis function of what arrives, R G B one after the other.
-void append_weights(const DistantLight& light, int bands, std::vector<float>& to) {
-  const ShVector<double> basis = sh_basis(bands, light.direction);
+// What a light adds to each basis function of what arrives, R G B one after the other, and to the
+// transmittance of the families.
+void append_weights(const SourceLight& source, int bands, int families, std::vector<float>& to) {
+  const ShVector<double> basis = sh_basis(bands, source.light.direction);
   for (std::size_t i = 0; i < basis.size(); ++i) {
-    for (int c = 0; c < 3; ++c) to.push_back(static_cast<float>(basis[i] * light.flux[c]));
+    for (int c = 0; c < 3; ++c) to.push_back(static_cast<float>(basis[i] * source.light.flux[c]));
+  }
+  for (int f = 0; f < families; ++f) {
+    to.push_back(f == source.family ? static_cast<float>(source.share) : 0.0f);
   }
 }
 
 void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussians,
-          std::span<const DistantLight> lights, const SourceGrid::Content& content,
-          const Job& job) {
+          std::span<const SourceLight> lights, const SourceGrid::Content& content, const Job& job) {
   const std::vector<float> density = density_on_grid(gaussians, level.first, level.nodes, job);
   const std::size_t nodes = level.nodes.size();
   const std::size_t stride = padded(nodes);
   const int bands = content.receivers ? grid_bands : content.bands;
-  const std::size_t channels = 3 * sh_size(bands);
+  const int families = content.bands > 1 ? source_families : 0;
+  const std::size_t channels = 3 * sh_size(bands) + static_cast<std::size_t>(families);
   std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
   std::vector<float> sums(channels * stride, 0.0f);
   for (std::size_t first = 0; first < lights.size(); first += batch) {
     const auto now = lights.subspan(first, std::min(batch, lights.size() - first));
     std::vector<float> weights;
-    for (const DistantLight& light : now) append_weights(light, bands, weights);
+    for (const SourceLight& light : now) append_weights(light, bands, families, weights);
     job.each(now.size(), [&](std::size_t k) {
-      sweep_transmittance(level.nodes, density, glm::vec3(now[k].direction),
+      sweep_transmittance(level.nodes, density, glm::vec3(now[k].light.direction),
                           std::span(transmittances).subspan(k * stride, nodes));
     });
     job.each((stride + block - 1) / block, [&](std::size_t b) {
@@ -89,12 +94,17 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
                    std::min((b + 1) * block, stride), sums);
     });
   }
-  const auto functions = sh_size(content.bands);
-  level.values.resize(4 * functions * nodes);
+  const std::size_t functions = sh_size(content.bands);
+  const std::size_t size = SourceGrid::node_size(content.bands);
+  level.values.assign(size * nodes, 0.0f);
   job.each((nodes + block - 1) / block, [&](std::size_t b) {
     for (std::size_t i = b * block; i < std::min((b + 1) * block, nodes); ++i) {
       for (std::size_t c = 0; c < 3 * functions; ++c) {
-        level.values[4 * (functions * i + c / 3) + c % 3] = sums[c * stride + i];
+        level.values[size * i + 4 * (c / 3) + c % 3] = sums[c * stride + i];
+      }
+      for (std::size_t f = 4 * functions; f < size; ++f) {
+        const std::size_t channel = 3 * sh_size(bands) + f - 4 * functions;
+        level.values[size * i + f] = sums[channel * stride + i];
       }
     }
   });
@@ -126,8 +136,21 @@ std::array<float, sh_size(PhaseBands::most)> PhaseBands::at(const glm::dvec3& w)
   return result;
 }
 
+double PhaseBands::phase(double cosine) const {
+  double sum = 0.0;
+  double before = 0.0;  // Legendre's polynomials by their recurrence
+  double now = 1.0;
+  for (int l = 0; l < count_; ++l) {
+    sum += factors_[static_cast<std::size_t>(l)] * (2.0 * l + 1.0) * now;
+    const double next = ((2.0 * l + 1.0) * cosine * now - l * before) / (l + 1.0);
+    before = now;
+    now = next;
+  }
+  return sum / (4.0 * std::numbers::pi);
+}
+
 SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
-                       std::span<const DistantLight> lights, const Content& content,
+                       std::span<const SourceLight> lights, const Content& content,
                        const SourceGridSize& size, const Job& job)
     : bands_(content.bands) {
   const Bounds bounds(gaussians);

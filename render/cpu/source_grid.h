@@ -29,18 +29,32 @@ class PhaseBands {
   [[nodiscard]] int count() const { return count_; }
   // All basis functions of the bands at a unit direction, each times its band's factor.
   [[nodiscard]] std::array<float, sh_size(most)> at(const glm::dvec3& w) const;
+  // Those bands of the phase function itself, at the cosine of the angle that light turns by
+  // [1/sr].
+  [[nodiscard]] double phase(double cosine) const;
 
  private:
   int count_;
   std::array<double, most> factors_;
 };
 
+// So many parts of the map a SourceGrid keeps the transmittance of where scattering is not
+// isotropic: of light that turns little, more than the first bands of the phase function matters.
+inline constexpr int source_families = 16;
+
+struct SourceLight {
+  DistantLight light;
+  int family = 0;      // the part of the map that it is of, < source_families
+  double share = 1.0;  // of the light of that
+};
+
 // The source function of single scattering, without the scattering coefficient:
 //   J(x, w) = integral over directions w' of p(w, w') L(w') exp(-T(x, w')),
 // what a medium of Gaussians scatters at x towards an eye that looks along w, of light L from far
 // away. Kept on a grid around the Gaussians as the first bands of spherical harmonics of the light
-// that arrives, and interpolated linearly. The transmittance towards each light is swept through
-// the grid, so the cost is nodes x lights and depends little on the number of Gaussians.
+// that arrives and the mean transmittance towards parts of the map, and interpolated linearly. The
+// transmittance towards each light is swept through the grid, so the cost is nodes x lights and
+// depends little on the number of Gaussians.
 //
 // Where surfaces are lit, it also holds the light that arrives at each node itself, for them.
 class SourceGrid {
@@ -59,16 +73,21 @@ class SourceGrid {
 
   // A second, coarser grid reaches out 4 times as far where there is fog around the Gaussians, or
   // surfaces. In parallel; after a stop of the job the grid is of no use.
-  SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const DistantLight> lights,
+  SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const SourceLight> lights,
              const Content& content, const SourceGridSize& size, const Job& job);
 
-  // What a SourceLookUp needs. A node holds, for each basis function, R G B 0.
+  // What a SourceLookUp needs. A node holds, for each basis function, R G B 0; of J it also holds
+  // the transmittance of each family, where there is more than one band.
   struct Level {
     glm::dvec3 first{0.0};  // where node 0 stands
     GridNodes nodes;
     std::vector<float> values;    // J
     std::vector<float> arriving;  // see arriving_light(); empty without receivers
   };
+  // Floats of J in a node.
+  static constexpr std::size_t node_size(int bands) {
+    return 4 * sh_size(bands) + (bands > 1 ? source_families : 0);
+  }
   // From fine to coarse: one or two.
   [[nodiscard]] std::span<const Level> levels() const { return levels_; }
   [[nodiscard]] int bands() const { return bands_; }

@@ -70,24 +70,30 @@ HWY_INLINE hn::Vec<D> Mixed(const Cell& cell, D d, std::size_t i) {
   return value;
 }
 
-// Nodes of `size` floats, mixed in vectors of no more.
-template <std::size_t size>
+// In vectors of no more floats than nodes have.
+template <int bands>
 HWY_INLINE glm::vec3 Sum(std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
                          std::span<const float> t, std::span<const float> shares,
-                         const float* weights) {
+                         const SourceWeights& weights) {
+  constexpr std::size_t size = SourceGrid::node_size(bands);
+  constexpr std::size_t harmonics = 4 * sh_size(bands);
   const hn::CappedTag<float, (size < 16 ? size : 16)> d;
   float sums[size] = {};
   for (std::size_t k = 0; k < t.size(); ++k) {
     if (!(shares[k] > 0.0f)) continue;
     const Cell cell = CellAt(levels, &SourceLookUp::Level::values, t[k] * w, size);
+    const auto share = hn::Set(d, shares[k]);
     for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
-      const auto weight = hn::Mul(hn::Set(d, shares[k]), hn::LoadU(d, weights + i));
-      hn::StoreU(hn::MulAdd(weight, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d, sums + i);
+      hn::StoreU(hn::MulAdd(share, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d, sums + i);
     }
   }
   glm::vec3 result(0.0f);
-  for (std::size_t i = 0; i < size; i += 4) {
-    result += glm::vec3(sums[i], sums[i + 1], sums[i + 2]);
+  for (std::size_t i = 0; i < harmonics; i += 4) {
+    const float* weight = weights.harmonics.data() + i;
+    result += glm::vec3(weight[0] * sums[i], weight[1] * sums[i + 1], weight[2] * sums[i + 2]);
+  }
+  for (std::size_t f = harmonics; f < size; ++f) {
+    result += sums[f] * weights.families[f - harmonics];
   }
   return result;
 }
@@ -102,9 +108,10 @@ void MixArriving(std::span<const SourceLookUp::Level> levels, const glm::vec3& p
 }
 
 glm::vec3 SumSource(int bands, std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
-                    std::span<const float> t, std::span<const float> shares, const float* weights) {
-  return bands == 1 ? Sum<4>(levels, w, t, shares, weights)
-                    : Sum<4 * sh_size(PhaseBands::most)>(levels, w, t, shares, weights);
+                    std::span<const float> t, std::span<const float> shares,
+                    const SourceWeights& weights) {
+  return bands == 1 ? Sum<1>(levels, w, t, shares, weights)
+                    : Sum<PhaseBands::most>(levels, w, t, shares, weights);
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -128,7 +135,7 @@ glm::vec3 SourceLookUp::operator()(const glm::vec3& w, std::span<const float> t,
                                    std::span<const float> shares,
                                    const SourceWeights& weights) const {
   return HWY_DYNAMIC_DISPATCH(SumSource)(bands_, std::span(levels_).first(count_), w, t, shares,
-                                         weights.data());
+                                         weights);
 }
 
 ArrivingLight SourceLookUp::arriving(const glm::vec3& p) const {

@@ -10,8 +10,11 @@
 namespace brume {
 
 // What a view ray makes of a node of a SourceGrid: J is the sum of the node's values, each times
-// its weight. They lie like the values: for each basis function R G B 0.
-using SourceWeights = std::array<float, 4 * sh_size(PhaseBands::most)>;
+// its weight.
+struct SourceWeights {
+  std::array<float, 4 * sh_size(PhaseBands::most)> harmonics{};  // for each R G B 0
+  std::array<glm::vec3, source_families> families{};
+};
 
 // The light that arrives at a point: for each basis function R G B 0.
 using ArrivingLight = std::array<float, 4 * sh_size(grid_bands)>;

@@ -18,15 +18,13 @@ constexpr double pi = std::numbers::pi;
 
 // Directions that the transmittance is taken at. The error of a midpoint rule on the sphere falls
 // with their number; measured on fog patches under skies with a low sun, where light passes through
-// several of them.
-std::size_t directions(double tolerance) {
-  return static_cast<std::size_t>(std::clamp(0.25 / tolerance, 64.0, 8192.0));
-}
-
-// The peak of the phase function makes any part of the sky matter most: none is taken wider than
-// this [180 degrees / rows].
-int least_rows(double anisotropy) {
-  return anisotropy == 0.0 ? 4 : std::abs(anisotropy) < 0.7 ? 8 : 16;
+// several of them. The peak of the phase function makes any part of the sky matter most: none is
+// taken wider than the rows say, and there are as many again where the light is.
+LightGrouping directions(double anisotropy, double tolerance) {
+  const int rows = anisotropy == 0.0 ? 4 : std::abs(anisotropy) < 0.7 ? 8 : 16;
+  const auto boxes = static_cast<std::size_t>(2 * rows * rows);
+  const double count = std::clamp(0.25 / tolerance, 64.0, 8192.0);
+  return {.groups = boxes + static_cast<std::size_t>(count), .least_rows = rows};
 }
 
 }  // namespace
@@ -35,8 +33,7 @@ ReferenceEnvironment::ReferenceEnvironment(const Environment& environment, doubl
                                            double fog_depth, double tolerance)
     : anisotropy_(anisotropy),
       attenuation_(std::exp(-fog_depth)),
-      groups_(
-          distant_light_groups(*environment.map, directions(tolerance), least_rows(anisotropy))) {
+      groups_(distant_light_groups(*environment.map, directions(anisotropy, tolerance))) {
   const glm::dquat rotation = environment_rotation(environment);
   const auto place = [&](DistantLight& light) {
     light.direction = rotation * light.direction;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <set>
 
 #include "core/math/sphere_rule.h"
 #include "core/scene/environment.h"
@@ -185,10 +186,29 @@ TEST(EnvironmentReference, KeepsItsToleranceUnderALowSun) {
 }
 
 TEST(EnvironmentAirlight, IsTheReferenceInPatchesUnderALowSun) {
-  const Scene scene = patches_under_low_sun();
+  Scene scene = patches_under_low_sun();
   EXPECT_LT(error_of(scene, 12), 0.03);
   EXPECT_LT(error_of(scene, 24), 0.015);
   EXPECT_LT(error_of(scene, 64), 0.0075);
+  // Light that turns little is mostly the sun's: dimmed like the mean of all light it was 11% off.
+  scene.optics.anisotropy = 0.8;
+  EXPECT_LT(error_of(scene, 24), 0.05);
+}
+
+TEST(DistantLights, GroupsAreTheSameLightsInFamilies) {
+  const auto map = sunny_sky();
+  const std::vector<DistantLight> lights = distant_lights(*map, 96);
+  const std::vector<LightGroup> groups = distant_light_groups(*map, {.groups = 96, .families = 16});
+  ASSERT_EQ(groups.size(), lights.size());
+  std::set<int> families;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    EXPECT_EQ(groups[i].whole.direction, lights[i].direction);
+    families.insert(groups[i].family);
+    double flux = 0.0;
+    for (const DistantLight& part : groups[i].parts) flux += part.flux.x;
+    EXPECT_NEAR(flux, groups[i].whole.flux.x, 1e-9 * flux);
+  }
+  EXPECT_EQ(families.size(), 16u);
 }
 
 // Fog alone sends each point L e^(-b0 D) from all sides, so L albedo e^(-b0 D) (1 - e^-T) is seen,
