@@ -7,7 +7,6 @@
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
-#include <ImfTestFile.h>
 
 #include <cassert>
 #include <new>
@@ -91,6 +90,21 @@ Size checked_size(const fs::path& file, const Imf::Header& header) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
+// Throws where a part lacks its last row, as one does that claims more rows than there are: before
+// memory is taken for all of them.
+void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
+  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i last({window.min.x, window.max.y}, window.max);
+  std::vector<float> values(static_cast<std::size_t>(window.max.x - window.min.x) + 1);
+  Imf::FrameBuffer row;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    row.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), last, sizeof(float),
+                                          sizeof(float) * values.size()));
+  }
+  part.setFrameBuffer(row);
+  part.readPixels(window.max.y);
+}
+
 }  // namespace
 
 bool is_exr(const fs::path& file) {
@@ -111,6 +125,8 @@ ImageLayers read_exr(const fs::path& file) {
     const auto pixels =
         static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     const Imath::Box2i window = header.dataWindow();
+    Imf::InputPart part(input, part_number);
+    read_last_row(part, header);
     Imf::FrameBuffer frame;
     for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
       std::vector<float>& values = image.channels[c.name()];
@@ -119,7 +135,6 @@ ImageLayers read_exr(const fs::path& file) {
                    Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float),
                                     sizeof(float) * static_cast<std::size_t>(size.width)));
     }
-    Imf::InputPart part(input, part_number);
     part.setFrameBuffer(frame);
     part.readPixels(window.min.y, window.max.y);
     for (auto a = header.begin(); a != header.end(); ++a) {

@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,6 +31,8 @@ struct Parser {
   std::string_view name;
   std::string_view extension;
   void (*parse)(const Path& file);
+  // Whoever asks for more at once is told that there is no more.
+  std::size_t most_memory = std::numeric_limits<std::size_t>::max();
 };
 
 constexpr Parser parsers[] = {
@@ -38,7 +43,9 @@ constexpr Parser parsers[] = {
     {"obj", ".obj", [](const Path& file) { read_mesh(file); }},
     {"off", ".off", [](const Path& file) { read_mesh(file); }},
     {"stl", ".stl", [](const Path& file) { read_mesh(file); }},
-    {"exr", ".exr", [](const Path& file) { read_exr(file); }},
+    // OpenEXR takes the memory that an attribute asks for, up to 2 GB, before it reads it: the
+    // fuzzer would do little but clear it.
+    {"exr", ".exr", [](const Path& file) { read_exr(file); }, 1 << 24},
     {"hdr", ".hdr", [](const Path& file) { read_hdr(file); }},
     {"merl", ".binary", [](const Path& file) { read_merl(file); }},
     {"vdb", ".vdb",
@@ -67,15 +74,42 @@ Path input_file() {
 }  // namespace
 }  // namespace brume
 
+// Libraries may use their own `new` and our `delete`.
+extern "C" const char* __asan_default_options() {
+  return "alloc_dealloc_mismatch=0";
+}
+
+static std::size_t most_memory = std::numeric_limits<std::size_t>::max();
+
+void* operator new(std::size_t size) {
+  void* memory = size > most_memory ? nullptr : std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void* operator new[](std::size_t size) {
+  return operator new(size);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
 // An InputError is what a bad file gets; whatever else leaves a parser ends the fuzzer.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::filesystem::path file = brume::input_file();
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  most_memory = brume::parser().most_memory;
   try {
     brume::parser().parse(file);
   } catch (const brume::InputError&) {
   }
+  most_memory = std::numeric_limits<std::size_t>::max();
   std::filesystem::remove(file);
   return 0;
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <half.h>
 #include <png.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <limits>
@@ -131,6 +132,26 @@ TEST(ExrFile, RefusesAHugeImageInASmallFile) {
   bytes.replace(window + 12, 4, reinterpret_cast<const char*>(&side), 4);
   const std::string error = error_of([&] { read_exr(folder.write("b.exr", bytes)); });
   EXPECT_TRUE(contains(error, "b.exr")) << error;
+}
+
+// In an image just small enough not to be refused for its size.
+TEST(ExrFile, TakesNoMemoryForRowsThatAreNotThere) {
+  const TemporaryFolder folder;
+  write_exr(folder / "a.exr", some_image());
+  std::string bytes = content_of(folder / "a.exr");
+  const std::size_t window = bytes.find(std::string("dataWindow\0box2i\0", 17)) + 17 + 4;
+  const std::int32_t last = 8000;  // four channels of 8001 x 8001 pixels: 977 MiB
+  bytes.replace(window + 8, 4, reinterpret_cast<const char*>(&last), 4);
+  bytes.replace(window + 12, 4, reinterpret_cast<const char*>(&last), 4);
+  const auto most_memory = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // [KiB]
+  };
+  const long before = most_memory();
+  bytes += std::string(8000, '\1');  // enough for the table of where rows are
+  EXPECT_THROW(read_exr(folder.write("b.exr", bytes)), InputError);
+  EXPECT_LT(most_memory() - before, 100 * 1024);
 }
 
 TEST(ExrFile, KeepsTheOldFileWhenWritingFails) {
