@@ -10,6 +10,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/import/folder_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "core/error.h"
@@ -97,7 +98,7 @@ void SceneImport::ask() {
 void SceneImport::ask_sequence() {
   const QString name =
       QFileDialog::getOpenFileName(window_, tr("Import a sequence: any of its frames"), {},
-                                   tr("Frames (*.vdb *.csv *.ply);;All files (*)"));
+                                   tr("Frames (*.vdb *.csv *.ply *.vtp *.vtu);;All files (*)"));
   if (!name.isEmpty()) import_sequence(to_path(name));
 }
 
@@ -173,6 +174,13 @@ void SceneImport::import_sequence(const fs::path& given) {
       dialog->show();
       return;
     }
+    if (is_one_of(file, vtk_files)) {
+      auto* dialog = new FolderDialog(file, run, window_);
+      connect(dialog, &FolderDialog::wanted, this,
+              [this, run](const QString& folder) { import_vtk_files(run, to_path(folder)); });
+      dialog->show();
+      return;
+    }
     start(file, [this, run](const Job&) -> BackgroundJob::Take {
       MediumSequence sequence;
       sequence.file = run.files.text();
@@ -187,28 +195,43 @@ void SceneImport::import_sequence(const fs::path& given) {
   }
 }
 
-void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
-                                 const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (int frame = run.first; frame <= run.last; ++frame) files.push_back(run.files.of(frame));
+void SceneImport::start_sequence(const FrameRun& run, const fs::path& folder, MakeFrames make) {
   fs::path names = fs::absolute(folder) / fs::path(run.files.text()).filename();
   names.replace_extension(".ply");
-  start(files.front(), [this, run, how, files, names](const Job& job) -> BackgroundJob::Take {
-    std::vector<SequenceFrame> frames = fit_volumes(files, how, job);
-    if (frames.size() != files.size()) return {};
-    // Only now, so that nothing is there of what was cancelled.
-    const auto to = FramePattern::parse(names.string());
-    if (!to) throw InputError(names, "", "cannot be the name of a sequence");
-    fs::create_directories(names.parent_path());
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-      write_gaussians(to->of(run.first + static_cast<int>(k)), frames[k].gaussians, frames[k].ids);
-    }
-    MediumSequence sequence;
-    sequence.file = names;
-    sequence.first = run.first;
-    sequence.last = run.last;
-    sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(std::move(frames));
-    return [this, sequence] { add_sequence(sequence); };
+  start(run.files.of(run.first),
+        [this, run, names, make = std::move(make)](const Job& job) -> BackgroundJob::Take {
+          std::vector<SequenceFrame> frames = make(job);
+          const auto count = static_cast<std::size_t>(run.last - run.first) + 1;
+          if (frames.size() != count || job.stop.stop_requested()) return {};
+          // Only now, so that nothing is there of what was cancelled.
+          const auto to = FramePattern::parse(names.string());
+          if (!to) throw InputError(names, "", "cannot be the name of a sequence");
+          fs::create_directories(names.parent_path());
+          for (std::size_t k = 0; k < frames.size(); ++k) {
+            const std::string file = to->of(run.first + static_cast<int>(k));
+            write_gaussians(file, frames[k].gaussians, frames[k].ids);
+          }
+          MediumSequence sequence;
+          sequence.file = names;
+          sequence.first = run.first;
+          sequence.last = run.last;
+          sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(std::move(frames));
+          return [this, sequence] { add_sequence(sequence); };
+        });
+}
+
+void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
+                                 const fs::path& folder) {
+  start_sequence(run, folder, [run, how](const Job& job) {
+    std::vector<fs::path> files;
+    for (int frame = run.first; frame <= run.last; ++frame) files.push_back(run.files.of(frame));
+    return fit_volumes(files, how, job);
+  });
+}
+
+void SceneImport::import_vtk_files(const FrameRun& run, const fs::path& folder) {
+  start_sequence(run, folder, [run](const Job&) {
+    return read_sequence(run.files, run.first, run.last, read_vtk_points);
   });
 }
 

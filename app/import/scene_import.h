@@ -2,11 +2,14 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "app/background_job.h"
 #include "app/import/volume_fit.h"
 #include "core/io/frame_pattern.h"
+#include "core/scene/medium_sequence.h"
 
 class QWidget;
 
@@ -37,9 +40,11 @@ class SceneImport : public QObject {
   // The run of frames that a file is one of, from the frame that is shown on.
   void import_sequence(const std::filesystem::path& file);
   void import_volume(const std::filesystem::path& file, const VolumeFit& how);
-  // Fits them, writes the Gaussians as PLY into a folder, which is made, and shows those.
+  // These write the Gaussians as PLY into a folder, which is made, and show those: what a scene
+  // plays is read without VTK. Volumes are fitted.
   void import_volumes(const FrameRun& run, const VolumeFit& how,
                       const std::filesystem::path& folder);
+  void import_vtk_files(const FrameRun& run, const std::filesystem::path& folder);
 
   static bool can_import(const std::filesystem::path& file);  // by its extension
 
@@ -49,6 +54,10 @@ class SceneImport : public QObject {
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
   void add_sequence(MediumSequence sequence);
+  // In the background: writes the frames that `make` gives, of the numbers of `run`, into a folder.
+  // None are written where it gives fewer.
+  using MakeFrames = std::function<std::vector<SequenceFrame>(const Job& job)>;
+  void start_sequence(const FrameRun& run, const std::filesystem::path& folder, MakeFrames make);
   [[nodiscard]] double start_time() const;
 
   Document& document_;

@@ -12,6 +12,7 @@
 #include <exception>
 
 #include "app/document/paths.h"
+#include "app/import/folder_dialog.h"
 #include "core/io/volume_file.h"
 
 namespace brume {
@@ -55,13 +56,7 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   up_->setObjectName("volume_up");
   up_->addItems({tr("y"), tr("z, turned to y")});
   form->addRow(tr("Up in the volume"), up_);
-  if (run) {
-    folder_ = new QLineEdit(to_qstring(file.parent_path() / "gaussians"), this);
-    folder_->setObjectName("volume_folder");
-    folder_->setMinimumWidth(320);
-    form->addRow(tr("Gaussians are written to"), folder_);
-    form->addRow(new QLabel(tr("Frames %1 to %2").arg(run->first).arg(run->last), this));
-  }
+  if (run) folder_ = add_folder_row(form, file, *run);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   QPushButton* import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
   import->setObjectName("import_volume");

@@ -71,7 +71,8 @@ double default_radius(vtkPointSet& points) {
 
 }  // namespace
 
-std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file) {
+std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file,
+                                      std::vector<GaussianNumber>* ids) {
   const vtkSmartPointer<vtkPointSet> points = read_points(file);
   const vtkIdType count = points->GetNumberOfPoints();
   if (count == 0) throw InputError(file, "", "has no points");
@@ -82,6 +83,7 @@ std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file) {
   }
   vtkDataArray* radius = array_of(file, *points, "radius");
   vtkDataArray* density = array_of(file, *points, "density");
+  vtkDataArray* id = ids ? array_of(file, *points, gaussian_columns::id_name.data()) : nullptr;
   const double without = radius == nullptr ? default_radius(*points) : 0.0;
   std::vector<Gaussian> gaussians;
   gaussians.reserve(static_cast<std::size_t>(count));
@@ -97,6 +99,13 @@ std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file) {
                            gaussian_columns::domains[k]->refusal(value[k]));
     }
     gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
+    if (id == nullptr) continue;
+    const double number = id->GetTuple1(i);
+    if (!gaussian_columns::is_id(number)) {
+      throw InputError(file, "point " + std::to_string(i),
+                       "id: " + gaussian_columns::id_domain.refusal(number));
+    }
+    ids->push_back(static_cast<GaussianNumber>(number));
   }
   return gaussians;
 }

@@ -5,16 +5,15 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/io/gaussian_file.h"
 #include "core/io/limits.h"
 
 namespace brume {
 namespace {
 
-SequenceFrame read_frame(const std::string& file) {
+SequenceFrame read_frame(const std::string& file, const FrameReader& read) {
   SequenceFrame frame;
   std::vector<GaussianNumber> ids;
-  std::vector<Gaussian> gaussians = read_gaussians(file, &ids);
+  std::vector<Gaussian> gaussians = read(file, &ids);
   if (ids.empty()) {
     frame.ids.resize(gaussians.size());
     std::iota(frame.ids.begin(), frame.ids.end(), GaussianNumber{0});
@@ -38,12 +37,13 @@ SequenceFrame read_frame(const std::string& file) {
 
 }  // namespace
 
-std::vector<SequenceFrame> read_sequence(const FramePattern& files, int first, int last) {
+std::vector<SequenceFrame> read_sequence(const FramePattern& files, int first, int last,
+                                         const FrameReader& read) {
   std::vector<SequenceFrame> frames;
   std::size_t total = 0;
   for (int number = first; number <= last; ++number) {
     const std::string file = files.of(number);
-    frames.push_back(read_frame(file));
+    frames.push_back(read_frame(file, read));
     total += frames.back().gaussians.size();
     if (total > limits::gaussians) {
       throw InputError(file, "",

@@ -12,6 +12,7 @@
 
 #include "app/background_job.h"
 #include "app/document/paths.h"
+#include "app/import/folder_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
@@ -50,6 +51,22 @@ void drop(TestWindow& window, const std::vector<fs::path>& files) {
   QVERIFY(enter.isAccepted());
   QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&*window, &event);
+}
+
+// Two points in a VTK file.
+void write_vtp(const fs::path& file, const std::string& points, const std::string& arrays) {
+  write_text(file,
+             "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData>"
+             "<Piece NumberOfPoints=\"2\"><PointData>" +
+                 arrays +
+                 "</PointData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+                 "format=\"ascii\">" +
+                 points + "</DataArray></Points></Piece></PolyData></VTKFile>");
+}
+
+std::string array(const std::string& name, const std::string& values) {
+  return "<DataArray type=\"Float32\" Name=\"" + name + "\" format=\"ascii\">" + values +
+         "</DataArray>";
 }
 
 // Waits for what is done in the background; what went wrong, or nothing.
@@ -125,22 +142,11 @@ class ImportTest : public QObject {
 
   void points_of_vtk_files_bring_radius_and_density() {
     TestWindow window;
-    const auto points = [&](const char* name, const char* arrays) {
-      write_text(
-          window.file(name),
-          std::string("<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData>"
-                      "<Piece NumberOfPoints=\"2\"><PointData>") +
-              arrays +
-              "</PointData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
-              "format=\"ascii\">0 0 0 1 2 4</DataArray></Points></Piece></PolyData></VTKFile>");
+    const auto points = [&](const char* name, const std::string& arrays) {
+      write_vtp(window.file(name), "0 0 0 1 2 4", arrays);
       return window.file(name);
     };
-    const auto array = [](const char* name, const char* values) {
-      return std::string("<DataArray type=\"Float32\" Name=\"") + name + "\" format=\"ascii\">" +
-             values + "</DataArray>";
-    };
-    const auto full =
-        points("full.vtp", (array("radius", "0.5 0.25") + array("density", "2 3")).c_str());
+    const auto full = points("full.vtp", array("radius", "0.5 0.25") + array("density", "2 3"));
     drop(window, {full});
     QCOMPARE(wait(window), QString());
     QVERIFY(window->document().medium().gaussian(6) == (Gaussian{{1, 2, 4}, 0.25, 3.0}));
@@ -148,7 +154,7 @@ class ImportTest : public QObject {
     const auto bare = read_vtk_points(points("bare.vtp", ""));
     QCOMPARE(bare[0].density, 1.0);
     QCOMPARE(bare[0].radius, std::cbrt(8.0 / 2.0));
-    QVERIFY_EXCEPTION_THROWN(read_vtk_points(points("bad.vtp", array("radius", "1 0").c_str())),
+    QVERIFY_EXCEPTION_THROWN(read_vtk_points(points("bad.vtp", array("radius", "1 0"))),
                              InputError);
     write_text(window.file("junk.vtp"), "no XML");
     QVERIFY_EXCEPTION_THROWN(read_vtk_points(window.file("junk.vtp")), InputError);
@@ -231,6 +237,40 @@ class ImportTest : public QObject {
     QVERIFY(document.scene().sequences.empty());
   }
 
+  // Points are named by their ids, wherever they stand in a file, and between frames they move.
+  void points_of_vtk_files_become_a_sequence_of_files() {
+    TestWindow window;
+    const std::string both = array("radius", "0.5 0.5");
+    write_vtp(window.file("p_01.vtp"), "0 0 0  8 0 0", both + array("id", "4 9"));
+    write_vtp(window.file("p_02.vtp"), "8 2 0  0 2 0", both + array("id", "9 4"));
+    drop(window, {window.file("p_01.vtp"), window.file("p_02.vtp")});
+    auto* dialog = shown<FolderDialog>(window);
+    QVERIFY(dialog);
+    const fs::path folder = window.file("made");
+    dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
+    QTest::mouseClick(dialog->findChild<QPushButton*>("import_sequence"), Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    const Scene& scene = window->document().scene();
+    QCOMPARE(window->document().undo_stack().undoText(), QString("Import sequence p_%02d.ply"));
+    QCOMPARE(scene.sequences.size(), std::size_t{1});
+    const std::vector<Gaussian> halfway = sequence_at(scene.sequences[0], 0.5 / 30.0);
+    QCOMPARE(halfway.size(), std::size_t{2});
+    QVERIFY(halfway[0].center == glm::dvec3(0, 1, 0));
+    QVERIFY(halfway[1].center == glm::dvec3(8, 1, 0));
+    QCOMPARE(files_in(folder), std::size_t{2});
+    QVERIFY(window->files().save_to(window.file("p.brume")));
+    const Scene loaded = load_scene(window.file("p.brume"));
+    QVERIFY(*loaded.sequences.at(0).frames == *scene.sequences[0].frames);
+
+    // What is wrong with a frame is said, and nothing is written.
+    write_vtp(window.file("p_03.vtp"), "8 2 0  0 2 0", both + array("id", "9 9"));
+    window->import().import_vtk_files(frames_around(window.file("p_01.vtp")), window.file("bad"));
+    const QString problem = wait(window);
+    QVERIFY2(problem.contains("p_03.vtp") && problem.contains("twice"), qPrintable(problem));
+    QVERIFY(!fs::exists(window.file("bad")));
+    QCOMPARE(window->document().undo_stack().count(), 1);
+  }
+
   void volumes_become_a_sequence_of_files() {
     TestWindow window;
     window->import().import_sequence(smoke);
@@ -238,7 +278,7 @@ class ImportTest : public QObject {
     QVERIFY(dialog);
     dialog->findChild<QSpinBox*>("volume_count")->setValue(25);
     const fs::path folder = window.file("made");
-    dialog->findChild<QLineEdit*>("volume_folder")->setText(to_qstring(folder));
+    dialog->findChild<QLineEdit*>("sequence_folder")->setText(to_qstring(folder));
     QTest::mouseClick(dialog->findChild<QPushButton*>("import_volume"), Qt::LeftButton);
     QCOMPARE(wait(window), QString());
     QCOMPARE(window->document().scene().sequences.size(), std::size_t{1});
