@@ -61,6 +61,10 @@ void flush_to_disk(const fs::path& path, int flags) {
 
 }  // namespace
 
+void flush_folder(const fs::path& folder) {
+  flush_to_disk(folder, O_RDONLY | O_DIRECTORY);
+}
+
 void check_writable(const fs::path& file) {
   const fs::path target = target_of(file);
   const fs::path folder = folder_of(target);
@@ -100,7 +104,7 @@ void write_atomically(const fs::path& file, const std::function<void(const fs::p
     ::unlink(temporary.c_str());
     throw;
   }
-  flush_to_disk(folder_of(target), O_RDONLY | O_DIRECTORY);
+  flush_folder(folder_of(target));
 }
 
 void write_atomically(const fs::path& file, std::string_view content) {

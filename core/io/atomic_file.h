@@ -21,4 +21,8 @@ void write_atomically(const std::filesystem::path& file,
 // The same for content that is at hand.
 void write_atomically(const std::filesystem::path& file, std::string_view content);
 
+// Waits until the names in a folder are on the disk, as their files are when they were written as
+// above: a crash later on leaves them. Throws InputError where the disk says no.
+void flush_folder(const std::filesystem::path& folder);
+
 }  // namespace brume

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/io/atomic_file.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/scene_file.h"
 
@@ -68,8 +69,11 @@ class Copies {
     if (stop_.stop_requested()) throw Stopped();
     std::error_code error;
     fs::create_directories(copy.parent_path(), error);
-    if (!error) fs::copy_file(file, copy, error);
-    if (error) throw InputError(file, "", "cannot be copied: " + error.message());
+    if (error) throw InputError(copy, "", "cannot be made: " + error.message());
+    write_atomically(copy, [&](const fs::path& temporary) {
+      fs::copy_file(file, temporary, fs::copy_options::overwrite_existing, error);
+      if (error) throw InputError(file, "", "cannot be copied: " + error.message());
+    });
   }
 
   fs::path folder_;
@@ -101,10 +105,16 @@ class TemporaryTarget {
 
   [[nodiscard]] const fs::path& path() const { return path_; }
 
+  // All of it is on the disk before it has its name.
   void become(const fs::path& folder) {
     std::error_code error;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_)) {
+      if (entry.is_directory()) flush_folder(entry.path());
+    }
+    flush_folder(path_);
     fs::rename(path_, folder, error);
     if (error) throw InputError(folder, "", "cannot be made: " + error.message());
+    flush_folder(path_.parent_path());
   }
 
  private:
