@@ -4,9 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 #include <numeric>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/fit/fit_problem.h"
@@ -50,6 +51,7 @@ class Fitting {
     renewed_.assign(gaussians_.size(), false);
     evaluate();
     damping_ = 1e-2;
+    share_ = 0.1;
   }
 
   [[nodiscard]] double error() const {
@@ -72,8 +74,9 @@ class Fitting {
     return !stop_.stop_requested();
   }
 
-  // Gaussians that are worth least begin anew where most is missing, and all descend again; undone
-  // where that is no better after all. Returns false when stopped.
+  // Gaussians that are worth least begin anew where most is missing, and all descend again. Where
+  // that is no better after all, all descend without, and fewer begin anew the next time. Returns
+  // false when stopped.
   bool renew_and_descend(int steps, double error_wanted, double from, double to) {
     const std::vector<FitGaussian> gaussians = gaussians_;
     const std::vector<bool> renewed = renewed_;
@@ -84,7 +87,8 @@ class Fitting {
     gaussians_ = gaussians;
     renewed_ = renewed;
     evaluate();
-    return true;
+    share_ *= 0.3;
+    return descend(steps, error_wanted, from, to);
   }
 
   void scale_mass() {
@@ -99,6 +103,7 @@ class Fitting {
   [[nodiscard]] Fit result() const {
     Fit fit;
     fit.density_error = error();
+    fit.products = products_;
     for (const FitGaussian& g : gaussians_) {
       fit.gaussians.push_back({grid_.to_world(g.b / grid_.spacing), 1.0 / g.a, g.c});
     }
@@ -122,7 +127,9 @@ class Fitting {
   std::stop_token stop_;
   const std::function<void(double)>& progress_;
   double sharpest_;
-  double damping_ = 1e-2;
+  double damping_;
+  double share_;  // of the Gaussians that may begin anew
+  std::size_t products_ = 0;
   FitProblem::Squares squares_;
   std::vector<FitGaussian> gaussians_;
   std::vector<bool> renewed_;
@@ -144,8 +151,9 @@ FitStep solve_own(const FitStep& r, double w, double damping) {
 
 // (J^T J + damping D) x = -gradient by preconditioned conjugate gradients.
 Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
-  constexpr int most = 16;
-  constexpr double enough = 0.05;  // of the gradient
+  // The model holds only nearby: a more exact solution wins less than another step.
+  constexpr int most = 8;
+  constexpr double enough = 0.1;  // of the gradient
   const std::size_t n = gradient.size();
   Steps x(n, FitStep{});
   Steps r = gradient;
@@ -164,6 +172,7 @@ Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   for (int k = 0; k < most && rz > enough * enough * first; ++k) {
     problem_.apply(p, along_);
     problem_.apply_transposed(along_, q);
+    products_ += 2;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t c = 0; c < q[i].size(); ++c) {
         q[i][c] += damping_ * (c == 3 ? 3.75 : 1.0) * weights[i] * p[i][c];
@@ -189,6 +198,7 @@ bool Fitting::step() {
   const std::size_t n = gaussians_.size();
   Steps gradient(n);
   problem_.apply_transposed(residuals_, gradient);
+  ++products_;
   std::vector<double> weights(n);
   for (std::size_t i = 0; i < n; ++i) {
     const FitGaussian& g = gaussians_[i];
@@ -228,14 +238,14 @@ bool Fitting::step() {
 }
 
 void Fitting::renew() {
-  constexpr double share = 0.1;  // of the Gaussians, at most
   // A Gaussian's neighbours make up for most of its loss.
   constexpr double lost = 0.3;
   const std::size_t n = gaussians_.size();
-  const auto most = static_cast<std::size_t>(share * static_cast<double>(n));
+  const auto most = static_cast<std::size_t>(share_ * static_cast<double>(n));
   // What a Gaussian is worth: about what the squares would grow by without it, by its own gradient.
   Steps gradient(n);
   problem_.apply_transposed(residuals_, gradient);
+  ++products_;
   std::vector<std::pair<double, std::size_t>> worth;
   for (std::size_t i = 0; i < n; ++i) {
     const FitGaussian& g = gaussians_[i];
@@ -264,10 +274,16 @@ void Fitting::renew() {
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.gain > b.gain; });
-  for (std::size_t k = 0; k < std::min(most, places.size()); ++k) {
-    if (places[k].gain < lost * worth[k].first) break;
-    gaussians_[worth[k].second] = places[k].gaussian;
+  // What is missing in a cube of 4 is made up for by one Gaussian at first.
+  std::set<std::tuple<int, int, int>> cubes;
+  std::size_t k = 0;
+  for (const Place& place : places) {
+    if (k == most || place.gain < lost * worth[k].first) break;
+    const glm::ivec3 cube(glm::floor(0.25 * (place.gaussian.b / grid_.spacing + 0.5)));
+    if (!cubes.emplace(cube.x, cube.y, cube.z).second) continue;
+    gaussians_[worth[k].second] = place.gaussian;
     renewed_[worth[k].second] = true;
+    ++k;
   }
   evaluate();
 }
@@ -313,18 +329,14 @@ std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Ga
                                      const std::function<void(double)>& progress) {
   Fitting fitting(grid, stop, progress);
   fitting.begin(to_fit_gaussians(grid, start));
-  constexpr int rounds = 9;
-  constexpr int steps = 8;
-  constexpr double worth_a_round = 0.001;  // of the squares
-  double last = std::numeric_limits<double>::infinity();
+  constexpr int rounds = 6;
+  constexpr int steps = 5;
   for (int round = 0; round < rounds; ++round) {
     const double begin = round / static_cast<double>(rounds);
     const double end = (round + 1) / static_cast<double>(rounds);
     const bool goes_on = round == 0 ? fitting.descend(steps, 0.0, begin, end)
                                     : fitting.renew_and_descend(steps, 0.0, begin, end);
     if (!goes_on) return std::nullopt;
-    if (fitting.squares() > (1.0 - worth_a_round) * last) break;
-    last = fitting.squares();
   }
   fitting.scale_mass();
   return Refit{fitting.result(), fitting.renewed()};

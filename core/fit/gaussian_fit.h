@@ -22,6 +22,7 @@ struct FitOptions {
 struct Fit {
   std::vector<Gaussian> gaussians;  // in the world
   double density_error = 0.0;       // relative RMS over the voxels and what lies around them
+  std::size_t products = 0;         // with the derivatives of all: what the time went into
 };
 
 // Gaussians that make the density of a grid, in the sense of least squares over its voxels: by
