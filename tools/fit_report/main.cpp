@@ -1,15 +1,11 @@
 // How well Gaussians make a sequence of volumes; figures of resources/manual/volumes.md.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <exception>
-#include <glm/common.hpp>
 #include <iostream>
-#include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +15,7 @@
 #include "core/fit/next_start.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/volume_file.h"
-#include "render/renderer.h"
-#include "tools/fit_report/grid_picture.h"
+#include "tools/fit_report/sequence_view.h"
 
 namespace brume {
 namespace {
@@ -42,60 +37,10 @@ void print_errors_by_count(const DensityGrid& grid) {
   }
 }
 
-// One view of a sequence, from where its first frame is seen, and lit, from the sides.
-struct View {
-  Camera camera;
-  Film film{96, 96};
-  PointLight light;
-
-  explicit View(const DensityGrid& grid) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity());
-    glm::dvec3 high = -low;
-    for (const DensityGrid::Block& block : grid.blocks) {
-      for (int i = 0; i < 8; ++i) {
-        const glm::ivec3 corner =
-            block.corner + DensityGrid::side * glm::ivec3(i & 1, i >> 1 & 1, i >> 2);
-        const glm::dvec3 p = grid.to_world(glm::dvec3(corner));
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-      }
-    }
-    const glm::dvec3 middle = 0.5 * (low + high);
-    const double size = glm::length(high - low);
-    camera.target = middle;
-    camera.eye = middle + size * glm::dvec3(1.3, 0.4, 0.9);
-    camera.up = {0.0, 0.0, 1.0};
-    light.position = middle + size * glm::dvec3(-0.7, 1.0, 0.8);
-    light.intensity = glm::dvec3(size * size);
-  }
-};
-
-std::vector<float> picture_of(std::span<const Gaussian> gaussians, const View& view) {
-  Scene scene;
-  for (const Gaussian& g : gaussians) scene.medium.append(g);
-  scene.lights.push_back(view.light);
-  Settings settings;
-  settings.airlight = AirlightMethod::sliced;
-  const Frame frame =
-      *Renderer().render(scene, view.camera, view.film, sliced_settings(std::move(settings), 64));
-  std::vector<float> red;
-  for (std::size_t i = 0; i < frame.airlight.size(); i += 3) red.push_back(frame.airlight[i]);
-  return red;
-}
-
-double squares_between(const std::vector<float>& a, const std::vector<float>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = static_cast<double>(a[i]) - static_cast<double>(b[i]);
-    sum += d * d;
-  }
-  return sum;
-}
-
 // Fits frame after frame as `brume fit` does and renders each, and the volume itself. How much
 // pictures change from frame to frame says whether the Gaussians flicker.
 void print_coherence(const FramePattern& files, int first, int last, std::size_t count) {
-  std::optional<View> view;
+  std::optional<SequenceView> view;
   std::vector<Gaussian> gaussians;
   std::optional<VelocityGrid> velocity;
   std::vector<float> last_volume, last_fit;
@@ -105,7 +50,7 @@ void print_coherence(const FramePattern& files, int first, int last, std::size_t
       "|---|---|---|---|---|");
   for (int number = first; number <= last; ++number) {
     const DensityGrid grid = read_volume(files.of(number), "density");
-    if (!view) view.emplace(grid);
+    if (!view) view.emplace(grid, Film{96, 96});
     const double start = cpu_seconds();
     if (gaussians.empty()) {
       gaussians = fit_gaussians(grid, {count, 0.0})->gaussians;
@@ -115,8 +60,8 @@ void print_coherence(const FramePattern& files, int first, int last, std::size_t
     }
     const double seconds = cpu_seconds() - start;
     velocity = read_velocity(files.of(number));
-    std::vector<float> volume = grid_picture(grid, view->camera, view->film, view->light);
-    std::vector<float> fit = picture_of(gaussians, *view);
+    std::vector<float> volume = view->of(grid);
+    std::vector<float> fit = view->of(gaussians);
     const double scale = squares_between(volume, std::vector<float>(volume.size()));
     std::printf("| %d | %.1f | %.1f%% |", number, seconds,
                 100.0 * std::sqrt(squares_between(fit, volume) / scale));

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/medium/gaussian.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/volume/density_grid.h"
+
+namespace brume {
+
+// One view of a sequence, from where its first frame is seen as a whole, lit from the side.
+class SequenceView {
+ public:
+  SequenceView(const DensityGrid& first, const Film& film);
+
+  // Pictures: radiance, red only, rows from the top.
+  [[nodiscard]] std::vector<float> of(const DensityGrid& grid) const;
+  [[nodiscard]] std::vector<float> of(std::span<const Gaussian> gaussians) const;
+
+ private:
+  Camera camera_;
+  Film film_;
+  PointLight light_;
+};
+
+// The sum of the squares of a - b, which are equally long.
+double squares_between(std::span<const float> a, std::span<const float> b);
+
+}  // namespace brume
