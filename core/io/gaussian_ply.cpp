@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 #include "core/io/gaussian_columns.h"
 #include "core/io/limits.h"
 #include "core/io/ply.h"
+#include "core/medium/splat.h"
 
 namespace brume {
 namespace {
@@ -32,9 +32,8 @@ void append_little_endian(std::string& bytes, T value) {
   bytes.append(raw.data(), raw.size());
 }
 
-// Makes a vertex a Gaussian's numbers, in the order of `names`.
-using Numbers = std::array<double, 5>;
-using ToNumbers = std::function<Numbers(const PlyFile::Row&)>;
+// What a vertex becomes.
+using ToGaussians = std::function<std::vector<Gaussian>(const PlyFile::Row&)>;
 
 // Where properties of one number each stand; nothing if one of them is not there.
 template <std::size_t count>
@@ -49,20 +48,30 @@ std::optional<std::array<std::size_t, count>> columns(
   return result;
 }
 
-std::optional<ToNumbers> from_splats(const PlyFile::Element& vertices) {
+std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
   const auto at = columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
   if (!at) return std::nullopt;
-  return [at = *at](const PlyFile::Row& row) -> Numbers {
+  const auto turn = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
+  return [at = *at, turn](const PlyFile::Row& row) -> std::vector<Gaussian> {
     const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
-    const double radius = std::numbers::sqrt2 * std::exp((value(3) + value(4) + value(5)) / 3.0);
+    Splat splat;
+    splat.center = {value(0), value(1), value(2)};
+    splat.deviations = {std::exp(value(3)), std::exp(value(4)), std::exp(value(5))};
     // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
     const double logit = value(6);
-    const double depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
-    return {value(0), value(1), value(2), radius, depth * std::numbers::inv_sqrtpi / radius};
+    splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
+    if (!turn) return {ball_of(splat)};
+    const auto part = [&](std::size_t i) { return row.scalars[(*turn)[i]]; };
+    const glm::dquat rotation(part(0), part(1), part(2), part(3));
+    const double length = glm::length(rotation);
+    // Without a direction there is no longer axis.
+    if (!(length > 0.0) || !std::isfinite(length)) return {ball_of(splat)};
+    splat.rotation = rotation / length;
+    return balls_along(splat);
   };
 }
 
-ToNumbers from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
+ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
   std::array<std::size_t, 5> at{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto column = gaussian_columns::find_column(
@@ -76,9 +85,8 @@ ToNumbers from_points(const std::filesystem::path& file, const PlyFile::Element&
     at[i] = (*column)[0];
   }
   return [at](const PlyFile::Row& row) {
-    Numbers numbers{};
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = row.scalars[at[i]];
-    return numbers;
+    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+    return std::vector<Gaussian>{{{value(0), value(1), value(2)}, value(3), value(4)}};
   };
 }
 
@@ -96,21 +104,28 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                          std::to_string(limits::gaussians));
   }
   const auto splats = from_splats(*vertices);
-  const ToNumbers to_numbers = splats ? *splats : from_points(file, *vertices);
+  const ToGaussians to_gaussians = splats ? *splats : from_points(file, *vertices);
   const auto id = columns<1>(*vertices, {gaussian_columns::id_name});
   std::vector<Gaussian> gaussians;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
         if (&element != vertices) return;
-        const Numbers value = to_numbers(row);
-        for (std::size_t i = 0; i < names.size(); ++i) {
-          if (!domains[i]->contains(value[i])) {
-            throw InputError(file, "vertex " + std::to_string(index),
-                             std::string(names[i]) + ": " + domains[i]->refusal(value[i]));
+        for (const Gaussian& g : to_gaussians(row)) {
+          const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
+          for (std::size_t i = 0; i < names.size(); ++i) {
+            if (!domains[i]->contains(value[i])) {
+              throw InputError(file, "vertex " + std::to_string(index),
+                               std::string(names[i]) + ": " + domains[i]->refusal(value[i]));
+            }
           }
+          gaussians.push_back(g);
         }
-        gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
-        if (!ids || !id) return;
+        if (gaussians.size() > limits::gaussians) {
+          throw InputError(file, "vertex " + std::to_string(index),
+                           "found more than " + std::to_string(limits::gaussians) +
+                               " Gaussians, with those that long splats become");
+        }
+        if (!ids || !id || splats) return;
         const double number = row.scalars[(*id)[0]];
         if (!gaussian_columns::is_id(number)) {
           throw InputError(file, "vertex " + std::to_string(index),

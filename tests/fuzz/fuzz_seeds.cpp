@@ -46,7 +46,8 @@ constexpr std::string_view points =
 constexpr std::string_view splats =
     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
     "property float z\nproperty float opacity\nproperty float scale_0\nproperty float scale_1\n"
-    "property float scale_2\nend_header\n1 2 3 .5 -1 -2 -3\n";
+    "property float scale_2\nproperty float rot_0\nproperty float rot_1\nproperty float rot_2\n"
+    "property float rot_3\nend_header\n1 2 3 .5 -1 -2 -3 1 0 .5 0\n";
 
 void write(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::create_directories(file.parent_path());

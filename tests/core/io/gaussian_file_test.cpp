@@ -63,7 +63,7 @@ TEST(GaussianFile, KnowsTheNamesOfOtherPrograms) {
 }
 
 // As Gaussian splatting stores them: an ellipsoid becomes the ball of its volume that is as opaque
-// across its middle.
+// across its middle, or several where it is long.
 TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
   const TemporaryFolder folder;
   const std::string splats =
@@ -73,7 +73,7 @@ TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
       "property float rot_0\nproperty float rot_1\nproperty float rot_2\nproperty float rot_3\n"
       "end_header\n";
   const auto file = folder.write("a.ply", splats +
-                                              "1 2 3 0 .5 0 -1 -2 -3 1 0 0 0\n"
+                                              "1 2 3 0 .5 0 -2.1 -2 -1.9 1 0 0 0\n"
                                               "0 0 0 0 0 2 0 0 0 1 0 0 0\n"
                                               "0 0 0 0 0 -40 0 0 0 1 0 0 0\n"
                                               "0 0 0 0 0 800 0 0 0 1 0 0 0\n");
@@ -96,6 +96,16 @@ TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
     const auto bad = folder.write("b.ply", one + row);
     EXPECT_TRUE(contains(error_of([&] { read_gaussians(bad); }), "vertex 0")) << row;
   }
+
+  // Turned from x to y.
+  std::string one = splats;
+  one.replace(one.find("vertex 4"), 8, "vertex 1");
+  const auto turned = folder.write("c.ply", one + "1 2 3 0 0 0 0 -.3 -.3 5 0 0 5");
+  const std::vector<Gaussian> row = read_gaussians(turned);
+  ASSERT_EQ(row.size(), 2u);
+  EXPECT_NEAR(row[0].center.x, 1.0, 1e-12);
+  EXPECT_LT(row[0].center.y, 1.5);
+  EXPECT_NEAR(row[0].center.y + row[1].center.y, 4.0, 1e-12);
 }
 
 TEST(GaussianFile, ReadsAscii) {

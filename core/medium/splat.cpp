@@ -1,0 +1,74 @@
+#include "core/medium/splat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace brume {
+namespace {
+
+constexpr int most = 3;  // along an axis
+
+// How many deviations long n equal Gaussians are whose middles are two apart.
+double length_of(int n) {
+  return std::sqrt(1.0 + (n * n - 1) / 3.0);
+}
+
+// A row of `count` equal Gaussians, `length` deviations long: how far apart they are, over that.
+struct Row {
+  int count = 1;
+  double spacing = 0.0;
+
+  explicit Row(double length) {
+    constexpr double as_round = 1.25;
+    if (length < as_round) return;
+    while (count < most && length_of(count) < length) ++count;
+    spacing = std::sqrt(12.0 * (length * length - 1.0) / (count * count - 1));
+  }
+  [[nodiscard]] double place(int i) const { return (i - 0.5 * (count - 1)) * spacing; }
+};
+
+// The deviation of each ball.
+double common_deviation(const glm::dvec3& s) {
+  const double least =
+      std::max(std::min({s.x, s.y, s.z}), std::max({s.x, s.y, s.z}) / length_of(most));
+  // That of axes that differ little is theirs together.
+  double logarithms = 0.0;
+  int count = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (s[k] > 1.25 * least) continue;
+    logarithms += std::log(std::max(s[k], least));
+    ++count;
+  }
+  return count > 0 ? std::exp(logarithms / count) : least;
+}
+
+}  // namespace
+
+Gaussian ball_of(const Splat& splat) {
+  const glm::dvec3& s = splat.deviations;
+  const double radius =
+      std::numbers::sqrt2 * std::exp((std::log(s.x) + std::log(s.y) + std::log(s.z)) / 3.0);
+  return {splat.center, radius, splat.depth * std::numbers::inv_sqrtpi / radius};
+}
+
+std::vector<Gaussian> balls_along(const Splat& splat) {
+  const Gaussian whole = ball_of(splat);
+  const double deviation = common_deviation(splat.deviations);
+  const Row x(splat.deviations.x / deviation);
+  const Row y(splat.deviations.y / deviation);
+  const Row z(splat.deviations.z / deviation);
+  const int count = x.count * y.count * z.count;
+  if (count == 1) return {whole};
+  const double radius = std::numbers::sqrt2 * deviation;
+  const double density = whole.density * std::pow(whole.radius / radius, 3.0) / count;
+  std::vector<Gaussian> balls;
+  for (int i = 0; i < count; ++i) {
+    const glm::dvec3 place(x.place(i % x.count), y.place(i / x.count % y.count),
+                           z.place(i / (x.count * y.count)));
+    balls.push_back({splat.center + splat.rotation * (deviation * place), radius, density});
+  }
+  return balls;
+}
+
+}  // namespace brume
