@@ -25,11 +25,9 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-// erf(x) for |x| <= 1, relative error 2e-7.
+// coefficient::erf_small.
 HWY_INLINE V ErfSmall(V x) {
-  constexpr float coefficient[] = {-0.00056314253f, 0.0049175541f,  -0.0267113168f,
-                                   0.1128018051f,   -0.3761232495f, 1.1283791065f};
-  return hn::Mul(x, Horner(D(), hn::Mul(x, x), coefficient));
+  return hn::Mul(x, Horner(D(), hn::Mul(x, x), coefficient::erf_small));
 }
 
 HWY_INLINE Vector LoadDirection(const PathBatch& paths, std::size_t k) {

@@ -22,21 +22,13 @@ HWY_INLINE V set(float x) {
   return hn::Set(D(), x);
 }
 
-// erf(x) to 3e-5, and exactly 1 (to rounding) from 3 on, so that whole lines come out exact: a
-// minimax fit of x P(x^2), with neither exponential nor division. What it adds to a frame's error
-// is far below what slicing does.
+// coefficient::erf_fast.
 HWY_INLINE V FastErf(V x) {
-  constexpr float coefficient[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
-                                   -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
-                                   1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};
   const D d;
-  const V y = hn::Min(hn::Max(x, set(-3.0f)), set(3.0f));
-  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient));
+  const V end = set(coefficient::erf_fast_end);
+  const V y = hn::Min(hn::Max(x, hn::Neg(end)), end);
+  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient::erf_fast));
 }
-
-// Half the depth of a line through a Gaussian from which on the tails need more than FastErf knows:
-// below it, what FastErf is off makes at most 3e-4 of depth.
-constexpr float exact_above = 10.0f;
 
 template <bool kBent>
 HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
@@ -214,10 +206,7 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
   const V crosses = hn::Mul(h, width);
   const V ratio = hn::Div(crosses, dots);
   const auto small = hn::And(hn::Gt(dots, hn::Zero(d)), hn::Lt(ratio, set(0.4f)));
-  // atan(x) / x to 2e-6 for x below 0.4.
-  constexpr float coefficient[] = {-0.09090909f, 0.11111111f,  -0.14285714f,
-                                   0.2f,         -0.33333333f, 1.0f};
-  const V near_one = Horner(d, hn::Mul(ratio, ratio), coefficient);
+  const V near_one = Horner(d, hn::Mul(ratio, ratio), coefficient::atan_small);
   const V direct = hn::Div(near_one, hn::Max(dots, set(1e-30f)));
   if (hn::AllTrue(d, small)) return direct;
   const V acute = hn::Atan(d, hn::Div(crosses, hn::Max(hn::Abs(dots), set(1e-30f))));

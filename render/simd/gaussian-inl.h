@@ -11,6 +11,8 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include "render/simd/coefficients.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -42,16 +44,13 @@ HWY_INLINE V Horner(D d, V x, const T (&coefficient)[n]) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V Erfcx(D d, V x) {
   if constexpr (sizeof(hn::TFromD<D>) == 4) {
-    constexpr float coefficient[] = {-0.0569184758f, 0.2754870355f,  -0.4712418020f,
-                                     0.2629913824f,  -0.0183402074f, 0.2000166923f,
-                                     0.2435849011f,  0.2823328376f,  0.2820876837f};
     const V one = hn::Set(d, 1.0f);
     const V t = hn::Div(one, hn::MulAdd(hn::Set(d, 0.5f), x, one));
-    return hn::Mul(t, Horner(d, t, coefficient));
+    return hn::Mul(t, Horner(d, t, coefficient::erfcx));
   } else {
     // (1 + 2 x) erfcx(x) as a polynomial in (x - 3.75) / (x + 3.75) (Shepherd and Laframboise
     // 1981 chose the variable; the coefficients are a Chebyshev fit in 40 digits).
-    constexpr double coefficient[] = {
+    constexpr double coefficients[] = {
         -2.623107347133476e-09, -1.9551358868985616e-09, 3.197926671666804e-08,
         1.879082322370048e-08,  -2.4857126248016745e-07, -5.084465378687302e-08,
         1.7419821586224816e-06, -9.792625707303523e-07,  -1.1438048033346894e-05,
@@ -64,7 +63,7 @@ HWY_INLINE V Erfcx(D d, V x) {
     const V y = hn::Min(x, hn::Set(d, 1e150));
     const V center = hn::Set(d, 3.75);
     const V t = hn::Div(hn::Sub(y, center), hn::Add(y, center));
-    return hn::Div(Horner(d, t, coefficient), hn::MulAdd(hn::Set(d, 2.0), y, hn::Set(d, 1.0)));
+    return hn::Div(Horner(d, t, coefficients), hn::MulAdd(hn::Set(d, 2.0), y, hn::Set(d, 1.0)));
   }
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+namespace brume::coefficient {
+
+// Polynomials of the kernels in single precision, highest coefficient first; those of render/gl are
+// made from the same.
+
+// erfcx(x) = t P(t), t = 1 / (1 + x / 2): relative error 3e-7 up to 20, 4e-6 beyond.
+inline constexpr float erfcx[] = {-0.0569184758f, 0.2754870355f,  -0.4712418020f,
+                                  0.2629913824f,  -0.0183402074f, 0.2000166923f,
+                                  0.2435849011f,  0.2823328376f,  0.2820876837f};
+
+// erf(x) = x P(x^2) for |x| <= 1: relative error 2e-7.
+inline constexpr float erf_small[] = {-0.00056314253f, 0.0049175541f,  -0.0267113168f,
+                                      0.1128018051f,   -0.3761232495f, 1.1283791065f};
+
+// erf(x) = x P(x^2) to 3e-5, and exactly 1 (to rounding) from erf_fast_end on, so that whole lines
+// come out exact: a minimax fit with neither exponential nor division. What it adds to a frame's
+// error is far below what slicing does.
+inline constexpr float erf_fast[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
+                                     -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
+                                     1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};
+inline constexpr float erf_fast_end = 3.0f;
+
+// atan(x) = x P(x^2) to 2e-6 for x below 0.4.
+inline constexpr float atan_small[] = {-0.09090909f, 0.11111111f,  -0.14285714f,
+                                       0.2f,         -0.33333333f, 1.0f};
+
+}  // namespace brume::coefficient
