@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/viewport/egl_context.h"
+#include "render/gl/egl_context.h"
 #include "app/viewport/viewport_surface.h"
 #include "app/viewport/vtk_host.h"
 

@@ -5,10 +5,10 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "app/viewport/egl_context.h"
 #include "app/viewport/gl_viewport.h"
 #include "app/viewport/image_viewport.h"
 #include "app/viewport/painter_viewport.h"
+#include "render/gl/egl_context.h"
 
 namespace brume {
 namespace {

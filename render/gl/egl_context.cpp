@@ -1,55 +1,82 @@
-#include "app/viewport/egl_context.h"
+#include "render/gl/egl_context.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <array>
+#include <cstring>
+#include <vector>
 
 namespace brume {
 namespace {
 
-// Mesa's surfaceless platform first; other drivers offer their devices instead.
-EGLDisplay open_display() {
+bool is_software(EGLDeviceEXT device) {
+  const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+  return extensions && std::strstr(extensions, "EGL_MESA_device_software");
+}
+
+// What there is to try, GPUs first: Mesa's surfaceless platform may be software where another
+// driver has a GPU.
+std::vector<EGLDisplay> displays() {
+  std::vector<EGLDisplay> found;
+  std::vector<EGLDisplay> last;
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    if (!eglQueryDevicesEXT(devices.size(), devices.data(), &count)) count = 0;
+    for (EGLint k = 0; k < count; ++k) {
+      const EGLDeviceEXT device = devices[static_cast<std::size_t>(k)];
+      EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+      (is_software(device) ? last : found).push_back(display);
+    }
+  }
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    EGLDisplay display =
-        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+    found.push_back(
+        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
   }
-  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) return EGL_NO_DISPLAY;
-  std::array<EGLDeviceEXT, 8> devices{};
-  EGLint count = 0;
-  if (!eglQueryDevicesEXT(devices.size(), devices.data(), &count)) return EGL_NO_DISPLAY;
-  for (EGLint k = 0; k < count; ++k) {
-    EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT,
-                                                  devices[static_cast<std::size_t>(k)], nullptr);
-    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
-  }
-  return EGL_NO_DISPLAY;
+  found.insert(found.end(), last.begin(), last.end());
+  return found;
 }
 
 }  // namespace
 
-std::unique_ptr<EglContext> EglContext::create(std::string* problem) {
-  const auto fail = [problem](const char* why) {
-    if (problem) *problem = why;
+std::unique_ptr<EglContext> EglContext::create(std::string* problem, bool debug) {
+  std::string why;
+  std::unique_ptr<EglContext> result;
+  if (!epoxy_has_egl()) {
+    why = "there is no EGL library";
+  } else {
+    why = "EGL offers no display";
+    for (EGLDisplay display : displays()) {
+      if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) continue;
+      result = create_on(display, debug, why);
+      if (result) break;
+    }
+  }
+  if (!result && problem) *problem = why;
+  return result;
+}
+
+std::unique_ptr<EglContext> EglContext::create_on(void* display, bool debug, std::string& problem) {
+  const auto fail = [&problem](const char* why) {
+    problem = why;
     return nullptr;
   };
-  if (!epoxy_has_egl()) return fail("there is no EGL library");
-  EGLDisplay display = open_display();
-  if (display == EGL_NO_DISPLAY) return fail("EGL offers no display");
   if (!eglBindAPI(EGL_OPENGL_API)) return fail("EGL offers no desktop OpenGL");
   constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                          EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config{};
   EGLint configs = 0;
   eglChooseConfig(display, wanted.data(), &config, 1, &configs);
-  constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                             4,
-                                             EGL_CONTEXT_MINOR_VERSION,
-                                             5,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                             EGL_NONE};
+  const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                         4,
+                                         EGL_CONTEXT_MINOR_VERSION,
+                                         5,
+                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                         debug ? EGL_CONTEXT_OPENGL_DEBUG : EGL_NONE,
+                                         EGL_TRUE,
+                                         EGL_NONE};
   EGLContext context = eglCreateContext(display, configs > 0 ? config : EGLConfig{}, EGL_NO_CONTEXT,
                                         attributes.data());
   if (context == EGL_NO_CONTEXT) return fail("the driver has no OpenGL 4.5 core");

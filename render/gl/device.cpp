@@ -1,0 +1,94 @@
+#include "render/gl/device.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace brume::gl {
+namespace {
+
+std::int64_t integer(GLenum name) {
+  GLint64 value = 0;
+  glGetInteger64v(name, &value);
+  return value;
+}
+
+void take_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
+                  const void* to) {
+  if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE) return;
+  auto& messages = *static_cast<std::vector<std::string>*>(const_cast<void*>(to));
+  // A driver that complains in every call must not fill the memory.
+  constexpr std::size_t most = 1000;
+  if (messages.size() >= most) return;
+  messages.emplace_back(
+      text, length >= 0 ? static_cast<std::size_t>(length) : std::string_view(text).size());
+}
+
+}  // namespace
+
+Device current_device() {
+  Device device;
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  device.name = name ? name : "";
+  device.is_software = is_software_renderer(device.name);
+  device.major = epoxy_gl_version() / 10;
+  device.minor = epoxy_gl_version() % 10;
+  if (!(device.major > 4 || (device.major == 4 && device.minor >= 3))) return device;
+  device.storage_bytes = integer(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
+  device.shared_bytes = integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
+  device.invocations = static_cast<int>(integer(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS));
+  device.storage_blocks = static_cast<int>(integer(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS));
+  device.texture_side_3d = static_cast<int>(integer(GL_MAX_3D_TEXTURE_SIZE));
+  device.texture_side_2d = static_cast<int>(integer(GL_MAX_TEXTURE_SIZE));
+  return device;
+}
+
+bool is_software_renderer(const std::string& name) {
+  constexpr std::array<std::string_view, 5> known{"llvmpipe", "softpipe", "swrast",
+                                                  "Software Rasterizer", "SwiftShader"};
+  return std::ranges::any_of(
+      known, [&](std::string_view part) { return name.find(part) != std::string::npos; });
+}
+
+std::string lack(const Device& device) {
+  const auto has = std::to_string(device.major) + "." + std::to_string(device.minor);
+  if (device.major < 4 || (device.major == 4 && device.minor < 5)) {
+    return "OpenGL 4.5 is needed, " + device.name + " has " + has;
+  }
+  const auto needs = [&](std::int64_t value, std::int64_t least, const char* what) {
+    if (value >= least) return std::string();
+    return device.name + " offers " + std::to_string(value) + " " + what + "; " +
+           std::to_string(least) + " are needed";
+  };
+  // Above what every OpenGL 4.5 has, where at all.
+  for (const std::string& why : {
+           needs(device.storage_bytes, std::int64_t{1} << 26, "bytes in a storage block"),
+           needs(device.shared_bytes, 32768, "bytes shared by a work group"),
+           needs(device.invocations, 1024, "invocations in a work group"),
+           needs(device.storage_blocks, 8, "storage blocks"),
+           needs(device.texture_side_3d, 2048, "texels along a 3-D texture"),
+           needs(device.texture_side_2d, 16384, "texels along a 2-D texture"),
+       }) {
+    if (!why.empty()) return why;
+  }
+  return {};
+}
+
+Messages::Messages() {
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  glDebugMessageCallback(take_message, &messages_);
+}
+
+Messages::~Messages() {
+  glDebugMessageCallback(nullptr, nullptr);
+}
+
+std::vector<std::string> Messages::take() {
+  return std::exchange(messages_, {});
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,263 @@
+#include "render/gl/resources.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <atomic>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "render/gl/failures.h"
+#include "render/gl/shader_source.h"
+
+namespace brume::gl {
+namespace {
+
+std::atomic<std::size_t> live = 0;  // each context has a thread of its own
+
+struct FormatNames {
+  GLenum internal, channels;
+  int count;
+};
+
+FormatNames names_of(Texture::Format format) {
+  switch (format) {
+    case Texture::Format::r32f:
+      return {GL_R32F, GL_RED, 1};
+    case Texture::Format::rgba32f:
+      return {GL_RGBA32F, GL_RGBA, 4};
+    case Texture::Format::r16f:
+      return {GL_R16F, GL_RED, 1};
+  }
+  return {};
+}
+
+std::string megabytes(std::size_t bytes) {
+  return std::to_string((bytes >> 20) + 1) + " MiB";
+}
+
+// What the driver says of an object; `get` is glGetShaderInfoLog or its like.
+template <class Get>
+std::string log_of(GLint length, Get get) {
+  std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+  GLsizei written = 0;
+  get(static_cast<GLsizei>(log.size()), &written, log.data());
+  log.resize(static_cast<std::size_t>(written));
+  return log;
+}
+
+}  // namespace
+
+std::size_t live_objects() {
+  return live;
+}
+
+Object::Object(Kind kind, unsigned name) : kind_(kind), name_(name) {
+  if (name_ == 0) throw Error("OpenGL gives no more objects; is its context lost?");
+  ++live;
+}
+
+void Object::reset() {
+  if (name_ == 0) return;
+  switch (kind_) {
+    case Kind::buffer:
+      glDeleteBuffers(1, &name_);
+      break;
+    case Kind::texture:
+      glDeleteTextures(1, &name_);
+      break;
+    case Kind::program:
+      glDeleteProgram(name_);
+      break;
+    case Kind::query:
+      glDeleteQueries(1, &name_);
+      break;
+  }
+  name_ = 0;
+  --live;
+}
+
+void Buffer::reserve(std::size_t bytes) {
+  if (bytes <= bytes_ && object_) return;
+  release();
+  // With room to grow, so that media that are painted do not make a new one with every stroke.
+  const std::size_t room = std::max<std::size_t>(bytes + bytes / 4, 64);
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  Object made(Kind::buffer, name);
+  glNamedBufferStorage(name, static_cast<GLsizeiptr>(room), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  if (glGetError() != GL_NO_ERROR || failures().memory) {
+    throw Error("the device has no memory for " + megabytes(room));
+  }
+  object_ = std::move(made);
+  bytes_ = room;
+}
+
+void Buffer::upload_bytes(const void* data, std::size_t bytes) {
+  reserve(bytes);
+  if (bytes > 0) glNamedBufferSubData(name(), 0, static_cast<GLsizeiptr>(bytes), data);
+}
+
+void Buffer::download_bytes(void* data, std::size_t bytes) const {
+  if (bytes > 0) glGetNamedBufferSubData(name(), 0, static_cast<GLsizeiptr>(bytes), data);
+}
+
+void Buffer::clear() {
+  reserve(0);
+  glClearNamedBufferData(name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void Buffer::bind(unsigned binding) {
+  reserve(0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
+}
+
+void Texture::reserve(Format format, const glm::ivec3& size, bool linear) {
+  if (object_ && format == format_ && size == size_) return;
+  release();
+  const GLenum target = size.z > 1 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+  GLuint name = 0;
+  glCreateTextures(target, 1, &name);
+  Object made(Kind::texture, name);
+  const GLenum internal = names_of(format).internal;
+  if (size.z > 1) {
+    glTextureStorage3D(name, 1, internal, size.x, size.y, size.z);
+  } else {
+    glTextureStorage2D(name, 1, internal, size.x, size.y);
+  }
+  const GLint filter = linear ? GL_LINEAR : GL_NEAREST;
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
+  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
+  }
+  if (glGetError() != GL_NO_ERROR || failures().memory) {
+    throw Error("the device has no memory for a texture of " + std::to_string(size.x) + " x " +
+                std::to_string(size.y) + " x " + std::to_string(size.z));
+  }
+  object_ = std::move(made);
+  format_ = format;
+  size_ = size;
+}
+
+void Texture::upload(std::span<const float> values) {
+  const FormatNames f = names_of(format_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  if (size_.z > 1) {
+    glTextureSubImage3D(name(), 0, 0, 0, 0, size_.x, size_.y, size_.z, f.channels, GL_FLOAT,
+                        values.data());
+  } else {
+    glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, f.channels, GL_FLOAT, values.data());
+  }
+}
+
+void Texture::download(std::span<float> values) const {
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glGetTextureImage(name(), 0, names_of(format_).channels, GL_FLOAT,
+                    static_cast<GLsizei>(values.size_bytes()), values.data());
+}
+
+void Texture::bind_image(unsigned unit) const {
+  glBindImageTexture(unit, name(), 0, GL_TRUE, 0, GL_READ_WRITE, names_of(format_).internal);
+}
+
+void Texture::bind_sampler(unsigned unit) const {
+  glBindTextureUnit(unit, name());
+}
+
+Program::Program(const std::string& name) {
+  const std::string text = failures().shader ? "broken" : shader_source(name);
+  const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+  const char* const source = text.c_str();
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  GLint compiled = 0;
+  GLint length = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  const std::string compiler = log_of(length, [&](auto size, auto written, auto to) {
+    glGetShaderInfoLog(shader, size, written, to);
+  });
+  object_ = Object(Kind::program, glCreateProgram());
+  const GLuint program = object_.name();
+  glAttachShader(program, shader);
+  glLinkProgram(program);
+  glDetachShader(program, shader);
+  glDeleteShader(shader);
+  if (!compiled) throw Error("the driver refuses shader " + name + ": " + compiler);
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked) return;
+  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+  throw Error("the driver refuses shader " + name + ": " +
+              log_of(length, [&](auto size, auto written, auto to) {
+                glGetProgramInfoLog(program, size, written, to);
+              }));
+}
+
+int Program::location(const char* uniform) const {
+  return glGetUniformLocation(object_.name(), uniform);
+}
+
+void Program::set(const char* uniform, int value) const {
+  glProgramUniform1i(object_.name(), location(uniform), value);
+}
+
+void Program::set(const char* uniform, unsigned value) const {
+  glProgramUniform1ui(object_.name(), location(uniform), value);
+}
+
+void Program::set(const char* uniform, float value) const {
+  glProgramUniform1f(object_.name(), location(uniform), value);
+}
+
+void Program::set(const char* uniform, const glm::vec3& value) const {
+  glProgramUniform3fv(object_.name(), location(uniform), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* uniform, const glm::dvec3& value) const {
+  glProgramUniform3dv(object_.name(), location(uniform), 1, glm::value_ptr(value));
+}
+
+void Program::dispatch(std::size_t x, std::size_t y, std::size_t z) const {
+  if (x == 0 || y == 0 || z == 0) return;
+  glUseProgram(object_.name());
+  glDispatchCompute(static_cast<GLuint>(x), static_cast<GLuint>(y), static_cast<GLuint>(z));
+  glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
+
+void Timer::begin() {
+  const auto make = [](Object& query) {
+    if (query) return;
+    GLuint name = 0;
+    glCreateQueries(GL_TIMESTAMP, 1, &name);
+    query = Object(Kind::query, name);
+  };
+  make(first_);
+  make(last_);
+  glQueryCounter(first_.name(), GL_TIMESTAMP);
+}
+
+void Timer::end() {
+  glQueryCounter(last_.name(), GL_TIMESTAMP);
+}
+
+double Timer::milliseconds() const {
+  GLuint64 first = 0;
+  GLuint64 last = 0;
+  glGetQueryObjectui64v(first_.name(), GL_QUERY_RESULT, &first);
+  glGetQueryObjectui64v(last_.name(), GL_QUERY_RESULT, &last);
+  return 1e-6 * static_cast<double>(last - first);
+}
+
+void check(const char* what) {
+  const GLenum reset = failures().context ? GL_UNKNOWN_CONTEXT_RESET : glGetGraphicsResetStatus();
+  if (reset != GL_NO_ERROR) throw Error(std::string("the context was lost at ") + what);
+  const GLenum error = glGetError();
+  if (error == GL_OUT_OF_MEMORY)
+    throw Error(std::string("the device ran out of memory at ") + what);
+  if (error != GL_NO_ERROR) {
+    throw Error("OpenGL error " + std::to_string(error) + " at " + what);
+  }
+}
+
+}  // namespace brume::gl

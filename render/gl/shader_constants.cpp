@@ -1,0 +1,52 @@
+#include "render/gl/shader_constants.h"
+
+#include <iomanip>
+#include <limits>
+#include <span>
+#include <sstream>
+
+#include "render/cpu/light_table.h"
+#include "render/cpu/slice_kernels.h"
+#include "render/simd/coefficients.h"
+#include "render/tiles.h"
+
+namespace brume::gl {
+namespace {
+
+class Constants {
+ public:
+  Constants() {
+    out_ << std::scientific << std::setprecision(std::numeric_limits<float>::max_digits10 - 1);
+  }
+  void add(const char* name, float value) {
+    out_ << "const float " << name << " = " << value << ";\n";
+  }
+  void add(const char* name, int value) { out_ << "const int " << name << " = " << value << ";\n"; }
+  void add(const char* name, std::span<const float> values) {
+    out_ << "const float " << name << "[" << values.size() << "] = float[](";
+    for (std::size_t i = 0; i < values.size(); ++i) out_ << (i > 0 ? ", " : "") << values[i];
+    out_ << ");\n";
+  }
+  [[nodiscard]] std::string text() const { return out_.str(); }
+
+ private:
+  std::ostringstream out_;
+};
+
+}  // namespace
+
+std::string shader_constants() {
+  Constants constants;
+  constants.add("erfcx_coefficients", coefficient::erfcx);
+  constants.add("erf_small_coefficients", coefficient::erf_small);
+  constants.add("erf_fast_coefficients", coefficient::erf_fast);
+  constants.add("erf_fast_end", coefficient::erf_fast_end);
+  constants.add("atan_small_coefficients", coefficient::atan_small);
+  constants.add("exact_above", exact_above);
+  constants.add("opaque", LightTable::opaque);
+  constants.add("tile_width", Tiles::width);
+  constants.add("tile_height", Tiles::height);
+  return constants.text();
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,41 @@
+#include "render/gl/shader_source.h"
+
+#include <set>
+#include <sstream>
+
+#include "render/gl/resources.h"
+#include "render/gl/shader_constants.h"
+
+namespace brume::gl {
+namespace {
+
+void append(const std::string& name, std::set<std::string>& seen, std::ostream& out) {
+  if (!seen.insert(name).second) return;
+  if (name == "constants.glsl") {
+    out << shader_constants();
+    return;
+  }
+  const char* text = embedded_shader(name);
+  if (!text) throw Error("there is no shader " + name);
+  constexpr std::string_view include = "#include \"";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(include)) {
+      append(line.substr(include.size(), line.rfind('"') - include.size()), seen, out);
+    } else {
+      out << line << '\n';
+    }
+  }
+}
+
+}  // namespace
+
+std::string shader_source(const std::string& name) {
+  std::ostringstream out;
+  out << "#version 450 core\n";
+  std::set<std::string> seen;
+  append(name, seen, out);
+  return out.str();
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,161 @@
+// The context, what it says of itself, and the objects that passes are made of.
+
+#include "render/gl/device.h"
+
+#include <epoxy/gl.h>
+
+#include <array>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "render/gl/resources.h"
+#include "render/gl/shader_source.h"
+#include "tests/render/gl/gl_test.h"
+
+namespace brume::gl {
+namespace {
+
+constexpr Device able{"A GPU", 4, 6, false, 1 << 30, 49152, 1024, 16, 16384, 32768};
+
+TEST(Device, KnowsSoftwareByItsName) {
+  for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer"}) {
+    EXPECT_TRUE(is_software_renderer(name)) << name;
+  }
+  for (const char* name : {"NVIDIA H100 PCIe/PCIe/SSE2", "AMD Radeon RX 7900 (radeonsi)",
+                           "Mesa Intel(R) Graphics (ADL GT2)"}) {
+    EXPECT_FALSE(is_software_renderer(name)) << name;
+  }
+}
+
+TEST(Device, SaysWhatItLacks) {
+  EXPECT_EQ(lack(able), "");
+  Device device = able;
+  device.minor = 4;
+  EXPECT_EQ(lack(device), "OpenGL 4.5 is needed, A GPU has 4.4");
+  device = able;
+  device.shared_bytes = 16384;
+  EXPECT_EQ(lack(device), "A GPU offers 16384 bytes shared by a work group; 32768 are needed");
+  device = able;
+  device.texture_side_3d = 1024;
+  EXPECT_NE(lack(device).find("3-D texture"), std::string::npos);
+}
+
+using Context = GlTest;
+
+TEST_F(Context, RunsThePasses) {
+  const Device device = current_device();
+  EXPECT_NE(device.name, "");
+  EXPECT_EQ(lack(device), "");
+}
+
+TEST_F(Context, MessagesAreCollected) {
+  glEnable(GL_TEXTURE_BINDING_2D);  // not something to enable
+  EXPECT_NE(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(messages_->take().size(), 1u);
+  EXPECT_TRUE(messages_->take().empty());
+}
+
+TEST_F(Context, BuffersKeepWhatTheyTake) {
+  std::vector<float> values(1000);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
+  Buffer buffer;
+  buffer.upload(std::span<const float>(values));
+  const unsigned first = buffer.name();
+  std::vector<float> back(values.size());
+  buffer.download(std::span(back));
+  EXPECT_EQ(back, values);
+  // A little more fits into the same; much more does not.
+  buffer.reserve(4100);
+  EXPECT_EQ(buffer.name(), first);
+  buffer.reserve(100'000);
+  EXPECT_GE(buffer.bytes(), 100'000u);
+  buffer.clear();
+  buffer.download(std::span(back));
+  EXPECT_EQ(back, std::vector<float>(values.size(), 0.0f));
+  EXPECT_EQ(live_objects(), objects_ + 1);
+}
+
+TEST_F(Context, TexturesKeepWhatTheyTake) {
+  for (const glm::ivec3 size : {glm::ivec3(5, 3, 1), glm::ivec3(4, 3, 2)}) {
+    std::vector<float> values(static_cast<std::size_t>(4 * size.x * size.y * size.z));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.5f * static_cast<float>(i);
+    Texture texture;
+    texture.reserve(Texture::Format::rgba32f, size);
+    texture.upload(values);
+    std::vector<float> back(values.size());
+    texture.download(back);
+    EXPECT_EQ(back, values);
+  }
+}
+
+TEST_F(Context, ObjectsGoWithTheirOwners) {
+  const std::size_t before = live_objects();
+  {
+    Buffer buffer;
+    buffer.reserve(10);
+    Texture texture;
+    texture.reserve(Texture::Format::r32f, {8, 8, 1});
+    Timer timer;
+    timer.begin();
+    timer.end();
+    EXPECT_GE(timer.milliseconds(), 0.0);
+    EXPECT_EQ(live_objects(), before + 4);
+    const Buffer moved = std::move(buffer);
+    EXPECT_EQ(live_objects(), before + 4);
+  }
+  EXPECT_EQ(live_objects(), before);
+}
+
+TEST_F(Context, WhatFailsSaysSo) {
+  EXPECT_THROW(shader_source("none.glsl"), Error);
+  failures().shader = true;
+  EXPECT_THROW(Program("composite.glsl"), Error);
+  failures() = {};
+  failures().memory = true;
+  Buffer buffer;
+  EXPECT_THROW(buffer.reserve(1000), Error);
+  failures() = {};
+  failures().context = true;
+  EXPECT_THROW(check("a test"), Error);
+  failures() = {};
+  EXPECT_NO_THROW(check("a test"));
+  messages_->take();  // of the broken shader
+}
+
+TEST_F(Context, CompositePutsTheMediumBeforeWhatIsBehind) {
+  const glm::ivec3 size(19, 9, 1);  // no multiple of the work groups'
+  const auto pixels = static_cast<std::size_t>(size.x * size.y);
+  std::vector<glm::vec4> medium(pixels);
+  std::vector<glm::vec4> surface(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const auto x = static_cast<float>(i) / static_cast<float>(pixels);
+    medium[i] = {x, 2.0f * x, 0.0f, 1.0f - x};
+    surface[i] = {1.0f, x, 3.0f, i % 2 == 0 ? 1.0f : 0.0f};
+  }
+  const auto upload = [&](Texture& texture, const std::vector<glm::vec4>& values) {
+    texture.reserve(Texture::Format::rgba32f, size);
+    texture.upload({&values[0].x, 4 * pixels});
+  };
+  Texture airlight;
+  Texture behind;
+  Texture beauty;
+  upload(airlight, medium);
+  upload(behind, surface);
+  beauty.reserve(Texture::Format::rgba32f, size);
+  airlight.bind_image(0);
+  behind.bind_image(1);
+  beauty.bind_image(2);
+  Program("composite.glsl").dispatch(2, 2);
+  check("composite");
+  std::vector<glm::vec4> result(pixels);
+  beauty.download({&result[0].x, 4 * pixels});
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const glm::vec4& m = medium[i];
+    const glm::vec4& s = surface[i];
+    for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(result[i][c], m[c] + m.w * s[c]) << i;
+    EXPECT_FLOAT_EQ(result[i].w, i % 2 == 0 ? 1.0f : 1.0f - m.w) << i;
+  }
+}
+
+}  // namespace
+}  // namespace brume::gl
