@@ -1,6 +1,7 @@
 #include "render/albedo.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brume {
 
@@ -43,6 +44,35 @@ void take_channels(const AlbedoGroup& group, const Frame& part, Frame& frame) {
       frame.beauty[4 * i + c] = albedo * airlight + surface;
     }
   }
+}
+
+std::optional<Frame> render_groups(const Scene& scene, const Job& job, const RenderGroup& render) {
+  const std::vector<AlbedoGroup> groups = albedo_groups(scene.optics.albedo);
+  if (groups.size() == 1 && groups[0].albedo == 1.0) return render(scene, 0, 1.0, job);
+  std::optional<Frame> frame;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Scene absorbing = scene;
+    absorbing.medium = extinction_medium(scene.medium, groups[i].albedo);
+    const auto share = [&](std::size_t n) {
+      return static_cast<double>(n) / static_cast<double>(groups.size());
+    };
+    std::optional<Frame> part =
+        render(absorbing, i, groups[i].albedo, job.part(share(i), share(i + 1)));
+    if (!part) return std::nullopt;
+    if (!frame) {
+      frame = *part;
+    } else {
+      add_cost(part->statistics, frame->statistics);
+    }
+    take_channels(groups[i], *part, *frame);
+  }
+  for (std::size_t i = 0; i < frame->depth.size(); ++i) {
+    if (std::isfinite(frame->depth[i])) continue;  // a surface covers its pixel
+    const float* transmittance = frame->transmittance.data() + 3 * i;
+    frame->beauty[4 * i + 3] =
+        1.0f - (transmittance[0] + transmittance[1] + transmittance[2]) / 3.0f;
+  }
+  return frame;
 }
 
 void add_cost(const FrameStatistics& part, FrameStatistics& sum) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/scene/scene.h"
 #include "render/frame.h"
+#include "render/job.h"
 
 namespace brume {
 
@@ -25,6 +28,12 @@ Medium extinction_medium(const Medium& scattering, double albedo);
 
 // Takes the channels of a group from `part`, a frame of its extinction_medium(), into `frame`.
 void take_channels(const AlbedoGroup& group, const Frame& part, Frame& frame);
+
+// The frame of a scene by way of `render`, which is asked for the frames of its groups: of what
+// `scene` has with the group's extinction_medium(), as number `which`. nullopt where that says so.
+using RenderGroup = std::function<std::optional<Frame>(const Scene& scene, std::size_t which,
+                                                       double albedo, const Job& job)>;
+std::optional<Frame> render_groups(const Scene& scene, const Job& job, const RenderGroup& render);
 
 // Adds what another part of a frame cost.
 void add_cost(const FrameStatistics& part, FrameStatistics& sum);

@@ -52,7 +52,7 @@ std::optional<ErrorSample> take_error_sample(const Scene& scene, const Camera& c
                            stop);
 }
 
-std::optional<Settings> choose_settings(Renderer& renderer, const Scene& scene,
+std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, double max_error,
                                         std::stop_token stop) {
@@ -80,7 +80,7 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
   return sample->measure(frame);
 }
 
-std::optional<MeasuredFrame> render_auto(Renderer& renderer, const Scene& scene,
+std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
                                          const Camera& camera, const Film& film,
                                          const Settings& settings, double max_error,
                                          std::stop_token stop,

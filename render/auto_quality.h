@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/error_estimate.h"
-#include "render/renderer.h"
+#include "render/frame_renderer.h"
 
 namespace brume {
 
@@ -15,7 +15,7 @@ std::vector<Settings> quality_ladder(const Settings& settings);
 // Tries settings from cheap to costly on a small frame of the view until one keeps `max_error`
 // with the upper end of its interval; the last one tried if none does. `settings` as above. nullopt
 // if `stop` was requested.
-std::optional<Settings> choose_settings(Renderer& renderer, const Scene& scene,
+std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, double max_error,
                                         std::stop_token stop = {});
@@ -39,7 +39,7 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
 
 // Chooses settings, renders with them and measures the frame; if its own pixels break the bound,
 // goes on with better settings until they hold it or there are none.
-std::optional<MeasuredFrame> render_auto(Renderer& renderer, const Scene& scene,
+std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
                                          const Camera& camera, const Film& film,
                                          const Settings& settings, double max_error,
                                          std::stop_token stop = {},

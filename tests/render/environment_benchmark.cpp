@@ -9,6 +9,7 @@
 #include "core/scene/radiance_map.h"
 #include "render/auto_quality.h"
 #include "render/environment_source.h"
+#include "render/renderer.h"
 #include "tools/bench/benchmark_scenes.h"
 
 namespace brume {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/auto_quality.h"
+#include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {

@@ -9,6 +9,7 @@
 #include "core/io/scene_file.h"
 #include "core/scene/radiance_map.h"
 #include "render/render_plan.h"
+#include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
 #include "tools/bench/benchmark_scenes.h"
 #include "tools/bench/table_one_scenes.h"

@@ -81,7 +81,7 @@ Scene box_scene(int count, int lights) {
   return scene;
 }
 
-Settings fewest_slices(Renderer& renderer, const Scene& scene) {
+Settings fewest_slices(FrameRenderer& renderer, const Scene& scene) {
   constexpr double error_kept = 0.02;
   Settings settings;
   Settings given;

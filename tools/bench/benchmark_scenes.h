@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/scene/scene.h"
-#include "render/renderer.h"
+#include "render/frame_renderer.h"
 
 namespace brume {
 
@@ -31,7 +31,7 @@ Scene box_scene(int count, int lights);
 // `sliced` with the airlight at every fourth pixel and the fewest slices that keep an error of 2%
 // on the scene's own film, by the upper end of the interval of 1000 pixels; the most where none
 // does.
-Settings fewest_slices(Renderer& renderer, const Scene& scene);
+Settings fewest_slices(FrameRenderer& renderer, const Scene& scene);
 
 // CPU seconds that this process has used so far, all threads together.
 double cpu_seconds();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "render/renderer.h"
 #include "tools/bench/benchmark_scenes.h"
 
 namespace brume {
@@ -41,7 +42,7 @@ Truth find_truth(const Scene& scene, std::size_t pixels) {
   return {std::move(sample), 1e3 * (cpu_seconds() - begin) * film / static_cast<double>(pixels)};
 }
 
-Measurement measure(Renderer& renderer, const Scene& scene, const Settings& settings,
+Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
                     const ErrorSample& truth, double seconds) {
   constexpr int least_frames = 3;
   constexpr int most_frames = 15;

@@ -5,7 +5,7 @@
 
 #include "core/scene/scene.h"
 #include "render/error_estimate.h"
-#include "render/renderer.h"
+#include "render/frame_renderer.h"
 
 namespace brume {
 
@@ -40,7 +40,7 @@ struct Truth {
 Truth find_truth(const Scene& scene, std::size_t pixels);
 
 // Renders moved frames for `seconds`, 3 to 15 of them. What `renderer` has kept is not made again.
-Measurement measure(Renderer& renderer, const Scene& scene, const Settings& settings,
+Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
                     const ErrorSample& truth, double seconds);
 
 }  // namespace brume

@@ -201,7 +201,7 @@ class RenderCommand final : public Command {
   }
 
   // Renders frame `number` of all; says how far it is if somebody watches.
-  Frame render(Renderer& renderer, const Scene& scene, const Camera& camera, const Film& film,
+  Frame render(FrameRenderer& renderer, const Scene& scene, const Camera& camera, const Film& film,
                const Settings& settings, int number) const {
     const ProgressLine line("frame " + std::to_string(number) + " of " +
                             std::to_string(1 + moved_frames()));

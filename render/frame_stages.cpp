@@ -1,0 +1,230 @@
+#include "render/frame_stages.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "render/film_surfaces.h"
+#include "render/light_limits.h"
+#include "render/tiles.h"
+
+namespace brume {
+
+bool FrameStages::begin(FrameWork& work, StageClock& clock) {
+  if (!work.plan.transfers.empty()) {
+    if (!find_transfers(work)) return false;
+    clock.finish("transfer");
+  }
+  const auto pixels = static_cast<std::size_t>(work.frame.film.width) *
+                      static_cast<std::size_t>(work.frame.film.height);
+  work.frame.beauty.resize(4 * pixels);
+  work.frame.airlight.resize(3 * pixels);
+  work.frame.transmittance.assign(3 * pixels, 1.0f);
+  work.frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
+  const double ray_end = work.fog_end.of_rays(work.rays.eye());
+  if (work.plan.surfaces) {
+    hits_.resize(pixels);
+  } else {
+    hits_.assign(std::isfinite(ray_end) ? pixels : 0, {ray_end});
+  }
+
+  prepared_.update(work.scene, work.plan.lights, work.settings);
+  shading_.update(work.scene, work.plan, work.settings, work.transfers);
+  clock.finish("prepare");
+  if (work.plan.surfaces) {
+    find_surfaces(work, ray_end);
+    clock.finish("visibility");
+  }
+  return prepare_source(work, clock);
+}
+
+// False if stopped.
+bool FrameStages::find_transfers(FrameWork& work) {
+  if (work.transfers.has(work.plan.transfers)) return true;
+  if (!work.own_transfers) {
+    work.frame.statistics.skipped.push_back({"transfer", "it is not there yet"});
+    return true;
+  }
+  const Job job = std::exchange(work.job, work.job.part(0.5, 1.0));
+  return work.own_transfers->make(work.plan.transfers, {}, job.part(0.0, 0.5));
+}
+
+// Rays that hit nothing end where the fog does.
+void FrameStages::find_surfaces(FrameWork& work, double ray_end) {
+  const Tiles tiles(work.frame.film);
+  const auto width = static_cast<std::size_t>(work.frame.film.width);
+  // Calls visit(pixel index, x, y) for the pixels of a tile.
+  const auto each_pixel = [&](std::size_t tile, auto visit) {
+    Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
+      visit(static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x), x, y);
+    });
+  };
+  work.job.each(tiles.count(), [&](std::size_t tile) {
+    std::array<glm::dvec3, Tiles::pixels> directions;
+    std::array<SurfaceHit, Tiles::pixels> tile_hits;
+    std::size_t count = 0;
+    each_pixel(tile, [&](std::size_t, int x, int y) {
+      directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
+    });
+    prepared_.visibility().first_hits(work.rays.eye(), std::span(directions).first(count),
+                                      std::span(tile_hits).first(count));
+    count = 0;
+    each_pixel(tile, [&](std::size_t i, int, int) {
+      const SurfaceHit& hit = tile_hits[count++];
+      hits_[i] = hit ? hit : SurfaceHit{ray_end};
+      work.frame.depth[i] = static_cast<float>(hit.distance);
+    });
+  });
+}
+
+// False: the job was stopped.
+bool FrameStages::prepare_source(const FrameWork& work, StageClock& clock) {
+  const AirlightMethod method = work.settings.airlight;
+  const bool airlight =
+      work.plan.airlight && (method == AirlightMethod::sliced || method == AirlightMethod::march);
+  const bool receivers = work.plan.surfaces && method != AirlightMethod::paper;
+  if (!work.plan.environment || !work.plan.airlight) {
+    source_.clear();
+    return true;
+  }
+  if (!airlight && !receivers) return true;
+  EnvironmentSource::Input input{*work.scene.environment,
+                                 work.scene.medium,
+                                 work.scene.optics.anisotropy,
+                                 fog_depth(work),
+                                 {},
+                                 work.settings.source_grid};
+  if (receivers) input.receivers = {prepared_.visibility().bounds(), arrival_optics(work)};
+  const bool made = source_.update(input, work.job);
+  clock.finish("environment");
+  return made;
+}
+
+ArrivalOptics FrameStages::arrival_optics(const FrameWork& work) const {
+  ArrivalOptics optics;
+  optics.fog_density = prepared_.medium().homogeneous_density();
+  optics.anisotropy = work.scene.optics.anisotropy;
+  const double fog = fog_depth(work);
+  const ScatterTable::Bands shares =
+      shading_.environment()->arriving(static_cast<float>(fog), work.albedo);
+  std::copy_n(shares.begin(), grid_bands, optics.through_fog.begin());
+  optics.scattered = work.albedo * std::exp(-fog);
+  return optics;
+}
+
+PaperLights FrameStages::paper_lights(FrameWork& work, StageClock& clock) {
+  const MediumIndex& medium = prepared_.medium();
+  const Settings::Arithmetic arithmetic = work.settings.arithmetic;
+  const glm::dvec3& eye = work.rays.eye();
+  PaperLights paper;
+  paper.at_mean = work.settings.paper.at_mean;
+  for (const PointLight& light : work.plan.lights) {
+    PaperLight& l = paper.lights.emplace_back();
+    l.position = light.position;
+    l.intensity = light.intensity;
+    l.h_min = least_light_distance(work.rays, work.camera, light.position);
+  }
+  if (!paper.lights.empty() && work.plan.gaussians) {
+    const bool conserve_energy =
+        work.settings.paper.conserve_energy && !is_in_dense_gaussian(medium, eye);
+    for (PaperLight& light : paper.lights) {
+      light.conserve_energy = conserve_energy && !is_in_dense_gaussian(medium, light.position);
+      const CenterDepths& from_light =
+          prepared_.light_depths(light.position, arithmetic, work.frame.statistics.light_pairs);
+      light.frozen = from_light.depths;
+      const glm::dvec3 q = eye - light.position;
+      const double distance = glm::length(q);
+      if (work.plan.homogeneous && distance > 0.0) {
+        light.depth_to_eye = medium.depth({light.position, q / distance, distance}) -
+                             medium.homogeneous_density() * distance;
+      }
+    }
+    clock.finish("light_depth");
+
+    CenterDepths from_eye = center_depths(medium, eye, arithmetic);
+    work.frame.statistics.view_pairs += from_eye.pairs;
+    paper.from_eye = std::move(from_eye.depths);
+    const double b0 = medium.homogeneous_density();
+    for (std::size_t i = 0; i < medium.size(); ++i) {
+      const glm::dvec3& b = medium.gaussians()[i].b;
+      for (PaperLight& light : paper.lights) {
+        light.frozen[i] +=
+            paper.from_eye[i] + b0 * (glm::length(b - light.position) + glm::length(b - eye));
+      }
+    }
+    clock.finish("eye_depth");
+  }
+  return paper;
+}
+
+std::vector<SlicedLight> FrameStages::sliced_lights(FrameWork& work, StageClock& clock) {
+  std::vector<SlicedLight> lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light.position, light.intensity,
+                      least_light_distance(work.rays, work.camera, light.position)});
+  }
+  if (work.plan.gaussians) {
+    for (SlicedLight& light : lights) {
+      light.table = &prepared_.light_table(light.position, work.settings.light_table,
+                                           work.frame.statistics.light_pairs);
+    }
+    if (!lights.empty()) clock.finish("light_table");
+  }
+  if (work.plan.surfaces && !lights.empty()) {
+    for (SlicedLight& light : lights) {
+      // Fog scatters in every direction, Gaussians only where they are.
+      const int cells = work.settings.shadow_cells;
+      light.shadows = &prepared_.shadow_map(
+          light.position,
+          work.plan.homogeneous ? DirectionMap::all(cells) : light.table->map().resized(cells));
+    }
+    clock.finish("shadow_map");
+  }
+  return lights;
+}
+
+std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClock& clock) {
+  if (!work.plan.lit_surfaces) return {};
+  surface_radiance_.resize(hits_.size());
+  const Settings::Arithmetic arithmetic = work.settings.airlight == AirlightMethod::reference
+                                              ? Settings::Arithmetic::plain_double
+                                              : work.settings.arithmetic;
+  SurfaceLighting lighting;
+  lighting.environment = shading_.environment();
+  lighting.albedo = work.albedo;
+  if (lighting.environment) {
+    lighting.fog_depth = fog_depth(work);
+    if (source_.has_receivers() && work.settings.airlight != AirlightMethod::paper) {
+      lighting.arriving = &source_.grid();
+    }
+  }
+  if (work.plan.scattered_on_surfaces) {
+    const bool paper = work.settings.paper_spread;
+    lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
+    lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();
+  }
+  std::vector<SurfaceLight>& lights = lighting.lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light, prepared_.medium().density(light.position)});
+    if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
+      lights.back().table = &prepared_.light_table(light.position, work.settings.light_table,
+                                                   work.frame.statistics.light_pairs);
+    }
+  }
+  shading_.take_light(work.scene, prepared_.medium(), lighting, work.settings, arithmetic, work.job,
+                      work.frame.statistics.light_pairs);
+  const FilmSurfaces film{work.scene.surfaces,
+                          prepared_.medium(),
+                          prepared_.visibility(),
+                          shading_,
+                          lighting,
+                          work.rays,
+                          work.frame.film,
+                          arithmetic};
+  work.frame.statistics.light_pairs += film.shade(hits_, work.job, surface_radiance_);
+  clock.finish("surfaces");
+  return surface_radiance_;
+}
+
+}  // namespace brume

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/cpu/paper_airlight.h"
+#include "render/cpu/sliced_airlight.h"
+#include "render/environment_source.h"
+#include "render/fog_end.h"
+#include "render/frame.h"
+#include "render/job.h"
+#include "render/prepared_scene.h"
+#include "render/prepared_shading.h"
+#include "render/render_plan.h"
+#include "render/settings.h"
+#include "render/transfer/transfer_store.h"
+
+namespace brume {
+
+// Tells how long stages took, one after the other.
+class StageClock {
+ public:
+  explicit StageClock(std::vector<StageTime>& stages) : stages_(stages) {}
+  void finish(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    stages_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  std::vector<StageTime>& stages_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// One frame of one medium while it is made.
+struct FrameWork {
+  const Scene& scene;
+  const Camera& camera;
+  const Settings& settings;
+  const TransferStore& transfers;
+  TransferStore* own_transfers;  // to make what is missing in; null: nothing is made
+  Job job;
+  double albedo;  // of the channels that count
+  FogEnd fog_end;
+  RenderPlan plan;
+  CameraRays rays;
+  Frame frame;
+};
+
+// The stages of a frame that come before and after its airlight, and what they keep from frame to
+// frame.
+class FrameStages {
+ public:
+  // All that comes before the airlight. False if the job was stopped.
+  bool begin(FrameWork& work, StageClock& clock);
+
+  // From here on, of the last begin().
+  [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
+  [[nodiscard]] const PreparedShading& shading() const { return shading_; }
+  // Per pixel, where its view ray ends; empty where none does.
+  [[nodiscard]] std::span<const SurfaceHit> hits() const { return hits_; }
+  // What the medium scatters of an environment's light; null: there is none.
+  [[nodiscard]] const EnvironmentSource* scattered_environment(const FrameWork& work) const {
+    return work.plan.environment ? &source_ : nullptr;
+  }
+  // The depth of b0 from any point to where the fog ends.
+  [[nodiscard]] double fog_depth(const FrameWork& work) const {
+    return work.fog_end.depth_of_surfaces(prepared_.medium().homogeneous_density());
+  }
+  // What `paper` and `sliced` need of the lights; pairs go to the frame's statistics.
+  PaperLights paper_lights(FrameWork& work, StageClock& clock);
+  std::vector<SlicedLight> sliced_lights(FrameWork& work, StageClock& clock);
+
+  // RGB per pixel that surfaces send to the eye; empty where none is lit.
+  std::span<const glm::vec3> shade_surfaces(FrameWork& work, StageClock& clock);
+
+ private:
+  static bool find_transfers(FrameWork& work);
+  void find_surfaces(FrameWork& work, double ray_end);
+  bool prepare_source(const FrameWork& work, StageClock& clock);
+  [[nodiscard]] ArrivalOptics arrival_optics(const FrameWork& work) const;
+
+  PreparedScene prepared_;
+  PreparedShading shading_;
+  EnvironmentSource source_;
+  // Kept for their memory only.
+  std::vector<SurfaceHit> hits_;
+  std::vector<glm::vec3> surface_radiance_;
+};
+
+}  // namespace brume
