@@ -80,6 +80,7 @@ bool EnvironmentSource::update(const Input& input, const Job& job) {
   const bool has_fog = medium_.homogeneous_density() > 0.0;
   grid_.emplace(gaussians, lights, SourceGrid::Content{phase_.count(), has_fog, receivers_},
                 input.size, job);
+  ++revision_;
   if (job.stop.stop_requested()) grid_.reset();
   return grid_.has_value();
 }

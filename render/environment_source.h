@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -36,6 +37,8 @@ class EnvironmentSource {
 
   // From here on, of the last update().
   [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
+  // Another number whenever grid() is another.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
   // For a view ray along the unit vector w.
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
@@ -59,6 +62,7 @@ class EnvironmentSource {
   std::vector<Environment> beyond_;
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace brume

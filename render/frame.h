@@ -25,9 +25,13 @@ struct SkippedStage {
 
 // What a frame cost and what it left out.
 struct FrameStatistics {
+  std::string backend = "cpu";  // or gl
+  std::string device;           // of gl; empty: the processor
   double frame_milliseconds = 0.0;
   std::vector<StageTime> stages;      // in the order they ran
   std::vector<SkippedStage> skipped;  // what this scene did not need, and why
+  // Where gl was asked for: what the CPU did all the same, and why.
+  std::vector<SkippedStage> on_cpu;
   std::size_t gaussians_total = 0;
   std::size_t gaussians_used = 0;
   std::size_t exact_pixels = 0;   // whose airlight is not interpolated

@@ -158,30 +158,42 @@ PaperLights FrameStages::paper_lights(FrameWork& work, StageClock& clock) {
   return paper;
 }
 
-std::vector<SlicedLight> FrameStages::sliced_lights(FrameWork& work, StageClock& clock) {
+std::vector<SlicedLight> FrameStages::lights_of(const FrameWork& work) {
   std::vector<SlicedLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,
                       least_light_distance(work.rays, work.camera, light.position)});
   }
+  return lights;
+}
+
+std::vector<SlicedLight> FrameStages::sliced_lights(FrameWork& work, StageClock& clock) {
+  std::vector<SlicedLight> lights = lights_of(work);
+  std::vector<DirectionMap> maps(lights.size());
   if (work.plan.gaussians) {
-    for (SlicedLight& light : lights) {
-      light.table = &prepared_.light_table(light.position, work.settings.light_table,
-                                           work.frame.statistics.light_pairs);
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      lights[l].table = &prepared_.light_table(lights[l].position, work.settings.light_table,
+                                               work.frame.statistics.light_pairs);
+      maps[l] = lights[l].table->map();
     }
     if (!lights.empty()) clock.finish("light_table");
   }
-  if (work.plan.surfaces && !lights.empty()) {
-    for (SlicedLight& light : lights) {
-      // Fog scatters in every direction, Gaussians only where they are.
-      const int cells = work.settings.shadow_cells;
-      light.shadows = &prepared_.shadow_map(
-          light.position,
-          work.plan.homogeneous ? DirectionMap::all(cells) : light.table->map().resized(cells));
-    }
-    clock.finish("shadow_map");
-  }
+  find_shadows(work, clock, maps, lights);
   return lights;
+}
+
+void FrameStages::find_shadows(const FrameWork& work, StageClock& clock,
+                               std::span<const DirectionMap> tables,
+                               std::span<SlicedLight> lights) {
+  if (!work.plan.surfaces || lights.empty()) return;
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    // Fog scatters in every direction, Gaussians only where they are.
+    const int cells = work.settings.shadow_cells;
+    lights[l].shadows =
+        &prepared_.shadow_map(lights[l].position, work.plan.homogeneous ? DirectionMap::all(cells)
+                                                                        : tables[l].resized(cells));
+  }
+  clock.finish("shadow_map");
 }
 
 std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClock& clock) {

@@ -72,6 +72,11 @@ class FrameStages {
   // What `paper` and `sliced` need of the lights; pairs go to the frame's statistics.
   PaperLights paper_lights(FrameWork& work, StageClock& clock);
   std::vector<SlicedLight> sliced_lights(FrameWork& work, StageClock& clock);
+  // The latter's parts: the lights as such, and the shadows of surfaces around them; `tables` are
+  // the maps of their tables.
+  static std::vector<SlicedLight> lights_of(const FrameWork& work);
+  void find_shadows(const FrameWork& work, StageClock& clock, std::span<const DirectionMap> tables,
+                    std::span<SlicedLight> lights);
 
   // RGB per pixel that surfaces send to the eye; empty where none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameWork& work, StageClock& clock);

@@ -49,6 +49,7 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
       return known->changed.size() > scene.medium.size() / 4 + 2;
     });
     index_ = std::move(index);
+    ++medium_revision_;
     medium_ = scene.medium;
     depth_error_ = depth_error;
   }

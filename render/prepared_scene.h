@@ -29,6 +29,8 @@ class PreparedScene {
 
   // From here on, of the last update().
   [[nodiscard]] const MediumIndex& medium() const { return *index_; }
+  // Another number whenever medium() is another, its noise aside.
+  [[nodiscard]] std::uint64_t medium_revision() const { return medium_revision_; }
   [[nodiscard]] const Visibility& visibility() const { return *visibility_; }
   [[nodiscard]] const Occluders& occluders() const { return *occluders_; }  // of the reference only
 
@@ -42,6 +44,7 @@ class PreparedScene {
 
  private:
   std::unique_ptr<MediumIndex> index_;
+  std::uint64_t medium_revision_ = 0;
   // What index_ was made from.
   Medium medium_;
   double depth_error_ = 0.0;

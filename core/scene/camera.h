@@ -38,6 +38,13 @@ class CameraRays {
     return glm::normalize(corner_ + x * per_x_ + y * per_y_);
   }
 
+  // What direction() is made of, for who makes many at once: the direction through (x, y) is that
+  // of corner + x per_x + y per_y, which stands at distance 1 along forward().
+  struct FilmPlane {
+    glm::dvec3 corner, per_x, per_y;
+  };
+  [[nodiscard]] FilmPlane plane() const { return {corner_, per_x_, per_y_}; }
+
   // The film position of a point, and its depth along forward() in z [u]; a point with z <= 0 is
   // behind the eye and has no film position (x and y are then 0).
   [[nodiscard]] glm::dvec3 project(const glm::dvec3& point) const;

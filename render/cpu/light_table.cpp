@@ -28,9 +28,8 @@ TableGaussian::TableGaussian(const MediumIndex& medium, std::size_t index)
       core(std::min(medium.reach()[index], core_radii / medium.gaussians()[index].a)),
       reach(medium.reach()[index]) {}
 
-LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
-                       const LightTableSize& size)
-    : light_(light), radii_(size.radii) {
+LightTableLayout::LightTableLayout(const MediumIndex& medium, const glm::dvec3& light,
+                                   const LightTableSize& size) {
   std::vector<Ball> balls;
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0.0;
@@ -43,12 +42,18 @@ LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
     farthest = std::max(farthest, distance + g.reach);
   }
   if (balls.empty()) return;
-  first_radius_ = std::max(nearest, 0.0);
-  last_radius_ = farthest;
-  map_ = DirectionMap::towards(light, balls, size.directions);
+  radii = size.radii;
+  first_radius = std::max(nearest, 0.0);
+  last_radius = farthest;
+  map = DirectionMap::towards(light, balls, size.directions);
+}
 
-  const auto radii = static_cast<std::size_t>(radii_);
-  std::vector<float> exact(map_.cells() * radii);
+LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
+                       const LightTableSize& size)
+    : light_(light), layout_(medium, light, size) {
+  if (layout_.empty()) return;
+  const auto radii = static_cast<std::size_t>(layout_.radii);
+  std::vector<float> exact(layout_.map.cells() * radii);
   std::atomic<std::uint64_t> all_pairs = 0;
   tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int at) {
     const Block part = block(at);
@@ -75,13 +80,14 @@ bool LightTable::update(const MediumIndex& medium, std::span<const TableGaussian
   for (const TableGaussian& g : changed) {
     if (!(g.reach > 0.0)) continue;
     const double distance = glm::length(g.center - light_);
-    if (empty() || std::max(distance - g.reach, 0.0) < first_radius_ ||
-        distance + g.reach > last_radius_ || !map_.shows(light_, {g.center, g.core})) {
+    if (empty() || std::max(distance - g.reach, 0.0) < layout_.first_radius ||
+        distance + g.reach > layout_.last_radius ||
+        !layout_.map.shows(light_, {g.center, g.core})) {
       return false;
     }
   }
   if (empty()) return true;
-  const auto radii = static_cast<std::size_t>(radii_);
+  const auto radii = static_cast<std::size_t>(layout_.radii);
   // Beyond `opaque` nothing tells.
   const float most = 65535.0f * unit_ < 0.999f * opaque ? 65535.0f * unit_
                                                         : std::numeric_limits<float>::infinity();
@@ -105,21 +111,22 @@ bool LightTable::update(const MediumIndex& medium, std::span<const TableGaussian
 }
 
 int LightTable::blocks_across() const {
-  return (map_.stride() + block_side - 1) / block_side;
+  return (layout_.map.stride() + block_side - 1) / block_side;
 }
 
 int LightTable::blocks_down() const {
-  return (map_.rows + 2 + block_side - 1) / block_side;
+  return (layout_.map.rows + 2 + block_side - 1) / block_side;
 }
 
 LightTable::Block LightTable::block(int index) const {
   Block result;
   const int x0 = index % blocks_across() * block_side;
   const int y0 = index / blocks_across() * block_side;
-  for (int y = y0; y < std::min(y0 + block_side, map_.rows + 2); ++y) {
-    for (int x = x0; x < std::min(x0 + block_side, map_.stride()); ++x) {
-      result.ends.push_back(light_ + last_radius_ * map_.direction(x - 1, y - 1));
-      result.cells.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.stride()) +
+  for (int y = y0; y < std::min(y0 + block_side, layout_.map.rows + 2); ++y) {
+    for (int x = x0; x < std::min(x0 + block_side, layout_.map.stride()); ++x) {
+      result.ends.push_back(light_ + layout_.last_radius * layout_.map.direction(x - 1, y - 1));
+      result.cells.push_back(static_cast<std::size_t>(y) *
+                                 static_cast<std::size_t>(layout_.map.stride()) +
                              static_cast<std::size_t>(x));
     }
   }
@@ -129,12 +136,12 @@ LightTable::Block LightTable::block(int index) const {
 template <class Store>
 std::uint64_t LightTable::find_depths(const MediumIndex& medium, const Block& part,
                                       Store store) const {
-  const auto radii = static_cast<std::size_t>(radii_);
+  const auto radii = static_cast<std::size_t>(layout_.radii);
   std::vector<float> boundaries(radii);
   for (std::size_t k = 0; k < radii; ++k) {
-    boundaries[k] =
-        static_cast<float>(first_radius_ + (last_radius_ - first_radius_) * static_cast<double>(k) /
-                                               static_cast<double>(radii - 1));
+    boundaries[k] = static_cast<float>(layout_.first_radius +
+                                       (layout_.last_radius - layout_.first_radius) *
+                                           static_cast<double>(k) / static_cast<double>(radii - 1));
   }
   std::vector<std::uint32_t> candidates;
   medium.hierarchy().query(RayBundle(light_, part.ends),
@@ -162,10 +169,10 @@ std::uint16_t LightTable::stored(float depth) const {
 LightTable::View LightTable::view() const {
   return {depths_.data(),
           unit_,
-          map_,
-          radii_,
-          static_cast<float>(first_radius_),
-          static_cast<float>((radii_ - 1) / (last_radius_ - first_radius_))};
+          layout_.map,
+          layout_.radii,
+          static_cast<float>(layout_.first_radius),
+          static_cast<float>((layout_.radii - 1) / (layout_.last_radius - layout_.first_radius))};
 }
 
 }  // namespace brume

@@ -20,6 +20,20 @@ struct TableGaussian {
   TableGaussian(const MediumIndex& medium, std::size_t index);
 };
 
+// Which directions and radii a table covers.
+struct LightTableLayout {
+  DirectionMap map;
+  int radii = 0;
+  double first_radius = 0.0;  // [u]
+  double last_radius = 0.0;
+
+  LightTableLayout() = default;
+  LightTableLayout(const MediumIndex& medium, const glm::dvec3& light, const LightTableSize& size);
+
+  // No Gaussian reaches anything.
+  [[nodiscard]] bool empty() const { return radii == 0; }
+};
+
 // T(s, x) of the Gaussians around one light, tabulated over directions and radii and interpolated
 // linearly in all three. Depths are stored in 16 bits, in even steps up to a little above the
 // greatest one or to `opaque`, so that exp(-T) is off by 2.3e-4 at most. The map of directions is a
@@ -39,7 +53,7 @@ class LightTable {
   bool update(const MediumIndex& medium, std::span<const TableGaussian> changed);
 
   [[nodiscard]] const glm::dvec3& light() const { return light_; }
-  [[nodiscard]] const DirectionMap& map() const { return map_; }
+  [[nodiscard]] const DirectionMap& map() const { return layout_.map; }
   // No Gaussian reaches anything.
   [[nodiscard]] bool empty() const { return depths_.empty(); }
 
@@ -72,10 +86,7 @@ class LightTable {
   [[nodiscard]] std::uint16_t stored(float depth) const;
 
   glm::dvec3 light_;
-  DirectionMap map_;
-  int radii_ = 0;
-  double first_radius_ = 0.0;
-  double last_radius_ = 0.0;
+  LightTableLayout layout_;
   float unit_ = 0.0f;
   std::vector<std::uint16_t> depths_;
 };

@@ -41,8 +41,7 @@ Device current_device() {
   device.shared_bytes = integer(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
   device.invocations = static_cast<int>(integer(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS));
   device.storage_blocks = static_cast<int>(integer(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS));
-  device.texture_side_3d = static_cast<int>(integer(GL_MAX_3D_TEXTURE_SIZE));
-  device.texture_side_2d = static_cast<int>(integer(GL_MAX_TEXTURE_SIZE));
+  device.texture_side = static_cast<int>(integer(GL_MAX_TEXTURE_SIZE));
   return device;
 }
 
@@ -69,8 +68,7 @@ std::string lack(const Device& device) {
            needs(device.shared_bytes, 32768, "bytes shared by a work group"),
            needs(device.invocations, 1024, "invocations in a work group"),
            needs(device.storage_blocks, 8, "storage blocks"),
-           needs(device.texture_side_3d, 2048, "texels along a 3-D texture"),
-           needs(device.texture_side_2d, 16384, "texels along a 2-D texture"),
+           needs(device.texture_side, 16384, "texels along a texture"),
        }) {
     if (!why.empty()) return why;
   }

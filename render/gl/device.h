@@ -16,8 +16,7 @@ struct Device {
   std::int64_t shared_bytes = 0;   // of a work group
   int invocations = 0;             // of a work group
   int storage_blocks = 0;          // of a compute shader
-  int texture_side_3d = 0;         // [texels]
-  int texture_side_2d = 0;         // [texels]
+  int texture_side = 0;            // [texels]
 };
 
 // That of the current context.

@@ -16,17 +16,14 @@ std::atomic<std::size_t> live = 0;  // each context has a thread of its own
 
 struct FormatNames {
   GLenum internal, channels;
-  int count;
 };
 
 FormatNames names_of(Texture::Format format) {
   switch (format) {
     case Texture::Format::r32f:
-      return {GL_R32F, GL_RED, 1};
+      return {GL_R32F, GL_RED};
     case Texture::Format::rgba32f:
-      return {GL_RGBA32F, GL_RGBA, 4};
-    case Texture::Format::r16f:
-      return {GL_R16F, GL_RED, 1};
+      return {GL_RGBA32F, GL_RGBA};
   }
   return {};
 }
@@ -86,7 +83,7 @@ void Buffer::reserve(std::size_t bytes) {
   Object made(Kind::buffer, name);
   glNamedBufferStorage(name, static_cast<GLsizeiptr>(room), nullptr, GL_DYNAMIC_STORAGE_BIT);
   if (glGetError() != GL_NO_ERROR || failures().memory) {
-    throw Error("the device has no memory for " + megabytes(room));
+    throw OutOfMemory("the device has no memory for " + megabytes(room));
   }
   object_ = std::move(made);
   bytes_ = room;
@@ -111,28 +108,16 @@ void Buffer::bind(unsigned binding) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
 }
 
-void Texture::reserve(Format format, const glm::ivec3& size, bool linear) {
+void Texture::reserve(Format format, const glm::ivec2& size) {
   if (object_ && format == format_ && size == size_) return;
   release();
-  const GLenum target = size.z > 1 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
   GLuint name = 0;
-  glCreateTextures(target, 1, &name);
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
   Object made(Kind::texture, name);
-  const GLenum internal = names_of(format).internal;
-  if (size.z > 1) {
-    glTextureStorage3D(name, 1, internal, size.x, size.y, size.z);
-  } else {
-    glTextureStorage2D(name, 1, internal, size.x, size.y);
-  }
-  const GLint filter = linear ? GL_LINEAR : GL_NEAREST;
-  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
-  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
-  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-    glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
-  }
+  glTextureStorage2D(name, 1, names_of(format).internal, size.x, size.y);
   if (glGetError() != GL_NO_ERROR || failures().memory) {
-    throw Error("the device has no memory for a texture of " + std::to_string(size.x) + " x " +
-                std::to_string(size.y) + " x " + std::to_string(size.z));
+    throw OutOfMemory("the device has no memory for a texture of " + std::to_string(size.x) +
+                      " x " + std::to_string(size.y));
   }
   object_ = std::move(made);
   format_ = format;
@@ -140,14 +125,9 @@ void Texture::reserve(Format format, const glm::ivec3& size, bool linear) {
 }
 
 void Texture::upload(std::span<const float> values) {
-  const FormatNames f = names_of(format_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  if (size_.z > 1) {
-    glTextureSubImage3D(name(), 0, 0, 0, 0, size_.x, size_.y, size_.z, f.channels, GL_FLOAT,
-                        values.data());
-  } else {
-    glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, f.channels, GL_FLOAT, values.data());
-  }
+  glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, names_of(format_).channels, GL_FLOAT,
+                      values.data());
 }
 
 void Texture::download(std::span<float> values) const {
@@ -156,12 +136,12 @@ void Texture::download(std::span<float> values) const {
                     static_cast<GLsizei>(values.size_bytes()), values.data());
 }
 
-void Texture::bind_image(unsigned unit) const {
-  glBindImageTexture(unit, name(), 0, GL_TRUE, 0, GL_READ_WRITE, names_of(format_).internal);
+void Texture::clear() {
+  glClearTexImage(name(), 0, names_of(format_).channels, GL_FLOAT, nullptr);
 }
 
-void Texture::bind_sampler(unsigned unit) const {
-  glBindTextureUnit(unit, name());
+void Texture::bind_image(unsigned unit) const {
+  glBindImageTexture(unit, name(), 0, GL_FALSE, 0, GL_READ_WRITE, names_of(format_).internal);
 }
 
 Program::Program(const std::string& name) {
@@ -218,10 +198,31 @@ void Program::set(const char* uniform, const glm::dvec3& value) const {
   glProgramUniform3dv(object_.name(), location(uniform), 1, glm::value_ptr(value));
 }
 
-void Program::dispatch(std::size_t x, std::size_t y, std::size_t z) const {
-  if (x == 0 || y == 0 || z == 0) return;
+void Program::set(const char* uniform, double value) const {
+  glProgramUniform1d(object_.name(), location(uniform), value);
+}
+
+void Program::set(const char* uniform, const glm::ivec2& value) const {
+  glProgramUniform2iv(object_.name(), location(uniform), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* uniform, const glm::vec4& value) const {
+  glProgramUniform4fv(object_.name(), location(uniform), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* uniform, const glm::ivec4& value) const {
+  glProgramUniform4iv(object_.name(), location(uniform), 1, glm::value_ptr(value));
+}
+
+void Program::dispatch_linear(std::size_t groups) const {
+  constexpr std::size_t across = 32768;
+  dispatch(std::min(groups, across), (groups + across - 1) / across);
+}
+
+void Program::dispatch(std::size_t x, std::size_t y) const {
+  if (x == 0 || y == 0) return;
   glUseProgram(object_.name());
-  glDispatchCompute(static_cast<GLuint>(x), static_cast<GLuint>(y), static_cast<GLuint>(z));
+  glDispatchCompute(static_cast<GLuint>(x), static_cast<GLuint>(y), 1);
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 

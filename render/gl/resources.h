@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -16,6 +18,11 @@ namespace brume::gl {
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+// Another frame may need less.
+class OutOfMemory : public Error {
+ public:
+  using Error::Error;
 };
 
 // Objects of the current context, each owned by one value: buffers, textures, programs and queries.
@@ -47,7 +54,7 @@ class Object {
   unsigned name_ = 0;  // 0: none
 };
 
-// Bytes on the device. Throws Error where there is no memory for them.
+// Bytes on the device. Throws OutOfMemory where there is no memory for them.
 class Buffer {
  public:
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -82,31 +89,32 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
-// A 2-D or 3-D texture without mipmaps. Throws Error where there is no memory for it.
+// A 2-D texture without mipmaps, never interpolated. Throws OutOfMemory where there is no memory
+// for it.
 class Texture {
  public:
-  enum class Format { r32f, rgba32f, r16f };
+  enum class Format { r32f, rgba32f };
 
-  [[nodiscard]] const glm::ivec3& size() const { return size_; }
+  [[nodiscard]] const glm::ivec2& size() const { return size_; }
   [[nodiscard]] unsigned name() const { return object_.name(); }
 
-  // Makes it one of that size (z = 1: 2-D), unless it is; what was in it may be lost. `linear`: it
-  // is interpolated, and goes on beyond its border as it is there.
-  void reserve(Format format, const glm::ivec3& size, bool linear = false);
+  // Makes it one of that size, unless it is; what was in it may be lost.
+  void reserve(Format format, const glm::ivec2& size);
   // All texels; as many floats as the format has channels for each.
   void upload(std::span<const float> values);
   void download(std::span<float> values) const;
   void release() {
     object_.reset();
-    size_ = glm::ivec3(0);
+    size_ = glm::ivec2(0);
   }
+  // All channels of all texels 0.
+  void clear();
   void bind_image(unsigned unit) const;  // to read and to write
-  void bind_sampler(unsigned unit) const;
 
  private:
   Object object_;
   Format format_ = Format::r32f;
-  glm::ivec3 size_{0};
+  glm::ivec2 size_{0};
 };
 
 // A compute shader. Throws Error with what the compiler says.
@@ -119,10 +127,16 @@ class Program {
   void set(const char* uniform, int value) const;
   void set(const char* uniform, unsigned value) const;
   void set(const char* uniform, float value) const;
+  void set(const char* uniform, double value) const;
+  void set(const char* uniform, const glm::ivec2& value) const;
   void set(const char* uniform, const glm::vec3& value) const;
   void set(const char* uniform, const glm::dvec3& value) const;
+  void set(const char* uniform, const glm::vec4& value) const;
+  void set(const char* uniform, const glm::ivec4& value) const;
   // Runs it over so many work groups; what it writes is there for what comes after.
-  void dispatch(std::size_t x, std::size_t y = 1, std::size_t z = 1) const;
+  void dispatch(std::size_t x, std::size_t y = 1) const;
+  // Over that many in a row, at least: see shaders/linear.glsl.
+  void dispatch_linear(std::size_t groups) const;
 
  private:
   [[nodiscard]] int location(const char* uniform) const;

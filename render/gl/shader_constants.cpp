@@ -2,10 +2,13 @@
 
 #include <iomanip>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <sstream>
 
+#include "core/medium/noise.h"
 #include "render/cpu/light_table.h"
+#include "render/cpu/ray_range.h"
 #include "render/cpu/slice_kernels.h"
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
@@ -43,9 +46,18 @@ std::string shader_constants() {
   constants.add("erf_fast_end", coefficient::erf_fast_end);
   constants.add("atan_small_coefficients", coefficient::atan_small);
   constants.add("exact_above", exact_above);
+  constants.add("gauss_nodes", coefficient::gauss_nodes);
+  constants.add("gauss_weights", coefficient::gauss_weights);
   constants.add("opaque", LightTable::opaque);
+  constants.add("fog_end", static_cast<float>(fog_end));
+  constants.add("phase", static_cast<float>(0.25 * std::numbers::inv_pi));
+  constants.add("noise_period", RayNoise::period);
   constants.add("tile_width", Tiles::width);
   constants.add("tile_height", Tiles::height);
+  constants.add("group_size", Tiles::pixels);
+  constants.add("chunk", slice_chunk);
+  constants.add("most_bins", 4 * most_slices);
+  constants.add("most_boundaries", most_boundaries);
   return constants.text();
 }
 

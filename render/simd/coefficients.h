@@ -26,4 +26,8 @@ inline constexpr float erf_fast_end = 3.0f;
 inline constexpr float atan_small[] = {-0.09090909f, 0.11111111f,  -0.14285714f,
                                        0.2f,         -0.33333333f, 1.0f};
 
+// Gauss-Legendre with four points on [-1, 1]: those on one side, and their weights, whose sum is 1.
+inline constexpr float gauss_nodes[] = {0.3399810435848563f, 0.8611363115940526f};
+inline constexpr float gauss_weights[] = {0.6521451548625461f, 0.3478548451374538f};
+
 }  // namespace brume::coefficient

@@ -111,8 +111,8 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
     };
     V mean;
     if constexpr (is_float) {
-      mean = hn::Add(pair(0.3399810435848563, 0.6521451548625461),
-                     pair(0.8611363115940526, 0.3478548451374538));
+      using coefficient::gauss_nodes, coefficient::gauss_weights;
+      mean = hn::Add(pair(gauss_nodes[0], gauss_weights[0]), pair(gauss_nodes[1], gauss_weights[1]));
     } else {
       mean = hn::Add(hn::Add(pair(0.2386191860831969086, 0.4679139345726910474),
                              pair(0.6612093864662645137, 0.3607615730481386076)),

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "render/frame.h"
+#include "render/gl/resources.h"
+
+namespace brume::gl {
+
+// How long the device takes for the stages of a frame.
+class DeviceClock {
+ public:
+  // Runs what sends the work of a stage.
+  template <class Work>
+  auto time(const char* stage, Work work) {
+    if (used_ == timers_.size()) timers_.emplace_back();
+    Stage& now = timers_[used_++];
+    now.name = stage;
+    now.timer.begin();
+    struct End {
+      Timer& timer;
+      ~End() { timer.end(); }
+    } end{now.timer};
+    return work();
+  }
+
+  // Appends the stages since the last call, those of one name together. Waits for the device.
+  void take(std::vector<StageTime>& stages);
+
+ private:
+  struct Stage {
+    const char* name = "";
+    Timer timer;
+  };
+  std::vector<Stage> timers_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace brume::gl

@@ -1,0 +1,104 @@
+#include "render/gl/film_airlight.h"
+
+#include <algorithm>
+#include <array>
+
+#include "render/tiles.h"
+
+namespace brume::gl {
+namespace {
+
+// Pixels that the cells of one tile hold at most: those of the last ones go on to the film's end.
+int most_asked(int scale) {
+  return (Tiles::width * scale + 1) * (Tiles::height * scale + 1);
+}
+
+}  // namespace
+
+void FilmTextures::reserve(const Film& film) {
+  const glm::ivec2 size(film.width, film.height);
+  depth.reserve(Texture::Format::r32f, size);
+  airlight.reserve(Texture::Format::rgba32f, size);
+  pairs.reserve(Texture::Format::r32f, size);
+  behind.reserve(Texture::Format::rgba32f, size);
+  beauty.reserve(Texture::Format::rgba32f, size);
+}
+
+void set_rays(const Program& program, const CameraRays& rays) {
+  const CameraRays::FilmPlane plane = rays.plane();
+  program.set("corner", plane.corner);
+  program.set("per_x", plane.per_x);
+  program.set("per_y", plane.per_y);
+}
+
+std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Program& method,
+                              const std::function<void()>& bind, TileLists& lists,
+                              const FilmView& view, FilmTextures& textures) {
+  const int scale = view.settings.airlight_scale;
+  const glm::ivec2 tiles = lists.tiles();
+  const auto tile_count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
+  const glm::ivec2 sample_film = lists.sample_film();
+  const auto sample_count =
+      static_cast<std::size_t>(sample_film.x) * static_cast<std::size_t>(sample_film.y);
+  const auto capacity = static_cast<std::size_t>(most_asked(scale));
+  const auto batches_at = static_cast<int>(tile_count * capacity);
+  samples_.reserve(Texture::Format::rgba32f, sample_film);
+  textures.pairs.clear();
+
+  const auto run_method = [&](bool again, std::size_t groups) {
+    set_rays(method, view.rays);
+    method.set("film", glm::ivec2(view.film.width, view.film.height));
+    method.set("sample_film", sample_film);
+    method.set("tiles", tiles);
+    method.set("scale", scale);
+    method.set("ray_end", static_cast<float>(std::min(view.ray_end, 1e30)));
+    method.set("again", again ? 1 : 0);
+    method.set("groups", static_cast<int>(groups));
+    method.set("batches_at", batches_at);
+    bind();
+    lists.seen().bind(2);
+    lists.offsets().bind(3);
+    lists.entries().bind(4);
+    asked_.bind(5);
+    textures.depth.bind_image(0);
+    samples_.bind_image(1);
+    textures.airlight.bind_image(2);
+    textures.pairs.bind_image(3);
+    method.dispatch_linear(groups);
+  };
+  clock.time("airlight", [&] { run_method(false, tile_count); });
+  if (scale == 1) return sample_count;
+
+  // A batch is at least one pixel that was asked for.
+  const std::size_t batches = tile_count * ((capacity + Tiles::pixels - 1) / Tiles::pixels);
+  asked_.reserve((tile_count * capacity + 3 * batches) * sizeof(std::uint32_t));
+  totals_.reserve(3 * sizeof(std::uint32_t));
+  totals_.clear();
+  clock.time("upsample", [&] {
+    samples_.bind_image(1);
+    totals_.bind(4);
+    programs["rms"].dispatch(1);
+    const Program& interpolate = programs["interpolate"];
+    interpolate.set("film", glm::ivec2(view.film.width, view.film.height));
+    interpolate.set("sample_film", sample_film);
+    interpolate.set("tiles", tiles);
+    interpolate.set("scale", scale);
+    interpolate.set("b0", static_cast<float>(view.b0));
+    interpolate.set("tolerance", static_cast<float>(view.settings.upsampling_tolerance));
+    interpolate.set("capacity", static_cast<int>(capacity));
+    interpolate.set("batches_at", batches_at);
+    textures.depth.bind_image(0);
+    textures.airlight.bind_image(2);
+    lists.seen().bind(2);
+    lists.offsets().bind(3);
+    asked_.bind(5);
+    lists.entries().bind(6);
+    interpolate.dispatch_linear(tile_count);
+  });
+  std::array<std::uint32_t, 2> asked{};
+  totals_.download(std::span<std::uint32_t>(asked));
+  clock.time("airlight", [&] { run_method(true, asked[0]); });
+  return sample_count + asked[1];
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,61 @@
+#include "render/gl/gl_plan.h"
+
+#include <algorithm>
+
+#include "render/gl/shader_constants.h"
+
+namespace brume::gl {
+namespace {
+
+// As many boundaries of slices as choose_slices() may make.
+std::size_t most_boundaries_of(const Settings& settings, const RenderPlan& plan) {
+  const auto slices = static_cast<std::size_t>(std::max(settings.slices, 4));
+  const std::size_t lights = plan.lights.size();
+  const std::size_t of_light =
+      std::max<std::size_t>(slices / std::clamp<std::size_t>(lights, 1, 4), 4);
+  return 4 + slices + lights * of_light + (plan.homogeneous ? slices : 0);
+}
+
+std::string refusal_of(const Scene& scene, const Settings& settings, const RenderPlan& plan) {
+  if (settings.arithmetic == Settings::Arithmetic::plain_double) return "it is asked for in double";
+  switch (settings.airlight) {
+    case AirlightMethod::march:
+    case AirlightMethod::reference:
+      return std::string("airlight ") + to_string(settings.airlight) + " is the CPU's only";
+    case AirlightMethod::paper:
+      return "airlight paper is the CPU's only";
+    case AirlightMethod::sliced:
+      break;
+  }
+  if (settings.slices > most_slices || most_boundaries_of(settings, plan) > most_boundaries) {
+    return "there are more slices than a work group has room for";
+  }
+  if (settings.light_table.radii > 1024) {
+    return "light tables have more radii than a work group has room for";
+  }
+  if (plan.environment && plan.airlight && scene.optics.anisotropy != 0.0) {
+    return "the glow of an environment in a medium that scatters forward or back is the CPU's only";
+  }
+  return {};
+}
+
+}  // namespace
+
+GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan)
+    : refusal(refusal_of(scene, settings, plan)),
+      behind(plan.lit_surfaces || plan.surfaces || plan.environment) {
+  if (!refusal.empty()) {
+    on_cpu.push_back({"frame", refusal});
+    return;
+  }
+  if (plan.surfaces) {
+    on_cpu.push_back({"visibility", "rays are cast by Embree"});
+    if (plan.scattered_on_surfaces) on_cpu.push_back({"shadow_map", "rays are cast by Embree"});
+  }
+  if (plan.lit_surfaces) on_cpu.push_back({"surfaces", "they are not on the device yet"});
+  if (plan.environment) {
+    on_cpu.push_back({"environment", "its grid and its picture are not on the device yet"});
+  }
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,261 @@
+#include "render/gl/gl_renderer.h"
+
+#include <tbb/task_arena.h>
+
+#include <cmath>
+
+#include "render/albedo.h"
+#include "render/composite.h"
+#include "render/frame_stages.h"
+#include "render/gl/device.h"
+#include "render/gl/egl_context.h"
+#include "render/gl/gl_plan.h"
+#include "render/gl/sliced_stage.h"
+#include "render/renderer.h"
+
+namespace brume {
+
+using namespace gl;
+
+namespace {
+
+void upload_depths(const Frame& frame, Texture& depth) {
+  std::vector<float> values(frame.depth.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = std::isfinite(frame.depth[i]) ? frame.depth[i] : -1.0f;
+  }
+  depth.upload(values);
+}
+
+std::vector<glm::vec4> find_behind(const FrameWork& work, const FrameStages& stages,
+                                   std::span<const glm::vec3> surfaces) {
+  const Frame& frame = work.frame;
+  std::vector<glm::vec4> values(frame.depth.size());
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  work.job.each(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+      const glm::vec3 radiance =
+          behind_medium(work.rays, stages.shading().environment(), surfaces, frame, i);
+      values[i] = glm::vec4(radiance, std::isfinite(frame.depth[i]) ? 1.0f : 0.0f);
+    }
+  });
+  return values;
+}
+
+void read_back(const FilmTextures& textures, Frame& frame) {
+  const std::size_t pixels = frame.depth.size();
+  std::vector<float> values(4 * pixels);
+  textures.airlight.download(values);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      frame.airlight[3 * i + k] = values[4 * i + k];
+      frame.transmittance[3 * i + k] = values[4 * i + 3];
+    }
+  }
+  textures.beauty.download(frame.beauty);
+  std::vector<float>& pairs = frame.statistics.pixel_pairs;
+  pairs.resize(pixels);
+  textures.pairs.download(pairs);
+  double sum = 0.0;
+  for (const float x : pairs) sum += static_cast<double>(x);
+  frame.statistics.view_pairs += static_cast<std::uint64_t>(sum);
+}
+
+// The context is current in this thread while one lives.
+class Current {
+ public:
+  explicit Current(EglContext& context) : context_(context) {
+    if (!context.make_current()) throw Error("the context cannot be made current");
+  }
+  ~Current() { context_.done_current(); }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+
+ private:
+  EglContext& context_;
+};
+
+}  // namespace
+
+struct GlRenderer::Impl {
+  // What one albedo among the colour channels has of its own; see albedo.h.
+  struct Group {
+    FrameStages stages;
+    MediumBuffers medium;
+    TileLists lists;
+    SlicedStage sliced;
+  };
+
+  std::unique_ptr<EglContext> context;
+  Device device;
+  std::shared_ptr<TransferStore> own_transfers;  // null: those of another
+  std::shared_ptr<const TransferStore> transfers;
+  std::string failure;  // why nothing more is tried; empty: nothing failed
+
+  // From here on objects of the context.
+  Programs programs;
+  DeviceClock clock;
+  FilmTextures textures;
+  std::vector<std::unique_ptr<Group>> groups;
+
+  std::unique_ptr<Renderer> cpu;  // made when it is needed
+
+  ~Impl() { release(true); }
+  // Gives all objects back; the shaders too if the context is not used any more.
+  void release(bool all);
+  std::optional<Frame> render(FrameWork& work, tbb::task_arena& arena, Group& group);
+};
+
+std::unique_ptr<GlRenderer> GlRenderer::create(std::shared_ptr<const TransferStore> transfers,
+                                               std::string& problem, bool debug) {
+  auto impl = std::make_unique<Impl>();
+  impl->context = EglContext::create(&problem, debug);
+  if (!impl->context) return nullptr;
+  impl->device = current_device();
+  impl->context->done_current();
+  problem = lack(impl->device);
+  if (!problem.empty()) return nullptr;
+  if (!transfers) transfers = impl->own_transfers = std::make_shared<TransferStore>();
+  impl->transfers = std::move(transfers);
+  return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(impl)));
+}
+
+GlRenderer::GlRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+GlRenderer::~GlRenderer() = default;
+
+bool GlRenderer::is_software() const {
+  return impl_->device.is_software;
+}
+
+EglContext& GlRenderer::context() {
+  return *impl_->context;
+}
+
+void GlRenderer::Impl::release(bool all) {
+  if (!context || !context->make_current()) return;
+  groups.clear();
+  textures = {};
+  clock = {};
+  if (all) programs = {};
+  context->done_current();
+}
+
+std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera, const Film& film,
+                                        const Settings& settings, std::stop_token stop,
+                                        const std::function<void(double)>& progress) {
+  Impl& impl = *impl_;
+  GlPlan plan(scene, settings, RenderPlan(scene, settings.airlight));
+  std::string refusal = impl.failure.empty() ? plan.refusal : impl.failure;
+  if (refusal.empty()) {
+    try {
+      const Job job{stop, progress};
+      tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+      const FogEnd fog_end(scene);
+      const std::size_t groups = albedo_groups(scene.optics.albedo).size();
+      const Current current(*impl.context);
+      while (impl.groups.size() < groups) impl.groups.push_back(std::make_unique<Impl::Group>());
+      impl.groups.resize(groups);
+      std::optional<Frame> frame = render_groups(
+          scene, job, [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
+            FrameWork work{of,
+                           camera,
+                           settings,
+                           *impl.transfers,
+                           impl.own_transfers.get(),
+                           part,
+                           albedo,
+                           fog_end,
+                           RenderPlan(of, settings.airlight),
+                           CameraRays(camera, film),
+                           {}};
+            work.frame.film = film;
+            work.frame.time = settings.time;
+            return impl.render(work, arena, *impl.groups[which]);
+          });
+      if (!frame) return std::nullopt;
+      frame->statistics.backend = "gl";
+      frame->statistics.device = impl.device.name;
+      frame->statistics.on_cpu = std::move(plan.on_cpu);
+      return frame;
+    } catch (const OutOfMemory& error) {
+      refusal = error.what();
+      impl.release(false);
+    } catch (const Error& error) {
+      refusal = impl.failure = error.what();
+      impl.release(true);
+    }
+  }
+  if (!impl.cpu) {
+    impl.cpu = impl.own_transfers ? std::make_unique<Renderer>()
+                                  : std::make_unique<Renderer>(impl.transfers);
+  }
+  std::optional<Frame> frame = impl.cpu->render(scene, camera, film, settings, stop, progress);
+  if (frame) frame->statistics.on_cpu = {{"frame", refusal}};
+  return frame;
+}
+
+std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& arena,
+                                              Group& group) {
+  const auto start = std::chrono::steady_clock::now();
+  FrameStatistics& statistics = work.frame.statistics;
+  statistics.skipped = work.plan.skipped;
+  statistics.gaussians_total = work.scene.medium.size();
+  StageClock cpu_clock(statistics.stages);
+  if (!arena.execute([&] { return group.stages.begin(work, cpu_clock); })) return std::nullopt;
+
+  const MediumIndex& medium = group.stages.prepared().medium();
+  textures.reserve(work.frame.film);
+  upload_depths(work.frame, textures.depth);
+  if (work.plan.gaussians || work.plan.homogeneous) {
+    group.medium.update(medium, group.stages.prepared().medium_revision());
+    clock.time("lists", [&] {
+      group.lists.build(programs, group.medium, medium, work.rays, work.frame.film,
+                        work.settings.airlight_scale, device.storage_bytes);
+    });
+    DeviceFrame frame{programs,
+                      clock,
+                      group.medium,
+                      group.lists,
+                      textures,
+                      {work.frame.film, work.rays, work.fog_end.of_rays(work.rays.eye()),
+                       medium.homogeneous_density(), work.settings},
+                      arena};
+    statistics.exact_pixels = group.sliced.run(group.stages, work, cpu_clock, frame);
+    statistics.gaussians_used = group.lists.used();
+    cpu_clock.finish("submit");
+  } else {
+    const std::vector<glm::vec4> clear(work.frame.depth.size(), {0.0f, 0.0f, 0.0f, 1.0f});
+    textures.airlight.upload({&clear[0].x, 4 * clear.size()});
+    textures.pairs.clear();
+  }
+  if (work.plan.surfaces || work.plan.environment) {
+    const std::vector<glm::vec4> behind = arena.execute([&] {
+      return find_behind(work, group.stages, group.stages.shade_surfaces(work, cpu_clock));
+    });
+    textures.behind.upload({&behind[0].x, 4 * behind.size()});
+  } else {
+    textures.behind.clear();
+  }
+  if (work.job.stop.stop_requested()) return std::nullopt;
+  clock.time("composite", [&] {
+    textures.airlight.bind_image(0);
+    textures.behind.bind_image(1);
+    textures.beauty.bind_image(2);
+    const auto across = [](int pixels, int size) {
+      return static_cast<std::size_t>((pixels + size - 1) / size);
+    };
+    programs["composite"].dispatch(across(work.frame.film.width, 16),
+                                   across(work.frame.film.height, 8));
+  });
+  cpu_clock.finish("upload");
+  read_back(textures, work.frame);
+  check("reading a frame back");
+  cpu_clock.finish("read_back");
+  clock.take(statistics.stages);
+  if (work.job.progress) work.job.progress(1.0);
+  statistics.frame_milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::move(work.frame);
+}
+
+}  // namespace brume

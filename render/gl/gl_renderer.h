@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/frame_renderer.h"
+#include "render/transfer/transfer_store.h"
+
+namespace brume {
+
+class EglContext;
+
+// Renders frames with OpenGL: the pictures of Renderer, which it leaves to that where it cannot
+// make them itself. Every frame's statistics say what ran where and why. What is kept from frame to
+// frame is as there.
+//
+// May be called from any thread, from one at a time; the context is current during calls only.
+class GlRenderer final : public FrameRenderer {
+ public:
+  // With a context of its own. `transfers` as of Renderer. Null where there is none that runs the
+  // passes; `problem` then says why. `debug` as of EglContext.
+  static std::unique_ptr<GlRenderer> create(std::shared_ptr<const TransferStore> transfers,
+                                            std::string& problem, bool debug = false);
+  ~GlRenderer() override;
+
+  std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
+                              const Settings& settings, std::stop_token stop = {},
+                              const std::function<void(double)>& progress = {}) override;
+
+  // Whether the device is the CPU in disguise, slower than Renderer.
+  [[nodiscard]] bool is_software() const;
+  [[nodiscard]] EglContext& context();
+
+ private:
+  struct Impl;
+  explicit GlRenderer(std::unique_ptr<Impl> impl);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brume

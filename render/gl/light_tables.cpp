@@ -1,0 +1,136 @@
+#include "render/gl/light_tables.h"
+
+#include <algorithm>
+#include <array>
+
+namespace brume::gl {
+namespace {
+
+// As `Light` of shaders/lights.glsl.
+struct LightUniforms {
+  glm::vec4 position{0.0f};
+  glm::vec4 intensity{0.0f};
+  glm::vec4 radii{0.0f};
+  glm::ivec4 has{0};
+  MapUniforms table;
+  MapUniforms shadows;
+};
+static_assert(sizeof(LightUniforms) == 14 * sizeof(glm::vec4));
+
+// Words that a table of any map takes at most, so that a light that moves leaves the others' tables
+// where they are: DirectionMap has size^2 cells, about, and sides up to four times as long.
+std::size_t most_words(const LightTableSize& size) {
+  const auto n = static_cast<std::size_t>(size.directions);
+  return (n * n + 12 * n + 16) * static_cast<std::size_t>(size.radii);
+}
+
+}  // namespace
+
+MapUniforms::MapUniforms(const DirectionMap& map, std::size_t first)
+    : right(map.right, map.scale.x),
+      up(map.up, map.scale.y),
+      axis(map.axis, map.octahedral ? 1.0f : 0.0f),
+      offset(map.offset, 0.0f, 0.0f),
+      cells(map.columns, map.rows, static_cast<int>(first), 0) {}
+
+std::span<const DirectionMap> LightTables::lay_out(const MediumIndex& medium,
+                                                   std::uint64_t revision,
+                                                   std::span<const SlicedLight> lights,
+                                                   const LightTableSize& size) {
+  const bool same = revision == revision_ && size == size_;
+  tables_.resize(lights.size());
+  maps_.resize(lights.size());
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    Table& table = tables_[l];
+    if (!same || table.light != lights[l].position || table.layout.radii == 0) {
+      table = {lights[l].position, LightTableLayout(medium, lights[l].position, size), false};
+    }
+    maps_[l] = table.layout.map;
+  }
+  revision_ = revision;
+  size_ = size;
+  return maps_;
+}
+
+std::uint64_t LightTables::build(Programs& programs, MediumBuffers& medium) {
+  const std::size_t bytes = tables_.size() * most_words(size_) * sizeof(std::uint32_t);
+  if (bytes > values_.bytes()) {
+    for (Table& table : tables_) table.made = false;
+  }
+  values_.reserve(bytes);
+  bool any = false;
+  for (std::size_t l = 0; l < tables_.size(); ++l) {
+    Table& table = tables_[l];
+    if (table.made || table.layout.empty()) continue;
+    if (!any) {
+      pairs_.reserve(sizeof(std::uint32_t));
+      pairs_.clear();
+    }
+    any = true;
+    const MapUniforms map(table.layout.map, l * most_words(size_));
+    const Program& program = programs["light_table"];
+    program.set("count", static_cast<unsigned>(medium.count()));
+    program.set("light", table.light);
+    program.set("map_right", map.right);
+    program.set("map_up", map.up);
+    program.set("map_axis", map.axis);
+    program.set("map_offset", map.offset);
+    program.set("map_cells", map.cells);
+    program.set("radii", table.layout.radii);
+    program.set("first_radius", static_cast<float>(table.layout.first_radius));
+    program.set("last_radius", static_cast<float>(table.layout.last_radius));
+    medium.bind();
+    values_.bind(2);
+    pairs_.bind(4);
+    const auto blocks = [](int cells) { return static_cast<std::size_t>((cells + 2 + 7) / 8); };
+    program.dispatch(blocks(table.layout.map.columns), blocks(table.layout.map.rows));
+    table.made = true;
+  }
+  if (!any) return 0;
+  std::array<std::uint32_t, 1> pairs{};
+  pairs_.download(std::span<std::uint32_t>(pairs));
+  return pairs[0];
+}
+
+void LightTables::upload(std::span<const SlicedLight> lights, const glm::dvec3& eye) {
+  std::vector<LightUniforms> uniforms(lights.size());
+  std::vector<float> distances;
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    const SlicedLight& light = lights[l];
+    const LightTableLayout& layout = tables_[l].layout;
+    LightUniforms& u = uniforms[l];
+    u.position = glm::vec4(glm::vec3(light.position - eye), static_cast<float>(light.h_min));
+    u.intensity = glm::vec4(glm::vec3(light.intensity), 0.0f);
+    if (!layout.empty()) {
+      u.has.x = 1;
+      u.table = MapUniforms(layout.map, l * most_words(size_));
+      u.radii = {
+          static_cast<float>(layout.first_radius),
+          static_cast<float>((layout.radii - 1) / (layout.last_radius - layout.first_radius)),
+          static_cast<float>(layout.radii), 0.0f};
+    }
+    if (light.shadows && !light.shadows->empty()) {
+      const DirectionMap& map = light.shadows->map();
+      u.has.y = 1;
+      u.shadows = MapUniforms(map, distances.size());
+      u.intensity.w = 1.0f - 2.0f * static_cast<float>(map.cell_angle());
+      const float* first = light.shadows->distances();
+      distances.insert(distances.end(), first, first + map.cells());
+    }
+  }
+  // Nothing is farther than this; shaders know no infinity.
+  for (float& distance : distances) distance = std::min(distance, 1e30f);
+  lights_.upload(std::span<const LightUniforms>(uniforms));
+  if (distances != shadow_values_) {
+    shadows_.upload(std::span<const float>(distances));
+    shadow_values_ = std::move(distances);
+  }
+}
+
+void LightTables::bind() {
+  lights_.bind(0);
+  values_.bind(1);
+  shadows_.bind(6);
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,51 @@
+// Tables over directions: see DirectionMap and MapPosition in render/cpu.
+struct DirectionMap {
+  vec4 right;   // w: scale.x
+  vec4 up;      // w: scale.y
+  vec4 axis;    // w: 1 if octahedral
+  vec4 offset;  // x, y
+  ivec4 cells;  // columns, rows without the border; where its values begin
+};
+
+int map_stride(DirectionMap map) { return map.cells.x + 2; }
+
+struct MapPosition {
+  int cell;  // the lower of the cells to mix
+  vec2 f;    // and by how much
+};
+
+vec2 sign_of(vec2 p) { return vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0); }
+
+// `q` need not be unit; `distance_` is its length.
+MapPosition map_position(DirectionMap map, vec3 q, float distance_) {
+  vec2 uv;
+  if (map.axis.w > 0.5) {
+    const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), 1e-30);
+    uv = q.z < 0.0 ? (1.0 - abs(p.yx)) * sign_of(p.xy) : p.xy;
+  } else {
+    // Behind the light there is nothing of interest; the border of the map answers.
+    const float depth = max(max(dot(q, map.axis.xyz), 1e-3 * distance_), 1e-30);
+    uv = vec2(dot(q, map.right.xyz), dot(q, map.up.xyz)) / depth *
+             vec2(map.right.w, map.up.w) +
+         map.offset.xy;
+  }
+  const vec2 cells = vec2(map.cells.xy);
+  const vec2 at = clamp(0.5 * cells * uv + 0.5 * cells + 0.5, vec2(0.0), cells + 0.999);
+  const ivec2 low = ivec2(at);
+  return MapPosition(low.y * map_stride(map) + low.x, at - vec2(low));
+}
+
+// The unit direction of the middle of a cell; -1, columns and rows are the border.
+vec3 map_direction(DirectionMap map, ivec2 cell) {
+  vec2 uv = (2.0 * vec2(cell) + 1.0) / vec2(map.cells.xy) - 1.0;
+  if (map.axis.w < 0.5) {
+    uv = (uv - map.offset.xy) / vec2(map.right.w, map.up.w);
+    return normalize(map.axis.xyz + uv.x * map.right.xyz + uv.y * map.up.xyz);
+  }
+  // Over the border of the map the octahedron folds back.
+  if (abs(uv.x) > 1.0) uv = vec2((uv.x < 0.0 ? -2.0 : 2.0) - uv.x, -uv.y);
+  if (abs(uv.y) > 1.0) uv = vec2(-uv.x, (uv.y < 0.0 ? -2.0 : 2.0) - uv.y);
+  vec3 d = vec3(uv, 1.0 - abs(uv.x) - abs(uv.y));
+  if (d.z < 0.0) d.xy = (1.0 - abs(uv.yx)) * sign_of(uv);
+  return normalize(d);
+}

@@ -1,0 +1,80 @@
+// The line integral of a Gaussian: render/simd/gaussian-inl.h in GLSL. Ends of rays that are
+// nowhere are `endless`, so that no infinity enters a sum.
+#include "constants.glsl"
+
+const float endless = 1e30;
+
+float erfcx_positive(float x) {
+  const float t = 1.0 / (0.5 * x + 1.0);
+  float p = erfcx_coefficients[0];
+  for (int i = 1; i < erfcx_coefficients.length(); ++i) p = p * t + erfcx_coefficients[i];
+  return t * p;
+}
+
+float erf_small(float x) {
+  const float y = x * x;
+  float p = erf_small_coefficients[0];
+  for (int i = 1; i < erf_small_coefficients.length(); ++i) p = p * y + erf_small_coefficients[i];
+  return x * p;
+}
+
+float erf_fast(float x) {
+  const float z = clamp(x, -erf_fast_end, erf_fast_end);
+  const float y = z * z;
+  float p = erf_fast_coefficients[0];
+  for (int i = 1; i < erf_fast_coefficients.length(); ++i) p = p * y + erf_fast_coefficients[i];
+  return z * p;
+}
+
+// exp(-e) erfc(|u|). Nothing is left of it beyond |u| = 1e4, where squares are still floats.
+float scaled_erfc(float e, float u) {
+  const float x = min(abs(u), 1e4);
+  return exp(-(x * x + e)) * erfcx_positive(x);
+}
+
+// exp(-e) (erf(u1) - erf(u0)), u0 <= u1, k = u1 - u0 without cancellation.
+float segment_integral(float e, float u0, float u1, float k) {
+  const float reach = 1.0 + abs(u0) + abs(u1);
+  if (k * reach < 1.0) {
+    const float m = 0.5 * (u0 + u1);
+    float mean = 0.0;
+    for (int i = 0; i < gauss_nodes.length(); ++i) {
+      const float s = 0.5 * gauss_nodes[i] * k;
+      const float low = m - s;
+      const float high = m + s;
+      mean += gauss_weights[i] * (exp(-(low * low + e)) + exp(-(high * high + e)));
+    }
+    return 0.56418958354775628695 * k * mean;
+  }
+  const float first = scaled_erfc(e, u0);
+  const float second = scaled_erfc(e, u1);
+  if (u0 <= 0.0 && u1 >= 0.0) {
+    const float whole = exp(-e);
+    return whole + whole - first - second;
+  }
+  return abs(first - second);
+}
+
+// A Gaussian as a ray from the origin of `b` meets it: where (t0) and how far off (e = a^2 h^2).
+struct Crossing {
+  float t0;
+  float e;
+};
+
+Crossing crossing_of(vec3 b, vec3 w, float a) {
+  const float t0 = dot(b, w);
+  const vec3 q = a * (b - t0 * w);
+  return Crossing(t0, dot(q, q));
+}
+
+// Depth over [0, length] in units of c sqrt(pi) / (2 a).
+float crossing_depth(Crossing crossing, float a, float length_) {
+  return segment_integral(crossing.e, -a * crossing.t0, a * (length_ - crossing.t0), a * length_);
+}
+
+float henyey_greenstein(float cos_turn, float g) {
+  const float s = 1.0 + g * g - 2.0 * g * cos_turn;
+  return (1.0 - g * g) / (s * sqrt(s));
+}
+
+float cos_turn(float along, float distance_) { return -along / max(distance_, 1e-30); }

@@ -1,0 +1,38 @@
+// The optical depth of Gaussians on `chunk` slices of a ray at a time, in registers: see
+// accumulate_increments() in render/cpu/slice_kernels.h. The including shader declares the shared
+// boundaries[], ascending.
+#include "gaussian.glsl"
+#pragma optionNV(unroll all)
+
+// The slices [x, y) of the chunk at `first` that [from, to] touches, of slices before `last`.
+ivec2 touched_slices(float from, float to, int first, int last) {
+  ivec2 range = ivec2(0);
+  const int count = min(chunk, last - first);
+  for (int k = 0; k < count; ++k) {
+    if (boundaries[first + k + 1] <= from) range.x = k + 1;
+    if (boundaries[first + k] < to) range.y = k + 1;
+  }
+  return range;
+}
+
+void add_increments(inout float increments[chunk], Crossing crossing, float a, float scale,
+                    float length_, int first, ivec2 range) {
+  if (scale > exact_above) {
+    float before = a * (min(boundaries[first + range.x], length_) - crossing.t0);
+    for (int k = 0; k < chunk; ++k) {
+      if (k < range.x || k >= range.y) continue;
+      const float now = a * (min(boundaries[first + k + 1], length_) - crossing.t0);
+      increments[k] += scale * segment_integral(crossing.e, before, now, now - before);
+      before = now;
+    }
+    return;
+  }
+  const float weight = scale * exp(-crossing.e);
+  float before = erf_fast(a * (min(boundaries[first + range.x], length_) - crossing.t0));
+  for (int k = 0; k < chunk; ++k) {
+    if (k < range.x || k >= range.y) continue;
+    const float now = erf_fast(a * (min(boundaries[first + k + 1], length_) - crossing.t0));
+    increments[k] += weight * (now - before);
+    before = now;
+  }
+}

@@ -1,0 +1,119 @@
+// T(s, x) of the Gaussians around one light over directions and radii: LightTable on the device. A
+// work group makes 8 x 8 neighbouring directions, each along one ray; its Gaussians it finds itself,
+// those that touch the cone around its rays.
+layout(local_size_x = 64) in;
+
+const int most_radii = 1024;
+shared float boundaries[most_radii];
+
+#include "increments.glsl"
+#include "direction_map.glsl"
+
+layout(std430, binding = 0) readonly buffer Centers { double centers[]; };
+layout(std430, binding = 1) readonly buffer Shapes { vec4 shapes[]; };  // a, scale, cutoff, reach
+// Two neighbouring radii in each, in units of `opaque`, so that a look-up reads one word.
+layout(std430, binding = 2) writeonly buffer Tables { uint tables[]; };
+layout(std430, binding = 4) buffer Totals { uint pairs; };
+
+uniform uint count;
+uniform dvec3 light;
+uniform vec4 map_right, map_up, map_axis, map_offset;
+uniform ivec4 map_cells;
+uniform int radii;
+uniform float first_radius;
+uniform float last_radius;
+
+shared vec4 axis;  // of the cone, and the cosine of its half angle
+shared uint found;
+shared vec4 gaussians[64];
+shared vec4 shapes_of[64];
+shared ivec2 ranges[64];
+shared uint counted[64];  // 1 in the first chunk that it touches
+shared vec3 directions[64];
+
+void find_cone(uint id) {
+  if (id != 0) return;
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 64; ++i) sum += directions[i];
+  // Rays all around have no middle; then everything touches them.
+  const float length_ = length(sum);
+  float cosine = -1.0;
+  if (length_ > 1e-3) {
+    sum /= length_;
+    cosine = 1.0;
+    for (int i = 0; i < 64; ++i) cosine = min(cosine, dot(sum, directions[i]));
+  }
+  axis = vec4(sum, cosine - 1e-6);
+}
+
+bool touches_cone(vec3 b, float reach) {
+  if (axis.w <= 0.0) return true;
+  const float along = dot(b, axis.xyz);
+  const float across = length(b - along * axis.xyz);
+  return across * axis.w - along * sqrt(max(1.0 - axis.w * axis.w, 0.0)) <= 1.0001 * reach;
+}
+
+void main() {
+  const DirectionMap map = DirectionMap(map_right, map_up, map_axis, map_offset, map_cells);
+  const uint id = gl_LocalInvocationID.x;
+  const ivec2 cells = map_cells.xy + 2;
+  const ivec2 wanted = ivec2(gl_WorkGroupID.xy) * 8 + ivec2(id % 8u, id / 8u);
+  const bool live = all(lessThan(wanted, cells));
+  const ivec2 cell = min(wanted, cells - 1);
+  const vec3 w = map_direction(map, cell - 1);
+  directions[id] = w;
+  for (int k = int(id); k < radii; k += 64) {
+    boundaries[k] = first_radius + (last_radius - first_radius) * (float(k) / float(radii - 1));
+  }
+  barrier();
+  find_cone(id);
+
+  const int last = radii - 1;
+  const int place = map_cells.z + (cell.y * cells.x + cell.x) * radii;
+  float depth = 0.0;
+  float before = 0.0;
+  uint evaluated = 0u;
+  for (int first = 0; first < last; first += chunk) {
+    float increments[chunk];
+    for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
+    for (uint base = 0u; base < count; base += 64u) {
+      barrier();
+      if (id == 0u) found = 0u;
+      barrier();
+      const uint i = base + id;
+      if (i < count) {
+        const vec4 shape = shapes[i];
+        const vec3 b =
+            vec3(dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - light);
+        const float distance_ = length(b);
+        const ivec2 range =
+            touched_slices(distance_ - shape.w, distance_ + shape.w, first, last);
+        if (shape.w > 0.0 && range.x < range.y && touches_cone(b, shape.w)) {
+          const uint slot = atomicAdd(found, 1u);
+          gaussians[slot] = vec4(b, shape.x);
+          shapes_of[slot] = shape;
+          ranges[slot] = range;
+          counted[slot] = first == 0 || distance_ - shape.w > boundaries[first] ? 1u : 0u;
+        }
+      }
+      barrier();
+      for (uint j = 0u; j < found; ++j) {
+        const vec4 g = gaussians[j];
+        const Crossing crossing = crossing_of(g.xyz, w, g.w);
+        if (crossing.e > shapes_of[j].z) continue;
+        evaluated += counted[j];
+        add_increments(increments, crossing, g.w, shapes_of[j].y, endless, first, ranges[j]);
+      }
+    }
+    // A word holds a radius and the next; so the first of a chunk ends the last one of the former.
+    for (int k = 0; k < chunk; ++k) {
+      if (first + k >= last) break;
+      before = depth;
+      depth += increments[k];
+      if (live) {
+        tables[place + first + k] = packUnorm2x16(vec2(before, depth) / opaque);
+      }
+    }
+  }
+  if (live) atomicAdd(pairs, evaluated);
+}

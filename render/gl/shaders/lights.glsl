@@ -1,0 +1,64 @@
+// What lights send to points on a view ray: see sum_slices() in render/cpu/slice_kernels.h.
+#include "direction_map.glsl"
+#include "gaussian.glsl"
+
+struct Light {
+  vec4 position;   // relative to the eye; h_min
+  vec4 intensity;  // RGB; how much nearer than a shadow's caster still is lit, as a share
+  vec4 radii;      // of the table: first, per unit, number
+  ivec4 has;       // a table, a shadow map
+  DirectionMap table;
+  DirectionMap shadows;
+};
+
+layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
+layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
+layout(std430, binding = 6) readonly buffer Shadows { float shadows[]; };
+
+uniform int light_count;
+
+// The depth of a light's table at a point relative to it, `distance_` from it.
+float table_depth(int l, vec3 q, float distance_) {
+  const MapPosition at = map_position(lights[l].table, q, distance_);
+  const vec4 radii = lights[l].radii;
+  const float r = clamp((distance_ - radii.x) * radii.y, 0.0, radii.z - 1.001);
+  const int low = int(r);
+  const float f = r - float(low);
+  const int size = int(radii.z);
+  const int row = map_stride(lights[l].table) * size;
+  const int first = lights[l].table.cells.z + at.cell * size + low;
+  const vec2 a = unpackUnorm2x16(tables[first]);
+  const vec2 b = unpackUnorm2x16(tables[first + size]);
+  const vec2 c = unpackUnorm2x16(tables[first + row]);
+  const vec2 d = unpackUnorm2x16(tables[first + row + size]);
+  const vec2 both = mix(mix(a, b, at.f.x), mix(c, d, at.f.x), at.f.y);
+  return opaque * mix(both.x, both.y, f);
+}
+
+// The share of the light that no surface stops, mixed over four cells.
+float lit(int l, vec3 q, float distance_) {
+  const MapPosition at = map_position(lights[l].shadows, q, distance_);
+  const float near = distance_ * lights[l].intensity.w;
+  const int row = map_stride(lights[l].shadows);
+  const int first = lights[l].shadows.cells.z + at.cell;
+  const vec4 free = vec4(greaterThanEqual(
+      vec4(shadows[first], shadows[first + 1], shadows[first + row], shadows[first + row + 1]),
+      vec4(near)));
+  return mix(mix(free.x, free.y, at.f.x), mix(free.z, free.w, at.f.x), at.f.y);
+}
+
+// The mean of 1 / r^2 over t in [ts + a, ts + b] for a light at distance sqrt(h2) from the ray.
+float mean_inverse_square(float a, float b, float h2) {
+  const float dots = a * b + h2;
+  const float crosses = sqrt(h2) * (b - a);
+  const float ratio = crosses / dots;
+  if (dots > 0.0 && ratio < 0.4) {
+    const float y = ratio * ratio;
+    float p = atan_small_coefficients[0];
+    for (int i = 1; i < atan_small_coefficients.length(); ++i) {
+      p = p * y + atan_small_coefficients[i];
+    }
+    return p / max(dots, 1e-30);
+  }
+  return atan(crosses, dots) / max(crosses, 1e-30);
+}

@@ -1,0 +1,30 @@
+// The lists of tiles: counts what each gets, or fills them from where scan.glsl says. Eight
+// invocations share a Gaussian. The order within a list is any.
+#include "linear.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 3) readonly buffer Rectangles { uvec2 rectangles[]; };
+layout(std430, binding = 4) readonly buffer Totals { uint used, entries, coarse; };
+layout(std430, binding = 5) buffer Cursors { uint cursors[]; };  // per tile
+layout(std430, binding = 6) writeonly buffer Entries { uint list[]; };
+
+uniform uint count;
+uniform int columns;
+uniform uint most_coarse;  // more would not fit
+uniform int fill;          // 0: count
+
+void main() {
+  if (coarse > most_coarse) return;
+  const uint at = linear_group() * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  const uint i = at / 8u;
+  if (i >= count) return;
+  const uvec2 bits = rectangles[i];
+  const ivec2 begin = ivec2(bits.x & 0xffffu, bits.x >> 16);
+  const ivec2 size = ivec2(bits.y & 0xffffu, bits.y >> 16) - begin;
+  for (int k = int(at % 8u); k < size.x * size.y; k += 8) {
+    const int tile = (begin.y + k / size.x) * columns + begin.x + k % size.x;
+    const uint place = atomicAdd(cursors[tile], 1u);
+    if (fill != 0) list[place] = i;
+  }
+}

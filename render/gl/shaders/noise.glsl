@@ -1,0 +1,59 @@
+// Rays bent by noise: render/simd/noise-inl.h in GLSL.
+#include "gaussian.glsl"
+
+uniform float noise_amplitude;  // over noise_lattice::rms; 0: none
+uniform float noise_frequency;  // [cells/u]
+uniform vec3 noise_cell;        // of the eye
+uniform uint noise_key;
+
+uint lattice_hash(uint x) {
+  x = (x ^ (x >> 16)) * 0x7feb352du;
+  x = (x ^ (x >> 15)) * 0x846ca68bu;
+  return x ^ (x >> 16);
+}
+
+float signed_by(float value, uint bits, int shift) {
+  return uintBitsToFloat(floatBitsToUint(value) ^ ((bits << shift) & 0x80000000u));
+}
+
+// The gradient of w . A at the point t w, per cell.
+vec3 potential_gradient(vec3 w, float t) {
+  const float along = clamp(noise_frequency * t, -1e9, 1e9);
+  const vec3 cell = along * w + noise_cell;
+  const vec3 low = floor(cell);
+  const vec3 f = cell - low;
+  const uvec3 node = uvec3(ivec3(low));
+  const vec3 fade = f * f * f * ((6.0 * f - 15.0) * f + 10.0);
+  const vec3 rise = 30.0 * f * f * (f - 1.0) * (f - 1.0);
+  const uint last = uint(noise_period - 1);
+  vec3 sum = vec3(0.0);
+  for (int corner_ = 0; corner_ < 8; ++corner_) {
+    const ivec3 c = ivec3(corner_ & 1, (corner_ >> 1) & 1, corner_ >> 2);
+    const uvec3 n = (node + uvec3(c)) & last;
+    const uint number = n.x + uint(noise_period) * (n.y + uint(noise_period) * n.z);
+    const uint bits = lattice_hash(noise_key ^ number);
+    vec3 gradient;
+    for (int j = 0; j < 3; ++j) {
+      gradient[j] =
+          signed_by(w.x, bits, j) + signed_by(w.y, bits, 3 + j) + signed_by(w.z, bits, 6 + j);
+    }
+    const float height = dot(gradient, f - vec3(c));
+    const vec3 weight = mix(1.0 - fade, fade, vec3(c));
+    const vec3 slope = mix(-rise, rise, vec3(c));
+    sum += weight.x * weight.y * weight.z * gradient +
+           height * vec3(slope.x * weight.y * weight.z, weight.x * slope.y * weight.z,
+                         weight.x * weight.y * slope.z);
+  }
+  return sum;
+}
+
+// crossing_of() for a ray that noise bends. What is farther than bent_cutoff stays out of reach.
+Crossing view_crossing(vec3 b, vec3 w, float a, float bent_cutoff) {
+  Crossing crossing = crossing_of(b, w, a);
+  if (noise_amplitude > 0.0 && crossing.e <= bent_cutoff) {
+    const vec3 gap = a * (b - crossing.t0 * w) -
+                     noise_amplitude * cross(w, potential_gradient(w, crossing.t0));
+    crossing.e = dot(gap, gap);
+  }
+  return crossing;
+}

@@ -1,0 +1,83 @@
+// Every Gaussian as the eye sees it, and the tiles that its reach may touch: CameraRays::bounds()
+// and Tiles::lists().
+#include "linear.glsl"
+#include "constants.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Centers { double centers[]; };  // x y z of each
+layout(std430, binding = 1) readonly buffer Shapes { vec4 shapes[]; };  // a, scale, cutoff, reach
+// Two of each: b - eye, a; scale, cutoff, the same before noise bends the ray, reach.
+layout(std430, binding = 2) writeonly buffer Seen { vec4 seen[]; };
+// [x0, x1) x [y0, y1) in tiles: x0 + y0 << 16, x1 + y1 << 16.
+layout(std430, binding = 3) writeonly buffer Rectangles { uvec2 rectangles[]; };
+layout(std430, binding = 4) buffer Totals {
+  uint used;     // Gaussians in any list
+  uint entries;  // of all lists
+  uint coarse;   // entries / 256 of each, rounded up
+};
+
+uniform uint count;
+uniform dvec3 eye;
+uniform dvec3 forward;
+uniform dvec3 right;
+uniform dvec3 up;
+uniform double half_width;  // of the film at distance 1
+uniform double half_height;
+uniform ivec2 film;
+uniform ivec2 tiles;
+uniform int scale;
+uniform float farther;  // how far noise bends rays, in radii
+
+// The stretch of one film axis, from -1 to 1, that a disc around (x, z) covers as seen from the
+// origin along z; (1, -1): none. By the tangents, whose angles are those of (x, z) plus and minus
+// asin(radius / distance).
+dvec2 covered(double x, double z, double radius, double half_size) {
+  const double square = x * x + z * z - radius * radius;
+  if (square <= 0.0LF) return dvec2(-1.0LF, 1.0LF);
+  const double s = sqrt(square);
+  const dvec2 low = dvec2(x * s - z * radius, z * s + x * radius);
+  const dvec2 high = dvec2(x * s + z * radius, z * s - x * radius);
+  if (low.y <= 0.0LF && x >= 0.0LF) return dvec2(1.0LF, -1.0LF);
+  if (high.y <= 0.0LF && x < 0.0LF) return dvec2(1.0LF, -1.0LF);
+  // A tangent along the film's plane is beyond all of it.
+  return dvec2(low.y <= 0.0LF ? -1.0LF : max(-1.0LF, low.x / (low.y * half_size)),
+               high.y <= 0.0LF ? 1.0LF : min(1.0LF, high.x / (high.y * half_size)));
+}
+
+int first_pixel(double s, int size) {
+  return int(ceil(0.5LF * (s + 1.0LF) * double(size) - 0.5LF - 1e-6LF));
+}
+
+int end_pixel(double s, int size) {
+  return int(floor(0.5LF * (s + 1.0LF) * double(size) - 0.5LF + 1e-6LF)) + 1;
+}
+
+void main() {
+  const uint i = linear_group() * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (i >= count) return;
+  const dvec3 q = dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - eye;
+  const vec4 shape = shapes[i];
+  const float bent = sqrt(shape.z) + farther;
+  seen[2 * i] = vec4(vec3(q), shape.x);
+  seen[2 * i + 1] = vec4(shape.y, shape.z, bent * bent, shape.w);
+  rectangles[i] = uvec2(0u);
+  if (!(shape.w > 0.0)) return;
+
+  const double radius = double(shape.w) + double(farther) / double(shape.x);
+  const double z = dot(q, forward);
+  const dvec2 u = covered(dot(q, right), z, radius, half_width);
+  const dvec2 v = covered(-dot(q, up), z, radius, half_height);
+  if (!(u.x < u.y) || !(v.x < v.y)) return;
+  const ivec2 low = max(ivec2(first_pixel(u.x, film.x), first_pixel(v.x, film.y)), ivec2(0));
+  const ivec2 high = min(ivec2(end_pixel(u.y, film.x), end_pixel(v.y, film.y)), film);
+  if (any(greaterThanEqual(low, high))) return;
+  // A ray of the last column or row may stand a little before its place on the grid.
+  const ivec2 tile = ivec2(tile_width, tile_height);
+  const ivec2 begin = low / scale / tile;
+  const ivec2 end = min((high + scale - 2) / scale / tile + 1, tiles);
+  rectangles[i] = uvec2(begin.x | begin.y << 16, end.x | end.y << 16);
+  const uint area = uint((end.x - begin.x) * (end.y - begin.y));
+  atomicAdd(used, 1u);
+  atomicAdd(coarse, (area + 255u) / 256u);
+}

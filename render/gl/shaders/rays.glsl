@@ -1,0 +1,10 @@
+// The view rays of a film: see CameraRays. In double precision up to the direction, since a narrow
+// view has pixels closer than float tells apart.
+uniform dvec3 corner;
+uniform dvec3 per_x;
+uniform dvec3 per_y;
+
+vec3 ray_direction(ivec2 pixel) {
+  const dvec2 at = dvec2(pixel) + 0.5LF;
+  return vec3(normalize(corner + at.x * per_x + at.y * per_y));
+}

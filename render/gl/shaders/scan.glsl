@@ -1,0 +1,37 @@
+// Where the list of each tile begins: the running sum of what list.glsl has counted.
+layout(local_size_x = 1024) in;
+
+layout(std430, binding = 4) buffer Totals { uint used, entries, coarse; };
+layout(std430, binding = 5) buffer Cursors { uint cursors[]; };
+layout(std430, binding = 7) writeonly buffer Offsets { uint offsets[]; };  // one more than tiles
+
+uniform int tiles;
+
+shared uint sums[1024];
+
+void main() {
+  const int id = int(gl_LocalInvocationID.x);
+  const int each = (tiles + 1023) / 1024;
+  const int begin = min(id * each, tiles);
+  const int end = min(begin + each, tiles);
+  uint sum = 0u;
+  for (int i = begin; i < end; ++i) sum += cursors[i];
+  sums[id] = sum;
+  for (int step_ = 1; step_ < 1024; step_ *= 2) {
+    barrier();
+    const uint before = id >= step_ ? sums[id - step_] : 0u;
+    barrier();
+    sums[id] += before;
+  }
+  uint at = sums[id] - sum;
+  for (int i = begin; i < end; ++i) {
+    const uint own = cursors[i];
+    offsets[i] = at;
+    cursors[i] = at;
+    at += own;
+  }
+  if (id == 1023) {
+    offsets[tiles] = sums[id];
+    entries = sums[id];
+  }
+}

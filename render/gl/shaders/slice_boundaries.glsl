@@ -1,0 +1,226 @@
+// Where the slices of a work group's rays begin and end: choose_slices() of
+// render/cpu/slice_boundaries.h, by all invocations of the group together. Leaves them in
+// boundaries[0 .. boundary_count), ascending.
+shared float unsorted[most_boundaries];
+shared uint unsorted_count;
+shared int boundary_count;
+shared float demand_rate[most_bins];
+shared float demand_curvature[most_bins];
+shared vec4 demand_of[group_size];  // of a Gaussian: first and last bin, rate, curvature
+shared float reduced[group_size];
+
+float reduce_min(float value) {
+  const int id = int(gl_LocalInvocationID.x);
+  barrier();
+  reduced[id] = value;
+  for (int half_ = group_size / 2; half_ > 0; half_ /= 2) {
+    barrier();
+    if (id < half_) reduced[id] = min(reduced[id], reduced[id + half_]);
+  }
+  barrier();
+  return reduced[0];
+}
+
+float reduce_max(float value) { return -reduce_min(-value); }
+
+float reduce_sum(float value) {
+  const int id = int(gl_LocalInvocationID.x);
+  barrier();
+  reduced[id] = value;
+  for (int half_ = group_size / 2; half_ > 0; half_ /= 2) {
+    barrier();
+    if (id < half_) reduced[id] += reduced[id + half_];
+  }
+  barrier();
+  return reduced[0];
+}
+
+// The middle ray of a group and the others' greatest distance from it, at distance 1.
+struct MiddleRay {
+  vec3 w;
+  float spread;
+  float longest;
+};
+
+MiddleRay middle_ray(bool live, vec3 w, float length_) {
+  MiddleRay ray;
+  const vec3 own = live ? w : vec3(0.0);
+  ray.w = normalize(vec3(reduce_sum(own.x), reduce_sum(own.y), reduce_sum(own.z)));
+  ray.spread = sqrt(reduce_max(live ? dot(w - ray.w, w - ray.w) : 0.0));
+  ray.longest = reduce_max(live ? length_ : 0.0);
+  return ray;
+}
+
+void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
+
+// Slice demand: see SliceDemand.
+void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
+  const int id = int(gl_LocalInvocationID.x);
+  const float width = (core.y - core.x) / float(bins);
+  for (int bin = id; bin < bins; bin += group_size) {
+    demand_rate[bin] = 0.0;
+    demand_curvature[bin] = 0.0;
+  }
+  for (uint base = begin; base < end; base += group_size) {
+    barrier();
+    demand_of[id] = vec4(0.0);
+    if (base + id < end) {
+      const uint i = list[base + id];
+      const vec4 g = seen[2 * i];
+      const float t = dot(g.xyz, ray.w);
+      const float half_ = 1.5 / g.w;
+      if (t + half_ >= core.x && t - half_ <= core.y) {
+        const float h =
+            g.w * max(length(g.xyz - t * ray.w) - ray.spread * max(t, 0.0), 0.0);
+        const float peak = seen[2 * i + 1].x * g.w / 0.886226925 * exp(-h * h);
+        const float first = clamp((t - half_ - core.x) / width, 0.0, float(bins));
+        const float last = clamp((t + half_ - core.x) / width, 0.0, float(bins));
+        demand_of[id] = vec4(floor(first), floor(last) + 1.0, 0.59 * peak, peak * g.w * g.w);
+      }
+    }
+    barrier();
+    const int size = int(min(uint(group_size), end - base));
+    for (int bin = id; bin < bins; bin += group_size) {
+      const float at = float(bin);
+      for (int j = 0; j < size; ++j) {
+        if (at < demand_of[j].x || at >= demand_of[j].y) continue;
+        demand_rate[bin] += demand_of[j].z;
+        demand_curvature[bin] += demand_of[j].w;
+      }
+    }
+  }
+  barrier();
+}
+
+// The ends of the core and what lies between `count` slices of equal demand. By one invocation.
+void cut_demand(vec2 core, int bins, int count) {
+  const float width = (core.y - core.x) / float(bins);
+  float depth = 0.0;
+  float sum = 0.0;
+  for (int i = 0; i < bins; ++i) {
+    const float own = demand_curvature[i] / (1.0 + clamp(depth, 0.0, 4.0));
+    demand_curvature[i] = own > 0.0 ? pow(own, 1.0 / 3.0) : 0.0;
+    depth += demand_rate[i] * width;
+    sum += demand_curvature[i];
+  }
+  const float even = sum > 0.0 ? 0.3 * sum / float(bins) : 1.0;
+  sum += even * float(bins);
+  add_boundary(core.x);
+  float reached = 0.0;
+  int k = 1;
+  for (int i = 0; i < bins && k < count; ++i) {
+    const float here = demand_curvature[i] + even;
+    while (k < count && sum * float(k) / float(count) <= reached + here) {
+      add_boundary(core.x +
+                   width * (float(i) + (sum * float(k) / float(count) - reached) / here));
+      ++k;
+    }
+    reached += here;
+  }
+  add_boundary(core.y);
+}
+
+// Where light falls off within a medium, slices of equal angle as seen from the light.
+void add_equi_angular(int l, vec3 w, vec2 range, int count) {
+  const int k = int(gl_LocalInvocationID.x) + 1;
+  const vec3 q = lights[l].position.xyz;
+  const float ts = dot(q, w);
+  // A light almost on the ray would put all slices at one point: half a slice is fine enough.
+  const float least = 0.25 * (range.y - range.x) / float(count);
+  const float h = max(max(length(q - ts * w), max(lights[l].position.w, least)),
+                      max(1e-6 * abs(ts), 1e-30));
+  const float eye2 = ts * ts + h * h;
+  const float begin = atan(h * range.x, eye2 - ts * range.x);
+  const float span = atan(h * range.y, eye2 - ts * range.y);
+  for (int i = k; i < count; i += group_size) {
+    const float phi = begin + (span - begin) * float(i) / float(count);
+    const float s = sin(phi);
+    const float t = eye2 * s / max(h * cos(phi) + ts * s, 1e-30);
+    if (t > range.x && t < range.y) add_boundary(t);
+  }
+}
+
+void sort_boundaries(float least) {
+  const int id = int(gl_LocalInvocationID.x);
+  barrier();
+  const int count = int(unsorted_count);
+  for (int i = id; i < count; i += group_size) {
+    const float own = unsorted[i];
+    int rank = 0;
+    for (int j = 0; j < count; ++j) {
+      if (unsorted[j] < own || (unsorted[j] == own && j < i)) ++rank;
+    }
+    boundaries[rank] = own;
+  }
+  barrier();
+  if (id == 0) {
+    int kept = min(count, 1);
+    for (int i = 1; i < count; ++i) {
+      if (!(boundaries[i] - boundaries[kept - 1] < least)) boundaries[kept++] = boundaries[i];
+    }
+    boundary_count = kept;
+  }
+  barrier();
+}
+
+void choose_slices(MiddleRay ray, uint begin, uint end, int slices, float b0) {
+  const int id = int(gl_LocalInvocationID.x);
+  barrier();
+  if (id == 0) {
+    unsorted_count = 0u;
+    boundary_count = 0;
+  }
+  vec2 reach = vec2(endless, 0.0);
+  vec2 core = reach;
+  for (uint k = begin + id; k < end; k += group_size) {
+    const uint i = list[k];
+    const vec4 g = seen[2 * i];
+    const float t = dot(g.xyz, ray.w);
+    const float r = seen[2 * i + 1].w;
+    const float half_ = min(2.0 / g.w, r);
+    reach = vec2(min(reach.x, t - r), max(reach.y, t + r));
+    core = vec2(min(core.x, t - half_), max(core.y, t + half_));
+  }
+  const vec2 ends = vec2(0.0, ray.longest);
+  reach = clamp(vec2(reduce_min(reach.x), reduce_max(reach.y)), ends.xx, ends.yy);
+  core = clamp(vec2(reduce_min(core.x), reduce_max(core.y)), ends.xx, ends.yy);
+  vec2 whole = reach;
+  if (b0 > 0.0) {
+    whole = vec2(0.0, min(ray.longest, max(reach.x < reach.y ? reach.y : 0.0, fog_end / b0)));
+  }
+  if (!(whole.x < whole.y)) return;
+  if (id == 0) {
+    add_boundary(whole.x);
+    add_boundary(whole.y);
+  }
+  if (reach.x < reach.y) {
+    if (core.x < core.y) {
+      const int bins = 4 * slices;
+      find_demand(ray, core, bins, begin, end);
+      if (id == 0) cut_demand(core, bins, slices - 2);
+    }
+    if (id == 0) {
+      add_boundary(reach.x);
+      add_boundary(reach.y);
+    }
+  }
+  barrier();
+  const vec2 bright = b0 > 0.0 ? whole : core;
+  for (int l = 0; l < light_count; ++l) {
+    // A light in or near the medium; far ones are smooth along the ray.
+    const vec3 q = lights[l].position.xyz;
+    const float ts = dot(q, ray.w);
+    const float h = length(q - ts * ray.w);
+    const float gap = max(max(bright.x - ts, ts - bright.y), 0.0);
+    if (!(bright.x < bright.y) || length(vec2(gap, h)) > 0.5 * (bright.y - bright.x)) continue;
+    add_equi_angular(l, ray.w, bright, max(slices / min(light_count, 4), 4));
+  }
+  if (b0 > 0.0) {
+    // Slices of equal loss in the fog.
+    const float lost = 1.0 - exp(-b0 * whole.y);
+    for (int k = id + 1; k < slices; k += group_size) {
+      add_boundary(-log(1.0 - lost * float(k) / float(slices)) / b0);
+    }
+  }
+  sort_boundaries(1e-6 * (whole.y - whole.x));
+}

@@ -1,0 +1,124 @@
+// The sliced airlight: sliced_airlight() and sum_slices() of render/cpu. A work group takes the
+// pixels of a tile, or a batch of those that upsampling asks for again.
+#include "constants.glsl"
+
+layout(local_size_x = 128) in;
+
+shared float boundaries[most_boundaries];
+
+layout(std430, binding = 2) readonly buffer Seen { vec4 seen[]; };
+layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
+layout(std430, binding = 4) readonly buffer Entries { uint list[]; };
+
+#include "film.glsl"
+#include "noise.glsl"
+#include "lights.glsl"
+#include "increments.glsl"
+#include "slice_boundaries.glsl"
+#include "source.glsl"
+
+uniform int slices;
+uniform float b0;
+uniform float anisotropy;
+uniform float negligible;
+
+shared uint found;
+shared vec4 batch_position[group_size];
+shared vec4 batch_shape[group_size];
+shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
+shared float spilled[chunk * group_size];
+
+// The slices of the chunk at `first` that any ray of the group may meet Gaussian i in.
+ivec4 slices_of(uint i, MiddleRay ray, int first, int last) {
+  const vec4 g = seen[2 * i];
+  // A ray that is off the middle one by d meets it at most |d| h + |d|^2 t / 2 before or after.
+  const float t = dot(g.xyz, ray.w);
+  const float h = length(g.xyz - t * ray.w);
+  const float slack =
+      sqrt(seen[2 * i + 1].y) / g.w + ray.spread * (h + 0.5 * ray.spread * abs(t));
+  const ivec2 range = touched_slices(t - slack, t + slack, first, last);
+  return ivec4(range, first == 0 || t - slack > boundaries[first] ? 1 : 0, 0);
+}
+
+void main() {
+  const uint id = gl_LocalInvocationID.x;
+  const PixelOfGroup pixel = pixel_of_group();
+  const vec3 w = ray_direction(pixel.at);
+  const float length_ = pixel.live ? ray_length(pixel.at) : 0.0;
+  const uint begin = offsets[pixel.tile];
+  const uint end = offsets[pixel.tile + 1];
+  const MiddleRay ray = middle_ray(pixel.live, w, length_);
+  choose_slices(ray, begin, end, slices, b0);
+  barrier();
+
+  const int last = boundary_count - 1;
+  float depth = 0.0;
+  vec3 airlight = vec3(0.0);
+  vec3 scattered = vec3(0.0);
+  uint pairs = 0u;
+  float from = last > 0 ? min(boundaries[0], length_) : 0.0;
+  for (int first = 0; first < last; first += chunk) {
+    float increments[chunk];
+    for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
+    for (uint base = begin; base < end; base += group_size) {
+      barrier();
+      if (id == 0u) found = 0u;
+      barrier();
+      if (base + id < end) {
+        const uint i = list[base + id];
+        const ivec4 range = slices_of(i, ray, first, last);
+        if (range.x < range.y) {
+          const uint slot = atomicAdd(found, 1u);
+          batch_position[slot] = seen[2 * i];
+          batch_shape[slot] = seen[2 * i + 1];
+          batch_slices[slot] = range;
+        }
+      }
+      barrier();
+      for (uint j = 0u; j < found; ++j) {
+        const vec4 g = batch_position[j];
+        const vec4 shape = batch_shape[j];
+        const Crossing crossing = view_crossing(g.xyz, w, g.w, shape.z);
+        if (crossing.e > shape.y) continue;
+        pairs += uint(batch_slices[j].z);
+        add_increments(increments, crossing, g.w, shape.x, length_, first, batch_slices[j].xy);
+      }
+    }
+    // From here on slices are taken one by one, which registers cannot be.
+    for (int k = 0; k < chunk; ++k) spilled[k * group_size + id] = increments[k];
+    const int count = min(chunk, last - first);
+    for (int k = 0; k < count; ++k) {
+      const float to = min(boundaries[first + k + 1], length_);
+      const float increment = b0 * (to - from) + max(spilled[k * group_size + id], 0.0);
+      if (increment > negligible && depth < 20.0) {
+        // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
+        const float lost = exp(-depth) * (increment < 1e-3 ? increment - 0.5 * increment * increment
+                                                           : 1.0 - exp(-increment));
+        const float middle = 0.5 * (from + to);
+        if (source_levels > 0) scattered += lost * source_at(middle * w);
+        for (int l = 0; l < light_count; ++l) {
+          const vec4 s = lights[l].position;
+          const float ts = dot(s.xyz, w);
+          const vec3 gap = s.xyz - ts * w;
+          const float h2 = max(dot(gap, gap), max(s.w * s.w, 1e-30));
+          const float along = middle - ts;
+          const float distance_ = sqrt(along * along + h2);
+          const vec3 q = middle * w - s.xyz;
+          float light_depth = b0 * distance_;
+          if (lights[l].has.x != 0) light_depth += table_depth(l, q, distance_);
+          float light = mean_inverse_square(from - ts, to - ts, h2) * exp(-light_depth);
+          if (anisotropy != 0.0) {
+            light *= henyey_greenstein(cos_turn(along, distance_), anisotropy);
+          }
+          if (lights[l].has.y != 0) light *= lit(l, q, distance_);
+          airlight += lights[l].intensity.rgb * (phase * lost * light);
+        }
+      }
+      depth += increment;
+      from = to;
+    }
+  }
+  // Fog goes on where slices end; the Gaussians do not.
+  if (b0 > 0.0 && last > 0) depth += b0 * (length_ - min(length_, boundaries[last]));
+  store_pixel(pixel, airlight + max(scattered, vec3(0.0)), depth, pairs);
+}

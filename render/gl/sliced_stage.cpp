@@ -1,0 +1,71 @@
+#include "render/gl/sliced_stage.h"
+
+#include <algorithm>
+
+#include "core/medium/noise.h"
+
+namespace brume::gl {
+
+void set_noise(const Program& program, const RayNoise& noise, const glm::dvec3& eye) {
+  const double amplitude = noise.on() ? noise.amplitude() / noise_lattice::rms : 0.0;
+  program.set("noise_amplitude", static_cast<float>(amplitude));
+  program.set("noise_frequency", static_cast<float>(std::min(noise.frequency(), 1e30)));
+  program.set("noise_cell", glm::vec3(noise.cell(eye)));
+  program.set("noise_key", noise.key());
+}
+
+std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, StageClock& clock,
+                             DeviceFrame& device) {
+  const MediumIndex& medium = stages.prepared().medium();
+  const glm::dvec3& eye = work.rays.eye();
+  std::vector<SlicedLight> lights = FrameStages::lights_of(work);
+  const auto maps = lights_.lay_out(medium, stages.prepared().medium_revision(), lights,
+                                    work.settings.light_table);
+  work.frame.statistics.light_pairs += device.clock.time(
+      "light_table", [&] { return lights_.build(device.programs, device.medium); });
+  device.arena.execute([&] { stages.find_shadows(work, clock, maps, lights); });
+  lights_.upload(lights, eye);
+
+  const Program& program = device.programs["sliced"];
+  set_noise(program, medium.noise(), eye);
+  program.set("light_count", static_cast<int>(lights.size()));
+  program.set("slices", work.settings.slices);
+  program.set("b0", static_cast<float>(medium.homogeneous_density()));
+  program.set("anisotropy", static_cast<float>(medium.anisotropy()));
+  program.set("negligible", static_cast<float>(0.1 * medium.tolerance()));
+  upload_source(work.plan.airlight ? stages.scattered_environment(work) : nullptr, eye, program);
+  return film_.run(
+      device.programs, device.clock, program,
+      [&] {
+        lights_.bind();
+        source_.bind(7);
+      },
+      device.lists, device.view, device.textures);
+}
+
+void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec3& eye,
+                                const Program& program) {
+  program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
+  if (!source) return;
+  std::vector<float> values;
+  std::size_t first = 0;
+  const auto levels = source->grid().levels();
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const SourceGrid::Level& level = levels[k];
+    program.set(k == 0 ? "source_first[0]" : "source_first[1]",
+                glm::vec4(glm::vec3(level.first - eye), 1.0f / level.nodes.spacing));
+    program.set(k == 0 ? "source_count[0]" : "source_count[1]",
+                glm::ivec4(level.nodes.count, static_cast<int>(first / 4)));
+    first += level.values.size();
+    if (source_revision_ != source->revision()) {
+      values.insert(values.end(), level.values.begin(), level.values.end());
+    }
+  }
+  // One band: the weight is the same for all rays.
+  program.set("source_weight", source->weights(glm::dvec3(0.0, 0.0, 1.0))[0]);
+  if (source_revision_ == source->revision()) return;
+  source_.upload(std::span<const float>(values));
+  source_revision_ = source->revision();
+}
+
+}  // namespace brume::gl

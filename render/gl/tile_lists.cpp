@@ -1,0 +1,112 @@
+#include "render/gl/tile_lists.h"
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <vector>
+
+#include "render/cpu/kernels.h"
+#include "render/tiles.h"
+
+namespace brume::gl {
+namespace {
+
+std::size_t groups_of(std::size_t count, std::size_t size) {
+  return (count + size - 1) / size;
+}
+
+}  // namespace
+
+void MediumBuffers::update(const MediumIndex& medium, std::uint64_t revision) {
+  if (revision_ == revision) return;
+  revision_ = 0;
+  std::vector<std::uint32_t> all(medium.size());
+  std::iota(all.begin(), all.end(), 0u);
+  GaussianBatch batch;
+  batch.assign(medium, glm::dvec3(0.0), all);
+  std::vector<glm::dvec3> centers(all.size());
+  std::vector<glm::vec4> shapes(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    centers[i] = medium.gaussians()[i].b;
+    shapes[i] = {batch.a[i], batch.scale[i], batch.cutoff[i],
+                 static_cast<float>(medium.reach()[i])};
+  }
+  centers_.upload(std::span<const glm::dvec3>(centers));
+  shapes_.upload(std::span<const glm::vec4>(shapes));
+  count_ = all.size();
+  revision_ = revision;
+}
+
+void MediumBuffers::bind() {
+  centers_.bind(0);
+  shapes_.bind(1);
+}
+
+void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumIndex& index,
+                      const CameraRays& rays, const Film& film, int scale,
+                      std::int64_t most_bytes) {
+  const glm::ivec2 pixels(film.width, film.height);
+  sample_film_ = (pixels + (scale - 2)) / scale + 1;
+  tiles_ = (sample_film_ + glm::ivec2(Tiles::width - 1, Tiles::height - 1)) /
+           glm::ivec2(Tiles::width, Tiles::height);
+  const auto tile_count = static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y);
+  const std::size_t count = medium.count();
+  seen_.reserve(count * 2 * sizeof(glm::vec4));
+  rectangles_.reserve(count * sizeof(glm::uvec2));
+  totals_.reserve(3 * sizeof(std::uint32_t));
+  totals_.clear();
+  cursors_.reserve(tile_count * sizeof(std::uint32_t));
+  cursors_.clear();
+  offsets_.reserve((tile_count + 1) * sizeof(std::uint32_t));
+  medium.bind();
+  seen_.bind(2);
+  rectangles_.bind(3);
+  totals_.bind(4);
+  cursors_.bind(5);
+  entries_.bind(6);
+  offsets_.bind(7);
+
+  const CameraRays::FilmPlane plane = rays.plane();
+  const Program& project = programs["project"];
+  project.set("count", static_cast<unsigned>(count));
+  project.set("eye", rays.eye());
+  project.set("forward", rays.forward());
+  project.set("right", glm::normalize(plane.per_x));
+  project.set("up", -glm::normalize(plane.per_y));
+  project.set("half_width", 0.5 * film.width * glm::length(plane.per_x));
+  project.set("half_height", 0.5 * film.height * glm::length(plane.per_y));
+  project.set("film", pixels);
+  project.set("tiles", tiles_);
+  project.set("scale", scale);
+  const RayNoise& noise = index.noise();
+  project.set("farther",
+              noise.on() ? static_cast<float>(RayNoise::greatest * noise.amplitude()) : 0.0f);
+  project.dispatch_linear(groups_of(count, 64));
+
+  // Every Gaussian counts at least one part of 256 entries.
+  const auto most_coarse =
+      static_cast<std::uint64_t>(most_bytes) / sizeof(std::uint32_t) / 256 + count;
+  const Program& list = programs["list"];
+  list.set("count", static_cast<unsigned>(count));
+  list.set("columns", tiles_.x);
+  list.set("most_coarse", static_cast<unsigned>(std::min<std::uint64_t>(most_coarse, ~0u)));
+  list.set("fill", 0);
+  list.dispatch_linear(groups_of(8 * count, 64));
+  const Program& scan = programs["scan"];
+  scan.set("tiles", static_cast<int>(tile_count));
+  scan.dispatch(1);
+
+  std::array<std::uint32_t, 3> totals{};
+  totals_.download(std::span<std::uint32_t>(totals));
+  used_ = totals[0];
+  const std::uint64_t bytes = std::uint64_t{totals[1]} * sizeof(std::uint32_t);
+  if (totals[2] > most_coarse || bytes > static_cast<std::uint64_t>(most_bytes)) {
+    throw OutOfMemory("the device has no room for the Gaussians of all tiles");
+  }
+  entries_.reserve(bytes);
+  entries_.bind(6);
+  list.set("fill", 1);
+  list.dispatch_linear(groups_of(8 * count, 64));
+}
+
+}  // namespace brume::gl
