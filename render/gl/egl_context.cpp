@@ -17,7 +17,7 @@ bool is_software(EGLDeviceEXT device) {
 
 // What there is to try, GPUs first: Mesa's surfaceless platform may be software where another
 // driver has a GPU.
-std::vector<EGLDisplay> displays() {
+std::vector<EGLDisplay> displays(EglContext::Devices wanted) {
   std::vector<EGLDisplay> found;
   std::vector<EGLDisplay> last;
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) {
@@ -30,6 +30,7 @@ std::vector<EGLDisplay> displays() {
       (is_software(device) ? last : found).push_back(display);
     }
   }
+  if (wanted == EglContext::Devices::gpu) return found;
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
     found.push_back(
         eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
@@ -40,14 +41,14 @@ std::vector<EGLDisplay> displays() {
 
 }  // namespace
 
-std::unique_ptr<EglContext> EglContext::create(std::string* problem, bool debug) {
+std::unique_ptr<EglContext> EglContext::create(std::string* problem, bool debug, Devices devices) {
   std::string why;
   std::unique_ptr<EglContext> result;
   if (!epoxy_has_egl()) {
     why = "there is no EGL library";
   } else {
-    why = "EGL offers no display";
-    for (EGLDisplay display : displays()) {
+    why = devices == Devices::gpu ? "EGL offers no GPU" : "EGL offers no display";
+    for (EGLDisplay display : displays(devices)) {
       if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) continue;
       result = create_on(display, debug, why);
       if (result) break;

@@ -10,9 +10,12 @@ namespace brume {
 // one answers, else of software.
 class EglContext {
  public:
+  enum class Devices { any, gpu };
+
   // Makes the context current. nullptr if there is none to be had; `problem` then says why. A
   // `debug` context tells more of what is wrong, and may be slower.
-  static std::unique_ptr<EglContext> create(std::string* problem = nullptr, bool debug = false);
+  static std::unique_ptr<EglContext> create(std::string* problem = nullptr, bool debug = false,
+                                            Devices devices = Devices::any);
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;

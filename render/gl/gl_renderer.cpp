@@ -106,11 +106,38 @@ struct GlRenderer::Impl {
   std::optional<Frame> render(FrameWork& work, tbb::task_arena& arena, Group& group);
 };
 
+std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
+                                             const std::shared_ptr<const TransferStore>& transfers,
+                                             std::string& problem) {
+  std::unique_ptr<GlRenderer> renderer;
+  if (backend == Backend::gl) {
+    renderer = GlRenderer::create(transfers, problem);
+  } else if (backend == Backend::auto_) {
+    std::string none;
+    auto context = EglContext::create(&none, false, EglContext::Devices::gpu);
+    if (context) renderer = GlRenderer::create(std::move(context), transfers, none);
+    if (renderer && renderer->is_software()) renderer.reset();
+  }
+  if (renderer) return renderer;
+  return transfers ? std::make_unique<Renderer>(transfers) : std::make_unique<Renderer>();
+}
+
 std::unique_ptr<GlRenderer> GlRenderer::create(std::shared_ptr<const TransferStore> transfers,
                                                std::string& problem, bool debug) {
+  auto context = EglContext::create(&problem, debug);
+  if (!context) return nullptr;
+  return create(std::move(context), std::move(transfers), problem);
+}
+
+std::unique_ptr<GlRenderer> GlRenderer::create(std::unique_ptr<EglContext> context,
+                                               std::shared_ptr<const TransferStore> transfers,
+                                               std::string& problem) {
   auto impl = std::make_unique<Impl>();
-  impl->context = EglContext::create(&problem, debug);
-  if (!impl->context) return nullptr;
+  impl->context = std::move(context);
+  if (!impl->context->make_current()) {
+    problem = "the context cannot be made current";
+    return nullptr;
+  }
   impl->device = current_device();
   impl->context->done_current();
   problem = lack(impl->device);

@@ -10,6 +10,16 @@ namespace brume {
 
 class EglContext;
 
+// What renders: auto_ takes gl where a GPU answers. OpenGL in software is never taken unasked: cpu
+// is faster.
+enum class Backend { auto_, cpu, gl };
+
+// A renderer of that backend, or of the CPU where there is no such; `problem` then says why (auto_
+// has none). `transfers` as of Renderer.
+std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
+                                             const std::shared_ptr<const TransferStore>& transfers,
+                                             std::string& problem);
+
 // Renders frames with OpenGL: the pictures of Renderer, which it leaves to that where it cannot
 // make them itself. Every frame's statistics say what ran where and why. What is kept from frame to
 // frame is as there.
@@ -21,6 +31,10 @@ class GlRenderer final : public FrameRenderer {
   // passes; `problem` then says why. `debug` as of EglContext.
   static std::unique_ptr<GlRenderer> create(std::shared_ptr<const TransferStore> transfers,
                                             std::string& problem, bool debug = false);
+  // With a context that nobody else makes current.
+  static std::unique_ptr<GlRenderer> create(std::unique_ptr<EglContext> context,
+                                            std::shared_ptr<const TransferStore> transfers,
+                                            std::string& problem);
   ~GlRenderer() override;
 
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,

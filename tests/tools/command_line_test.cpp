@@ -54,7 +54,7 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
     expect_refused({"render", scene_, "-o", out, "--airlight", march},
                    {march, "march:N with N from 1 to 65536"});
   }
-  expect_refused({"render", scene_, "-o", out, "--backend", "gl"}, {"not available"});
+  expect_refused({"render", scene_, "-o", out, "--backend", "vulkan"}, {"allowed: auto, cpu, gl"});
   expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "no such file"});
   expect_refused({"info", file("a.txt")}, {"allowed: .brume, .ply"});
   expect_refused({"line one\nline two"}, {"unknown subcommand"});
@@ -97,8 +97,8 @@ TEST_F(CommandLine, RefusesOutputsBeforeItRenders) {
 TEST_F(CommandLine, RendersAllLayersToExr) {
   for (const char* airlight : {"paper", "sliced", "reference", "march:24", "march:1"}) {
     SCOPED_TRACE(airlight);
-    const ProgramResult result =
-        run_brume({"render", scene_, "-o", file("o.exr"), "--airlight", airlight});
+    const ProgramResult result = run_brume(
+        {"render", scene_, "-o", file("o.exr"), "--airlight", airlight, "--backend", "cpu"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out + result.err, "");
     const ImageLayers image = read_exr(folder_ / "o.exr");
@@ -174,7 +174,7 @@ TEST_F(CommandLine, RendersToPng) {
 TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   const ProgramResult result =
       run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--repeat", "3",
-                 "--threads", "1", "--size", "8x6", "--airlight", "paper"});
+                 "--threads", "1", "--size", "8x6", "--airlight", "paper", "--backend", "cpu"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto stats = nlohmann::ordered_json::parse(content_of(folder_ / "s.json"));
   std::vector<std::string> keys;
@@ -208,6 +208,32 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   EXPECT_EQ(stats["gaussians"]["total"], 2);
   EXPECT_TRUE(stats["pairs"]["light"].is_number());
   EXPECT_TRUE(stats["pairs"]["view"].is_number());
+}
+
+TEST_F(CommandLine, RendersWithOpenGl) {
+  const auto run = [&](std::vector<std::string> options) {
+    std::vector<std::string> all{"render", scene_, "-o", file("o.exr"), "--stats", file("s.json")};
+    all.insert(all.end(), options.begin(), options.end());
+    const ProgramResult result = run_brume(all);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const auto stats = Json::parse(content_of(folder_ / "s.json"));
+    EXPECT_EQ(read_exr(folder_ / "o.exr").metadata.at("brume:backend"), stats["backend"]);
+    return std::pair(result.err, stats);
+  };
+  const auto [silent, stats] = run({"--airlight", "sliced", "--backend", "gl"});
+  EXPECT_EQ(silent, "");
+  EXPECT_EQ(stats["backend"], "gl");
+  EXPECT_NE(stats["device"], "");
+  EXPECT_LT(stats["error"]["rel_rmse"], 0.02);
+  // What it does not know is the CPU's, and said to be.
+  const auto [warning, other] = run({"--airlight", "march:8", "--backend", "gl"});
+  EXPECT_NE(warning.find("--backend gl: rendered on the CPU: "), std::string::npos) << warning;
+  EXPECT_EQ(other["backend"], "cpu");
+  EXPECT_EQ(other["on_cpu"][0]["stage"], "frame");
+  // Unasked, only a GPU is used.
+  const auto [nothing, automatic] = run({"--airlight", "sliced", "--backend", "auto"});
+  EXPECT_EQ(nothing, "");
+  EXPECT_EQ(automatic["device"].get<std::string>().find("llvmpipe"), std::string::npos);
 }
 
 // What auto chose and measured is told, and keeps what was asked for.

@@ -14,8 +14,8 @@
 #include "core/scene/at_time.h"
 #include "render/auto_quality.h"
 #include "render/frame_file.h"
+#include "render/gl/gl_renderer.h"
 #include "render/render_plan.h"
-#include "render/renderer.h"
 #include "render/transfer/transfer_cache.h"
 #include "render/transfer/transfer_store.h"
 #include "tools/brume/command.h"
@@ -53,11 +53,11 @@ bool take_airlight(const std::string& name, Settings& settings) {
                    std::to_string(most_march_steps));
 }
 
-void check_backend(const std::string& name) {
-  if (name == "auto" || name == "cpu") return;
-  throw UsageError("--backend: found " + shown(name) + "; " +
-                   (name == "gl" ? "it is not available in this version; " : "") +
-                   "allowed: auto, cpu");
+Backend parse_backend(const std::string& name) {
+  if (name == "auto") return Backend::auto_;
+  if (name == "cpu") return Backend::cpu;
+  if (name == "gl") return Backend::gl;
+  throw UsageError("--backend: found " + shown(name) + "; allowed: auto, cpu, gl");
 }
 
 Film parse_size(const std::string& text) {
@@ -106,7 +106,9 @@ class RenderCommand final : public Command {
     app.add_option("--time", time_, "the moment to show [s], of keys, emitters and the wind")
         ->check(finite_in(-1e9, 1e9))
         ->capture_default_str();
-    app.add_option("--backend", backend_, "auto or cpu")->capture_default_str();
+    app.add_option("--backend", backend_,
+                   "auto, cpu or gl: gl is OpenGL 4.5, auto takes it where a GPU answers")
+        ->capture_default_str();
     app.add_option("--threads", threads_, "worker threads, at most and by default all there are")
         ->check(finite_in(1, 1024));
     app.add_option("--repeat", repeat_, "moved frames to render after the first, for --stats")
@@ -133,7 +135,7 @@ class RenderCommand final : public Command {
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
     settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
-    check_backend(backend_);
+    const Backend backend = parse_backend(backend_);
     const Film wanted = size_.empty() ? Film{} : parse_size(size_);
     check_outputs();
 
@@ -144,7 +146,9 @@ class RenderCommand final : public Command {
     const Film film = size_.empty() ? scene.film : wanted;
     const auto transfers = std::make_shared<TransferStore>();
     const double transfer_milliseconds = make_transfers(scene, settings, *transfers);
-    Renderer renderer(transfers);
+    std::string problem;
+    const std::unique_ptr<FrameRenderer> made = make_renderer(backend, transfers, problem);
+    FrameRenderer& renderer = *made;
     Frame frame;
     std::optional<ErrorEstimate> error;
     if (is_chosen) {
@@ -157,6 +161,7 @@ class RenderCommand final : public Command {
       error = measured.error;
     }
     const std::chrono::duration<double, std::milli> first = Clock::now() - start;
+    if (backend == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error && error->high > max_error_) {
       std::cerr << "brume: warning: no setting keeps --max-error " << max_error_
                 << "; the best one has a relative RMSE of " << error->rel_rmse << '\n';
@@ -169,7 +174,8 @@ class RenderCommand final : public Command {
       camera.eye += (1 + i % 1000) * 1e-6 * (camera.target - camera.eye);
       moved.push_back(render(renderer, scene, camera, film, settings, i + 1).statistics);
     }
-    write_frame(output_, frame, {scene_file_, airlight_name(settings), "cpu", exposure_});
+    write_frame(output_, frame,
+                {scene_file_, airlight_name(settings), frame.statistics.backend, exposure_});
     if (!stats_file_.empty()) {
       if (!error && settings.airlight != AirlightMethod::reference) {
         error = measure_error(scene, scene.camera, frame);
@@ -182,6 +188,13 @@ class RenderCommand final : public Command {
   }
 
  private:
+  // Who asks for gl is told where it is not what rendered.
+  static void warn_of_cpu(std::string problem, const FrameStatistics& statistics) {
+    if (statistics.backend == "gl") return;
+    if (problem.empty() && !statistics.on_cpu.empty()) problem = statistics.on_cpu.front().why;
+    std::cerr << "brume: warning: --backend gl: rendered on the CPU: " << problem << '\n';
+  }
+
   // Whatever would fail after the work fails before it.
   void check_outputs() const {
     check_frame_extension(output_);

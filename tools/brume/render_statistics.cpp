@@ -46,6 +46,14 @@ Json stage_medians(std::span<const FrameStatistics> frames) {
   return stages;
 }
 
+Json reasons(std::span<const SkippedStage> stages) {
+  Json list = Json::array();
+  for (const SkippedStage& stage : stages) {
+    list.push_back(Json{{"stage", stage.stage}, {"why", stage.why}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
@@ -53,20 +61,12 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   std::vector<double> times;
   for (const FrameStatistics& frame : moved) times.push_back(frame.frame_milliseconds);
   const auto [least, greatest] = std::minmax_element(times.begin(), times.end());
-  Json skipped = Json::array();
-  for (const SkippedStage& stage : first.skipped) {
-    Json entry;
-    entry["stage"] = stage.stage;
-    entry["why"] = stage.why;
-    skipped.push_back(std::move(entry));
-  }
-
   Json json;
   json["version"] = BRUME_VERSION;
   json["scene"] = run.scene;
   json["size"] = Json::array({run.film.width, run.film.height});
-  json["backend"] = "cpu";
-  json["device"] = device_name();
+  json["backend"] = first.backend;
+  json["device"] = first.device.empty() ? device_name() : first.device;
   json["airlight"] = airlight_name(run.settings);
   json["slices"] =
       run.settings.airlight == AirlightMethod::sliced ? Json(run.settings.slices) : Json(nullptr);
@@ -78,7 +78,8 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["first_frame_ms"] = run.first_frame_milliseconds;
   json["transfer_ms"] = run.transfer_milliseconds;
   json["stages"] = stage_medians(moved);
-  json["skipped"] = std::move(skipped);
+  json["skipped"] = reasons(first.skipped);
+  if (!first.on_cpu.empty()) json["on_cpu"] = reasons(first.on_cpu);
   json["gaussians"] = Json{{"total", first.gaussians_total}, {"used", first.gaussians_used}};
   json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};
   json["error"] = nullptr;
