@@ -32,6 +32,11 @@ std::string megabytes(std::size_t bytes) {
   return std::to_string((bytes >> 20) + 1) + " MiB";
 }
 
+void check_memory(const std::string& wanted) {
+  if (failures().memory) throw OutOfMemory("the device has no memory for " + wanted);
+  check(("making room for " + wanted).c_str());
+}
+
 // What the driver says of an object; `get` is glGetShaderInfoLog or its like.
 template <class Get>
 std::string log_of(GLint length, Get get) {
@@ -77,14 +82,12 @@ void Buffer::reserve(std::size_t bytes) {
   if (bytes <= bytes_ && object_) return;
   release();
   // With room to grow, so that media that are painted do not make a new one with every stroke.
-  const std::size_t room = std::max<std::size_t>(bytes + bytes / 4, 64);
+  const std::size_t room = (bytes + bytes / 4 + 63) / 64 * 64 + 64;
   GLuint name = 0;
   glCreateBuffers(1, &name);
   Object made(Kind::buffer, name);
   glNamedBufferStorage(name, static_cast<GLsizeiptr>(room), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  if (glGetError() != GL_NO_ERROR || failures().memory) {
-    throw OutOfMemory("the device has no memory for " + megabytes(room));
-  }
+  check_memory(megabytes(room));
   object_ = std::move(made);
   bytes_ = room;
 }
@@ -115,10 +118,7 @@ void Texture::reserve(Format format, const glm::ivec2& size) {
   glCreateTextures(GL_TEXTURE_2D, 1, &name);
   Object made(Kind::texture, name);
   glTextureStorage2D(name, 1, names_of(format).internal, size.x, size.y);
-  if (glGetError() != GL_NO_ERROR || failures().memory) {
-    throw OutOfMemory("the device has no memory for a texture of " + std::to_string(size.x) +
-                      " x " + std::to_string(size.y));
-  }
+  check_memory("a texture of " + std::to_string(size.x) + " x " + std::to_string(size.y));
   object_ = std::move(made);
   format_ = format;
   size_ = size;

@@ -8,8 +8,10 @@
 #include "core/io/scene_file.h"
 #include "render/compare.h"
 #include "render/renderer.h"
+#include "tests/random.h"
 #include "tests/render/gl/gl_test.h"
 #include "tests/render/random_scene.h"
+#include "tests/render/test_scenes.h"
 
 namespace brume::gl {
 namespace {
@@ -106,9 +108,19 @@ TEST_F(GlFrames, SampleScenes) {
     const std::string name = entry.path().filename();
     std::vector<std::string> warnings;
     Scene scene = load_scene(entry.path(), &warnings);
-    scene.film = {80, 60};
-    const Settings settings = sliced_settings({}, 12);
-    expect_within({render_on_device(scene, settings, name), on_cpu(scene, settings)}, bound, name);
+    scene.film = {75, 50};
+    for (const int scale : {1, 2, 4}) {
+      Settings settings = sliced_settings({}, 12);
+      settings.airlight_scale = scale;
+      const Frame gl = render_on_device(scene, settings, name);
+      const Frame cpu = on_cpu(scene, settings);
+      expect_within({gl, cpu}, bound, name + ", scale " + std::to_string(scale));
+      // The same pixels are interpolated, but for some at the limit.
+      EXPECT_NEAR(static_cast<double>(gl.statistics.exact_pixels),
+                  static_cast<double>(cpu.statistics.exact_pixels), 40.0)
+          << name;
+      EXPECT_EQ(gl.statistics.gaussians_used, cpu.statistics.gaussians_used) << name;
+    }
   }
 }
 
@@ -132,6 +144,129 @@ TEST_F(GlFrames, RandomScenes) {
     expect_within(error, 3.0 * own, name);
   }
   EXPECT_LE(unstable, 3);
+}
+
+// Everything that may change from frame to frame, a little, one thing at a time: no message, and
+// nothing that stays behind.
+TEST_F(GlFrames, AThousandChangesLeaveNothingBehind) {
+  Random random(1);
+  Scene scene = cloud_scene(8, 2.0);
+  scene.film = {20, 15};
+  Settings settings = sliced_settings({}, 4);
+  settings.light_table = {16, 8};
+  settings.shadow_cells = 16;
+  settings.source_grid = {64, 6};
+  std::size_t most = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto in = [&](int from, int to) {
+      return from + static_cast<int>(random.uniform(0.0, to - from + 1));
+    };
+    switch (in(0, 9)) {
+      case 0:
+        scene.camera.eye += random.point(0.1);
+        break;
+      case 1:
+        scene.lights[0].position += random.point(0.2);
+        break;
+      case 2: {
+        Medium medium;
+        for (std::size_t k = 0; k < scene.medium.size(); ++k) {
+          Gaussian g = scene.medium.gaussian(k);
+          g.center += random.point(0.02);
+          medium.append(g);
+        }
+        medium.set_homogeneous_density(in(0, 1) * 0.1);
+        scene.medium = medium;
+        break;
+      }
+      case 3:
+        scene.film = {in(1, 40), in(1, 30)};
+        break;
+      case 4:
+        settings.airlight_scale = 1 << in(0, 2);
+        break;
+      case 5:
+        settings.slices = in(2, 8);
+        break;
+      case 6:
+        scene.optics.noise.amplitude = in(0, 1) * 0.3;
+        scene.optics.anisotropy = scene.environment ? 0.0 : in(0, 1) * 0.5;
+        break;
+      case 7:
+        scene.optics.albedo = in(0, 2) == 0 ? glm::dvec3(0.9, 0.8, 0.9) : glm::dvec3(1.0);
+        break;
+      case 8:
+        scene.lights.resize(static_cast<std::size_t>(in(1, 3)), scene.lights[0]);
+        scene.lights.back().position = random.point(3.0);
+        break;
+      case 9:
+        scene.surfaces.clear();
+        if (in(0, 1) == 0) scene.surfaces.push_back(wall(-0.5, 1.0));
+        break;
+    }
+    const Frame frame = render(scene, settings);
+    ASSERT_EQ(frame.statistics.backend, "gl") << i << ": " << frame.statistics.on_cpu[0].why;
+    ASSERT_NO_FATAL_FAILURE(expect_finite(frame)) << i;
+    // All that there can be has been there after some hundred frames.
+    if (i < 500) most = std::max(most, live_objects());
+    ASSERT_LE(live_objects(), most) << i;
+  }
+}
+
+class GlFailures : public GlFrames {
+ protected:
+  // The frame is the CPU's, with that reason.
+  void expect_cpu(const char* why) {
+    const Frame frame = render(scene_, settings_);
+    EXPECT_EQ(frame.statistics.backend, "cpu");
+    ASSERT_FALSE(frame.statistics.on_cpu.empty());
+    EXPECT_EQ(frame.statistics.on_cpu[0].stage, "frame");
+    EXPECT_NE(frame.statistics.on_cpu[0].why.find(why), std::string::npos)
+        << frame.statistics.on_cpu[0].why;
+    EXPECT_EQ(frame.beauty, on_cpu(scene_, settings_).beauty);
+    messages_->take();  // the driver may speak of what was made to fail
+  }
+  void expect_gl() { EXPECT_EQ(render(scene_, settings_).statistics.backend, "gl"); }
+
+  Scene scene_ = [] {
+    Scene scene = cloud_scene(3, 1.0);
+    scene.film = {8, 6};
+    return scene;
+  }();
+  Settings settings_ = sliced_settings({}, 4);
+};
+
+TEST_F(GlFailures, AFrameThatFindsNoMemoryIsTheCpusAndTheNextIsNot) {
+  expect_gl();
+  failures().memory = true;
+  scene_.film = {9, 7};
+  expect_cpu("no memory");
+  failures() = {};
+  expect_gl();
+}
+
+TEST_F(GlFailures, AfterALostContextAllIsTheCpus) {
+  expect_gl();
+  failures().context = true;
+  expect_cpu("lost");
+  failures() = {};
+  expect_cpu("lost");
+}
+
+TEST_F(GlFailures, WithABrokenShaderAllIsTheCpus) {
+  failures().shader = true;
+  expect_cpu("refuses shader");
+  failures() = {};
+  expect_cpu("refuses shader");
+}
+
+TEST_F(GlFailures, WhatTheDeviceDoesNotDoIsTheCpus) {
+  settings_.airlight = AirlightMethod::march;
+  settings_.march_steps = 8;
+  expect_cpu("march");
+  settings_ = sliced_settings({}, 300);
+  settings_.light_table = {16, 8};
+  expect_cpu("slices");
 }
 
 }  // namespace
