@@ -41,7 +41,7 @@ class SliceDemand {
     const double half = 1.5 * r;
     const auto bin = [this](double x) {
       const double most = static_cast<double>(rate_.size() - 1);
-      return static_cast<std::size_t>(std::clamp((x - begin_) / width_, 0.0, most));
+      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, most));
     };
     const std::size_t first = bin(t - half);
     const std::size_t last = bin(t + half) + 1;

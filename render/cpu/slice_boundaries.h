@@ -10,6 +10,10 @@
 
 namespace brume {
 
+// A Gaussian alone begins and ends where bins of slice demand do: so far into the next bin it still
+// counts as that, or rounding would decide.
+constexpr double bin_room = 1e-3;
+
 // Where the slices of a tile's rays begin and end, ascending [u]: about `slices` of them where its
 // Gaussians are, finer where these are small and dense, and as many again for fog and for lights in
 // or near the medium. All rays of a tile share them; they are chosen on its middle ray. Fewer than

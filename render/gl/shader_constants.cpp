@@ -9,6 +9,7 @@
 #include "core/medium/noise.h"
 #include "render/cpu/light_table.h"
 #include "render/cpu/ray_range.h"
+#include "render/cpu/slice_boundaries.h"
 #include "render/cpu/slice_kernels.h"
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
@@ -49,6 +50,7 @@ std::string shader_constants() {
   constants.add("gauss_nodes", coefficient::gauss_nodes);
   constants.add("gauss_weights", coefficient::gauss_weights);
   constants.add("opaque", LightTable::opaque);
+  constants.add("bin_room", static_cast<float>(bin_room));
   constants.add("fog_end", static_cast<float>(fog_end));
   constants.add("phase", static_cast<float>(0.25 * std::numbers::inv_pi));
   constants.add("noise_period", RayNoise::period);

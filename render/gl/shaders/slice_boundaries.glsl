@@ -73,8 +73,8 @@ void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
         const float h =
             g.w * max(length(g.xyz - t * ray.w) - ray.spread * max(t, 0.0), 0.0);
         const float peak = seen[2 * i + 1].x * g.w / 0.886226925 * exp(-h * h);
-        const float first = clamp((t - half_ - core.x) / width, 0.0, float(bins));
-        const float last = clamp((t + half_ - core.x) / width, 0.0, float(bins));
+        const float first = clamp((t - half_ - core.x) / width + bin_room, 0.0, float(bins));
+        const float last = clamp((t + half_ - core.x) / width + bin_room, 0.0, float(bins));
         demand_of[id] = vec4(floor(first), floor(last) + 1.0, 0.59 * peak, peak * g.w * g.w);
       }
     }
@@ -129,13 +129,11 @@ void add_equi_angular(int l, vec3 w, vec2 range, int count) {
   const float least = 0.25 * (range.y - range.x) / float(count);
   const float h = max(max(length(q - ts * w), max(lights[l].position.w, least)),
                       max(1e-6 * abs(ts), 1e-30));
-  const float eye2 = ts * ts + h * h;
-  const float begin = atan(h * range.x, eye2 - ts * range.x);
-  const float span = atan(h * range.y, eye2 - ts * range.y);
+  // From the light's foot on the ray, where angles are well known in single precision.
+  const float begin = atan((range.x - ts) / h);
+  const float span = atan((range.y - ts) / h) - begin;
   for (int i = k; i < count; i += group_size) {
-    const float phi = begin + (span - begin) * float(i) / float(count);
-    const float s = sin(phi);
-    const float t = eye2 * s / max(h * cos(phi) + ts * s, 1e-30);
+    const float t = ts + h * tan(begin + span * float(i) / float(count));
     if (t > range.x && t < range.y) add_boundary(t);
   }
 }
