@@ -20,6 +20,10 @@ class EnvironmentLight {
     return environment_ == environment && scattering_ == &scattering;
   }
 
+  // Of the environment without a medium, and how one scatters it.
+  [[nodiscard]] const ShVector<glm::vec3>& coefficients() const { return light_float_; }
+  [[nodiscard]] const ScatterTable& scattering() const { return *scattering_; }
+
   // Radiance from a unit direction without the medium, in single precision.
   [[nodiscard]] glm::vec3 radiance(const glm::vec3& w) const;
 

@@ -11,37 +11,27 @@ namespace {
 
 constexpr auto bands = static_cast<std::size_t>(sh_most_bands);
 
-// The fully normalised associated Legendre functions over sin^m, q_lm(z), obey
-//   q_00 = 1 / sqrt(4 pi),  q_mm = start[m] q_m-1,m-1,
-//   q_lm = up[l][m] (z q_l-1,m - down[l][m] q_l-2,m).
-// `start` has the factor sqrt(2) of the real harmonics with m != 0 in it.
-struct Recurrence {
-  std::array<double, bands> start{};
-  std::array<std::array<double, bands>, bands> up{};
-  std::array<std::array<double, bands>, bands> down{};
+}  // namespace
 
-  Recurrence() {
-    for (std::size_t m = 1; m < bands; ++m) {
-      const auto mm = static_cast<double>(m);
-      start[m] = std::sqrt((m == 1 ? 2.0 : 1.0) * (2.0 * mm + 1.0) / (2.0 * mm));
-    }
-    for (std::size_t l = 1; l < bands; ++l) {
-      for (std::size_t m = 0; m < l; ++m) {
-        const auto l2 = static_cast<double>(l * l);
-        const auto k2 = static_cast<double>((l - 1) * (l - 1));
-        const auto m2 = static_cast<double>(m * m);
-        up[l][m] = std::sqrt((4.0 * l2 - 1.0) / (l2 - m2));
-        down[l][m] = std::sqrt((k2 - m2) / (4.0 * k2 - 1.0));
-      }
+ShRecurrence::ShRecurrence() {
+  for (std::size_t m = 1; m < bands; ++m) {
+    const auto mm = static_cast<double>(m);
+    start[m] = std::sqrt((m == 1 ? 2.0 : 1.0) * (2.0 * mm + 1.0) / (2.0 * mm));
+  }
+  for (std::size_t l = 1; l < bands; ++l) {
+    for (std::size_t m = 0; m < l; ++m) {
+      const auto l2 = static_cast<double>(l * l);
+      const auto k2 = static_cast<double>((l - 1) * (l - 1));
+      const auto m2 = static_cast<double>(m * m);
+      up[l][m] = std::sqrt((4.0 * l2 - 1.0) / (l2 - m2));
+      down[l][m] = std::sqrt((k2 - m2) / (4.0 * k2 - 1.0));
     }
   }
-};
-
-}  // namespace
+}
 
 template <class Real>
 ShVector<Real> sh_basis(int order, const glm::vec<3, Real, glm::defaultp>& d) {
-  static const Recurrence recurrence;
+  static const ShRecurrence recurrence;
   ShVector<Real> y(order);
   Real c = 1;  // sin^m(theta) cos(m phi) and sin^m(theta) sin(m phi)
   Real s = 0;

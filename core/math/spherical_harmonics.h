@@ -55,6 +55,20 @@ using ZonalSh = std::array<Real, sh_most_bands>;
 template <class Real>
 ShVector<Real> sh_basis(int order, const glm::vec<3, Real, glm::defaultp>& direction);
 
+// What sh_basis() is made of: the fully normalised associated Legendre functions over sin^m,
+// q_lm(z), obey
+//   q_00 = 1 / sqrt(4 pi),  q_mm = start[m] q_m-1,m-1,
+//   q_lm = up[l][m] (z q_l-1,m - down[l][m] q_l-2,m).
+// `start` has the factor sqrt(2) of the real harmonics with m != 0 in it.
+struct ShRecurrence {
+  using Row = std::array<double, sh_most_bands>;
+  Row start{};
+  std::array<Row, sh_most_bands> up{};
+  std::array<Row, sh_most_bands> down{};
+
+  ShRecurrence();
+};
+
 // The value of the function at a unit direction.
 template <class Value>
 Value sh_evaluate(const ShVector<Value>& f, const glm::dvec3& direction);

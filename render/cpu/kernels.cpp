@@ -190,19 +190,6 @@ std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& r
 
 void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
                                    float anisotropy, const PathBatch& rays, float* radiance) {
-  // 8-point Gauss-Legendre on [0, 1], clustered at the far end by x -> 1 - (1 - x)^2.
-  constexpr double node[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                              0.9602898564975363};
-  constexpr double weight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                0.1012285362903763};
-  float x[8];
-  float wx[8];
-  for (int i = 0; i < 8; ++i) {
-    const double y = 0.5 * (1.0 + (i < 4 ? -node[3 - i] : node[i - 4]));
-    const double wy = 0.5 * (i < 4 ? weight[3 - i] : weight[i - 4]);
-    x[i] = static_cast<float>(1.0 - (1.0 - y) * (1.0 - y));
-    wx[i] = static_cast<float>(2.0 * (1.0 - y) * wy);
-  }
   const D d;
   const V zero = hn::Zero(d);
   const Vector s{set(light.x), set(light.y), set(light.z)};
@@ -234,7 +221,7 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     const V span = hn::IfThenElse(hn::Ge(adjacent, zero), acute, hn::Sub(set(3.14159265f), acute));
     V sum = zero;
     for (int i = 0; i < 8; ++i) {
-      const V phi = hn::Mul(span, set(x[i]));
+      const V phi = hn::Mul(span, set(coefficient::fog_rule.nodes[i]));
       const V sine = hn::Sin(d, phi);
       const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
       const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
@@ -244,7 +231,7 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
       if (anisotropy != 0.0f) {
         value = hn::Mul(value, HenyeyGreenstein(d, CosTurn(d, along, distance), anisotropy));
       }
-      sum = hn::MulAdd(set(wx[i]), value, sum);
+      sum = hn::MulAdd(set(coefficient::fog_rule.weights[i]), value, sum);
     }
     const V mean = hn::Mul(sum, hn::Div(span, h));
     const V gain = set(b0 * attenuation * 0.0795774715459476679f);

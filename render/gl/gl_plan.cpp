@@ -18,15 +18,11 @@ std::size_t most_boundaries_of(const Settings& settings, const RenderPlan& plan)
 
 std::string refusal_of(const Scene& scene, const Settings& settings, const RenderPlan& plan) {
   if (settings.arithmetic == Settings::Arithmetic::plain_double) return "it is asked for in double";
-  switch (settings.airlight) {
-    case AirlightMethod::march:
-    case AirlightMethod::reference:
-      return std::string("airlight ") + to_string(settings.airlight) + " is the CPU's only";
-    case AirlightMethod::paper:
-      return "airlight paper is the CPU's only";
-    case AirlightMethod::sliced:
-      break;
+  const AirlightMethod method = settings.airlight;
+  if (method == AirlightMethod::march || method == AirlightMethod::reference) {
+    return std::string("airlight ") + to_string(method) + " is the CPU's only";
   }
+  if (method == AirlightMethod::paper) return {};
   if (settings.slices > most_slices || most_boundaries_of(settings, plan) > most_boundaries) {
     return "there are more slices than a work group has room for";
   }
@@ -42,15 +38,19 @@ std::string refusal_of(const Scene& scene, const Settings& settings, const Rende
 }  // namespace
 
 GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan)
-    : refusal(refusal_of(scene, settings, plan)),
-      behind(plan.lit_surfaces || plan.surfaces || plan.environment) {
+    : refusal(refusal_of(scene, settings, plan)) {
   if (!refusal.empty()) {
     on_cpu.push_back({"frame", refusal});
     return;
   }
   if (plan.surfaces) {
     on_cpu.push_back({"visibility", "rays are cast by Embree"});
-    if (plan.scattered_on_surfaces) on_cpu.push_back({"shadow_map", "rays are cast by Embree"});
+    if (plan.scattered_on_surfaces && settings.airlight == AirlightMethod::sliced)
+      on_cpu.push_back({"shadow_map", "rays are cast by Embree"});
+  }
+  if (settings.airlight == AirlightMethod::paper && plan.gaussians && !plan.lights.empty()) {
+    on_cpu.push_back({"light_depth", "depths of centres are not on the device yet"});
+    on_cpu.push_back({"eye_depth", "depths of centres are not on the device yet"});
   }
   if (plan.lit_surfaces) on_cpu.push_back({"surfaces", "they are not on the device yet"});
   if (plan.environment) {

@@ -13,7 +13,6 @@ namespace brume::gl {
 struct GlPlan {
   std::string refusal;               // why all of it is the CPU's; empty: it is not
   std::vector<SkippedStage> on_cpu;  // stages that are the CPU's all the same
-  bool behind = false;               // something is behind the medium
 
   GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan);
 };

@@ -10,6 +10,7 @@
 #include "render/gl/device.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/gl_plan.h"
+#include "render/gl/paper_stage.h"
 #include "render/gl/sliced_stage.h"
 #include "render/renderer.h"
 
@@ -84,6 +85,7 @@ struct GlRenderer::Impl {
     MediumBuffers medium;
     TileLists lists;
     SlicedStage sliced;
+    PaperStage paper;
   };
 
   std::unique_ptr<EglContext> context;
@@ -149,6 +151,10 @@ std::unique_ptr<GlRenderer> GlRenderer::create(std::unique_ptr<EglContext> conte
 
 GlRenderer::GlRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 GlRenderer::~GlRenderer() = default;
+
+const std::string& GlRenderer::device_name() const {
+  return impl_->device.name;
+}
 
 bool GlRenderer::is_software() const {
   return impl_->device.is_software;
@@ -247,7 +253,9 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
                       {work.frame.film, work.rays, work.fog_end.of_rays(work.rays.eye()),
                        medium.homogeneous_density(), work.settings},
                       arena};
-    statistics.exact_pixels = group.sliced.run(group.stages, work, cpu_clock, frame);
+    statistics.exact_pixels = work.settings.airlight == AirlightMethod::paper
+                                  ? group.paper.run(group.stages, work, cpu_clock, frame)
+                                  : group.sliced.run(group.stages, work, cpu_clock, frame);
     statistics.gaussians_used = group.lists.used();
     cpu_clock.finish("submit");
   } else {

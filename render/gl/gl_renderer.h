@@ -41,6 +41,7 @@ class GlRenderer final : public FrameRenderer {
                               const Settings& settings, std::stop_token stop = {},
                               const std::function<void(double)>& progress = {}) override;
 
+  [[nodiscard]] const std::string& device_name() const;
   // Whether the device is the CPU in disguise, slower than Renderer.
   [[nodiscard]] bool is_software() const;
   [[nodiscard]] EglContext& context();

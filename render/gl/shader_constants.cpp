@@ -5,12 +5,16 @@
 #include <numbers>
 #include <span>
 #include <sstream>
+#include <vector>
 
+#include "core/math/spherical_harmonics.h"
 #include "core/medium/noise.h"
 #include "render/cpu/light_table.h"
 #include "render/cpu/ray_range.h"
+#include "render/cpu/scatter_table.h"
 #include "render/cpu/slice_boundaries.h"
 #include "render/cpu/slice_kernels.h"
+#include "render/gl/arithmetic_peak.h"
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
 
@@ -37,6 +41,15 @@ class Constants {
   std::ostringstream out_;
 };
 
+// Rows one after another.
+std::vector<float> floats(std::span<const ShRecurrence::Row> rows) {
+  std::vector<float> values;
+  for (const ShRecurrence::Row& row : rows) {
+    for (const double x : row) values.push_back(static_cast<float>(x));
+  }
+  return values;
+}
+
 }  // namespace
 
 std::string shader_constants() {
@@ -49,6 +62,17 @@ std::string shader_constants() {
   constants.add("exact_above", exact_above);
   constants.add("gauss_nodes", coefficient::gauss_nodes);
   constants.add("gauss_weights", coefficient::gauss_weights);
+  constants.add("fog_nodes", coefficient::fog_rule.nodes);
+  constants.add("fog_weights", coefficient::fog_rule.weights);
+  constants.add("sh_bands", sh_most_bands);
+  constants.add("sh_count", sh_most_bands * sh_most_bands);
+  const ShRecurrence recurrence;
+  constants.add("sh_start", floats(std::span(&recurrence.start, 1)));
+  constants.add("sh_up", floats(recurrence.up));
+  constants.add("sh_down", floats(recurrence.down));
+  constants.add("scatter_terms", ScatterTable::degree + 1);
+  constants.add("scatter_opaque", ScatterTable::opaque);
+  constants.add("scatter_scale", ScatterTable::scale);
   constants.add("opaque", LightTable::opaque);
   constants.add("bin_room", static_cast<float>(bin_room));
   constants.add("fog_end", static_cast<float>(fog_end));
@@ -60,6 +84,7 @@ std::string shader_constants() {
   constants.add("chunk", slice_chunk);
   constants.add("most_bins", 4 * most_slices);
   constants.add("most_boundaries", most_boundaries);
+  constants.add("peak_slices", peak_slices);
   return constants.text();
 }
 

@@ -1,0 +1,27 @@
+// Real spherical harmonics at a unit direction: sh_basis() of core/math/spherical_harmonics.h.
+#include "constants.glsl"
+
+void sh_basis(vec3 d, out float y[sh_count]) {
+  float c = 1.0;  // sin^m(theta) cos(m phi) and sin^m(theta) sin(m phi)
+  float s = 0.0;
+  float first = 0.28209479177387814;  // 1 / (2 sqrt(pi))
+  for (int m = 0; m < sh_bands; ++m) {
+    if (m > 0) {
+      first *= sh_start[m];
+      const float turned = c * d.x - s * d.y;
+      s = s * d.x + c * d.y;
+      c = turned;
+    }
+    float q = first;
+    float below = 0.0;
+    for (int l = m; l < sh_bands; ++l) {
+      if (l > m) {
+        const float next = sh_up[l * sh_bands + m] * (d.z * q - sh_down[l * sh_bands + m] * below);
+        below = q;
+        q = next;
+      }
+      y[l * (l + 1) + m] = q * c;
+      if (m > 0) y[l * (l + 1) - m] = q * s;
+    }
+  }
+}

@@ -1,0 +1,185 @@
+// How fast the OpenGL backend is on this machine's device, as JSON: frames per second, milliseconds
+// of each stage, and pairs of Gaussian and ray per second against the device's arithmetic limit.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/io/atomic_file.h"
+#include "render/gl/arithmetic_peak.h"
+#include "render/gl/gl_renderer.h"
+#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/table_one_scenes.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string output;
+  std::vector<Film> films{{800, 600}, {1920, 1080}};
+  std::vector<int> counts{10'000, 100'000, 1'000'000};
+  std::vector<int> scales{1, 4};
+  int frames = 20;
+  int slices = 12;
+  double peak_milliseconds = 50.0;
+  bool table_one = true;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The stages that a frame's device runs; the others are the processor's.
+bool is_on_device(const std::string& stage) {
+  constexpr const char* names[] = {"lists", "light_table", "airlight", "upsample", "composite"};
+  return std::ranges::find(names, stage) != std::end(names);
+}
+
+// One scene with one film and scale: the first frame makes everything, the others move the camera.
+Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int scale,
+             const Options& options, double most_pairs) {
+  Settings settings;
+  settings.airlight_scale = scale;
+  settings = sliced_settings(settings, options.slices);
+  Json row;
+  row["film"] = {film.width, film.height};
+  row["scale"] = scale;
+  const Frame first = *renderer.render(scene, scene.camera, film, settings);
+  row["backend"] = first.statistics.backend;
+  if (first.statistics.backend != "gl") {
+    row["why"] = first.statistics.on_cpu.front().why;
+    return row;
+  }
+  row["first_frame_ms"] = first.statistics.frame_milliseconds;
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> times;
+  std::vector<double> frame_times;
+  std::vector<double> device_times;
+  double pairs = 0.0;
+  for (int i = 1; i <= options.frames; ++i) {
+    Camera camera = scene.camera;
+    camera.eye += i * 1e-4 * (camera.target - camera.eye);
+    const FrameStatistics statistics = renderer.render(scene, camera, film, settings)->statistics;
+    frame_times.push_back(statistics.frame_milliseconds);
+    double device = 0.0;
+    for (const StageTime& stage : statistics.stages) {
+      const auto known = std::ranges::find(names, stage.name);
+      const auto at = static_cast<std::size_t>(known - names.begin());
+      if (known == names.end()) {
+        names.push_back(stage.name);
+        times.emplace_back();
+      }
+      times[at].push_back(stage.milliseconds);
+      if (is_on_device(stage.name)) device += stage.milliseconds;
+    }
+    device_times.push_back(device);
+    pairs = static_cast<double>(statistics.view_pairs);
+  }
+  // On the device alone, and with the processor's share and the way back.
+  row["device_fps"] = 1000.0 / std::max(median(device_times), 1e-9);
+  row["fps"] = 1000.0 / std::max(median(frame_times), 1e-9);
+  row["device_ms"] = median(device_times);
+  row["frame_ms"] = median(frame_times);
+  Json stages;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double time = median(times[i]);
+    stages[names[i]] = time;
+    if (names[i] == "airlight" && time > 0.0) {
+      row["pairs_per_second"] = 1e3 * pairs / time;
+      row["share_of_limit"] = 1e3 * pairs / time / most_pairs;
+    }
+  }
+  row["pairs"] = pairs;
+  row["stages_ms"] = std::move(stages);
+  return row;
+}
+
+int run(const Options& options) {
+  std::string problem;
+  const std::unique_ptr<GlRenderer> renderer = GlRenderer::create(nullptr, problem);
+  if (!renderer) {
+    std::cerr << "brume-gl-bench: " << problem << '\n';
+    return 1;
+  }
+  check_writable(options.output);
+  const gl::ArithmeticPeak peak = gl::measure_peak(renderer->context(), options.peak_milliseconds);
+  Json report;
+  report["device"] = renderer->device_name();
+  report["is_software"] = renderer->is_software();
+  report["slices"] = options.slices;
+  report["multiply_adds_per_second"] = peak.multiply_adds;
+  report["exponentials_per_second"] = peak.exponentials;
+  report["pairs_per_second_limit"] = peak.pairs;
+  std::printf("%s: %.3g multiply-adds, %.3g exponentials, %.3g pairs per second\n",
+              renderer->device_name().c_str(), peak.multiply_adds, peak.exponentials, peak.pairs);
+
+  Json rows = Json::array();
+  const auto measure_all = [&](const std::string& name, const Scene& scene, double paper_fps) {
+    for (const Film& film : options.films) {
+      for (const int scale : options.scales) {
+        Json row;
+        row["scene"] = name;
+        row["gaussians"] = scene.medium.size();
+        if (paper_fps > 0.0) row["paper_fps"] = paper_fps;
+        row.update(measure(*renderer, scene, film, scale, options, peak.pairs));
+        std::printf("%-12s %4d x %-4d scale %d: ", name.c_str(), film.width, film.height, scale);
+        if (row.contains("fps")) {
+          std::printf("%8.1f fps on the device, %8.1f with all\n", row["device_fps"].get<double>(),
+                      row["fps"].get<double>());
+        } else {
+          std::printf("on the CPU: %s\n", row["why"].get<std::string>().c_str());
+        }
+        std::fflush(stdout);
+        rows.push_back(std::move(row));
+      }
+    }
+  };
+  // Those of the paper's own five rows; the others are the same without lamps.
+  for (const TableOneScene& kind : std::span(table_one_scenes).first(options.table_one ? 5 : 0)) {
+    measure_all(kind.name, kind.make(), kind.frames_per_second);
+  }
+  for (const int count : options.counts) {
+    measure_all(std::to_string(count), box_scene(count, 2), 0.0);
+  }
+  report["rows"] = std::move(rows);
+  write_atomically(options.output, report.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace
+}  // namespace brume
+
+int main(int argc, char** argv) {
+  CLI::App app("Measures the OpenGL backend");
+  brume::Options options;
+  bool is_quick = false;
+  app.add_option("-o,--output", options.output, "the report, .json")->required();
+  app.add_option("--frames", options.frames, "moved frames of each row")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  app.add_flag("--quick", is_quick, "tiny films and media: whether all of it works, not how fast");
+  CLI11_PARSE(app, argc, argv);
+  if (is_quick) {
+    options.films = {{48, 36}};
+    options.counts = {100, 1000};
+    options.frames = 1;
+    options.peak_milliseconds = 1.0;
+  }
+  try {
+    return brume::run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "brume-gl-bench: " << error.what() << '\n';
+    return 1;
+  }
+}
