@@ -120,10 +120,15 @@ void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std:
   }
 }
 
-SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
+EnvironmentSource::WeightParts EnvironmentSource::weight_parts() const {
   // Sums of what is beyond float would not be numbers.
   const double scale =
       std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power_, 1e-30));
+  return {scale, phase_.factors(), beyond_};
+}
+
+SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
+  const double scale = weight_parts().scale;
   const auto bands = phase_.at(w);
   SourceWeights weights;
   for (std::size_t i = 0; i < sh_size(phase_.count()); ++i) {

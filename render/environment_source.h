@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -42,6 +43,13 @@ class EnvironmentSource {
   [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
   // For a view ray along the unit vector w.
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
+  // What they are made of, for who makes many at once.
+  struct WeightParts {
+    double scale;
+    std::span<const double> factors;      // of the phase function's bands
+    std::span<const Environment> beyond;  // what is beyond them, of each family; empty: nothing
+  };
+  [[nodiscard]] WeightParts weight_parts() const;
 
  private:
   [[nodiscard]] bool has_same(const std::optional<SourceGrid::Receivers>& receivers) const;

@@ -27,6 +27,9 @@ class PhaseBands {
   explicit PhaseBands(double anisotropy);
 
   [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] std::span<const double> factors() const {
+    return std::span(factors_).first(static_cast<std::size_t>(count_));
+  }
   // All basis functions of the bands at a unit direction, each times its band's factor.
   [[nodiscard]] std::array<float, sh_size(most)> at(const glm::dvec3& w) const;
   // Those bands of the phase function itself, at the cosine of the angle that light turns by

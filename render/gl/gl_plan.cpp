@@ -16,7 +16,7 @@ std::size_t most_boundaries_of(const Settings& settings, const RenderPlan& plan)
   return 4 + slices + lights * of_light + (plan.homogeneous ? slices : 0);
 }
 
-std::string refusal_of(const Scene& scene, const Settings& settings, const RenderPlan& plan) {
+std::string refusal_of(const Settings& settings, const RenderPlan& plan) {
   if (settings.arithmetic == Settings::Arithmetic::plain_double) return "it is asked for in double";
   const AirlightMethod method = settings.airlight;
   if (method == AirlightMethod::march || method == AirlightMethod::reference) {
@@ -29,16 +29,13 @@ std::string refusal_of(const Scene& scene, const Settings& settings, const Rende
   if (settings.light_table.radii > 1024) {
     return "light tables have more radii than a work group has room for";
   }
-  if (plan.environment && plan.airlight && scene.optics.anisotropy != 0.0) {
-    return "the glow of an environment in a medium that scatters forward or back is the CPU's only";
-  }
   return {};
 }
 
 }  // namespace
 
-GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan)
-    : refusal(refusal_of(scene, settings, plan)) {
+GlPlan::GlPlan(const Settings& settings, const RenderPlan& plan)
+    : refusal(refusal_of(settings, plan)) {
   if (!refusal.empty()) {
     on_cpu.push_back({"frame", refusal});
     return;

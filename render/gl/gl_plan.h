@@ -14,7 +14,7 @@ struct GlPlan {
   std::string refusal;               // why all of it is the CPU's; empty: it is not
   std::vector<SkippedStage> on_cpu;  // stages that are the CPU's all the same
 
-  GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan);
+  GlPlan(const Settings& settings, const RenderPlan& plan);
 };
 
 }  // namespace brume::gl

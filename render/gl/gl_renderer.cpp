@@ -177,7 +177,7 @@ std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera
                                         const Settings& settings, std::stop_token stop,
                                         const std::function<void(double)>& progress) {
   Impl& impl = *impl_;
-  GlPlan plan(scene, settings, RenderPlan(scene, settings.airlight));
+  GlPlan plan(settings, RenderPlan(scene, settings.airlight));
   std::string refusal = impl.failure.empty() ? plan.refusal : impl.failure;
   if (refusal.empty()) {
     try {

@@ -190,6 +190,10 @@ void Program::set(const char* uniform, float value) const {
   glProgramUniform1f(object_.name(), location(uniform), value);
 }
 
+void Program::set(const char* uniform, const glm::vec2& value) const {
+  glProgramUniform2fv(object_.name(), location(uniform), 1, glm::value_ptr(value));
+}
+
 void Program::set(const char* uniform, const glm::vec3& value) const {
   glProgramUniform3fv(object_.name(), location(uniform), 1, glm::value_ptr(value));
 }

@@ -14,6 +14,7 @@
 #include "render/cpu/scatter_table.h"
 #include "render/cpu/slice_boundaries.h"
 #include "render/cpu/slice_kernels.h"
+#include "render/cpu/source_grid.h"
 #include "render/gl/arithmetic_peak.h"
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
@@ -64,6 +65,7 @@ std::string shader_constants() {
   constants.add("gauss_weights", coefficient::gauss_weights);
   constants.add("fog_nodes", coefficient::fog_rule.nodes);
   constants.add("fog_weights", coefficient::fog_rule.weights);
+  constants.add("source_families", source_families);
   constants.add("sh_bands", sh_most_bands);
   constants.add("sh_count", sh_most_bands * sh_most_bands);
   const ShRecurrence recurrence;

@@ -1,8 +1,11 @@
 #include "render/gl/sliced_stage.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
 
 #include "core/medium/noise.h"
+#include "core/scene/radiance_map.h"
 
 namespace brume::gl {
 
@@ -47,24 +50,46 @@ void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec
                                 const Program& program) {
   program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
   if (!source) return;
-  std::vector<float> values;
-  std::size_t first = 0;
+  const EnvironmentSource::WeightParts parts = source->weight_parts();
+  const bool is_new = source_revision_ != source->revision();
+  // As shaders/source.glsl has it; where things begin is known without the values.
+  std::vector<glm::vec4> values;
+  std::size_t at = 0;
   const auto levels = source->grid().levels();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const SourceGrid::Level& level = levels[k];
     program.set(k == 0 ? "source_first[0]" : "source_first[1]",
                 glm::vec4(glm::vec3(level.first - eye), 1.0f / level.nodes.spacing));
     program.set(k == 0 ? "source_count[0]" : "source_count[1]",
-                glm::ivec4(level.nodes.count, static_cast<int>(first / 4)));
-    first += level.values.size();
-    if (source_revision_ != source->revision()) {
-      values.insert(values.end(), level.values.begin(), level.values.end());
+                glm::ivec4(level.nodes.count, static_cast<int>(at)));
+    at += level.values.size() / 4;
+    for (std::size_t i = 0; is_new && i < level.values.size(); i += 4) {
+      const float* v = level.values.data() + i;
+      values.emplace_back(v[0], v[1], v[2], v[3]);
     }
   }
-  // One band: the weight is the same for all rays.
-  program.set("source_weight", source->weights(glm::dvec3(0.0, 0.0, 1.0))[0]);
-  if (source_revision_ == source->revision()) return;
-  source_.upload(std::span<const float>(values));
+  glm::vec4 factors(0.0f);
+  for (std::size_t l = 0; l < parts.factors.size(); ++l) {
+    factors[static_cast<int>(l)] = static_cast<float>(parts.factors[l]);
+  }
+  program.set("source_factors", factors);
+  program.set("source_bands", static_cast<int>(parts.factors.size()));
+  program.set("source_scale", static_cast<float>(parts.scale));
+  program.set("source_map_at", static_cast<int>(at));
+  if (!parts.beyond.empty()) {
+    const RadianceMap& map = *parts.beyond[0].map;  // all have the same size
+    const double angle = glm::radians(parts.beyond[0].rotation);
+    program.set("source_map_size", glm::ivec2(map.width, map.height));
+    program.set("source_rotation", glm::vec2(std::cos(angle), std::sin(angle)));
+  }
+  for (const Environment& beyond : parts.beyond) {
+    for (std::size_t i = 0; is_new && i < beyond.map->pixels.size(); ++i) {
+      values.emplace_back(beyond.map->pixels[i], 0.0f);
+    }
+  }
+  if (!is_new) return;
+  source_revision_ = 0;
+  source_.upload(std::span<const glm::vec4>(values));
   source_revision_ = source->revision();
 }
 

@@ -48,6 +48,7 @@ void main() {
   const uint begin = offsets[pixel.tile];
   const uint end = offsets[pixel.tile + 1];
   const MiddleRay ray = middle_ray(pixel.live, w, length_);
+  set_source_weights(w);
   choose_slices(ray, begin, end, slices, b0);
   barrier();
 

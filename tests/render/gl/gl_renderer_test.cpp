@@ -146,11 +146,6 @@ TEST_F(GlFrames, RandomScenes) {
     paper.paper = {seed % 2 == 1, seed % 4 > 1};
     for (const Settings& settings : {sliced, paper}) {
       const std::string name = "seed " + std::to_string(seed) + ", " + airlight_name(settings);
-      const bool is_sliced = settings.airlight == AirlightMethod::sliced;
-      if (is_sliced && scene.environment && scene.optics.anisotropy != 0.0) {
-        EXPECT_EQ(render(scene, settings).statistics.backend, "cpu") << name;
-        continue;
-      }
       const Frame cpu = on_cpu(scene, settings);
       const LayerErrors error(render_on_device(scene, settings, name), cpu);
       if (error.greatest() <= bound) continue;
@@ -161,6 +156,31 @@ TEST_F(GlFrames, RandomScenes) {
     }
   }
   EXPECT_LE(unstable, 4);
+}
+
+// Light from all around, scattered alike all around, forward and back, in fog and without.
+TEST_F(GlFrames, Environments) {
+  for (const double anisotropy : {0.0, 0.7, -0.5}) {
+    for (const double b0 : {0.0, 0.2}) {
+      Scene scene = cloud_scene(10, 2.0);
+      scene.film = {16, 12};
+      scene.lights.clear();
+      scene.environment.emplace();
+      scene.environment->map = smooth_sky();
+      scene.environment->rotation = 40.0;
+      scene.environment->intensity = 2.0;
+      scene.optics.anisotropy = anisotropy;
+      scene.medium.set_homogeneous_density(b0);
+      if (b0 > 0.0) scene.surfaces.push_back(wall(-0.5, 0.7));
+      for (Settings settings : {Settings{}, quick_slices()}) {
+        const std::string name = airlight_name(settings) + ", g = " + std::to_string(anisotropy) +
+                                 ", b0 = " + std::to_string(b0);
+        settings.source_grid = {1000, 24};
+        const Frame cpu = on_cpu(scene, settings);
+        expect_within({render_on_device(scene, settings, name), cpu}, bound, name);
+      }
+    }
+  }
 }
 
 // Everything that may change from frame to frame, a little, one thing at a time: no message, and
@@ -208,7 +228,7 @@ TEST_F(GlFrames, AThousandChangesLeaveNothingBehind) {
         break;
       case 6:
         scene.optics.noise.amplitude = in(0, 1) * 0.3;
-        scene.optics.anisotropy = scene.environment ? 0.0 : in(0, 1) * 0.5;
+        scene.optics.anisotropy = in(0, 1) * 0.5;
         break;
       case 7:
         scene.optics.albedo = in(0, 2) == 0 ? glm::dvec3(0.9, 0.8, 0.9) : glm::dvec3(1.0);
