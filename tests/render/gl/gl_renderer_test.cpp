@@ -183,6 +183,25 @@ TEST_F(GlFrames, Environments) {
   }
 }
 
+// A surface close before the eye in a large Gaussian, with a lamp beside it: rays are short, and
+// where on them light is taken counts.
+TEST_F(GlFrames, ShortRaysInALargeGaussian) {
+  Scene scene;
+  scene.film = {16, 12};
+  scene.camera.eye = {0.0, 0.0, 0.0};
+  scene.camera.target = {0.0, 0.0, -1.0};
+  scene.medium.append({{0.4, 0.2, -1.5}, 1.5, 0.8});
+  scene.lights.emplace_back().position = {0.03, 0.08, -0.2};
+  scene.surfaces.push_back(wall(-0.4, 1.0));
+  Settings mean;
+  mean.paper.at_mean = true;
+  for (const Settings& settings : {Settings{}, mean, quick_slices()}) {
+    const std::string name = airlight_name(settings);
+    const Frame cpu = on_cpu(scene, settings);
+    expect_within({render_on_device(scene, settings, name), cpu}, bound, name);
+  }
+}
+
 // Everything that may change from frame to frame, a little, one thing at a time: no message, and
 // nothing that stays behind.
 TEST_F(GlFrames, AThousandChangesLeaveNothingBehind) {
