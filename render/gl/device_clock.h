@@ -10,6 +10,8 @@ namespace brume::gl {
 // How long the device takes for the stages of a frame.
 class DeviceClock {
  public:
+  // Forgets the stages of a frame that was given up.
+  void restart() { used_ = 0; }
   // Runs what sends the work of a stage.
   template <class Work>
   auto time(const char* stage, Work work) {

@@ -69,17 +69,24 @@ std::unique_ptr<EglContext> EglContext::create_on(void* display, bool debug, std
   EGLConfig config{};
   EGLint configs = 0;
   eglChooseConfig(display, wanted.data(), &config, 1, &configs);
-  const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                         4,
-                                         EGL_CONTEXT_MINOR_VERSION,
-                                         5,
-                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                         debug ? EGL_CONTEXT_OPENGL_DEBUG : EGL_NONE,
-                                         EGL_TRUE,
-                                         EGL_NONE};
-  EGLContext context = eglCreateContext(display, configs > 0 ? config : EGLConfig{}, EGL_NO_CONTEXT,
-                                        attributes.data());
+  // One that tells when it is lost, where the driver has such.
+  EGLContext context = EGL_NO_CONTEXT;
+  for (const EGLint strategy : {EGL_LOSE_CONTEXT_ON_RESET, EGL_NO_RESET_NOTIFICATION}) {
+    const std::array<EGLint, 11> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                            4,
+                                            EGL_CONTEXT_MINOR_VERSION,
+                                            5,
+                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                            EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                            strategy,
+                                            debug ? EGL_CONTEXT_OPENGL_DEBUG : EGL_NONE,
+                                            EGL_TRUE,
+                                            EGL_NONE};
+    context = eglCreateContext(display, configs > 0 ? config : EGLConfig{}, EGL_NO_CONTEXT,
+                               attributes.data());
+    if (context != EGL_NO_CONTEXT) break;
+  }
   if (context == EGL_NO_CONTEXT) return fail("the driver has no OpenGL 4.5 core");
   std::unique_ptr<EglContext> result(new EglContext(display, context));
   if (!result->make_current()) return fail("the driver needs a window to draw");

@@ -234,6 +234,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
   statistics.skipped = work.plan.skipped;
   statistics.gaussians_total = work.scene.medium.size();
   StageClock cpu_clock(statistics.stages);
+  clock.restart();
   if (!arena.execute([&] { return group.stages.begin(work, cpu_clock); })) return std::nullopt;
 
   const MediumIndex& medium = group.stages.prepared().medium();

@@ -108,6 +108,11 @@ void Buffer::clear() {
 
 void Buffer::bind(unsigned binding) {
   reserve(0);
+  GLint64 most = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+  if (static_cast<GLint64>(bytes_) > most) {
+    throw OutOfMemory("shaders of the device cannot reach " + megabytes(bytes_));
+  }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
 }
 

@@ -79,6 +79,7 @@ class Buffer {
     bytes_ = 0;
   }
   // As shader storage block `binding` of the next dispatch. An empty one gets some bytes first.
+  // Throws OutOfMemory where it is larger than a block may be.
   void bind(unsigned binding);
 
  private:

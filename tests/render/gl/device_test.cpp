@@ -72,6 +72,16 @@ TEST_F(Context, BuffersKeepWhatTheyTake) {
   EXPECT_EQ(live_objects(), objects_ + 1);
 }
 
+TEST_F(Context, BuffersThatShadersCannotReachAreRefused) {
+  GLint64 most = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+  constexpr GLint64 affordable = 1 << 28;
+  if (most > affordable) return;  // of a GPU: more than a test should take
+  Buffer buffer;
+  buffer.reserve(static_cast<std::size_t>(most));  // and some room beyond
+  EXPECT_THROW(buffer.bind(0), OutOfMemory);
+}
+
 TEST_F(Context, TexturesKeepWhatTheyTake) {
   for (const glm::ivec2 size : {glm::ivec2(5, 3), glm::ivec2(64, 2)}) {
     std::vector<float> values(static_cast<std::size_t>(4 * size.x * size.y));
