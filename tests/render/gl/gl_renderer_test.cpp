@@ -270,6 +270,52 @@ TEST_F(GlFrames, AThousandChangesLeaveNothingBehind) {
   }
 }
 
+// A moved camera makes no table, a moved light one, a changed medium all.
+TEST_F(GlFrames, KeepsWhatHasNotChanged) {
+  Scene scene = cloud_scene(10, 2.0);
+  scene.film = {16, 12};
+  scene.lights.push_back(scene.lights[0]);
+  scene.lights[1].position.x += 1.0;
+  const Settings settings = quick_slices();
+  const auto pairs = [&] { return render(scene, settings).statistics.light_pairs; };
+  const std::uint64_t both = pairs();
+  EXPECT_GT(both, 0u);
+  EXPECT_EQ(pairs(), 0u);
+  scene.camera.eye.x += 0.1;
+  EXPECT_EQ(pairs(), 0u);
+  scene.lights[1].position.y += 0.1;
+  const std::uint64_t one = pairs();
+  EXPECT_GT(one, 0u);
+  EXPECT_LT(one, both);
+  scene.medium.set_homogeneous_density(0.1);
+  EXPECT_GT(pairs(), one);
+  // What is kept is right.
+  expect_within({render(scene, settings), on_cpu(scene, settings)}, bound, "kept");
+}
+
+TEST_F(GlFrames, StopsWhenAsked) {
+  const Scene scene = cloud_scene(3, 1.0);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(gl_->render(scene, scene.camera, {8, 6}, quick_slices(), stop.get_token()));
+  EXPECT_TRUE(gl_->render(scene, scene.camera, {8, 6}, quick_slices()));
+}
+
+TEST(MakeRenderer, TakesNoSoftwareUnasked) {
+  const Scene scene = cloud_scene(3, 1.0);
+  std::string problem;
+  for (const Backend backend : {Backend::auto_, Backend::cpu, Backend::gl}) {
+    const auto renderer = make_renderer(backend, nullptr, problem);
+    const Frame frame = *renderer->render(scene, scene.camera, {8, 6}, quick_slices());
+    if (backend == Backend::auto_) {
+      EXPECT_FALSE(is_software_renderer(frame.statistics.device));
+    } else {
+      EXPECT_EQ(frame.statistics.backend, backend == Backend::gl ? "gl" : "cpu") << problem;
+    }
+  }
+  EXPECT_EQ(problem, "");
+}
+
 class GlFailures : public GlFrames {
  protected:
   // The frame is the CPU's, with that reason.
