@@ -3,14 +3,11 @@
 #include "radiance_map.glsl"
 #include "spherical_harmonics.glsl"
 
-struct SourceLevel {
-  vec4 first;   // of its nodes, relative to the eye; nodes per unit
-  ivec4 count;  // nodes along x, y, z; where its values begin, in vec4
-};
-
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
 uniform int source_levels;  // 0: there is no environment
+// Of each level where its first node stands, relative to the eye, and nodes per unit; nodes along x,
+// y and z, and where its values begin.
 uniform vec4 source_first[2];
 uniform ivec4 source_count[2];
 uniform int source_bands;     // of a node: 1, or 4 where scattering is not alike all around
