@@ -240,8 +240,10 @@ void MainWindow::connect_document() {
   connect(&document_, &Document::scene_replaced, timeline_, [this] {
     timeline_->stop();
     timeline_->set_frame(0);
-    timeline_->show_all_of(document_.scene());
+    timeline_->follow(document_.scene());
   });
+  connect(&document_, &Document::part_changed, timeline_,
+          [this] { timeline_->follow(document_.scene()); });
   connect(tools_, &ToolBox::activated, this, &MainWindow::update_status);
   for (const ToolBox::Entry& entry : tools_->entries()) {
     connect(entry.tool.get(), &Tool::refused, this, &MainWindow::say);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/limits.h"
 #include "core/scene/at_time.h"
 
 namespace brume {
@@ -30,10 +31,15 @@ void Timeline::set_range(int first, int last) {
   Q_EMIT changed();
 }
 
-void Timeline::show_all_of(const Scene& scene) {
+void Timeline::follow(const Scene& scene) {
+  if (const auto& playback = scene.playback) {
+    set_loop(playback->loops);
+    set_range(playback->first, playback->last);
+    return;
+  }
   const double last = std::ceil(last_moment(scene) * frames_per_second - 1e-6);
-  constexpr double most = 1'000'000;
-  set_range(0, static_cast<int>(std::clamp<double>(last, frames_at_first, most)));
+  set_loop(true);
+  set_range(0, static_cast<int>(std::clamp<double>(last, frames_at_first, limits::frame)));
 }
 
 void Timeline::set_loop(bool loops) {

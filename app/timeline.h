@@ -24,8 +24,9 @@ class Timeline : public QObject {
   void set_range(int first, int last);  // 0 <= first <= last, or what comes nearest
   [[nodiscard]] bool loops() const { return loops_; }
   void set_loop(bool loops);
-  // The range from 0 to the last of what moves in a scene, 120 frames at least.
-  void show_all_of(const Scene& scene);
+  // Range and loop of a scene; where it has none, from 0 to the last of what moves in it, 120
+  // frames at least, again and again.
+  void follow(const Scene& scene);
 
   // In real time: frames that cannot be shown in time are left out. From the first frame if the
   // last is shown; on, from the first again, or to a stop at the last.

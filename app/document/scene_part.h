@@ -24,8 +24,9 @@ struct KeyedDensity {
 
   bool operator==(const KeyedDensity&) const = default;
 };
-using ScenePart = std::variant<KeyedCamera, KeyedDensity, Lights, std::optional<Environment>,
-                               MediumOptics, Surfaces, Emitters, Sequences>;
+using ScenePart =
+    std::variant<KeyedCamera, KeyedDensity, Lights, std::optional<Environment>, MediumOptics,
+                 Surfaces, Emitters, Sequences, std::optional<Playback>>;
 
 // The part of a scene that has an index of the variant; and a scene with another part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

@@ -13,20 +13,20 @@
 #include <algorithm>
 
 #include "app/commands/edit_keys.h"
+#include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/icons.h"
 #include "app/panels/key_strip.h"
 #include "app/timeline.h"
+#include "core/io/limits.h"
 
 namespace brume {
 namespace {
 
-constexpr int most_frames = 1'000'000;
-
 QSpinBox* new_number(QWidget* parent, const char* name, const QString& tip) {
   auto* box = new QSpinBox(parent);
   box->setObjectName(name);
-  box->setRange(0, most_frames);
+  box->setRange(0, limits::frame);
   box->setToolTip(tip);
   box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   box->setKeyboardTracking(false);
@@ -104,11 +104,15 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
           [&timeline] { timeline.is_playing() ? timeline.stop() : timeline.play(); });
   connect(slider, &QSlider::valueChanged, &timeline, &Timeline::set_frame);
   connect(frame, &QSpinBox::valueChanged, &timeline, &Timeline::set_frame);
-  connect(first, &QSpinBox::valueChanged, &timeline,
-          [&timeline](int value) { timeline.set_range(value, timeline.last()); });
-  connect(last, &QSpinBox::valueChanged, &timeline,
-          [&timeline](int value) { timeline.set_range(timeline.first(), value); });
-  connect(loop, &QCheckBox::toggled, &timeline, &Timeline::set_loop);
+  connect(first, &QSpinBox::valueChanged, &timeline, [this, &timeline](int value) {
+    set_playback({value, std::max(value, timeline.last()), timeline.loops()});
+  });
+  connect(last, &QSpinBox::valueChanged, &timeline, [this, &timeline](int value) {
+    set_playback({std::min(value, timeline.first()), value, timeline.loops()});
+  });
+  connect(loop, &QCheckBox::toggled, this, [this, &timeline](bool on) {
+    set_playback({timeline.first(), timeline.last(), on});
+  });
   connect(key, &QToolButton::clicked, this, &TimelineBar::set_key);
   for (const auto signal : {&Document::scene_replaced, &Document::part_changed}) {
     connect(&document_, signal, this, &TimelineBar::refresh_targets);
@@ -132,6 +136,12 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   };
   connect(&timeline, &Timeline::changed, this, show);
   show();
+}
+
+void TimelineBar::set_playback(Playback playback) {
+  const auto& before = document_.scene().playback;
+  if (before) playback.unknown = before->unknown;
+  set_scene_part(document_, std::optional(std::move(playback)), tr("Set what is Played"));
 }
 
 void TimelineBar::fit_keys() {

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/scene/camera.h"
+#include "core/scene/scene.h"
 
 class QComboBox;
 class QScrollArea;
@@ -27,6 +28,7 @@ class TimelineBar : public QWidget {
   void set_key();
 
  private:
+  void set_playback(Playback playback);  // one step
   void refresh_targets();
   void fit_keys();  // a few rows are seen at once
 

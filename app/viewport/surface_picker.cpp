@@ -1,5 +1,7 @@
 #include "app/viewport/surface_picker.h"
 
+#include <chrono>
+
 #include "app/document/document.h"
 
 namespace brume {
@@ -25,10 +27,14 @@ void SurfacePicker::prepare() {
   thread_.start({surfaces_, std::move(promise)});
 }
 
+bool SurfacePicker::is_ready() {
+  prepare();  // others hear of a change sooner than this
+  return !built_.valid() || built_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
 std::optional<SurfacePoint> SurfacePicker::hit(const glm::dvec3& origin,
                                                const glm::dvec3& direction) {
-  prepare();  // others hear of a change sooner than this
-  if (surfaces_.empty()) return std::nullopt;
+  if (!is_ready() || surfaces_.empty()) return std::nullopt;
   const Visibility& visibility = *built_.get();
   const SurfaceHit hit = visibility.first_hit(origin, direction);
   if (!hit) return std::nullopt;

@@ -12,12 +12,13 @@ namespace brume {
 class Document;
 
 // Which surface a ray meets, for tools. What it takes to know that is built in the background as
-// soon as the surfaces change, before anybody asks; who asks while that lasts waits for it.
+// soon as the surfaces change; while that lasts rays meet nothing, and nobody waits.
 class SurfacePicker : public QObject {
   Q_OBJECT
  public:
   explicit SurfacePicker(const Document& document);
 
+  [[nodiscard]] bool is_ready();
   // Of a ray of unit direction.
   std::optional<SurfacePoint> hit(const glm::dvec3& origin, const glm::dvec3& direction);
 

@@ -14,6 +14,7 @@ inline constexpr std::size_t volume_blocks = 2'000'000;  // of 8 x 8 x 8 voxels:
 inline constexpr std::size_t lights = 1024;
 inline constexpr std::size_t emitters = 1024;
 inline constexpr std::size_t sequences = 1024;
+inline constexpr int frame = 1'000'000;  // of what is played
 inline constexpr int sequence_frames = 100'000;
 inline constexpr std::size_t surfaces = 4096;
 inline constexpr int film_side = 16384;                // pixels

@@ -34,6 +34,8 @@ class SceneLoader {
       load_environment(*value, object.place("environment"));
     }
     load_elements(object, "surfaces", limits::surfaces, &SceneLoader::load_surface);
+    if (const Json* value = object.find("timeline"))
+      load_timeline(*value, object.place("timeline"));
     scene_.unknown = object.unknown();
     return std::move(scene_);
   }
@@ -98,6 +100,18 @@ class SceneLoader {
     film.width = static_cast<int>(object.integer("width", 1, limits::film_side, film.width));
     film.height = static_cast<int>(object.integer("height", 1, limits::film_side, film.height));
     scene_.unknown_film = object.unknown();
+  }
+
+  void load_timeline(const Json& value, const JsonPlace& place) {
+    JsonObject object(context_, value, place);
+    Playback playback;
+    const std::int64_t first = object.integer("first", 0, limits::frame, 0);
+    playback.first = static_cast<int>(first);
+    static_cast<void>(object.required("last"));
+    playback.last = static_cast<int>(object.integer("last", first, limits::frame, first));
+    playback.loops = object.boolean("loop", playback.loops);
+    playback.unknown = object.unknown();
+    scene_.playback = std::move(playback);
   }
 
   void load_medium(const Json& value, const JsonPlace& place) {

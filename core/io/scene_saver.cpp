@@ -170,6 +170,11 @@ Json to_json(const Scene& scene, const fs::path& directory) {
   for (const Surface& surface : scene.surfaces) {
     surfaces.push_back(surface_to_json(surface, directory));
   }
+  if (const auto& playback = scene.playback) {
+    Json& entry = root["timeline"] =
+        Json{{"first", playback->first}, {"last", playback->last}, {"loop", playback->loops}};
+    add_unknown(entry, playback->unknown);
+  }
   add_unknown(root, scene.unknown);
   return root;
 }

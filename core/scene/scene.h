@@ -151,6 +151,16 @@ struct CameraKeys {
   bool operator==(const CameraKeys&) const = default;
 };
 
+// What is played of a scene: frames at animation::frames_per_second, from time 0.
+struct Playback {
+  int first = 0;  // 0 <= first <= last <= limits::frame
+  int last = 0;
+  bool loops = true;
+  UnknownKeys unknown{};
+
+  bool operator==(const Playback&) const = default;
+};
+
 // Everything a frame needs except the way it is rendered. A value: copying shares the meshes.
 // Paths are absolute.
 struct Scene {
@@ -166,6 +176,7 @@ struct Scene {
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
+  std::optional<Playback> playback;  // absent: all that moves, again and again
 
   UnknownKeys unknown;  // of the top level
   UnknownKeys unknown_camera;

@@ -4,6 +4,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QToolButton>
 #include <glm/geometric.hpp>
 
@@ -135,10 +136,39 @@ class AnimationTest : public QObject {
     QTest::mouseClick(window->findChild<QToolButton*>("play"), Qt::LeftButton);
     QTRY_VERIFY(!timeline.is_playing());
     QCOMPARE(timeline.frame(), 16);
+    window->document().undo_stack().undo();
     timeline.set_range(5, 2);
     QCOMPARE(timeline.last(), 5);
     window->files().create();
     QCOMPARE(timeline.frame(), 0);
+  }
+
+  void range_and_loop_are_of_the_scene() {
+    TestWindow window;
+    Document& document = window->document();
+    Timeline& timeline = window->timeline();
+    window->findChild<QSpinBox*>("last_frame_of_range")->setValue(48);
+    window->findChild<QSpinBox*>("first_frame_of_range")->setValue(12);
+    window->findChild<QCheckBox*>("loop")->setChecked(false);
+    QCOMPARE(document.undo_stack().count(), 3);
+    QVERIFY(document.scene().playback == (Playback{12, 48, false}));
+    QVERIFY(document.is_modified());
+    QVERIFY(window->files().save_to(window.file("range.brume")));
+    document.undo_stack().undo();
+    QVERIFY(timeline.loops());
+    document.undo_stack().setIndex(0);
+    QCOMPARE(timeline.first(), 0);
+    QCOMPARE(timeline.last(), 120);
+    document.undo_stack().setIndex(3);
+    QVERIFY(!document.is_modified());
+    QVERIFY(window.open("range.brume"));
+    QCOMPARE(timeline.first(), 12);
+    QCOMPARE(timeline.last(), 48);
+    QVERIFY(!timeline.loops());
+    QCOMPARE(window->findChild<QSpinBox*>("first_frame_of_range")->value(), 12);
+    window->findChild<QSpinBox*>("last_frame_of_range")
+        ->setValue(5);  // no range ends before it begins
+    QCOMPARE(timeline.first(), 5);
   }
 
   void the_airbrush_sprays_while_it_is_held_as_one_step() {
@@ -195,6 +225,7 @@ class AnimationTest : public QObject {
     airbrush.rate = 600.0;
     airbrush.speed = 4.0;
     tool.set_airbrush(airbrush);
+    QVERIFY(window.settle());
     hold(window, window->viewport().rect().center(), 900);
     const Medium& medium = document.medium();
     QVERIFY(medium.size() > 100);

@@ -35,7 +35,8 @@ class RandomHands {
         &RandomHands::copy,        &RandomHands::choose,  &RandomHands::choose_by_rule,
         &RandomHands::light,       &RandomHands::emitter, &RandomHands::whole_medium,
         &RandomHands::surface,     &RandomHands::camera,  &RandomHands::hide_or_lock,
-        &RandomHands::environment, &RandomHands::key,     &RandomHands::go_back};
+        &RandomHands::environment, &RandomHands::key,     &RandomHands::playback,
+        &RandomHands::go_back};
     (this->*acts[below(std::size(acts))])();
   }
 
@@ -169,6 +170,12 @@ class RandomHands {
     if (below(2) == 0)
       environment = {BRUME_RESOURCES "/environments/sunset.exr", {}, number(), 0.0, {}};
     set_scene_part(document_, environment, "Set environment");
+  }
+  void playback() {
+    std::optional<Playback> playback;
+    const int first = static_cast<int>(below(5));
+    if (below(3) > 0) playback = {first, first + static_cast<int>(below(9)), below(2) == 0};
+    set_scene_part(document_, playback, "Set what is played");
   }
   void key() {
     document_.set_time(static_cast<double>(below(4)));

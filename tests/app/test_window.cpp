@@ -49,7 +49,9 @@ std::filesystem::path TestWindow::file(const char* name) const {
 }
 
 bool TestWindow::settle() {
-  return QTest::qWaitFor([this] { return window_->viewport().is_measured(); }, 60000);
+  Viewport& view = window_->viewport();
+  return QTest::qWaitFor([&view] { return view.is_measured() && view.surfaces().is_ready(); },
+                         60000);
 }
 
 QPoint TestWindow::handle(std::size_t index) {

@@ -383,6 +383,26 @@ class RandomScene {
   const TemporaryFolder& folder_;
 };
 
+TEST(SceneFile, HoldsWhatIsPlayed) {
+  const TemporaryFolder folder;
+  const auto load = [&](const std::string& timeline) {
+    return load_scene(folder.write(
+        "a.brume", R"({"format": "brume-scene", "version": 1, "timeline": )" + timeline + "}"));
+  };
+  const Scene scene = load(R"({"first": 3, "last": 9, "loop": false, "speed": 2})");
+  ASSERT_TRUE(scene.playback);
+  EXPECT_EQ(scene.playback->first, 3);
+  EXPECT_EQ(scene.playback->last, 9);
+  EXPECT_FALSE(scene.playback->loops);
+  save_scene(scene, folder / "b.brume");
+  EXPECT_EQ(load_scene(folder / "b.brume"), scene);
+  EXPECT_TRUE(contains(content_of(folder / "b.brume"), R"("speed": 2)"));
+  EXPECT_TRUE(load(R"({"last": 0})").playback->loops);
+  for (const char* bad : {R"({"first": 3, "last": 2})", R"({"first": 3})", R"({"last": 1e9})"}) {
+    EXPECT_TRUE(contains(error_of([&] { load(bad); }), "timeline.last")) << bad;
+  }
+}
+
 TEST(SceneFile, NamesSequencesAndReadsTheirFrames) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "smoke");
