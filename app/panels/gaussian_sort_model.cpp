@@ -1,5 +1,7 @@
 #include "app/panels/gaussian_sort_model.h"
 
+#include <limits>
+
 #include "app/document/document.h"
 #include "app/panels/gaussian_table_model.h"
 
@@ -8,7 +10,30 @@ namespace brume {
 GaussianSortModel::GaussianSortModel(const Document& document, GaussianTableModel& rows,
                                      QObject* parent)
     : QSortFilterProxyModel(parent), document_(document), rows_(rows) {
+  // Heard of before the base class does, which then sorts.
+  connect(&rows, &QAbstractItemModel::modelReset, this, [this] { take_keys(sortColumn()); });
+  const auto forget = [this] { keys_.clear(); };
+  connect(&rows, &QAbstractItemModel::dataChanged, this, forget);
+  connect(&rows, &QAbstractItemModel::rowsInserted, this, forget);
+  connect(&rows, &QAbstractItemModel::rowsRemoved, this, forget);
   setSourceModel(&rows);
+}
+
+void GaussianSortModel::sort(int column, Qt::SortOrder order) {
+  take_keys(column);
+  QSortFilterProxyModel::sort(column, order);
+}
+
+void GaussianSortModel::take_keys(int column) {
+  keys_.clear();
+  keys_column_ = column;
+  if (column < 0) return;
+  const GaussianField field = gaussian_fields[static_cast<std::size_t>(column)];
+  for (int row = 0; row < rows_.rowCount(); ++row) {
+    const auto index = index_of(row);
+    keys_.push_back(index ? field_value(document_.medium().gaussian(*index), field)
+                          : -std::numeric_limits<double>::infinity());
+  }
 }
 
 void GaussianSortModel::set_filter(GaussianFilter filter) {
@@ -43,6 +68,10 @@ bool GaussianSortModel::filterAcceptsRow(int row, const QModelIndex& /*parent*/)
 }
 
 bool GaussianSortModel::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  if (!keys_.empty() && left.column() == keys_column_) {
+    return keys_[static_cast<std::size_t>(left.row())] <
+           keys_[static_cast<std::size_t>(right.row())];
+  }
   const auto a = index_of(left.row());
   const auto b = index_of(right.row());
   if (!a || !b) return b.has_value();
