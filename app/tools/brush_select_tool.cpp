@@ -34,7 +34,7 @@ void BrushSelectTool::add_options(QHBoxLayout& row) {
   SelectionTool::add_options(row);
   add_number(
       row, *this,
-      {tr("Radius, pixels"), "select_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
+      {tr("Radius, px"), "select_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
       [this] { return radius_; }, [this](double value) { set_radius(value); });
 }
 

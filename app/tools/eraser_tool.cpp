@@ -28,7 +28,7 @@ QString EraserTool::hint() const {
 void EraserTool::add_options(QHBoxLayout& row) {
   add_number(
       row, *this,
-      {tr("Radius, pixels"), "eraser_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
+      {tr("Radius, px"), "eraser_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
       [this] { return radius_; }, [this](double value) { set(value, strength_); });
   add_number(
       row, *this,
