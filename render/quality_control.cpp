@@ -35,7 +35,7 @@ bool much_different(double a, double b) {
 }  // namespace
 
 QualityControl::QualityControl(const Settings& settings) : step_(first_step) {
-  for (const Settings& step : quality_ladder(settings)) trials_.push_back({step, {}});
+  for (const Settings& step : quality_ladder(settings)) trials_.push_back({step, {}, false, 0.0});
 }
 
 void QualityControl::set_max_error(double max_error) {
@@ -63,9 +63,10 @@ void QualityControl::forget() {
   for (Trial& trial : trials_) trial.error.reset();
 }
 
-void QualityControl::learn(const Settings& settings, const ErrorEstimate& error) {
+void QualityControl::learn(const Settings& settings, const ErrorEstimate& error,
+                           double milliseconds) {
   for (Trial& trial : trials_) {
-    if (trial.settings == settings) trial = {settings, error, false};
+    if (trial.settings == settings) trial = {settings, error, false, milliseconds};
   }
   move();
 }

@@ -23,6 +23,7 @@ class QualityControl {
     Settings settings;
     std::optional<ErrorEstimate> error;  // the last measured in this scene
     bool in_other_view = false;
+    double milliseconds = 0.0;  // of that frame
   };
 
   // `settings` gives all that auto does not choose.
@@ -42,9 +43,9 @@ class QualityControl {
   // Forgets the choice too: for another scene.
   void forget();
 
-  // Hears the error of a frame that was rendered with `settings`; others than the ladder's are
-  // ignored. If the choice has changed then, the frame is due again.
-  void learn(const Settings& settings, const ErrorEstimate& error);
+  // Hears the error of a frame that was rendered with `settings` in so many milliseconds; others
+  // than the ladder's are ignored. If the choice has changed then, the frame is due again.
+  void learn(const Settings& settings, const ErrorEstimate& error, double milliseconds);
 
   // The whole ladder from cheap to costly, and where on it the choice is.
   [[nodiscard]] const std::vector<Trial>& trials() const { return trials_; }

@@ -35,7 +35,8 @@ MediumPanel::MediumPanel(Document& document, QWidget* parent) : SceneForm(docume
              {"albedo", domain::albedo, 0.005, [optics] { return std::optional(optics().albedo); },
               [change](const glm::dvec3& value, MergeId gesture) {
                 change(tr("Set albedo"), gesture, [&](MediumOptics& o) { o.albedo = value; });
-              }});
+              },
+              "RGB"});
   add_number(*form, tr("Anisotropy g"),
              {"anisotropy", domain::anisotropy, Scale::linear, 0.005,
               [optics] { return std::optional(optics().anisotropy); },

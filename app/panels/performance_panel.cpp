@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "app/frame_text.h"
+#include "app/panels/frontier_plot.h"
 #include "app/viewport/view_grid.h"
 
 namespace brume {
@@ -41,20 +42,22 @@ PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
     : QWidget(parent),
       views_(views),
       max_error_(new QComboBox(this)),
+      frontier_(new FrontierPlot(this)),
       stages_(new QTreeWidget(this)) {
   auto* form = new QFormLayout;
   form->addRow(tr("Auto keeps"), max_error_);
   shown_ = add_row(*form, tr("Shown"), "shown");
   why_ = add_row(*form, {}, "why");
   why_->setWordWrap(true);
-  error_ = add_row(*form, tr("Error"), "panel_error");
+  auto* numbers = new QFormLayout;
+  error_ = add_row(*numbers, tr("Error"), "panel_error");
   error_->setToolTip(tr("Relative RMSE of the airlight against the reference"));
-  interval_ = add_row(*form, tr("Interval"), "interval");
+  interval_ = add_row(*numbers, tr("Interval"), "interval");
   interval_->setToolTip(tr("Holds the error of the whole picture in 95% of cases"));
-  gaussians_ = add_row(*form, tr("Gaussians"), "gaussians_used");
-  pairs_ = add_row(*form, tr("Pairs"), "pairs");
+  gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used");
+  pairs_ = add_row(*numbers, tr("Pairs"), "pairs");
   pairs_->setToolTip(tr("Gaussians times rays: from the eye, and from the lights"));
-  picture_ = add_row(*form, tr("Picture"), "picture");
+  picture_ = add_row(*numbers, tr("Picture"), "picture");
 
   stages_->setObjectName("stages");
   stages_->setHeaderLabels({tr("Stage"), tr("Milliseconds")});
@@ -67,6 +70,10 @@ PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 0);
   layout->addLayout(form);
+  auto* beside = new QHBoxLayout;
+  beside->addLayout(numbers);
+  beside->addWidget(frontier_, 1);
+  layout->addLayout(beside);
   layout->addWidget(stages_, 1);
 
   fill_max_error();
@@ -106,6 +113,7 @@ void PerformancePanel::update_quality() {
   if (!isVisible()) return;
   const FrameQuality& quality = views_.active().quality();
   why_->setText(reason(quality));
+  frontier_->show_quality(quality);
   for (QLabel* label : {error_, interval_}) label->setEnabled(views_.active().is_measured());
   if (const std::optional<ErrorEstimate>& error = quality.error()) {
     error_->setText(error_text(*error));

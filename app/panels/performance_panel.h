@@ -8,6 +8,7 @@
 
 namespace brume {
 
+class FrontierPlot;
 class ViewGrid;
 
 // What the frame on screen cost, how wrong it is, and what auto makes of that.
@@ -34,6 +35,7 @@ class PerformancePanel : public QWidget {
   QLabel* gaussians_;
   QLabel* pairs_;
   QLabel* picture_;
+  FrontierPlot* frontier_;
   QTreeWidget* stages_;
 };
 

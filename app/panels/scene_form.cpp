@@ -52,7 +52,7 @@ void SceneForm::add_vector(QFormLayout& form, const QString& title, const Vector
     };
     auto* field =
         new_field({vector.name, vector.domain, ValueField::Scale::linear, vector.step, get, set},
-                  QString("xyz").at(k));
+                  QString(vector.parts).at(k));
     field->setObjectName(QString("%1_%2").arg(vector.name).arg(QString("xyz").at(k)));
     row->addWidget(field);
   }

@@ -42,6 +42,7 @@ class SceneForm : public QWidget {
     double step;
     std::function<std::optional<glm::dvec3>()> get;
     std::function<void(const glm::dvec3&, MergeId)> set;
+    const char* parts = "xyz";  // a letter for each field
   };
   struct Color {
     const char* name;

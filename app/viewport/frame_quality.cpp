@@ -24,6 +24,7 @@ void FrameQuality::set_airlight(std::optional<AirlightMethod> method) {
   airlight_ = method;
   stop_measuring();
   error_.reset();  // not even a hint of the new one
+  chosen_.reset();
   Q_EMIT settings_changed();
 }
 
@@ -38,18 +39,33 @@ void FrameQuality::set_max_error(double max_error) {
   Q_EMIT error_changed();
 }
 
-Settings FrameQuality::settings() const {
+Settings FrameQuality::settings_at_any_time() const {
   Settings settings = control_.settings();
   if (airlight_) {
     settings = sliced_settings(interpolated(), Settings{}.slices);
     settings.airlight = *airlight_;
   }
+  return settings;
+}
+
+Settings FrameQuality::settings() const {
+  Settings settings = settings_at_any_time();
   settings.time = time_;
   return settings;
 }
 
+std::vector<FrameQuality::Tried> FrameQuality::tried() const {
+  std::vector<Tried> result;
+  for (const QualityControl::Trial& trial : control_.trials()) {
+    if (trial.error) result.push_back({trial.settings, *trial.error, trial.milliseconds});
+  }
+  if (chosen_) result.push_back(*chosen_);
+  return result;
+}
+
 void FrameQuality::picture_changes(const Scene& scene, const Camera& camera) {
   stop_measuring();
+  chosen_.reset();
   control_.follow(scene, camera);
 }
 
@@ -72,10 +88,12 @@ void FrameQuality::take(const std::shared_ptr<const RenderedFrame>& frame,
   if (frame != frame_) return;  // cancelled meanwhile
   frame_.reset();
   error_ = error;
-  if (!airlight_) {
-    Settings at_any_time = frame->request.settings;
-    at_any_time.time = 0.0;
-    control_.learn(at_any_time, error);
+  Settings at_any_time = frame->request.settings;
+  at_any_time.time = 0.0;
+  if (airlight_) {
+    chosen_ = {at_any_time, error, frame->milliseconds};
+  } else {
+    control_.learn(at_any_time, error, frame->milliseconds);
   }
   measured_ = settings() == frame->request.settings;
   if (!measured_) Q_EMIT settings_changed();

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/viewport/error_meter.h"
 #include "render/quality_control.h"
@@ -28,7 +29,18 @@ class FrameQuality : public QObject {
   void set_max_error(double max_error);
 
   [[nodiscard]] Settings settings() const;  // of frames at rest
+  // The same without the time that frames show.
+  [[nodiscard]] Settings settings_at_any_time() const;
   [[nodiscard]] const QualityControl& control() const { return control_; }
+
+  // A frame of this scene that was measured.
+  struct Tried {
+    Settings settings;
+    ErrorEstimate error;
+    double milliseconds;
+  };
+  // Those of auto, from cheap to costly, and that of the method chosen instead.
+  [[nodiscard]] std::vector<Tried> tried() const;
 
   // The last error measured: that of the frame on screen if is_measured().
   [[nodiscard]] const std::optional<ErrorEstimate>& error() const { return error_; }
@@ -56,6 +68,7 @@ class FrameQuality : public QObject {
   QualityControl control_;
   std::shared_ptr<const RenderedFrame> frame_;  // to be measured
   std::optional<ErrorEstimate> error_;
+  std::optional<Tried> chosen_;  // with a method of the user's, of the last picture
   bool measured_ = false;
   ErrorMeter meter_;
 };

@@ -5,9 +5,11 @@
 #include <QLabel>
 #include <QStatusBar>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "app/document/paths.h"
 #include "app/frame_text.h"
+#include "app/panels/frontier_plot.h"
 #include "app/panels/performance_panel.h"
 #include "app/scene_files.h"
 #include "app/viewport/error_meter.h"
@@ -134,6 +136,40 @@ class QualityTest : public QObject {
     QVERIFY2(0 < loose && loose < tight, qPrintable(QString("%1 %2").arg(loose).arg(tight)));
     QCOMPARE(label(*window, "shown"), QString("sliced %1").arg(tight));
     QVERIFY(label(*window, "why").contains("1 %"));
+  }
+
+  // Runs after the one above.
+  void the_plot_has_what_was_tried_where_you_are_and_what_auto_takes() {
+    TestWindow window(dense_cloud());
+    const auto* plot = window->findChild<FrontierPlot*>("frontier");
+    choose_bound(*window, "10 % error");
+    QVERIFY(window.settle());
+    choose_bound(*window, "1 % error");
+    QVERIFY(window.settle());
+    QVERIFY(plot->points().size() >= 2);
+    const auto count = [&](auto what) { return std::ranges::count(plot->points(), true, what); };
+    QCOMPARE(count(&FrontierPlot::Point::is_shown), 1);
+    QCOMPARE(count(&FrontierPlot::Point::is_autos), 1);
+    const FrontierPlot::Point autos =
+        *std::ranges::find(plot->points(), true, &FrontierPlot::Point::is_autos);
+    QVERIFY(autos.is_shown);
+    QCOMPARE(autos.error.rel_rmse, error_of(*window).rel_rmse);
+    QVERIFY(autos.milliseconds > 0.0);
+    for (const FrontierPlot::Point& point : plot->points()) {
+      QVERIFY(QRectF(plot->rect()).contains(plot->position(point)));
+    }
+
+    // With a method of the user's own that one is on screen, and auto's still told of.
+    window->findChild<QAction*>("airlight_paper")->trigger();
+    QVERIFY(window.settle());
+    QCOMPARE(plot->points().back().settings.airlight, AirlightMethod::paper);
+    QVERIFY(plot->points().back().is_shown);
+    QCOMPARE(count(&FrontierPlot::Point::is_shown), 1);
+    QCOMPARE(count(&FrontierPlot::Point::is_autos), 1);
+    // Far more error lies higher up.
+    QVERIFY(plot->position(plot->points().back()).y() < plot->position(autos).y());
+    window->findChild<QAction*>("airlight_auto")->trigger();
+    QVERIFY(window.settle());
   }
 
   // Runs after the one above.

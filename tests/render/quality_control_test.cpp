@@ -27,7 +27,7 @@ std::vector<std::size_t> steps_to_rest(QualityControl& control, const ErrorOfSte
   while (shown.size() < 100) {
     const std::size_t step = control.step();
     shown.push_back(step);
-    control.learn(Settings(control.settings()), error_of(error(step)));
+    control.learn(Settings(control.settings()), error_of(error(step)), 10.0);
     if (control.step() == step) return shown;
   }
   ADD_FAILURE() << "it does not come to rest";
@@ -153,7 +153,7 @@ TEST(QualityControl, NoticesLightsAndDensity) {
   const auto forgets = [&](auto change) {
     QualityControl control;
     control.follow(scene, scene.camera);
-    control.learn(control.settings(), error_of(0.02));
+    control.learn(control.settings(), error_of(0.02), 10.0);
     Scene changed = scene;
     change(changed);
     control.follow(changed, changed.camera);
@@ -187,7 +187,7 @@ TEST(QualityControl, IgnoresSettingsThatAreNotItsOwn) {
   QualityControl control;
   Settings paper;
   paper.airlight = AirlightMethod::paper;
-  control.learn(paper, error_of(0.9));
+  control.learn(paper, error_of(0.9), 10.0);
   for (const QualityControl::Trial& trial : control.trials()) EXPECT_FALSE(trial.error);
 }
 

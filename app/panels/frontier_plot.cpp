@@ -1,0 +1,144 @@
+#include "app/panels/frontier_plot.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "app/frame_text.h"
+#include "app/viewport/frame_quality.h"
+
+namespace brume {
+namespace {
+
+constexpr double least_error = 1e-4;  // less is not told apart
+constexpr double radius = 3.5;        // of a point [px]
+
+double shown_error(double error) {
+  return std::max(error, least_error);
+}
+
+double power_of_ten_below(double value) {
+  return std::pow(10.0, std::floor(std::log10(value) + 1e-9));
+}
+
+}  // namespace
+
+double FrontierPlot::Range::position(double value) const {
+  return std::log(value / low) / std::log(high / low);
+}
+
+FrontierPlot::FrontierPlot(QWidget* parent) : QWidget(parent) {
+  setObjectName("frontier");
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void FrontierPlot::show_quality(const FrameQuality& quality) {
+  points_.clear();
+  max_error_ = quality.max_error();
+  const QualityControl& control = quality.control();
+  for (const FrameQuality::Tried& tried : quality.tried()) {
+    points_.push_back({tried.settings, tried.error, std::max(tried.milliseconds, 0.1),
+                       quality.is_measured() && tried.settings == quality.settings_at_any_time(),
+                       tried.settings == control.settings()});
+  }
+  double errors[] = {max_error_, max_error_};
+  double times[] = {10.0, 10.0};
+  for (const Point& point : points_) {
+    errors[0] = std::min(errors[0], shown_error(point.error.low));
+    errors[1] = std::max(errors[1], shown_error(point.error.high));
+    times[0] = std::min(times[0], point.milliseconds);
+    times[1] = std::max(times[1], point.milliseconds);
+  }
+  const auto around = [](const double(&ends)[2]) {
+    return Range{power_of_ten_below(ends[0]), 10.0 * power_of_ten_below(ends[1])};
+  };
+  errors_ = around(errors);
+  milliseconds_ = around(times);
+  update();
+}
+
+QRectF FrontierPlot::area() const {
+  const QFontMetricsF metrics(font());
+  return QRectF(rect()).adjusted(metrics.horizontalAdvance("0.01 %") + 4, 4, -6,
+                                 -metrics.height() - 2);
+}
+
+double FrontierPlot::height_of(double error) const {
+  return area().bottom() - area().height() * errors_.position(shown_error(error));
+}
+
+QPointF FrontierPlot::position(const Point& point) const {
+  return {area().left() + area().width() * milliseconds_.position(point.milliseconds),
+          height_of(point.error.rel_rmse)};
+}
+
+bool FrontierPlot::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  for (const Point& point : points_) {
+    const QPointF off = position(point) - QPointF(help->pos());
+    if (std::hypot(off.x(), off.y()) > 2.0 * radius) continue;
+    QString text = tr("%1: %2 in %3 ms")
+                       .arg(settings_text(point.settings), error_text(point.error))
+                       .arg(point.milliseconds, 0, 'f', 1);
+    if (point.is_shown) text += tr("\nOn screen");
+    if (point.is_autos) text += tr("\nWhat auto takes");
+    QToolTip::showText(help->globalPos(), text, this);
+    return true;
+  }
+  QToolTip::showText(help->globalPos(),
+                     tr("Settings tried in this scene: milliseconds of a frame to the right, error "
+                        "upwards. Filled: on screen; ring: what auto takes; line: its bound."),
+                     this);
+  return true;
+}
+
+void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF area = this->area();
+  const QColor text = palette().color(QPalette::WindowText);
+  QColor faint = text;
+  faint.setAlphaF(0.15F);
+  painter.fillRect(area, palette().base());
+
+  for (double value = errors_.low; value < 1.01 * errors_.high; value *= 10.0) {
+    const double y = height_of(value);
+    painter.setPen(faint);
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+    painter.setPen(text);
+    painter.drawText(QRectF(0, y - 10, area.left() - 4, 20), Qt::AlignRight | Qt::AlignVCenter,
+                     bound_text(value));
+  }
+  for (double value = milliseconds_.low; value < 1.01 * milliseconds_.high; value *= 10.0) {
+    const double x = area.left() + area.width() * milliseconds_.position(value);
+    painter.setPen(faint);
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.setPen(text);
+    const QString label = tr("%1 ms").arg(value);
+    const double width = QFontMetricsF(font()).horizontalAdvance(label);
+    painter.drawText(QPointF(std::min(x - 0.5 * width, this->width() - width), height() - 3.0),
+                     label);
+  }
+  const QColor accent = palette().color(QPalette::Highlight);
+  painter.setPen(QPen(accent, 1, Qt::DashLine));
+  painter.drawLine(QPointF(area.left(), height_of(max_error_)),
+                   QPointF(area.right(), height_of(max_error_)));
+
+  for (const Point& point : points_) {
+    const QPointF at = position(point);
+    painter.setPen(text);
+    painter.drawLine(QPointF(at.x(), height_of(point.error.low)),
+                     QPointF(at.x(), height_of(point.error.high)));
+    painter.setBrush(point.is_shown ? accent : palette().base());
+    painter.drawEllipse(at, radius, radius);
+    if (!point.is_autos) continue;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(accent, 1.5));
+    painter.drawEllipse(at, radius + 3.0, radius + 3.0);
+  }
+}
+
+}  // namespace brume

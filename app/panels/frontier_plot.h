@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "render/error_estimate.h"
+#include "render/settings.h"
+
+namespace brume {
+
+class FrameQuality;
+
+// Speed against error in the scene at hand: the settings that frames were rendered with and
+// measured, on logarithmic axes, with the interval of each error; which one is on screen, which one
+// auto would take, and the bound it keeps.
+class FrontierPlot : public QWidget {
+  Q_OBJECT
+ public:
+  struct Point {
+    Settings settings;
+    ErrorEstimate error;
+    double milliseconds = 0.0;  // of a frame, > 0
+    bool is_shown = false;
+    bool is_autos = false;
+  };
+
+  explicit FrontierPlot(QWidget* parent = nullptr);
+
+  void show_quality(const FrameQuality& quality);
+  [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+  // Where a point lies in the widget.
+  [[nodiscard]] QPointF position(const Point& point) const;
+
+  [[nodiscard]] QSize minimumSizeHint() const override { return {110, 90}; }
+  [[nodiscard]] QSize sizeHint() const override { return {160, 110}; }
+
+ protected:
+  bool event(QEvent* event) override;  // tells of the point under the mouse
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  // An axis in powers of ten.
+  struct Range {
+    double low = 1.0;
+    double high = 10.0;
+    [[nodiscard]] double position(double value) const;  // in [0, 1]
+  };
+  [[nodiscard]] QRectF area() const;
+  [[nodiscard]] double height_of(double error) const;
+
+  std::vector<Point> points_;
+  double max_error_ = 0.02;
+  Range milliseconds_;
+  Range errors_;
+};
+
+}  // namespace brume
