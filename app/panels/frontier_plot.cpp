@@ -61,8 +61,9 @@ void FrontierPlot::show_quality(const FrameQuality& quality) {
 
 QRectF FrontierPlot::area() const {
   const QFontMetricsF metrics(font());
-  return QRectF(rect()).adjusted(metrics.horizontalAdvance("0.01 %") + 4, 4, -6,
-                                 -metrics.height() - 2);
+  const double line = metrics.height();
+  return QRectF(rect()).adjusted(metrics.horizontalAdvance("0.01 %") + 4, 0.5 * line, -6,
+                                 -1.5 * line);
 }
 
 double FrontierPlot::height_of(double error) const {
@@ -109,7 +110,7 @@ void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(faint);
     painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
     painter.setPen(text);
-    painter.drawText(QRectF(0, y - 10, area.left() - 4, 20), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, y - 20, area.left() - 4, 40), Qt::AlignRight | Qt::AlignVCenter,
                      bound_text(value));
   }
   for (double value = milliseconds_.low; value < 1.01 * milliseconds_.high; value *= 10.0) {
