@@ -117,12 +117,12 @@ void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
     const double x = area.left() + area.width() * milliseconds_.position(value);
     painter.setPen(faint);
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    painter.setPen(text);
-    const QString label = tr("%1 ms").arg(value);
-    const double width = QFontMetricsF(font()).horizontalAdvance(label);
-    painter.drawText(QPointF(std::min(x - 0.5 * width, this->width() - width), height() - 3.0),
-                     label);
   }
+  // Only the ends have room for their numbers.
+  painter.setPen(text);
+  const QRectF below(area.left() - 12, area.bottom(), area.width() + 18, height() - area.bottom());
+  painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, tr("%1 ms").arg(milliseconds_.low));
+  painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, tr("%1 ms").arg(milliseconds_.high));
   const QColor accent = palette().color(QPalette::Highlight);
   painter.setPen(QPen(accent, 1, Qt::DashLine));
   painter.drawLine(QPointF(area.left(), height_of(max_error_)),
