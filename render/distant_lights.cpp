@@ -141,6 +141,7 @@ void append(const Light& light, std::vector<DistantLight>& lights) {
 
 constexpr int fine_rows = 64;
 
+// The box with the greatest spread is halved until there are enough.
 std::vector<Box> split(const Raster& raster, const LightGrouping& grouping) {
   const int side = raster.rows() / grouping.least_rows;
   // Where one box is enough, it goes all around.

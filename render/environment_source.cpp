@@ -65,7 +65,6 @@ bool EnvironmentSource::update(const Input& input, const Job& job) {
   attenuation_ = std::exp(-input.fog_depth);
   if (same) return true;
   if (!same_light) read_map(*environment.map, input.anisotropy, input.size.directions, job);
-  for (Environment& part : beyond_) part.rotation = environment.rotation;
   medium_ = input.medium;
   anisotropy_ = input.anisotropy;
   receivers_ = input.receivers;
@@ -116,7 +115,7 @@ void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std:
     for (const LightGroup& group : groups) {
       if (group.family == family) members.push_back(&group);
     }
-    beyond_.emplace_back().map = scattered_beyond(phase_, anisotropy, members, job);
+    beyond_.push_back(scattered_beyond(phase_, anisotropy, members, job));
   }
 }
 
@@ -124,7 +123,7 @@ EnvironmentSource::WeightParts EnvironmentSource::weight_parts() const {
   // Sums of what is beyond float would not be numbers.
   const double scale =
       std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power_, 1e-30));
-  return {scale, phase_.factors(), beyond_};
+  return {scale, phase_.factors(), beyond_, environment_.rotation};
 }
 
 SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
@@ -136,8 +135,10 @@ SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
       weights.harmonics[4 * i + c] = static_cast<float>(scale * static_cast<double>(bands[i]));
     }
   }
+  if (beyond_.empty()) return weights;
+  const glm::vec3 in_map(glm::conjugate(environment_rotation(environment_)) * w);
   for (std::size_t f = 0; f < beyond_.size(); ++f) {
-    weights.families[f] = glm::vec3(scale * environment_radiance(beyond_[f], w));
+    weights.families[f] = static_cast<float>(scale) * map_radiance(*beyond_[f], in_map);
   }
   return weights;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,8 +47,10 @@ class EnvironmentSource {
   // What they are made of, for who makes many at once.
   struct WeightParts {
     double scale;
-    std::span<const double> factors;      // of the phase function's bands
-    std::span<const Environment> beyond;  // what is beyond them, of each family; empty: nothing
+    std::span<const double> factors;  // of the phase function's bands
+    // What is beyond them, of each family; empty: nothing.
+    std::span<const std::shared_ptr<const RadianceMap>> beyond;
+    double rotation;  // of these maps; see Environment
   };
   [[nodiscard]] WeightParts weight_parts() const;
 
@@ -67,7 +70,7 @@ class EnvironmentSource {
   double attenuation_ = 1.0;         // by the fog
   // For each family of lights the map that it makes by what the phase function has beyond the
   // bands. Empty where there is nothing.
-  std::vector<Environment> beyond_;
+  std::vector<std::shared_ptr<const RadianceMap>> beyond_;
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
   std::uint64_t revision_ = 0;

@@ -1,6 +1,5 @@
 #include "render/frame_file.h"
 
-
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image_file.h"

@@ -3,9 +3,9 @@
 #include <QWidget>
 #include <memory>
 
-#include "render/gl/egl_context.h"
 #include "app/viewport/viewport_surface.h"
 #include "app/viewport/vtk_host.h"
+#include "render/gl/egl_context.h"
 
 namespace brume {
 

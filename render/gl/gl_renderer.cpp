@@ -49,11 +49,12 @@ void read_back(const FilmTextures& textures, Frame& frame) {
   textures.airlight.download(values);
   for (std::size_t i = 0; i < pixels; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      frame.airlight[3 * i + k] = values[4 * i + k];
-      frame.transmittance[3 * i + k] = values[4 * i + 3];
+      frame.airlight[3 * i + k] = finite(values[4 * i + k]);
+      frame.transmittance[3 * i + k] = finite(values[4 * i + 3]);
     }
   }
   textures.beauty.download(frame.beauty);
+  for (float& x : frame.beauty) x = finite(x);
   std::vector<float>& pairs = frame.statistics.pixel_pairs;
   pairs.resize(pixels);
   textures.pairs.download(pairs);

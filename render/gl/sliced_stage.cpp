@@ -77,14 +77,14 @@ void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec
   program.set("source_scale", static_cast<float>(parts.scale));
   program.set("source_map_at", static_cast<int>(at));
   if (!parts.beyond.empty()) {
-    const RadianceMap& map = *parts.beyond[0].map;  // all have the same size
-    const double angle = glm::radians(parts.beyond[0].rotation);
+    const RadianceMap& map = *parts.beyond[0];  // all have the same size
+    const double angle = glm::radians(parts.rotation);
     program.set("source_map_size", glm::ivec2(map.width, map.height));
     program.set("source_rotation", glm::vec2(std::cos(angle), std::sin(angle)));
   }
-  for (const Environment& beyond : parts.beyond) {
-    for (std::size_t i = 0; is_new && i < beyond.map->pixels.size(); ++i) {
-      values.emplace_back(beyond.map->pixels[i], 0.0f);
+  for (const auto& beyond : parts.beyond) {
+    for (std::size_t i = 0; is_new && i < beyond->pixels.size(); ++i) {
+      values.emplace_back(beyond->pixels[i], 0.0f);
     }
   }
   if (!is_new) return;

@@ -16,9 +16,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Directions that the transmittance is taken at. Measured on fog patches under skies with a low sun,
-// where light passes through several of them, the error falls with their number to the power 1.3. The peak of the phase function makes any part of the sky matter most: none is
-// taken wider than the rows say, and there are as many again where the light is.
+// Directions that the transmittance is taken at. Measured on fog patches under skies with a low
+// sun, where light passes through several of them, the error falls with their number to the
+// power 1.3. The peak of the phase function makes any part of the sky matter most: none is taken
+// wider than the rows say, and there are as many again where the light is.
 LightGrouping directions(double anisotropy, double tolerance) {
   const int rows = anisotropy == 0.0 ? 4 : std::abs(anisotropy) < 0.7 ? 8 : 16;
   const auto boxes = static_cast<std::size_t>(2 * rows * rows);

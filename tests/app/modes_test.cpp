@@ -41,7 +41,8 @@ class ModesTest : public QObject {
       QVERIFY(statistics.view_pairs > 0);
       QVERIFY(std::abs(sum - static_cast<double>(statistics.view_pairs)) < 1e-4 * sum);
     }
-    // A corner that is hardly reached costs less than fog; the end of the scale is no less than any.
+    // A corner that is hardly reached costs less than fog; the end of the scale is no less than
+    // any.
     const auto frame = rendered(sliced_settings({}, 12));
     const QImage picture = to_picture(frame->frame, 0.0, ViewMode::cost);
     QVERIFY(2 * qGreen(picture.pixel(0, 0)) < qGreen(picture.pixel(22, 20)));

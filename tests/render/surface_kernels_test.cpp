@@ -146,7 +146,8 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
       const double reflected =
           std::max(0.0, sh_evaluate(sh_convolve(light_sh, clamped_cosine_sh()), points.normal[k]));
       const double scale = irradiance * 0.2 * std::numbers::inv_pi;
-      EXPECT_NEAR(static_cast<double>(scattered.r[k]), scale * T * std::exp(-T) * reflected, 5e-5 * scale);
+      EXPECT_NEAR(static_cast<double>(scattered.r[k]), scale * T * std::exp(-T) * reflected,
+                  5e-5 * scale);
       EXPECT_NEAR(scattered.b[k], scattered.r[k] * (0.9 / 0.2) / 3.0, 1e-5 * scale);
     }
   }

@@ -136,7 +136,7 @@ class ExportCommand final : public Command {
   bool half_ = false;
   double time_ = 0.0;
   std::string frames_;
-  double fps_ = 30.0;  // as the timeline
+  double fps_ = 30.0;           // as the timeline
   std::optional<Scene> scene_;  // once read
 };
 

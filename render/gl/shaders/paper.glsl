@@ -1,12 +1,7 @@
 // The paper's airlight: paper_airlight() and its kernels in render/cpu. A work group takes the
 // pixels of a tile, or a batch of those that upsampling asks for again.
 #include "constants.glsl"
-
-layout(local_size_x = 128) in;
-
-layout(std430, binding = 2) readonly buffer Seen { vec4 seen[]; };
-layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 4) readonly buffer Entries { uint list[]; };
+#include "tile_list.glsl"
 
 struct PaperLight {
   vec4 position;   // relative to the eye; h_min

@@ -1,14 +1,9 @@
 // The sliced airlight: sliced_airlight() and sum_slices() of render/cpu. A work group takes the
 // pixels of a tile, or a batch of those that upsampling asks for again.
 #include "constants.glsl"
-
-layout(local_size_x = 128) in;
+#include "tile_list.glsl"
 
 shared float boundaries[most_boundaries];
-
-layout(std430, binding = 2) readonly buffer Seen { vec4 seen[]; };
-layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 4) readonly buffer Entries { uint list[]; };
 
 #include "film.glsl"
 #include "noise.glsl"
