@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -47,6 +48,23 @@ struct FrameWork {
   RenderPlan plan;
   CameraRays rays;
   Frame frame;
+
+  FrameWork(const Scene& of, const Camera& from, const Film& film, const Settings& by,
+            const TransferStore& with, TransferStore* own, Job part, double of_albedo,
+            const FogEnd& end)
+      : scene(of),
+        camera(from),
+        settings(by),
+        transfers(with),
+        own_transfers(own),
+        job(std::move(part)),
+        albedo(of_albedo),
+        fog_end(end),
+        plan(of, by.airlight),
+        rays(from, film) {
+    frame.film = film;
+    frame.time = by.time;
+  }
 };
 
 // The stages of a frame that come before and after its airlight, and what they keep from frame to

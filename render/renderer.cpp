@@ -42,19 +42,8 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
   const FogEnd fog_end(scene);
   const auto render_one = [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
-    FrameWork work{of,
-                   camera,
-                   settings,
-                   *transfers_,
-                   own_transfers_.get(),
-                   part,
-                   albedo,
-                   fog_end,
-                   RenderPlan(of, settings.airlight),
-                   CameraRays(camera, film),
-                   {}};
-    work.frame.film = film;
-    work.frame.time = settings.time;
+    FrameWork work(of, camera, film, settings, *transfers_, own_transfers_.get(), part, albedo,
+                   fog_end);
     return arena.execute([&] { return impls_[which]->render(work); });
   };
 

@@ -191,19 +191,8 @@ std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera
       impl.groups.resize(groups);
       std::optional<Frame> frame = render_groups(
           scene, job, [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
-            FrameWork work{of,
-                           camera,
-                           settings,
-                           *impl.transfers,
-                           impl.own_transfers.get(),
-                           part,
-                           albedo,
-                           fog_end,
-                           RenderPlan(of, settings.airlight),
-                           CameraRays(camera, film),
-                           {}};
-            work.frame.film = film;
-            work.frame.time = settings.time;
+            FrameWork work(of, camera, film, settings, *impl.transfers, impl.own_transfers.get(),
+                           part, albedo, fog_end);
             return impl.render(work, arena, *impl.groups[which]);
           });
       if (!frame) return std::nullopt;
