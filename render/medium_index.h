@@ -34,6 +34,9 @@ class MediumIndex {
   // g of its phase function, see henyey_greenstein().
   [[nodiscard]] double anisotropy() const { return anisotropy_; }
   [[nodiscard]] double tolerance() const { return tolerance_; }
+  // A stretch of a ray with less depth gives no light that is worth having. In homogeneous fog all
+  // do: close to a light even short ones are bright.
+  [[nodiscard]] double negligible_depth() const { return b0_ > 0.0 ? 0.0 : 1e-3 * tolerance_; }
   [[nodiscard]] double homogeneous_density() const { return b0_; }
 
   // b(x) of Gaussians and b0 [1/u], exact up to the tolerance on depths.

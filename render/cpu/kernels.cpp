@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -188,12 +189,17 @@ std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& r
                       : PaperAirlightOfPack<false>(g, rays, lights, depths, scattered, radiance);
 }
 
+constexpr float pi = std::numbers::pi_v<float>;
+
 void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
                                    float anisotropy, const PathBatch& rays, float* radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const Vector s{set(light.x), set(light.y), set(light.z)};
   const V minus_b0 = set(-b0);
+  // The angle that the rule takes at once next to the phase function's peak.
+  const float first_panel = 4.0f * (1.0f - std::abs(anisotropy));
+  const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(pi / first_panel))));
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
     const Vector w = LoadDirection(rays, k);
     const V ts = dot(s, w);
@@ -218,22 +224,37 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     const V opposite = hn::Mul(h, end);
     const V adjacent = hn::NegMulAdd(ts, end, start2);
     const V acute = hn::Atan(d, hn::Div(opposite, hn::Max(hn::Abs(adjacent), set(1e-30f))));
-    const V span = hn::IfThenElse(hn::Ge(adjacent, zero), acute, hn::Sub(set(3.14159265f), acute));
-    V sum = zero;
-    for (int i = 0; i < 8; ++i) {
-      const V phi = hn::Mul(span, set(coefficient::fog_rule.nodes[i]));
-      const V sine = hn::Sin(d, phi);
-      const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
-      const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
-      const V along = hn::Sub(t, ts);
-      const V distance = hn::Sqrt(hn::MulAdd(along, along, gap2));
-      V value = hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance)));
-      if (anisotropy != 0.0f) {
-        value = hn::Mul(value, HenyeyGreenstein(d, CosTurn(d, along, distance), anisotropy));
+    const V span = hn::IfThenElse(hn::Ge(adjacent, zero), acute, hn::Sub(set(pi), acute));
+    // A forward peak of the phase function lies at angle 0 between light and view, a backward one
+    // at pi: panels double from there.
+    const V at_start = hn::Sub(set(0.5f * pi), hn::Atan(d, hn::Div(ts, h)));
+    const V before = anisotropy < 0.0f ? hn::Sub(set(pi), hn::Add(at_start, span)) : at_start;
+    V mean = zero;
+    for (int panel = 0; panel < panels; ++panel) {
+      const auto until = [&](int count) HWY_ATTR {
+        const V angle = count == panels ? set(4.0f) : set(std::ldexp(first_panel, count - 1));
+        return hn::Min(hn::Max(hn::Sub(angle, before), zero), span);
+      };
+      const V from = panel == 0 ? zero : until(panel);
+      const V part = hn::Sub(until(panel + 1), from);
+      if (hn::AllTrue(d, hn::Le(part, zero))) continue;
+      V sum = zero;
+      for (int i = 0; i < 8; ++i) {
+        const V angle = hn::MulAdd(part, set(coefficient::fog_rule.nodes[i]), from);
+        const V phi = anisotropy < 0.0f ? hn::Sub(span, angle) : angle;
+        const V sine = hn::Sin(d, phi);
+        const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
+        const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
+        const V along = hn::Sub(t, ts);
+        const V distance = hn::Sqrt(hn::MulAdd(along, along, gap2));
+        V value = hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance)));
+        if (anisotropy != 0.0f) {
+          value = hn::Mul(value, HenyeyGreenstein(d, CosTurn(d, along, distance), anisotropy));
+        }
+        sum = hn::MulAdd(set(coefficient::fog_rule.weights[i]), value, sum);
       }
-      sum = hn::MulAdd(set(coefficient::fog_rule.weights[i]), value, sum);
+      mean = hn::MulAdd(sum, hn::Div(part, h), mean);
     }
-    const V mean = hn::Mul(sum, hn::Div(span, h));
     const V gain = set(b0 * attenuation * 0.0795774715459476679f);
     hn::StoreU(hn::MulAdd(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 #include "render/cpu/slice_kernels.h"
 
@@ -17,22 +18,42 @@ namespace {
 // Directions are built in square blocks, whose rays share a list of Gaussians.
 constexpr int block_side = 8;
 
-// The map is laid out for this much of each Gaussian; what lies further out, below 0.2% of its
-// peak, gets the depth of the map's border.
-constexpr double core_radii = 2.5;
+// The map is laid out for this much of each Gaussian, in radii; what lies further out gets the
+// depth of the map's border: below 0.2% of the depth through its centre, and below 0.02 where that
+// is great.
+double core_radii(double greatest_depth) {
+  constexpr double least = 2.5;
+  return greatest_depth > 1.0 ? std::max(least, std::sqrt(std::log(greatest_depth / 0.02))) : least;
+}
 
 }  // namespace
 
 TableGaussian::TableGaussian(const MediumIndex& medium, std::size_t index)
     : center(medium.gaussians()[index].b),
-      core(std::min(medium.reach()[index], core_radii / medium.gaussians()[index].a)),
+      core(std::min(medium.reach()[index],
+                    core_radii(std::sqrt(std::numbers::pi) * medium.gaussians()[index].c /
+                               medium.gaussians()[index].a) /
+                        medium.gaussians()[index].a)),
       reach(medium.reach()[index]) {}
+
+TableRadii::TableRadii(int count_, double first_, double last, double half)
+    : count(count_), first(first_) {
+  const double length = last - first;
+  half = std::max(half, 1e-4 * length);  // more than float can take
+  if (half < 0.25 * length) bend = 1.0 / half - 2.0 / length;
+  per_unit = (count - 1) * (1.0 + bend * length) / length;
+}
+
+double TableRadii::radius(int k) const {
+  return first + k / (per_unit - bend * k);
+}
 
 LightTableLayout::LightTableLayout(const MediumIndex& medium, const glm::dvec3& light,
                                    const LightTableSize& size) {
   std::vector<Ball> balls;
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0.0;
+  std::vector<double> reaches;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const TableGaussian g(medium, i);
     if (!(g.reach > 0.0)) continue;
@@ -40,11 +61,23 @@ LightTableLayout::LightTableLayout(const MediumIndex& medium, const glm::dvec3& 
     const double distance = glm::length(g.center - light);
     nearest = std::min(nearest, distance - g.reach);
     farthest = std::max(farthest, distance + g.reach);
+    reaches.push_back(g.reach);
   }
   if (balls.empty()) return;
-  radii = size.radii;
-  first_radius = std::max(nearest, 0.0);
-  last_radius = farthest;
+  // A few Gaussians as large as the world must not leave the others in one cell.
+  const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2);
+  std::nth_element(reaches.begin(), middle, reaches.end());
+  double usual = 0.0;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const TableGaussian g(medium, i);
+    if (!(g.reach > 0.0) || g.reach > 10.0 * *middle) continue;
+    usual = std::max(usual, glm::length(g.center - light) + g.reach);
+  }
+  const double first = std::max(nearest, 0.0);
+  // Nor all of the light of a lamp in dense fog, which does not get far.
+  const double here = std::max(medium.density(light) - medium.homogeneous_density(), 1e-30);
+  radii =
+      TableRadii(size.radii, first, farthest, std::min(usual - first, LightTable::opaque / here));
   map = DirectionMap::towards(light, balls, size.directions);
 }
 
@@ -52,7 +85,7 @@ LightTable::LightTable(const MediumIndex& medium, const glm::dvec3& light,
                        const LightTableSize& size)
     : light_(light), layout_(medium, light, size) {
   if (layout_.empty()) return;
-  const auto radii = static_cast<std::size_t>(layout_.radii);
+  const auto radii = static_cast<std::size_t>(layout_.radii.count);
   std::vector<float> exact(layout_.map.cells() * radii);
   std::atomic<std::uint64_t> all_pairs = 0;
   tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int at) {
@@ -80,14 +113,14 @@ bool LightTable::update(const MediumIndex& medium, std::span<const TableGaussian
   for (const TableGaussian& g : changed) {
     if (!(g.reach > 0.0)) continue;
     const double distance = glm::length(g.center - light_);
-    if (empty() || std::max(distance - g.reach, 0.0) < layout_.first_radius ||
-        distance + g.reach > layout_.last_radius ||
+    if (empty() || std::max(distance - g.reach, 0.0) < layout_.radii.first ||
+        distance + g.reach > layout_.radii.last() ||
         !layout_.map.shows(light_, {g.center, g.core})) {
       return false;
     }
   }
   if (empty()) return true;
-  const auto radii = static_cast<std::size_t>(layout_.radii);
+  const auto radii = static_cast<std::size_t>(layout_.radii.count);
   // Beyond `opaque` nothing tells.
   const float most = 65535.0f * unit_ < 0.999f * opaque ? 65535.0f * unit_
                                                         : std::numeric_limits<float>::infinity();
@@ -124,7 +157,7 @@ LightTable::Block LightTable::block(int index) const {
   const int y0 = index / blocks_across() * block_side;
   for (int y = y0; y < std::min(y0 + block_side, layout_.map.rows + 2); ++y) {
     for (int x = x0; x < std::min(x0 + block_side, layout_.map.stride()); ++x) {
-      result.ends.push_back(light_ + layout_.last_radius * layout_.map.direction(x - 1, y - 1));
+      result.ends.push_back(light_ + layout_.radii.last() * layout_.map.direction(x - 1, y - 1));
       result.cells.push_back(static_cast<std::size_t>(y) *
                                  static_cast<std::size_t>(layout_.map.stride()) +
                              static_cast<std::size_t>(x));
@@ -136,12 +169,10 @@ LightTable::Block LightTable::block(int index) const {
 template <class Store>
 std::uint64_t LightTable::find_depths(const MediumIndex& medium, const Block& part,
                                       Store store) const {
-  const auto radii = static_cast<std::size_t>(layout_.radii);
+  const auto radii = static_cast<std::size_t>(layout_.radii.count);
   std::vector<float> boundaries(radii);
-  for (std::size_t k = 0; k < radii; ++k) {
-    boundaries[k] = static_cast<float>(layout_.first_radius +
-                                       (layout_.last_radius - layout_.first_radius) *
-                                           static_cast<double>(k) / static_cast<double>(radii - 1));
+  for (int k = 0; k < layout_.radii.count; ++k) {
+    boundaries[static_cast<std::size_t>(k)] = static_cast<float>(layout_.radii.radius(k));
   }
   std::vector<std::uint32_t> candidates;
   medium.hierarchy().query(RayBundle(light_, part.ends),
@@ -170,9 +201,10 @@ LightTable::View LightTable::view() const {
   return {depths_.data(),
           unit_,
           layout_.map,
-          layout_.radii,
-          static_cast<float>(layout_.first_radius),
-          static_cast<float>((layout_.radii - 1) / (layout_.last_radius - layout_.first_radius))};
+          layout_.radii.count,
+          static_cast<float>(layout_.radii.first),
+          static_cast<float>(layout_.radii.per_unit),
+          static_cast<float>(layout_.radii.bend)};
 }
 
 }  // namespace brume

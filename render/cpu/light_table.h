@@ -20,18 +20,32 @@ struct TableGaussian {
   TableGaussian(const MediumIndex& medium, std::size_t index);
 };
 
+// The radii of a table: even, or ever wider the farther from the light where a few Gaussians are
+// much larger than the others. Radius r is number per_unit x / (1 + bend x), x = r - first.
+struct TableRadii {
+  int count = 0;
+  double first = 0.0;     // [u]
+  double per_unit = 0.0;  // [1/u]
+  double bend = 0.0;      // [1/u]; 0: even
+
+  TableRadii() = default;
+  // From first to last; half of them up to first + `half`, if that is not half of the way or more.
+  TableRadii(int count_, double first_, double last, double half);
+
+  [[nodiscard]] double radius(int k) const;
+  [[nodiscard]] double last() const { return radius(count - 1); }
+};
+
 // Which directions and radii a table covers.
 struct LightTableLayout {
   DirectionMap map;
-  int radii = 0;
-  double first_radius = 0.0;  // [u]
-  double last_radius = 0.0;
+  TableRadii radii;
 
   LightTableLayout() = default;
   LightTableLayout(const MediumIndex& medium, const glm::dvec3& light, const LightTableSize& size);
 
   // No Gaussian reaches anything.
-  [[nodiscard]] bool empty() const { return radii == 0; }
+  [[nodiscard]] bool empty() const { return radii.count == 0; }
 };
 
 // T(s, x) of the Gaussians around one light, tabulated over directions and radii and interpolated
@@ -64,8 +78,7 @@ class LightTable {
     float unit = 0.0f;  // the depth that 1 stands for
     DirectionMap map;
     int radii = 0;
-    float first_radius = 0.0f;
-    float radii_per_unit = 0.0f;
+    float first_radius = 0.0f, radii_per_unit = 0.0f, bend = 0.0f;  // see TableRadii
   };
   [[nodiscard]] View view() const;
 

@@ -77,7 +77,7 @@ std::uint64_t take_samples(const MediumIndex& medium, const TileRays& rays, int 
       sample_medium(s.batch, s.rays, s.t.data(), s.weights.data(), s.depths.data());
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   // A ray whose every step is as thin as this lies below what other methods leave out.
-  const auto negligible = static_cast<float>(0.1 * medium.tolerance() / steps);
+  const auto negligible = static_cast<float>(medium.negligible_depth() / steps);
   constexpr float opaque = 45.0f;
   s.kept.clear();
   s.points.clear();

@@ -13,7 +13,8 @@ ShadowMap::ShadowMap(const Visibility& visibility, const glm::dvec3& light, cons
     std::vector<glm::dvec3> directions;
     for (int x = 0; x < map.stride(); ++x) directions.push_back(map.direction(x - 1, y - 1));
     std::vector<SurfaceHit> hits(stride);
-    visibility.first_hits(light, directions, hits);
+    // A lamp on a ceiling shines.
+    visibility.first_hits(light, directions, hits, visibility.least_gap());
     float* const row = distances_.data() + static_cast<std::size_t>(y) * stride;
     for (std::size_t x = 0; x < stride; ++x) row[x] = static_cast<float>(hits[x].distance);
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 #include "core/transport/light_path.h"
 #include "render/cpu/ray_range.h"
@@ -14,8 +15,10 @@ namespace {
 // Where light falls off within a medium, slices of equal angle as seen from the light.
 void add_equi_angular(const SlicedLight& light, const glm::dvec3& eye, const glm::dvec3& w,
                       const RayRange& range, int count, std::vector<double>& boundaries) {
-  // A light almost on the ray would put all slices at one point: half a slice is fine enough.
-  const double least = 0.25 * (range.end - range.begin) / count;
+  // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
+  // what is near the light if the medium is endless.
+  const double near = 16.0 * glm::length(light.position - (eye + range.begin * w));
+  const double least = 0.25 * std::min(range.end - range.begin, near) / count;
   const EquiAngular<double> angular(
       LightPath<double>(light.position, eye, w, std::max(light.h_min, least)), range.end);
   const double begin = angular.angle(range.begin);
@@ -23,6 +26,17 @@ void add_equi_angular(const SlicedLight& light, const glm::dvec3& eye, const glm
     const double t = angular.t(begin + (angular.span - begin) * k / count);
     if (t > range.begin && t < range.end) boundaries.push_back(t);
   }
+}
+
+// The depth of a line through a Gaussian of radius r, where its density is at most `peak`.
+double line_depth(double peak, double r) {
+  return std::sqrt(std::numbers::pi) * peak * r;
+}
+
+// How far from its centre a Gaussian wants slices, over its radius: an opaque one out to where its
+// tail is a fiftieth deep.
+double core_radii(double depth) {
+  return depth < slice_opaque ? 2.0 : std::sqrt(std::log(50.0 * depth));
 }
 
 // How many boundaries a stretch of a ray wants: the midpoint rule is off by the second derivative
@@ -38,21 +52,13 @@ class SliceDemand {
 
   // A Gaussian of radius r whose density is `peak` where the ray passes it at t.
   void add(double t, double r, double peak) {
-    const double half = 1.5 * r;
-    const auto bin = [this](double x) {
-      const double most = static_cast<double>(rate_.size() - 1);
-      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, most));
-    };
-    const std::size_t first = bin(t - half);
-    const std::size_t last = bin(t + half) + 1;
-    if (last >= rate_.size() && first + 1 >= rate_.size()) return;
-    // A box with the Gaussian's integral.
-    const double rate = peak * 0.59;
-    rate_[first] += rate;
-    curvature_[first] += peak / (r * r);
-    if (last < rate_.size()) {
-      rate_[last] -= rate;
-      curvature_[last] -= peak / (r * r);
+    add_box(t, 1.5 * r, 0.59 * peak, peak / (r * r));  // with the Gaussian's integral
+    const double depth = line_depth(peak, r);
+    if (depth < slice_opaque) return;
+    for (double k = 1.5; k < core_radii(depth); k += 0.5) {
+      const double middle = k + 0.25;
+      const double density = peak * std::exp(-middle * middle);
+      add_box(t, (k + 0.5) * r, density, 4.0 * middle * middle * density / (r * r));
     }
   }
 
@@ -69,6 +75,8 @@ class SliceDemand {
       rate += rate_[i];
       curvature += curvature_[i];
       demand[i] = std::cbrt(std::max(curvature, 0.0) / (1.0 + std::clamp(depth, 0.0, 4.0)));
+      // Behind that much only rays are seen that pass beside it.
+      if (depth > slice_opaque) demand[i] *= slice_opaque / depth;
       depth += rate * width_;
       sum += demand[i];
     }
@@ -90,6 +98,22 @@ class SliceDemand {
   }
 
  private:
+  void add_box(double t, double half, double rate, double curvature) {
+    const auto bin = [this](double x) {
+      const double most = static_cast<double>(rate_.size() - 1);
+      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, most));
+    };
+    const std::size_t first = bin(t - half);
+    const std::size_t last = bin(t + half) + 1;
+    if (last >= rate_.size() && first + 1 >= rate_.size()) return;
+    rate_[first] += rate;
+    curvature_[first] += curvature;
+    if (last < rate_.size()) {
+      rate_[last] -= rate;
+      curvature_[last] -= curvature;
+    }
+  }
+
   double begin_;
   double width_;
   std::vector<double> rate_;       // differences from bin to bin
@@ -113,7 +137,8 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   }
   spread = std::sqrt(spread);
 
-  // The Gaussians: slices over two radii to both sides, and one more for the tail at each end.
+  // The Gaussians: slices over two radii or more to both sides, and one more for the tail at each
+  // end.
   RayRange reach;
   RayRange core;
   for (const std::uint32_t i : gaussians) {
@@ -121,7 +146,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const double t = glm::dot(g.b - rays.eye, w);
     const double r = medium.reach()[i];
     reach.add(t - r, t + r);
-    const double half = std::min(2.0 / g.a, r);
+    const double half = std::min(core_radii(line_depth(g.c, 1.0 / g.a)) / g.a, r);
     core.add(t - half, t + half);
   }
   reach.clip(longest);
@@ -142,7 +167,8 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
         const GaussianTerm<double>& g = medium.gaussians()[i];
         const glm::dvec3 q = g.b - rays.eye;
         const double t = glm::dot(q, w);
-        if (t + 1.5 / g.a < core.begin || t - 1.5 / g.a > core.end) continue;
+        const double half = core_radii(line_depth(g.c, 1.0 / g.a)) / g.a;
+        if (t + half < core.begin || t - half > core.end) continue;
         const double h = g.a * std::max(glm::length(q - t * w) - spread * std::max(t, 0.0), 0.0);
         demand.add(t, 1.0 / g.a, g.c * std::exp(-h * h));
       }
@@ -171,10 +197,12 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     }
   }
   std::sort(boundaries.begin(), boundaries.end());
-  const double least = 1e-6 * (whole.end - whole.begin);
-  boundaries.erase(std::unique(boundaries.begin(), boundaries.end(),
-                               [least](double a, double b) { return b - a < least; }),
-                   boundaries.end());
+  // Float tells no more apart.
+  const double least = 1e-9 * (whole.end - whole.begin);
+  boundaries.erase(
+      std::unique(boundaries.begin(), boundaries.end(),
+                  [least](double a, double b) { return b - a < std::max(least, 1e-6 * b); }),
+      boundaries.end());
 }
 
 }  // namespace brume

@@ -14,6 +14,9 @@ namespace brume {
 // counts as that, or rounding would decide.
 constexpr double bin_room = 1e-3;
 
+// What is seen of a Gaussian this deep is its tail.
+constexpr double slice_opaque = 40.0;
+
 // Where the slices of a tile's rays begin and end, ascending [u]: about `slices` of them where its
 // Gaussians are, finer where these are small and dense, and as many again for fog and for lights in
 // or near the medium. All rays of a tile share them; they are chosen on its middle ray. Fewer than

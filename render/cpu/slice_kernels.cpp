@@ -149,10 +149,10 @@ HWY_INLINE V LookUp(const LightTable::View& table, const Vector& q, V distance) 
   const D d;
   const hn::RebindToSigned<D> di;
   const MapPosition position(table.map, q, distance);
-  const V r = hn::Min(
-      hn::Max(hn::Mul(hn::Sub(distance, set(table.first_radius)), set(table.radii_per_unit)),
-              hn::Zero(d)),
-      set(static_cast<float>(table.radii) - 1.001f));
+  const V beyond = hn::Max(hn::Sub(distance, set(table.first_radius)), hn::Zero(d));
+  V r = hn::Mul(beyond, set(table.radii_per_unit));
+  if (table.bend > 0.0f) r = hn::Div(r, hn::MulAdd(set(table.bend), beyond, set(1.0f)));
+  r = hn::Min(r, set(static_cast<float>(table.radii) - 1.001f));
   const auto ri = hn::ConvertTo(di, r);
   const V fr = hn::Sub(r, hn::ConvertTo(d, ri));
   const auto first = hn::Add(hn::Mul(position.cell, hn::Set(di, table.radii)), ri);

@@ -64,7 +64,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       accumulate_increments(s.batch, s.rays, s.boundaries, s.increments.data());
 
   const double b0 = medium.homogeneous_density();
-  const auto negligible = static_cast<float>(0.1 * medium.tolerance());
+  const auto negligible = static_cast<float>(medium.negligible_depth());
   s.depths.resize(stride);
   if (environment) s.shares.resize(s.increments.size());
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {

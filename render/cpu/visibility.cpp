@@ -215,7 +215,7 @@ SurfaceHit Visibility::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
 }
 
 void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
-                            std::span<SurfaceHit> hits) const {
+                            std::span<SurfaceHit> hits, double nearest) const {
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
   const bool is_near = impl_->is_near(origin);
@@ -227,6 +227,7 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
     const std::size_t count = std::min(packet, directions.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
       if (!is_near) parts[k] = impl_->to_first_hit(origin, directions[first + k]);
+      parts[k].tnear = std::max(nearest - parts[k].skip, 0.0);
       impl_->set(query.ray, k, origin, directions[first + k], parts[k]);
       query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
@@ -238,6 +239,10 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
                             query.hit.u[k], query.hit.v[k]);
     }
   }
+}
+
+double Visibility::least_gap() const {
+  return self_hit_margin * 2.0 * impl_->radius;
 }
 
 SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,

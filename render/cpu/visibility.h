@@ -53,9 +53,13 @@ class Visibility {
   // The nearest hit of a ray (unit direction). Thread-safe.
   [[nodiscard]] SurfaceHit first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
-  // The same for rays that lie close to each other, several times as fast.
+  // The same for rays that lie close to each other, several times as fast. Hits nearer than
+  // `nearest` do not count.
   void first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
-                  std::span<SurfaceHit> hits) const;
+                  std::span<SurfaceHit> hits, double nearest = 0.0) const;
+
+  // How far off surfaces rays must begin that leave them, a few roundings of float [u].
+  [[nodiscard]] double least_gap() const;
 
   // The point where that ray hit. Thread-safe.
   [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,

@@ -42,7 +42,7 @@ std::span<const DirectionMap> LightTables::lay_out(const MediumIndex& medium,
   maps_.resize(lights.size());
   for (std::size_t l = 0; l < lights.size(); ++l) {
     Table& table = tables_[l];
-    if (!same || table.light != lights[l].position || table.layout.radii == 0) {
+    if (!same || table.light != lights[l].position || table.layout.empty()) {
       table = {lights[l].position, LightTableLayout(medium, lights[l].position, size), false};
     }
     maps_[l] = table.layout.map;
@@ -76,9 +76,10 @@ std::uint64_t LightTables::build(Programs& programs, MediumBuffers& medium) {
     program.set("map_axis", map.axis);
     program.set("map_offset", map.offset);
     program.set("map_cells", map.cells);
-    program.set("radii", table.layout.radii);
-    program.set("first_radius", static_cast<float>(table.layout.first_radius));
-    program.set("last_radius", static_cast<float>(table.layout.last_radius));
+    program.set("radii", table.layout.radii.count);
+    program.set("first_radius", static_cast<float>(table.layout.radii.first));
+    program.set("radii_per_unit", static_cast<float>(table.layout.radii.per_unit));
+    program.set("bend", static_cast<float>(table.layout.radii.bend));
     medium.bind();
     values_.bind(2);
     pairs_.bind(4);
@@ -104,10 +105,8 @@ void LightTables::upload(std::span<const SlicedLight> lights, const glm::dvec3& 
     if (!layout.empty()) {
       u.has.x = 1;
       u.table = MapUniforms(layout.map, l * most_words(size_));
-      u.radii = {
-          static_cast<float>(layout.first_radius),
-          static_cast<float>((layout.radii - 1) / (layout.last_radius - layout.first_radius)),
-          static_cast<float>(layout.radii), 0.0f};
+      u.radii = glm::vec4(layout.radii.first, layout.radii.per_unit, layout.radii.count,
+                          layout.radii.bend);
     }
     if (light.shadows && !light.shadows->empty()) {
       const DirectionMap& map = light.shadows->map();

@@ -77,6 +77,7 @@ std::string shader_constants() {
   constants.add("scatter_scale", ScatterTable::scale);
   constants.add("opaque", LightTable::opaque);
   constants.add("bin_room", static_cast<float>(bin_room));
+  constants.add("slice_opaque", static_cast<float>(slice_opaque));
   constants.add("fog_end", static_cast<float>(fog_end));
   constants.add("phase", static_cast<float>(0.25 * std::numbers::inv_pi));
   constants.add("noise_period", RayNoise::period);

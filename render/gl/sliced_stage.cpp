@@ -35,7 +35,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, StageClock& c
   program.set("slices", work.settings.slices);
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("anisotropy", static_cast<float>(medium.anisotropy()));
-  program.set("negligible", static_cast<float>(0.1 * medium.tolerance()));
+  program.set("negligible", static_cast<float>(medium.negligible_depth()));
   upload_source(work.plan.airlight ? stages.scattered_environment(work) : nullptr, eye, program);
   return film_.run(
       device.programs, device.clock, program,

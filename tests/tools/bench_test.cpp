@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/io/scene_file.h"
 #include "tests/tools/command_line.h"
 #include "tools/bench/bench_compare.h"
 #include "tools/bench/frontier.h"
@@ -68,7 +70,9 @@ TEST_F(BenchCommand, WritesAReport) {
   const ProgramResult result =
       run_brume({"bench", "--quick", scene_, "-o", file("report"), "--threads", "2"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("a.brume: 2 Gaussians"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("| a: 2 Gaussians |"), std::string::npos) << result.out;
+  EXPECT_EQ(content_of(file("report.md")), result.out);
+  EXPECT_TRUE(content_of(file("report.svg")).starts_with("<svg "));
   const Json json = Json::parse(content_of(file("report.json")));
   EXPECT_EQ(json["threads"], 2);
   ASSERT_EQ(json["scenes"].size(), 1u);
@@ -92,6 +96,33 @@ TEST_F(BenchCommand, WritesAReport) {
   // A report is at least as good as itself.
   const std::string old = content_of(file("report.json"));
   EXPECT_TRUE(compare_reports("report.json", old, old).empty());
+}
+
+TEST_F(BenchCommand, PutsOtherProgramsBeside) {
+  const Json row = {{"scene", "a"},          {"size", {24, 18}},       {"program", "Other"},
+                    {"setting", "7 grains"}, {"cpu_seconds", 123.456}, {"rel_rmse", 0.019}};
+  folder_.write("peers.json", Json{{"peers", {row}}}.dump());
+  const ProgramResult result =
+      run_brume({"bench", "--quick", scene_, "-o", file("report"), "--peers", file("peers.json")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("| Other | 7 grains | 123.46 s | 1.9% |"), std::string::npos)
+      << result.out;
+  EXPECT_NE(content_of(file("report.svg")).find("Other"), std::string::npos);
+  const Json json = Json::parse(content_of(file("report.json")));
+  EXPECT_EQ(json["scenes"][0]["peers"][0]["cpu_ms"], 123456.0);
+
+  folder_.write("peers.json", R"({"peers": [{"scene": "a"}]})");
+  expect_refused({"bench", "-o", file("report"), "--peers", file("peers.json")},
+                 {"peers.json", "compare-peers"});
+}
+
+TEST_F(BenchCommand, SavesItsScenes) {
+  const std::string folder = file("scenes");
+  std::filesystem::create_directory(folder);
+  ASSERT_EQ(run_brume({"bench", "--save-scenes", folder}).exit_code, 0);
+  const Scene scene = load_scene(folder + "/cloud_300_depth_3.brume");
+  EXPECT_EQ(scene.medium.size(), 300u);
+  EXPECT_EQ(scene.film, (Film{200, 150}));
 }
 
 TEST_F(BenchCommand, RefusesBeforeLongWork) {

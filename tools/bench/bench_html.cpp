@@ -1,46 +1,15 @@
 #include "tools/bench/bench_html.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdarg>
 #include <cstdint>
 #include <cstdio>
-#include <utility>
 
-#include "tools/bench/bench_json.h"
+#include "tools/bench/device_name.h"
+#include "tools/bench/frontier_plot.h"
+#include "tools/bench/log_plot.h"
 
 namespace brume {
 namespace {
-
-// printf() to the end of a text.
-[[gnu::format(printf, 2, 3)]] void put(std::string& to, const char* format, ...) {
-  char text[1024];
-  std::va_list arguments;
-  va_start(arguments, format);
-  const int size = std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  to.append(text, static_cast<std::size_t>(std::clamp(size, 0, 1023)));
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string base64(const std::string& bytes) {
   constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -58,110 +27,19 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-// A plot with logarithmic axes over whole decades.
-class LogPlot {
- public:
-  LogPlot(std::pair<double, double> x, std::pair<double, double> y, const char* x_title,
-          const char* y_title)
-      : x_(decades(x)), y_(decades(y)) {
-    put(svg_, "<svg viewBox=\"0 0 %d %d\" width=\"%d\">", width, height, width);
-    for (double d = x_.first; d <= x_.second; ++d) {
-      put(svg_, "<path class=grid d=\"M%.1f %d V%d\"/>", px(std::pow(10, d)), top, bottom);
-      put(svg_, "<text x=\"%.1f\" y=\"%d\" class=mid>%g</text>", px(std::pow(10, d)), bottom + 14,
-          std::pow(10, d));
-    }
-    for (double d = y_.first; d <= y_.second; ++d) {
-      put(svg_, "<path class=grid d=\"M%d %.1f H%d\"/>", left, py(std::pow(10, d)), right);
-      put(svg_, "<text x=\"%d\" y=\"%.1f\" class=end>%g</text>", left - 4, py(std::pow(10, d)) + 4,
-          std::pow(10, d));
-    }
-    put(svg_, "<text x=\"%d\" y=\"%d\" class=mid>%s</text>", (left + right) / 2, height - 4,
-        x_title);
-    put(svg_, "<text transform=\"translate(12 %d) rotate(-90)\" class=mid>%s</text>",
-        (top + bottom) / 2, y_title);
-  }
-  void dot(double x, double y, const char* color, const std::string& title) {
-    put(svg_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=4 fill=\"%s\"><title>%s</title></circle>", px(x),
-        py(y), color, escaped(title).c_str());
-  }
-  void line(const std::vector<std::pair<double, double>>& points, const char* color) {
-    svg_ += "<path fill=none stroke=\"" + std::string(color) + "\" d=\"";
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      put(svg_, "%c%.1f %.1f", i == 0 ? 'M' : 'L', px(points[i].first), py(points[i].second));
-    }
-    svg_ += "\"/>";
-  }
-  [[nodiscard]] std::string svg() const { return svg_ + "</svg>\n"; }
-
- private:
-  static constexpr int width = 560, height = 300;
-  static constexpr int left = 60, right = 540, top = 12, bottom = 256;
-
-  static std::pair<double, double> decades(std::pair<double, double> range) {
-    const double low = std::floor(std::log10(std::max(range.first, 1e-9)));
-    return {low, std::max(std::ceil(std::log10(std::max(range.second, 1e-9))), low + 1.0)};
-  }
-  static double place(double value, std::pair<double, double> axis) {
-    return (std::log10(std::max(value, 1e-9)) - axis.first) / (axis.second - axis.first);
-  }
-  [[nodiscard]] double px(double x) const {
-    return left + std::clamp(place(x, x_), 0.0, 1.0) * (right - left);
-  }
-  [[nodiscard]] double py(double y) const {
-    return bottom - std::clamp(place(y, y_), 0.0, 1.0) * (bottom - top);
-  }
-
-  std::pair<double, double> x_, y_;
-  std::string svg_;
-};
-
-const char* color_of(const Settings& settings) {
-  switch (settings.airlight) {
-    case AirlightMethod::paper:
-      return "#c4a000";
-    case AirlightMethod::sliced:
-      return settings.airlight_scale > 1 ? "#1f77b4" : "#6baed6";
-    case AirlightMethod::march:
-      return settings.airlight_scale > 1 ? "#d62728" : "#f19c99";
-    case AirlightMethod::reference:
-      return "#555";
-  }
-  return "#000";
-}
-
-std::string frontier_plot(const SceneReport& scene) {
-  double least_time = scene.settings[0].cpu_milliseconds.median;
-  double greatest_time = scene.reference_cpu_milliseconds;
-  double least_error = 1e-3;
-  double greatest_error = 0.1;
-  for (const Measurement& m : scene.settings) {
-    least_time = std::min(least_time, m.cpu_milliseconds.median);
-    greatest_time = std::max(greatest_time, m.cpu_milliseconds.median);
-    least_error = std::min(least_error, std::max(m.error.rel_rmse, 1e-5));
-    greatest_error = std::max(greatest_error, m.error.rel_rmse);
-  }
-  LogPlot plot({100.0 * least_error, 100.0 * greatest_error}, {least_time, greatest_time},
-               "error, relative RMSE [%]", "CPU time of a frame [ms]");
-  std::vector<std::pair<double, double>> best;
-  for (const std::size_t i : frontier(scene.settings)) {
-    const Measurement& m = scene.settings[i];
-    best.emplace_back(100.0 * m.error.rel_rmse, m.cpu_milliseconds.median);
-  }
-  plot.line(best, "#333");
-  for (const Measurement& m : scene.settings) {
-    char value[96];
-    std::snprintf(value, sizeof value, ": %.3f%%, %.1f ms", 100.0 * m.error.rel_rmse,
-                  m.cpu_milliseconds.median);
-    plot.dot(100.0 * m.error.rel_rmse, m.cpu_milliseconds.median, color_of(m.settings),
-             m.setting + value);
-  }
-  plot.dot(100.0 * least_error, scene.reference_cpu_milliseconds, "#555", "reference");
-  return plot.svg();
-}
-
 std::string picture_cell(const char* title, const std::string& png) {
   return std::string("<figure><img src=\"data:image/png;base64,") + base64(png) +
          "\"><figcaption>" + title + "</figcaption></figure>";
+}
+
+void put_peers(const SceneReport& scene, std::string& html) {
+  if (scene.peers.empty()) return;
+  html += "<table><tr><th>program<th>setting<th>CPU time<th>error";
+  for (const PeerRow& peer : scene.peers) {
+    put(html, "<tr><td>%s<td>%s<td>%.1f s<td>%.2f%%", escaped(peer.program).c_str(),
+        escaped(peer.setting).c_str(), 1e-3 * peer.cpu_milliseconds, 100.0 * peer.rel_rmse);
+  }
+  html += "</table>\n";
 }
 
 void put_scene(const SceneReport& scene, std::string& html) {
@@ -189,11 +67,18 @@ void put_scene(const SceneReport& scene, std::string& html) {
     const Measurement& m = scene.settings[*best];
     put(html, "<td>%s<td>%.1f ms", m.setting.c_str(), m.cpu_milliseconds.median);
   }
+  html += "</table>\n";
+  put_peers(scene, html);
   html +=
-      "</table>\n<details><summary>All settings</summary><table><tr><th>setting"
+      "<details><summary>All settings</summary><table><tr><th>setting"
       "<th>frame [ms]<th>CPU [ms]<th>least, most<th>first frame [ms]<th>error<th>interval"
       "<th>stages [ms]";
-  for (const Measurement& m : scene.settings) {
+  std::vector<Measurement> all = scene.settings;
+  for (Measurement m : scene.on_gl) {
+    m.setting = "OpenGL, " + m.setting;
+    all.push_back(m);
+  }
+  for (const Measurement& m : all) {
     put(html, "<tr><td>%s<td>%.2f<td>%.2f<td>%.2f, %.2f<td>%.1f<td>%.3f%%<td>%.3f, %.3f%%<td>",
         m.setting.c_str(), m.milliseconds.median, m.cpu_milliseconds.median,
         m.cpu_milliseconds.least, m.cpu_milliseconds.greatest, m.first_milliseconds,
@@ -234,12 +119,12 @@ void put_table_one(const std::vector<TableOneRow>& rows, std::string& html) {
       "<h2>Table 1 of the paper</h2>\n<p>800 x 600, the airlight at every fourth pixel, the "
       "fewest slices that keep an error of 2%, the camera moving. The paper's figures are "
       "those of a GPU of 2007.</p>\n<table><tr><th>scene<th>frames per second<th>the paper"
-      "<th>setting<th>error<th>CPU [ms]<th>stages [ms]";
+      "<th>setting<th>error<th>CPU [ms]<th>share of the kernel's limit<th>stages [ms]";
   for (const TableOneRow& row : rows) {
     const Measurement& m = row.measurement;
-    put(html, "<tr><td>%s<td>%.1f<td>%.0f<td>%s<td>%.2f%%<td>%.1f<td>", row.name.c_str(),
+    put(html, "<tr><td>%s<td>%.1f<td>%.0f<td>%s<td>%.2f%%<td>%.1f<td>%.0f%%<td>", row.name.c_str(),
         1e3 / m.milliseconds.median, row.paper_fps, m.setting.c_str(), 100.0 * m.error.rel_rmse,
-        m.cpu_milliseconds.median);
+        m.cpu_milliseconds.median, 100.0 * row.share.of_limit_with_pairs.median);
     for (const StageTime& stage : m.stages) {
       if (stage.milliseconds < 0.05) continue;
       put(html, "%s %.1f ", stage.name.c_str(), stage.milliseconds);
@@ -248,30 +133,76 @@ void put_table_one(const std::vector<TableOneRow>& rows, std::string& html) {
   html += "</table>\n";
 }
 
+void put_threads(const std::vector<ThreadRow>& rows, std::string& html) {
+  html +=
+      "<h2>Threads</h2>\n<p>The box of 1,000 Gaussians at 800 x 600, sliced 24.</p>\n<table><tr>"
+      "<th>threads<th>frame [ms]<th>least, most<th>times as fast as one";
+  for (const ThreadRow& row : rows) {
+    put(html, "<tr><td>%d<td>%.1f<td>%.1f, %.1f<td>%.2f", row.threads, row.milliseconds.median,
+        row.milliseconds.least, row.milliseconds.greatest,
+        rows[0].milliseconds.median / row.milliseconds.median);
+  }
+  html += "</table>\n";
+}
+
+void put_savings(const std::vector<PlanSaving>& savings, std::string& html) {
+  html +=
+      "<h2>What a scene needs</h2>\n<p>CPU time of a frame of 200 x 150 where a stage is left "
+      "out, and of the same picture where it has as good as nothing to do.</p>\n<table><tr>"
+      "<th>stage<th>left out because<th>without [ms]<th>with [ms]<th>the picture changes by";
+  for (const PlanSaving& saving : savings) {
+    put(html, "<tr><td>%s<td>%s<td>%.2f<td>%.2f<td>%.1e", saving.stage.c_str(), saving.why.c_str(),
+        saving.left_out.median, saving.made.median, saving.change);
+  }
+  html += "</table>\n";
+}
+
+void put_hard_cases(const std::vector<HardCaseRow>& rows, std::string& html) {
+  const bool with_gl = rows[0].errors.gl.has_value();
+  html +=
+      "<h2>Hard cases</h2>\n<p>Relative RMSE of the airlight against values computed elsewhere "
+      "to eleven digits: of the reference in double, of sliced 24 in float; of paper in float "
+      "against the same in double.</p>\n<table><tr><th>case<th>what breaks<th>what Brume does"
+      "<th>reference<th>sliced 24";
+  if (with_gl) html += "<th>OpenGL";
+  html += "<th>paper<th>bound of sliced";
+  for (const auto& [hard_case, errors] : rows) {
+    put(html, "<tr><td>%s<td>%s<td>%s<td>%.1e<td>%.2f%%", hard_case.name.c_str(),
+        escaped(hard_case.breaks).c_str(), escaped(hard_case.remedy).c_str(),
+        errors.reference.airlight, 100.0 * errors.sliced.airlight);
+    if (errors.gl) put(html, "<td>%.2f%%", 100.0 * errors.gl->airlight);
+    put(html, "<td>%.1e<td>%g%% %s", errors.paper, 100.0 * hard_case.bound,
+        escaped(hard_case.why).c_str());
+  }
+  html += "</table>\n";
+}
+
 constexpr char style[] =
     "<style>body{font:14px sans-serif;max-width:1100px;margin:2em auto;padding:0 1em}"
     "table{border-collapse:collapse;margin:1em 0}td,th{border:1px solid #ccc;padding:2px 8px;"
-    "text-align:left}svg text{font-size:11px}.mid{text-anchor:middle}.end{text-anchor:end}"
-    ".grid{stroke:#ddd}.row{display:flex;gap:1em}figure{margin:0 0 .5em}img{width:200px;"
+    "text-align:left}.row{display:flex;gap:1em}figure{margin:0 0 .5em}img{width:200px;"
     "image-rendering:pixelated}figcaption{font-size:11px}</style>\n";
 
 }  // namespace
 
-std::string to_html(const BenchReport& report, const std::string& command) {
+std::string to_html(const BenchReport& report) {
   std::string html = "<!doctype html><meta charset=utf-8><title>Brume: speed against error</title>";
   html += style;
   html += "<h1>Speed against error</h1>\n";
-  put(html, "<p><code>%s</code>: version %s, %s, %d threads. ", escaped(command).c_str(),
+  put(html, "<p><code>%s</code>: version %s, %s, %d threads. ", escaped(report.command).c_str(),
       BRUME_VERSION, escaped(device_name()).c_str(), report.threads);
   html +=
       "Times are medians of frames with the camera moving; CPU time is that of all threads "
       "together. The error is the relative RMSE of the airlight, measured against the "
       "converged integral at some pixels of the same frames. "
       "<b style=\"color:#c4a000\">paper</b>, <b style=\"color:#1f77b4\">sliced</b> and "
-      "<b style=\"color:#d62728\">march</b>, pale at full resolution; the line is the "
-      "frontier.</p>\n";
+      "<b style=\"color:#d62728\">march</b>, pale at full resolution, "
+      "<b style=\"color:#9467bd\">other programs</b>; the line is the frontier.</p>\n";
   for (const SceneReport& scene : report.scenes) put_scene(scene, html);
   if (!report.curves.empty()) put_curves(report.curves, html);
+  if (!report.thread_rows.empty()) put_threads(report.thread_rows, html);
+  if (!report.savings.empty()) put_savings(report.savings, html);
+  if (!report.hard_cases.empty()) put_hard_cases(report.hard_cases, html);
   if (!report.table_one.empty()) put_table_one(report.table_one, html);
   return html;
 }

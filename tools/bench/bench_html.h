@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "tools/bench/bench_run.h"
+#include "tools/bench/bench_report.h"
 
 namespace brume {
 
 // The report as one HTML file that needs no other: plots as SVG, pictures embedded.
-std::string to_html(const BenchReport& report, const std::string& command);
+std::string to_html(const BenchReport& report);
 
 }  // namespace brume

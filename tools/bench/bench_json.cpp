@@ -1,7 +1,8 @@
 #include "tools/bench/bench_json.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "tools/bench/device_name.h"
 
 namespace brume {
 namespace {
@@ -10,6 +11,30 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const Spread& spread) {
   return {{"median", spread.median}, {"min", spread.least}, {"max", spread.greatest}};
+}
+
+Json to_json(const HardCaseError& error) {
+  return {{"airlight", error.airlight}, {"transmittance", error.transmittance}};
+}
+
+Json to_json(const HardCaseRow& row) {
+  Json json;
+  json["name"] = row.hard_case.name;
+  json["bound"] = row.hard_case.bound;
+  json["reference"] = to_json(row.errors.reference);
+  json["sliced"] = to_json(row.errors.sliced);
+  if (row.errors.gl) json["gl"] = to_json(*row.errors.gl);
+  json["paper"] = row.errors.paper;
+  return json;
+}
+
+Json to_json(const KernelShare& share) {
+  return {{"limit_per_second", to_json(share.limit_per_second)},
+          {"of_limit", to_json(share.of_limit)},
+          {"of_limit_with_pairs", to_json(share.of_limit_with_pairs)},
+          {"sum_of_limit", to_json(share.sum_of_limit)},
+          {"increments_per_pair", share.increments_per_pair},
+          {"used_lanes", share.used_lanes}};
 }
 
 Json to_json(const Measurement& m) {
@@ -42,6 +67,17 @@ Json to_json(const SceneReport& scene) {
   Json settings = Json::array();
   for (const Measurement& m : scene.settings) settings.push_back(to_json(m));
   json["settings"] = std::move(settings);
+  Json on_gl = Json::array();
+  for (const Measurement& m : scene.on_gl) on_gl.push_back(to_json(m));
+  json["on_gl"] = std::move(on_gl);
+  Json peers = Json::array();
+  for (const PeerRow& peer : scene.peers) {
+    peers.push_back({{"program", peer.program},
+                     {"setting", peer.setting},
+                     {"cpu_ms", peer.cpu_milliseconds},
+                     {"rel_rmse", peer.rel_rmse}});
+  }
+  json["peers"] = std::move(peers);
   Json fastest = Json::array();
   for (const double level : bench_error_levels) {
     const auto best = cheapest_within(scene.settings, level);
@@ -56,21 +92,16 @@ Json to_json(const SceneReport& scene) {
 
 }  // namespace
 
-std::string device_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (!line.starts_with("model name")) continue;
-    const std::size_t begin = line.find_first_not_of(" \t:", line.find(':'));
-    if (begin != std::string::npos) return line.substr(begin);
-  }
-  return "unknown";
-}
-
 std::string to_json(const BenchReport& report) {
   Json json;
   json["version"] = BRUME_VERSION;
   json["device"] = device_name();
-  json["backend"] = "cpu";
+  json["command"] = report.command;
+  json["backends"] = Json::array({"cpu"});
+  if (!report.gl_device.empty()) {
+    json["backends"].push_back("gl");
+    json["gl_device"] = report.gl_device;
+  }
   json["threads"] = report.threads;
   json["quick"] = report.quick;
   Json scenes = Json::array();
@@ -85,12 +116,30 @@ std::string to_json(const BenchReport& report) {
     curves.push_back({{"over", curve.over}, {"exponent", curve.exponent}, {"points", points}});
   }
   json["curves"] = std::move(curves);
+  Json threads = Json::array();
+  for (const ThreadRow& row : report.thread_rows) {
+    threads.push_back({{"threads", row.threads}, {"frame_ms", to_json(row.milliseconds)}});
+  }
+  json["thread_rows"] = std::move(threads);
+  Json savings = Json::array();
+  for (const PlanSaving& saving : report.savings) {
+    savings.push_back({{"stage", saving.stage},
+                       {"why", saving.why},
+                       {"left_out_cpu_ms", to_json(saving.left_out)},
+                       {"made_cpu_ms", to_json(saving.made)},
+                       {"change", saving.change}});
+  }
+  json["left_out"] = std::move(savings);
+  Json hard_cases = Json::array();
+  for (const HardCaseRow& row : report.hard_cases) hard_cases.push_back(to_json(row));
+  json["hard_cases"] = std::move(hard_cases);
   Json rows = Json::array();
   for (const TableOneRow& row : report.table_one) {
     Json entry = to_json(row.measurement);
     entry["name"] = row.name;
     entry["fps"] = 1e3 / row.measurement.milliseconds.median;
     entry["paper_fps"] = row.paper_fps;
+    entry["kernel"] = to_json(row.share);
     rows.push_back(std::move(entry));
   }
   json["table_one"] = std::move(rows);

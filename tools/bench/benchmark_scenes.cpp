@@ -1,5 +1,6 @@
 #include "tools/bench/benchmark_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -8,6 +9,7 @@
 
 #include "core/io/scene_file.h"
 #include "core/medium/medium_summary.h"
+#include "core/scene/radiance_map.h"
 #include "render/error_estimate.h"
 #include "tools/make_scenes/random.h"
 
@@ -79,6 +81,15 @@ Scene box_scene(int count, int lights) {
         {{0.5 + 2.5 * std::cos(angle), 3.0, 0.5 + 2.5 * std::sin(angle)}, {10, 10, 10}, {}});
   }
   return scene;
+}
+
+std::shared_ptr<const RadianceMap> gradient_sky() {
+  auto map = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
+  for (int i = 0; i < 64 * 32; ++i) {
+    const glm::dvec3 d = map_direction(*map, {i % 64 + 0.5, i / 64 + 0.5});
+    map->pixels.emplace_back(glm::dvec3(0.2, 0.25, 0.3) + std::max(d.y, 0.0));
+  }
+  return map;
 }
 
 Settings fewest_slices(FrameRenderer& renderer, const Scene& scene) {

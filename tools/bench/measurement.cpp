@@ -42,26 +42,16 @@ Truth find_truth(const Scene& scene, std::size_t pixels) {
   return {std::move(sample), 1e3 * (cpu_seconds() - begin) * film / static_cast<double>(pixels)};
 }
 
-Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                    const ErrorSample& truth, double seconds) {
-  constexpr int least_frames = 3;
-  constexpr int most_frames = 15;
-  Measurement result;
-  result.setting = setting_name(settings);
-  result.settings = settings;
-  const Clock::time_point begin = Clock::now();
-  const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
-  result.first_milliseconds = milliseconds_since(begin);
-  result.error = truth.measure(first);
-  result.pairs = first.statistics.view_pairs;
-
+MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
+                         int least, double seconds) {
+  constexpr int most = 15;
   std::vector<double> times;
   std::vector<double> cpu_times;
   std::map<std::string, std::vector<double>> stages;
   std::vector<std::string> order;
-  const Clock::time_point moving = Clock::now();
-  for (int i = 1; i <= most_frames; ++i) {
-    if (i > least_frames && milliseconds_since(moving) > 1e3 * seconds) break;
+  const Clock::time_point begin = Clock::now();
+  for (int i = 1; i <= std::max(least, most); ++i) {
+    if (i > least && milliseconds_since(begin) > 1e3 * seconds) break;
     // A step so small that it changes no cost, but nothing of the last view can be used again.
     Camera camera = scene.camera;
     camera.eye += i * 1e-6 * (camera.target - camera.eye);
@@ -75,11 +65,24 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
       stages[stage.name].push_back(stage.milliseconds);
     }
   }
-  result.milliseconds = spread_of(times);
-  result.cpu_milliseconds = spread_of(cpu_times);
+  MovedFrames result{spread_of(times), spread_of(cpu_times), {}};
   for (const std::string& name : order) {
     result.stages.push_back({name, spread_of(stages[name]).median});
   }
+  return result;
+}
+
+Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
+                    const ErrorSample& truth, double seconds) {
+  Measurement result;
+  result.setting = setting_name(settings);
+  result.settings = settings;
+  const Clock::time_point begin = Clock::now();
+  const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
+  result.first_milliseconds = milliseconds_since(begin);
+  result.error = truth.measure(first);
+  result.pairs = first.statistics.view_pairs;
+  static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds);
   return result;
 }
 

@@ -18,16 +18,25 @@ struct Spread {
 // Of at least one value.
 Spread spread_of(std::vector<double> values);
 
+// What frames cost when the camera moves a little from each to the next.
+struct MovedFrames {
+  Spread milliseconds;
+  Spread cpu_milliseconds;        // all threads together: other programs matter less to it
+  std::vector<StageTime> stages;  // medians
+};
+
+// Renders so many frames; more for at most `seconds`, up to 15. What `renderer` has kept is not
+// made again; what a first frame makes it must have made.
+MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
+                         int least, double seconds = 0.0);
+
 // What one setting costs on one view, and how wrong it is: of the same frames.
-struct Measurement {
+struct Measurement : MovedFrames {
   std::string setting;  // "sliced 24, scale 4"
   Settings settings;
-  Spread milliseconds;      // of a frame with the camera moved a little
-  Spread cpu_milliseconds;  // the same, all threads together: other programs matter less to it
   double first_milliseconds = 0.0;
   ErrorEstimate error;
-  std::vector<StageTime> stages;  // medians
-  std::uint64_t pairs = 0;        // Gaussian x ray pairs of the view
+  std::uint64_t pairs = 0;  // Gaussian x ray pairs of the view
 };
 
 std::string setting_name(const Settings& settings);
@@ -39,7 +48,7 @@ struct Truth {
 };
 Truth find_truth(const Scene& scene, std::size_t pixels);
 
-// Renders moved frames for `seconds`, 3 to 15 of them. What `renderer` has kept is not made again.
+// A first frame, of which the error is, and moved ones: 3 to 15 in `seconds`.
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
                     const ErrorSample& truth, double seconds);
 

@@ -1,47 +1,81 @@
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/scene_file.h"
 #include "tools/bench/bench_compare.h"
 #include "tools/bench/bench_html.h"
 #include "tools/bench/bench_json.h"
+#include "tools/bench/bench_markdown.h"
 #include "tools/bench/bench_run.h"
+#include "tools/bench/frontier_plot.h"
+#include "tools/brume/backend_name.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
 
 namespace brume {
 namespace {
 
+// A scene's file may not be named like any scene.
+std::string shown_command(bool quick, bool of_scenes, bool with_peers) {
+  std::string command = "brume bench";
+  if (quick) command += " --quick";
+  if (of_scenes) command += " SCENE...";
+  if (with_peers) command += " --peers peers.json";
+  return command + " -o speed";
+}
+
 class BenchCommand final : public Command {
  public:
   explicit BenchCommand(CLI::App& app) {
     app.add_option("SCENE", scenes_, "scenes, .brume, in place of the built-in ones");
-    app.add_option("-o,--output", output_, "NAME.json and NAME.html are written")->required();
+    app.add_option("-o,--output", output_,
+                   "NAME.md, NAME.json, NAME.html and NAME.svg are written");
     app.add_flag("--quick", quick_, "fewer settings and frames: two minutes on two cores");
     app.add_option("--threads", threads_, "worker threads, by default all there are")
         ->check(finite_in(1, 1024));
+    app.add_option("--backend", backend_,
+                   "auto, cpu or gl: whether OpenGL is measured too; auto does where a GPU answers")
+        ->capture_default_str();
+    app.add_option("--peers", peers_, "what other programs take, from tools/compare-peers");
+    app.add_option("--plot", plotted_, "the scene of NAME.svg, by default the first");
     app.add_option("--compare", compare_,
                    "an older NAME.json: says what got slower or less accurate, and fails if so");
+    app.add_option("--save-scenes", folder_,
+                   "writes the built-in scenes into this folder, as .brume, and measures nothing");
   }
 
   ExitCode run() override {
-    const std::string json_file = output_ + ".json";
-    const std::string html_file = output_ + ".html";
-    check_writable(json_file);
-    check_writable(html_file);
+    if (!folder_.empty()) return save_scenes();
+    if (output_.empty()) throw UsageError("-o NAME is required");
+    const auto file = [&](const char* extension) { return output_ + extension; };
+    for (const char* extension : {".md", ".json", ".html", ".svg"}) {
+      check_writable(file(extension));
+    }
     std::string old;
     if (!compare_.empty()) {
       old = read_bytes(compare_);
       compare_reports(compare_, old, R"({"scenes": [], "table_one": []})");  // before long work
     }
-    BenchOptions options{quick_, threads_, {scenes_.begin(), scenes_.end()}};
-    const BenchReport report = run_bench(
+    BenchOptions options{.quick = quick_,
+                         .threads = threads_,
+                         .backend = parse_backend(backend_),
+                         .scenes = {scenes_.begin(), scenes_.end()},
+                         .peers = {}};
+    if (!peers_.empty()) options.peers = read_peers(peers_);
+    BenchReport report = run_bench(
         options, [](const std::string& what) { std::cerr << "brume: " << what << std::endl; });
+    report.command = shown_command(quick_, !scenes_.empty(), !peers_.empty());
     const std::string json = to_json(report);
-    write_atomically(json_file, json);
-    write_atomically(html_file, to_html(report, quick_ ? "brume bench --quick" : "brume bench"));
-    print_result(table(report));
+    const std::string page = to_markdown(report);
+    write_atomically(file(".json"), json);
+    write_atomically(file(".html"), to_html(report));
+    write_atomically(file(".md"), page);
+    write_atomically(file(".svg"), frontier_plot(plotted(report), true));
+    print_result(page);
     if (old.empty()) return done;
     const std::vector<std::string> worse = compare_reports(compare_, old, json);
     for (const std::string& line : worse) print_result(line + '\n');
@@ -50,45 +84,30 @@ class BenchCommand final : public Command {
   }
 
  private:
-  // For each scene and error the fastest setting.
-  static std::string table(const BenchReport& report) {
-    std::string text;
-    const auto line = [&](const char* format, auto... arguments) {
-      char buffer[256];
-      std::snprintf(buffer, sizeof buffer, format, arguments...);
-      text += buffer;
-    };
-    for (const SceneReport& scene : report.scenes) {
-      line("%s: %zu Gaussians, reference %.0f ms CPU\n", scene.name.c_str(), scene.gaussians,
-           scene.reference_cpu_milliseconds);
-      for (const double level : bench_error_levels) {
-        const auto best = cheapest_within(scene.settings, level);
-        if (best) {
-          const Measurement& m = scene.settings[*best];
-          line("  %5.1f%%  %-18s %9.2f ms CPU (%.2f to %.2f)  %.2f%%\n", 100.0 * level,
-               m.setting.c_str(), m.cpu_milliseconds.median, m.cpu_milliseconds.least,
-               m.cpu_milliseconds.greatest, 100.0 * m.error.rel_rmse);
-        } else {
-          line("  %5.1f%%  none\n", 100.0 * level);
-        }
-      }
+  [[nodiscard]] const SceneReport& plotted(const BenchReport& report) const {
+    const auto found = std::ranges::find(report.scenes, plotted_, &SceneReport::name);
+    return found == report.scenes.end() ? report.scenes.front() : *found;
+  }
+
+  [[nodiscard]] ExitCode save_scenes() const {
+    for (const BenchScene& bench : built_in_scenes(quick_)) {
+      // What stands in no file cannot be referred to.
+      if (!bench.scene.surfaces.empty() || bench.scene.environment) continue;
+      save_scene(bench.scene, std::filesystem::path(folder_) / (bench.name + ".brume"));
+      print_result(bench.name + ".brume\n");
     }
-    for (const CostCurve& curve : report.curves) {
-      line("CPU time over %s: power %.2f\n", curve.over.c_str(), curve.exponent);
-    }
-    for (const TableOneRow& row : report.table_one) {
-      line("Table 1, %s: %.1f frames per second (paper: %.0f), %s, %.2f%%\n", row.name.c_str(),
-           1e3 / row.measurement.milliseconds.median, row.paper_fps,
-           row.measurement.setting.c_str(), 100.0 * row.measurement.error.rel_rmse);
-    }
-    return text;
+    return done;
   }
 
   std::vector<std::string> scenes_;
   std::string output_;
   bool quick_ = false;
   int threads_ = 0;
+  std::string backend_ = "auto";
+  std::string peers_;
+  std::string plotted_;
   std::string compare_;
+  std::string folder_;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "render/render_plan.h"
 #include "render/transfer/transfer_cache.h"
 #include "render/transfer/transfer_store.h"
+#include "tools/brume/backend_name.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/progress_line.h"
@@ -51,13 +52,6 @@ bool take_airlight(const std::string& name, Settings& settings) {
   throw UsageError("--airlight: found " + shown(name) +
                    "; allowed: auto, paper, sliced, reference, march:N with N from 1 to " +
                    std::to_string(most_march_steps));
-}
-
-Backend parse_backend(const std::string& name) {
-  if (name == "auto") return Backend::auto_;
-  if (name == "cpu") return Backend::cpu;
-  if (name == "gl") return Backend::gl;
-  throw UsageError("--backend: found " + shown(name) + "; allowed: auto, cpu, gl");
 }
 
 Film parse_size(const std::string& text) {

@@ -4,19 +4,13 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "tools/bench/bench_json.h"
+#include "tools/bench/device_name.h"
+#include "tools/bench/measurement.h"
 
 namespace brume {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 // Each stage's median, in the order in which stages first ran.
 Json stage_medians(std::span<const FrameStatistics> frames) {
@@ -40,7 +34,7 @@ Json stage_medians(std::span<const FrameStatistics> frames) {
     }
     Json stage;
     stage["name"] = name;
-    stage["ms"] = median(std::move(times));
+    stage["ms"] = spread_of(std::move(times)).median;
     stages.push_back(std::move(stage));
   }
   return stages;
@@ -60,7 +54,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
                             std::span<const FrameStatistics> moved) {
   std::vector<double> times;
   for (const FrameStatistics& frame : moved) times.push_back(frame.frame_milliseconds);
-  const auto [least, greatest] = std::minmax_element(times.begin(), times.end());
+  const Spread frame = spread_of(times);
   Json json;
   json["version"] = BRUME_VERSION;
   json["scene"] = run.scene;
@@ -74,7 +68,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["exact_pixels"] = first.exact_pixels;  // whose airlight is not interpolated
   json["threads"] = run.settings.threads;
   json["repeat"] = run.repeat;
-  json["frame_ms"] = Json{{"median", median(times)}, {"min", *least}, {"max", *greatest}};
+  json["frame_ms"] = Json{{"median", frame.median}, {"min", frame.least}, {"max", frame.greatest}};
   json["first_frame_ms"] = run.first_frame_milliseconds;
   json["transfer_ms"] = run.transfer_milliseconds;
   json["stages"] = stage_medians(moved);

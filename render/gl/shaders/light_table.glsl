@@ -21,7 +21,8 @@ uniform vec4 map_right, map_up, map_axis, map_offset;
 uniform ivec4 map_cells;
 uniform int radii;
 uniform float first_radius;
-uniform float last_radius;
+uniform float radii_per_unit;
+uniform float bend;  // see TableRadii
 
 shared vec4 axis;  // of the cone, and the cosine of its half angle
 shared uint found;
@@ -63,7 +64,7 @@ void main() {
   const vec3 w = map_direction(map, cell - 1);
   directions[id] = w;
   for (int k = int(id); k < radii; k += 64) {
-    boundaries[k] = first_radius + (last_radius - first_radius) * (float(k) / float(radii - 1));
+    boundaries[k] = first_radius + float(k) / (radii_per_unit - bend * float(k));
   }
   barrier();
   find_cone(id);

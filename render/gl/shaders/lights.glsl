@@ -5,7 +5,7 @@
 struct Light {
   vec4 position;   // relative to the eye; h_min
   vec4 intensity;  // RGB; how much nearer than a shadow's caster still is lit, as a share
-  vec4 radii;      // of the table: first, per unit, number
+  vec4 radii;      // of the table: first, per unit, number, bend; see TableRadii
   ivec4 has;       // a table, a shadow map
   DirectionMap table;
   DirectionMap shadows;
@@ -21,7 +21,8 @@ uniform int light_count;
 float table_depth(int l, vec3 q, float distance_) {
   const MapPosition at = map_position(lights[l].table, q, distance_);
   const vec4 radii = lights[l].radii;
-  const float r = clamp((distance_ - radii.x) * radii.y, 0.0, radii.z - 1.001);
+  const float beyond = max(distance_ - radii.x, 0.0);
+  const float r = min(beyond * radii.y / (1.0 + radii.w * beyond), radii.z - 1.001);
   const int low = int(r);
   const float f = r - float(low);
   const int size = int(radii.z);

@@ -74,18 +74,33 @@ float fog_airlight(vec4 light, vec3 w, float length_) {
   const float end = min(length_, reach);
   // The angle at the light between start and end.
   const float span = atan(h * end, start2 - ts * end);
+  // Panels double from the phase function's peak, at angle 0 between light and view or at pi.
+  const float pi = 3.14159265;
+  const float at_start = 0.5 * pi - atan(ts / h);
+  const float before = anisotropy < 0.0 ? pi - (at_start + span) : at_start;
+  float from = 0.0;
   float sum = 0.0;
-  for (int i = 0; i < fog_nodes.length(); ++i) {
-    const float phi = span * fog_nodes[i];
-    const float sine = sin(phi);
-    const float t = start2 * sine / max(h * cos(phi) + ts * sine, 1e-30);
-    const float along = t - ts;
-    const float distance_ = sqrt(along * along + gap2);
-    float value = exp(-b0 * (t + distance_));
-    if (anisotropy != 0.0) value *= henyey_greenstein(cos_turn(along, distance_), anisotropy);
-    sum += fog_weights[i] * value;
+  for (float last = 4.0 * (1.0 - abs(anisotropy)); from < span; last *= 2.0) {
+    const float until = clamp(last - before, 0.0, span);
+    const float part = until - from;
+    if (part > 0.0) {
+      float mean = 0.0;
+      for (int i = 0; i < fog_nodes.length(); ++i) {
+        const float angle = from + part * fog_nodes[i];
+        const float phi = anisotropy < 0.0 ? span - angle : angle;
+        const float sine = sin(phi);
+        const float t = start2 * sine / max(h * cos(phi) + ts * sine, 1e-30);
+        const float along = t - ts;
+        const float distance_ = sqrt(along * along + gap2);
+        float value = exp(-b0 * (t + distance_));
+        if (anisotropy != 0.0) value *= henyey_greenstein(cos_turn(along, distance_), anisotropy);
+        mean += fog_weights[i] * value;
+      }
+      sum += part * mean;
+    }
+    from = until;
   }
-  return b0 * phase * sum * span / h;
+  return b0 * phase * sum / h;
 }
 
 void main() {

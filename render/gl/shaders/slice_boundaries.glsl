@@ -6,7 +6,7 @@ shared uint unsorted_count;
 shared int boundary_count;
 shared float demand_rate[most_bins];
 shared float demand_curvature[most_bins];
-shared vec4 demand_of[group_size];  // of a Gaussian: first and last bin, rate, curvature
+shared vec4 demand_of[group_size];  // a Gaussian: place on the ray, radius, peak, radii that matter
 shared float reduced[group_size];
 
 float reduce_min(float value) {
@@ -53,6 +53,15 @@ MiddleRay middle_ray(bool live, vec3 w, float length_) {
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
 
+// See core_radii() of render/cpu/slice_boundaries.cpp.
+float core_radii(float depth) { return depth < slice_opaque ? 2.0 : sqrt(log(50.0 * depth)); }
+
+// What a box of a Gaussian demands of a bin: rate and curvature.
+vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float width, int bins) {
+  const vec2 ends = floor(clamp((t + vec2(-half_, half_) - begin) / width + bin_room, 0.0, float(bins)));
+  return bin >= ends.x && bin <= ends.y ? demand : vec2(0.0);
+}
+
 // Slice demand: see SliceDemand.
 void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
   const int id = int(gl_LocalInvocationID.x);
@@ -68,14 +77,14 @@ void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
       const uint i = list[base + id];
       const vec4 g = seen[2 * i];
       const float t = dot(g.xyz, ray.w);
-      const float half_ = 1.5 / g.w;
+      const float half_ = core_radii(2.0 * seen[2 * i + 1].x) / g.w;
       if (t + half_ >= core.x && t - half_ <= core.y) {
         const float h =
             g.w * max(length(g.xyz - t * ray.w) - ray.spread * max(t, 0.0), 0.0);
         const float peak = seen[2 * i + 1].x * g.w / 0.886226925 * exp(-h * h);
-        const float first = clamp((t - half_ - core.x) / width + bin_room, 0.0, float(bins));
-        const float last = clamp((t + half_ - core.x) / width + bin_room, 0.0, float(bins));
-        demand_of[id] = vec4(floor(first), floor(last) + 1.0, 0.59 * peak, peak * g.w * g.w);
+        const float depth = 1.77245385 * peak / g.w;
+        demand_of[id] =
+            vec4(t, 1.0 / g.w, peak, depth < slice_opaque ? 1.5 : core_radii(depth));
       }
     }
     barrier();
@@ -83,9 +92,19 @@ void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
     for (int bin = id; bin < bins; bin += group_size) {
       const float at = float(bin);
       for (int j = 0; j < size; ++j) {
-        if (at < demand_of[j].x || at >= demand_of[j].y) continue;
-        demand_rate[bin] += demand_of[j].z;
-        demand_curvature[bin] += demand_of[j].w;
+        const vec4 g = demand_of[j];
+        if (g.w == 0.0) continue;
+        const float bend = 1.0 / (g.y * g.y);
+        vec2 demand = box_demand(at, g.x, 1.5 * g.y, g.z * vec2(0.59, bend), core.x, width, bins);
+        for (float k = 1.5; k < g.w; k += 0.5) {
+          const float middle = k + 0.25;
+          const float density = g.z * exp(-middle * middle);
+          demand += box_demand(at, g.x, (k + 0.5) * g.y,
+                               density * vec2(1.0, 4.0 * middle * middle * bend), core.x, width,
+                               bins);
+        }
+        demand_rate[bin] += demand.x;
+        demand_curvature[bin] += demand.y;
       }
     }
   }
@@ -100,6 +119,7 @@ void cut_demand(vec2 core, int bins, int count) {
   for (int i = 0; i < bins; ++i) {
     const float own = demand_curvature[i] / (1.0 + clamp(depth, 0.0, 4.0));
     demand_curvature[i] = own > 0.0 ? pow(own, 1.0 / 3.0) : 0.0;
+    if (depth > slice_opaque) demand_curvature[i] *= slice_opaque / depth;
     depth += demand_rate[i] * width;
     sum += demand_curvature[i];
   }
@@ -125,8 +145,9 @@ void add_equi_angular(int l, vec3 w, vec2 range, int count) {
   const int k = int(gl_LocalInvocationID.x) + 1;
   const vec3 q = lights[l].position.xyz;
   const float ts = dot(q, w);
-  // A light almost on the ray would put all slices at one point: half a slice is fine enough.
-  const float least = 0.25 * (range.y - range.x) / float(count);
+  // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
+  // what is near the light if the medium is endless.
+  const float least = 0.25 * min(range.y - range.x, 16.0 * length(q - range.x * w)) / float(count);
   const float h = max(max(length(q - ts * w), max(lights[l].position.w, least)),
                       max(1e-6 * abs(ts), 1e-30));
   // From the light's foot on the ray, where angles are well known in single precision.
@@ -154,7 +175,8 @@ void sort_boundaries(float least) {
   if (id == 0) {
     int kept = min(count, 1);
     for (int i = 1; i < count; ++i) {
-      if (!(boundaries[i] - boundaries[kept - 1] < least)) boundaries[kept++] = boundaries[i];
+      const float apart = max(least, 1e-6 * boundaries[i]);
+      if (!(boundaries[i] - boundaries[kept - 1] < apart)) boundaries[kept++] = boundaries[i];
     }
     boundary_count = kept;
   }
@@ -175,7 +197,7 @@ void choose_slices(MiddleRay ray, uint begin, uint end, int slices, float b0) {
     const vec4 g = seen[2 * i];
     const float t = dot(g.xyz, ray.w);
     const float r = seen[2 * i + 1].w;
-    const float half_ = min(2.0 / g.w, r);
+    const float half_ = min(core_radii(2.0 * seen[2 * i + 1].x) / g.w, r);
     reach = vec2(min(reach.x, t - r), max(reach.y, t + r));
     core = vec2(min(core.x, t - half_), max(core.y, t + half_));
   }
@@ -220,5 +242,5 @@ void choose_slices(MiddleRay ray, uint begin, uint end, int slices, float b0) {
       add_boundary(-log(1.0 - lost * float(k) / float(slices)) / b0);
     }
   }
-  sort_boundaries(1e-6 * (whole.y - whole.x));
+  sort_boundaries(1e-9 * (whole.y - whole.x));
 }

@@ -1,22 +1,7 @@
-// How near the inner loops of `sliced` come to what the machine can do, on the tiles of a frame of
-// every fourth pixel of the scenes of Table 1, on one thread:
-//
-// of_limit: increments per second of the view pass over those of its arithmetic alone, on data in
-//   registers. An increment counts in all lanes of a vector where one lane needs it;
-// of_limit_lanes: the same, counting only lanes that need it;
-// of_limit_pairs: the least time of pairs and increments, over the view pass's: where Gaussians are
-//   as small as slices, much of the arithmetic is done once per pair;
-// sum_of_limit: time of the sum over slices with tables of lights and shadows that fit into the L1
-//   cache, over its time with the real ones.
-//
-// Each is the median of some rounds; _min and _max are theirs.
-
-#include <benchmark/benchmark.h>
+#include "tools/bench/kernel_limit.h"
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "render/cpu/slice_boundaries.h"
@@ -25,14 +10,11 @@
 #include "render/prepared_scene.h"
 #include "render/renderer.h"
 #include "render/tiles.h"
-#include "tests/render/benchmark_increments.h"
 #include "tools/bench/benchmark_scenes.h"
-#include "tools/bench/table_one_scenes.h"
+#include "tools/bench/view_work.h"
 
 namespace brume {
 namespace {
-
-constexpr int rounds = 9;
 
 // What the loops are handed for one tile.
 struct ViewTile {
@@ -49,7 +31,6 @@ struct View {
   // With real tables, and with ones that fit into L1.
   Lights lights, small_lights;
   std::size_t light_count = 0;
-  double choice_seconds = 0.0;
 };
 
 Lights slice_lights(PreparedScene& prepared, const Scene& scene, const LightTableSize& size,
@@ -79,10 +60,8 @@ void add_tile(View& view, const Scene& scene, const CameraRays& rays, int slices
   for (const PointLight& light : scene.lights) lights.push_back({light.position, light.intensity});
 
   std::vector<double> boundaries;
-  const double begin = cpu_seconds();
   choose_slices(view.prepared.medium(), gaussians, lights, {rays.eye(), directions, lengths},
                 slices, boundaries);
-  view.choice_seconds += cpu_seconds() - begin;
   if (boundaries.size() < 2) return;
   ViewTile& tile = view.tiles.emplace_back();
   tile.boundaries.assign(boundaries.begin(), boundaries.end());
@@ -132,7 +111,6 @@ Seconds run_kernels(const View& view, float negligible) {
     timed(seconds.sum, [&] { sum(view.lights); });
     timed(seconds.small_sum, [&] { sum(view.small_lights); });
   }
-  benchmark::DoNotOptimize(radiance);
   return seconds;
 }
 
@@ -149,18 +127,9 @@ double rate_of(Run run, std::uint64_t count) {
   return done / (cpu_seconds() - begin);
 }
 
-void add_counters(benchmark::State& state, const std::string& name, std::vector<double> values) {
-  std::ranges::sort(values);
-  state.counters[name] = values[values.size() / 2];
-  state.counters[name + "_min"] = values.front();
-  state.counters[name + "_max"] = values.back();
-}
+}  // namespace
 
-// Time is that of the view pass.
-void kernel_limit(benchmark::State& state, const TableOneScene& kind) {
-  const Scene scene = kind.make();
-  Renderer renderer;
-  const Settings settings = fewest_slices(renderer, scene);
+KernelShare measure_kernel_share(const Scene& scene, const Settings& settings, int rounds) {
   View view;
   make_view(scene, settings, view);
   PreparedScene small;
@@ -177,40 +146,20 @@ void kernel_limit(benchmark::State& state, const TableOneScene& kind) {
   const auto negligible = static_cast<float>(0.1 * view.prepared.medium().tolerance());
   const auto pairs = static_cast<double>(in_vectors.pairs);
   const auto increments = static_cast<double>(in_vectors.increments);
-  const double useful = static_cast<double>(in_lanes.increments) / increments;
-  std::map<std::string, std::vector<double>> measured;
-  for (auto _ : state) {
-    for (int round = 0; round < rounds; ++round) {
-      const double limit = rate_of(increments_in_registers, 50'000'000);
-      const double pair_limit = rate_of(pairs_in_registers, 20'000'000);
-      const Seconds seconds = run_kernels(view, negligible);
-      const double of_limit = increments / seconds.view / limit;
-      measured["limit_per_second"].push_back(limit);
-      measured["of_limit"].push_back(of_limit);
-      measured["of_limit_lanes"].push_back(useful * of_limit);
-      measured["of_limit_pairs"].push_back(of_limit + pairs / seconds.view / pair_limit);
-      measured["sum_of_limit"].push_back(seconds.small_sum / seconds.sum);
-      measured["view_ms"].push_back(1e3 * seconds.view);
-      measured["sum_ms"].push_back(1e3 * seconds.sum);
-    }
-    state.SetIterationTime(1e-3 * *std::ranges::min_element(measured["view_ms"]));
+  std::vector<double> limits, shares, pair_shares, sum_shares;
+  for (int round = 0; round < rounds; ++round) {
+    const double limit = rate_of(increments_in_registers, 50'000'000);
+    const double pair_limit = rate_of(pairs_in_registers, 20'000'000);
+    const Seconds seconds = run_kernels(view, negligible);
+    const double share = increments / seconds.view / limit;
+    limits.push_back(limit);
+    shares.push_back(share);
+    pair_shares.push_back(share + pairs / seconds.view / pair_limit);
+    sum_shares.push_back(seconds.small_sum / seconds.sum);
   }
-  state.counters["slices"] = settings.slices;
-  state.counters["increments_per_pair"] = increments / pairs;
-  state.counters["choice_ms"] = 1e3 * view.choice_seconds;
-  for (const auto& [name, values] : measured) add_counters(state, name, values);
+  return {spread_of(limits),      spread_of(shares),
+          spread_of(pair_shares), spread_of(sum_shares),
+          increments / pairs,     static_cast<double>(in_lanes.increments) / increments};
 }
 
-[[maybe_unused]] const bool registered = [] {
-  for (const TableOneScene& kind : table_one_scenes) {
-    benchmark::RegisterBenchmark((std::string("kernel_limit/") + kind.name).c_str(), kernel_limit,
-                                 kind)
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
-  }
-  return true;
-}();
-
-}  // namespace
 }  // namespace brume

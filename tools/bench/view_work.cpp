@@ -1,4 +1,4 @@
-#include "tests/render/benchmark_increments.h"
+#include "tools/bench/view_work.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,19 @@
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "tests/render/benchmark_increments.cpp"
+#define HWY_TARGET_INCLUDE "tools/bench/view_work.cpp"
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
-#include <benchmark/benchmark.h>
-
 #include "render/simd/gaussian-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
+
+// A value that the compiler must take to be unknown, or used.
+HWY_INLINE float Opaque(float x) {
+  volatile float hidden = x;
+  return hidden;
+}
 
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
@@ -43,9 +47,7 @@ struct Chain {
 
 std::uint64_t IncrementsInRegisters(std::uint64_t count) {
   const D d;
-  // The compiler must not know the values.
-  float start = 0.5f;
-  benchmark::DoNotOptimize(start);
+  const float start = Opaque(0.5f);
   const auto chain = [&](float t0) HWY_ATTR {
     return Chain{hn::Set(d, t0),    hn::Set(d, start),      hn::Set(d, start),
                  hn::Set(d, 1e30f), hn::Set(d, start + t0), hn::Zero(d)};
@@ -64,15 +66,13 @@ std::uint64_t IncrementsInRegisters(std::uint64_t count) {
     r.Step(boundary);
     boundary = hn::Add(boundary, width);
   }
-  float sum = hn::GetLane(hn::SumOfLanes(d, hn::Add(p.depth, hn::Add(q.depth, r.depth))));
-  benchmark::DoNotOptimize(sum);
+  Opaque(hn::GetLane(hn::SumOfLanes(d, hn::Add(p.depth, hn::Add(q.depth, r.depth)))));
   return steps * per_step;
 }
 
 std::uint64_t PairsInRegisters(std::uint64_t count) {
   const D d;
-  float start = 0.5f;
-  benchmark::DoNotOptimize(start);
+  const float start = Opaque(0.5f);
   const V a = hn::Set(d, start);
   const V boundary = hn::Set(d, 2.0f * start);
   const V3<V> w{hn::Set(d, 0.6f * start), hn::Set(d, 0.8f * start), hn::Set(d, start)};
@@ -86,8 +86,7 @@ std::uint64_t PairsInRegisters(std::uint64_t count) {
     sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, crossing.t0))), sum);
     x = hn::Add(x, hn::Set(d, 1e-6f));
   }
-  float result = hn::GetLane(hn::SumOfLanes(d, sum));
-  benchmark::DoNotOptimize(result);
+  Opaque(hn::GetLane(hn::SumOfLanes(d, sum)));
   return steps * hn::Lanes(d);
 }
 

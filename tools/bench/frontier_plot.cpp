@@ -1,0 +1,87 @@
+#include "tools/bench/frontier_plot.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+#include "tools/bench/log_plot.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* reference_color = "#555";
+constexpr const char* gl_color = "#2ca02c";
+constexpr const char* peer_color = "#9467bd";
+
+const char* color_of(const Settings& settings) {
+  switch (settings.airlight) {
+    case AirlightMethod::paper:
+      return "#c4a000";
+    case AirlightMethod::sliced:
+      return settings.airlight_scale > 1 ? "#1f77b4" : "#6baed6";
+    case AirlightMethod::march:
+      return settings.airlight_scale > 1 ? "#d62728" : "#f19c99";
+    case AirlightMethod::reference:
+      return reference_color;
+  }
+  return "#000";
+}
+
+std::string title(const std::string& name, double error, double milliseconds) {
+  char value[96];
+  std::snprintf(value, sizeof value, ": %.3f%%, %.1f ms", 100.0 * error, milliseconds);
+  return name + value;
+}
+
+}  // namespace
+
+std::string frontier_plot(const SceneReport& scene, bool with_labels) {
+  double least_time = scene.settings[0].cpu_milliseconds.median;
+  double greatest_time = scene.reference_cpu_milliseconds;
+  double least_error = 1e-3;
+  double greatest_error = 0.1;
+  const auto include = [&](double milliseconds, double error) {
+    least_time = std::min(least_time, milliseconds);
+    greatest_time = std::max(greatest_time, milliseconds);
+    least_error = std::min(least_error, std::max(error, 1e-5));
+    greatest_error = std::max(greatest_error, error);
+  };
+  for (const auto* settings : {&scene.settings, &scene.on_gl}) {
+    for (const Measurement& m : *settings) include(m.cpu_milliseconds.median, m.error.rel_rmse);
+  }
+  for (const PeerRow& peer : scene.peers) include(peer.cpu_milliseconds, peer.rel_rmse);
+
+  LogPlot plot({100.0 * least_error, 100.0 * greatest_error}, {least_time, greatest_time},
+               "error: relative RMSE of the airlight [%]", "CPU time of a frame [ms]");
+  std::set<std::string> labelled;
+  const auto label = [&](const std::string& name) {
+    return with_labels && labelled.insert(name).second ? name : std::string();
+  };
+  const auto dot = [&](const std::string& name, double error, double milliseconds,
+                       const char* color, const std::string& shown) {
+    plot.dot(100.0 * error, milliseconds, color, title(name, error, milliseconds), label(shown));
+  };
+  std::vector<std::pair<double, double>> best;
+  for (const std::size_t i : frontier(scene.settings)) {
+    const Measurement& m = scene.settings[i];
+    best.emplace_back(100.0 * m.error.rel_rmse, m.cpu_milliseconds.median);
+  }
+  plot.line(best, "#333");
+  // The cheapest of each method bears its name.
+  for (const Measurement& m : scene.settings) {
+    const std::string method = to_string(m.settings.airlight);
+    dot(m.setting, m.error.rel_rmse, m.cpu_milliseconds.median, color_of(m.settings),
+        m.settings.airlight_scale > 1 ? method + ", every fourth pixel" : method);
+  }
+  for (const Measurement& m : scene.on_gl) {
+    dot("OpenGL, " + m.setting, m.error.rel_rmse, m.cpu_milliseconds.median, gl_color, "OpenGL");
+  }
+  for (const PeerRow& peer : scene.peers) {
+    dot(peer.program + ", " + peer.setting, peer.rel_rmse, peer.cpu_milliseconds, peer_color,
+        peer.program);
+  }
+  dot("reference", least_error, scene.reference_cpu_milliseconds, reference_color, "reference");
+  return plot.svg();
+}
+
+}  // namespace brume

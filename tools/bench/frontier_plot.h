@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "tools/bench/bench_report.h"
+
+namespace brume {
+
+// The CPU time of a scene's settings, of the reference and of other programs against their error,
+// as SVG. `with_labels`: names stand beside what bounds the frontier and beside the others.
+std::string frontier_plot(const SceneReport& scene, bool with_labels = false);
+
+}  // namespace brume

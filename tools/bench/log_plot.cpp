@@ -1,0 +1,105 @@
+#include "tools/bench/log_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace brume {
+namespace {
+
+constexpr int width = 640, height = 320;
+constexpr int left = 64, right = 620, top = 12, bottom = 272;
+
+LogPlot::Range decades(LogPlot::Range range) {
+  const double low = std::floor(std::log10(std::max(range.first, 1e-9)));
+  return {low, std::max(std::ceil(std::log10(std::max(range.second, 1e-9))), low + 1.0)};
+}
+
+double place(double value, LogPlot::Range axis) {
+  const double at = (std::log10(std::max(value, 1e-9)) - axis.first) / (axis.second - axis.first);
+  return std::clamp(at, 0.0, 1.0);
+}
+
+}  // namespace
+
+void put(std::string& to, const char* format, ...) {
+  char text[1024];
+  std::va_list arguments;
+  va_start(arguments, format);
+  const int size = std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  to.append(text, static_cast<std::size_t>(std::clamp(size, 0, 1023)));
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+LogPlot::LogPlot(Range x, Range y, const char* x_title, const char* y_title)
+    : x_(decades(x)), y_(decades(y)) {
+  put(svg_,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+      "font-family=\"sans-serif\" font-size=\"11\"><rect width=\"100%%\" height=\"100%%\" "
+      "fill=\"#fff\"/>\n",
+      width, height, width);
+  for (double d = x_.first; d <= x_.second; ++d) {
+    const double at = px(std::pow(10, d));
+    put(svg_, "<path stroke=\"#ddd\" d=\"M%.1f %d V%d\"/>", at, top, bottom);
+    put(svg_, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", at, bottom + 14,
+        std::pow(10, d));
+  }
+  for (double d = y_.first; d <= y_.second; ++d) {
+    const double at = py(std::pow(10, d));
+    put(svg_, "<path stroke=\"#ddd\" d=\"M%d %.1f H%d\"/>", left, at, right);
+    put(svg_, "<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", left - 4, at + 4,
+        std::pow(10, d));
+  }
+  put(svg_, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n", (left + right) / 2,
+      height - 8, x_title);
+  put(svg_, "<text transform=\"translate(12 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
+      (top + bottom) / 2, y_title);
+}
+
+void LogPlot::dot(double x, double y, const char* color, const std::string& title,
+                  const std::string& label) {
+  put(svg_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"><title>%s</title></circle>\n",
+      px(x), py(y), color, escaped(title).c_str());
+  if (label.empty()) return;
+  put(svg_, "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\">%s</text>\n", px(x) + 7, py(y) + 4, color,
+      escaped(label).c_str());
+}
+
+void LogPlot::line(const std::vector<std::pair<double, double>>& points, const char* color) {
+  svg_ += "<path fill=\"none\" stroke=\"" + std::string(color) + "\" d=\"";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    put(svg_, "%c%.1f %.1f", i == 0 ? 'M' : 'L', px(points[i].first), py(points[i].second));
+  }
+  svg_ += "\"/>\n";
+}
+
+double LogPlot::px(double x) const {
+  return left + place(x, x_) * (right - left);
+}
+
+double LogPlot::py(double y) const {
+  return bottom - place(y, y_) * (bottom - top);
+}
+
+}  // namespace brume

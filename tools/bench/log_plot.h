@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace brume {
+
+// printf() to the end of a text.
+[[gnu::format(printf, 2, 3)]] void put(std::string& to, const char* format, ...);
+
+// A text as HTML and SVG have it.
+std::string escaped(const std::string& text);
+
+// A plot as SVG, with logarithmic axes over whole decades.
+class LogPlot {
+ public:
+  using Range = std::pair<double, double>;
+
+  LogPlot(Range x, Range y, const char* x_title, const char* y_title);
+
+  // `title` is shown where the mouse is; `label` beside the dot, if there is one.
+  void dot(double x, double y, const char* color, const std::string& title,
+           const std::string& label = "");
+  void line(const std::vector<std::pair<double, double>>& points, const char* color);
+
+  [[nodiscard]] std::string svg() const { return svg_ + "</svg>\n"; }
+
+ private:
+  [[nodiscard]] double px(double x) const;
+  [[nodiscard]] double py(double y) const;
+
+  Range x_, y_;
+  std::string svg_;
+};
+
+}  // namespace brume
