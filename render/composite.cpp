@@ -1,33 +1,40 @@
 #include "render/composite.h"
 
-#include <cmath>
+#include <algorithm>
+#include <vector>
+
+#include "render/cpu/composite_kernels.h"
 
 namespace brume {
 
-glm::vec3 behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
-                        std::span<const glm::vec3> surfaces, const Frame& frame,
-                        std::size_t pixel) {
-  if (!environment || std::isfinite(frame.depth[pixel])) {
-    return surfaces.empty() ? glm::vec3(0.0f) : surfaces[pixel];
+void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
+                   std::span<const glm::vec3> surfaces, const Frame& frame, std::size_t y,
+                   std::span<glm::vec3> behind) {
+  const std::size_t width = behind.size();
+  if (surfaces.empty()) {
+    std::ranges::fill(behind, glm::vec3(0.0f));
+  } else {
+    std::ranges::copy(surfaces.subspan(y * width, width), behind.begin());
   }
-  const auto width = static_cast<std::size_t>(frame.film.width);
-  return environment->radiance(glm::vec3(rays.direction(static_cast<double>(pixel % width) + 0.5,
-                                                        static_cast<double>(pixel / width) + 0.5)));
+  if (!environment) return;
+  const CameraRays::FilmPlane plane = rays.plane();
+  const glm::dvec3 first =
+      plane.corner + 0.5 * plane.per_x + (static_cast<double>(y) + 0.5) * plane.per_y;
+  environment->show(first, plane.per_x, std::span(frame.depth).subspan(y * width, width), behind);
 }
 
 void composite(const CameraRays& rays, const EnvironmentLight* environment,
                std::span<const glm::vec3> surfaces, const Job& job, Frame& frame) {
   const auto width = static_cast<std::size_t>(frame.film.width);
   job.each(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
-    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-      const float transmittance = frame.transmittance[3 * i];
-      const glm::vec3 behind = behind_medium(rays, environment, surfaces, frame, i);
-      for (std::size_t k = 0; k < 3; ++k) {
-        frame.beauty[4 * i + k] =
-            finite(frame.airlight[3 * i + k] + transmittance * behind[static_cast<int>(k)]);
-      }
-      frame.beauty[4 * i + 3] = std::isfinite(frame.depth[i]) ? 1.0f : 1.0f - transmittance;
-    }
+    thread_local std::vector<glm::vec3> behind;
+    behind.resize(width);
+    behind_medium(rays, environment, surfaces, frame, y, behind);
+    const auto row = [&](auto& layer, std::size_t channels) {
+      return std::span(layer).subspan(channels * y * width, channels * width);
+    };
+    composite_row({row(frame.airlight, 3), row(frame.transmittance, 3), row(frame.depth, 1)},
+                  behind, row(frame.beauty, 4));
   });
 }
 

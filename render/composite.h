@@ -10,10 +10,11 @@
 
 namespace brume {
 
-// What is behind the medium at a pixel of a film of `width`: what `surfaces` send (RGB per pixel;
-// empty: nothing), or where nothing is hit the environment (null: there is none).
-glm::vec3 behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
-                        std::span<const glm::vec3> surfaces, const Frame& frame, std::size_t pixel);
+// Sets what is behind the medium in row y of a frame: what `surfaces` send (RGB per pixel of the
+// frame; empty: nothing), or where nothing is hit the environment (null: there is none).
+void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
+                   std::span<const glm::vec3> surfaces, const Frame& frame, std::size_t y,
+                   std::span<glm::vec3> behind);
 
 // Eq. 29: frame.beauty of the frame's other layers and what is behind the medium.
 void composite(const CameraRays& rays, const EnvironmentLight* environment,

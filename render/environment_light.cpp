@@ -8,6 +8,7 @@
 #include "core/scene/brdf.h"
 #include "core/scene/environment.h"
 #include "core/scene/radiance_map.h"
+#include "render/cpu/composite_kernels.h"
 
 namespace brume {
 namespace {
@@ -52,8 +53,10 @@ EnvironmentLight::EnvironmentLight(const Environment& environment, const Scatter
   for (std::size_t i = 0; i < light_.size(); ++i) light_float_[i] = glm::vec3(light_[i]);
 }
 
-glm::vec3 EnvironmentLight::radiance(const glm::vec3& w) const {
-  return static_cast<float>(environment_.intensity) * map_radiance(*environment_.map, to_map_ * w);
+void EnvironmentLight::show(const glm::dvec3& first, const glm::dvec3& per_pixel,
+                            std::span<const float> distances, std::span<glm::vec3> behind) const {
+  find_sky(*environment_.map, static_cast<float>(environment_.intensity),
+           {glm::vec3(to_map_ * first), glm::vec3(to_map_ * per_pixel)}, distances, behind);
 }
 
 glm::vec3 EnvironmentLight::glow(const glm::dvec3& w, float T) const {

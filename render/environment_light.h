@@ -2,6 +2,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/math/spherical_harmonics.h"
 #include "core/scene/scene.h"
@@ -24,8 +25,10 @@ class EnvironmentLight {
   [[nodiscard]] const ShVector<glm::vec3>& coefficients() const { return light_float_; }
   [[nodiscard]] const ScatterTable& scattering() const { return *scattering_; }
 
-  // Radiance from a unit direction without the medium, in single precision.
-  [[nodiscard]] glm::vec3 radiance(const glm::vec3& w) const;
+  // behind[k] = radiance from direction first + k per_pixel (any length) without the medium, in
+  // single precision; where distances[k] is infinite.
+  void show(const glm::dvec3& first, const glm::dvec3& per_pixel, std::span<const float> distances,
+            std::span<glm::vec3> behind) const;
 
   // What a medium of optical depth T along a view ray scatters into it as the paper has it:
   // T e^-T (L * spread)(w) (eq. 28), here also in front of surfaces, where its mist would be black.
@@ -52,7 +55,7 @@ class EnvironmentLight {
   const ScatterTable* scattering_;
   ShVector<glm::dvec3> light_;
   ShVector<glm::vec3> light_float_;
-  glm::mat3 to_map_;
+  glm::dmat3 to_map_;
 };
 
 }  // namespace brume

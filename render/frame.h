@@ -54,10 +54,10 @@ struct Frame {
 
 // What a frame promises: radiance beyond float is as bright as can be, and a broken sum, which is a
 // mistake of ours, black.
+constexpr float most_radiance = 1e30f;
 inline float finite(float x) {
   assert(!std::isnan(x));
-  constexpr float most = 1e30f;
-  return std::isnan(x) ? 0.0f : std::clamp(x, 0.0f, most);
+  return std::isnan(x) ? 0.0f : std::clamp(x, 0.0f, most_radiance);
 }
 
 // The EXR layers of the contract: R G B A, airlight.R/G/B, transmittance.R/G/B, Z.

@@ -34,10 +34,12 @@ std::vector<glm::vec4> find_behind(const FrameWork& work, const FrameStages& sta
   std::vector<glm::vec4> values(frame.depth.size());
   const auto width = static_cast<std::size_t>(frame.film.width);
   work.job.each(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
-    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-      const glm::vec3 radiance =
-          behind_medium(work.rays, stages.shading().environment(), surfaces, frame, i);
-      values[i] = glm::vec4(radiance, std::isfinite(frame.depth[i]) ? 1.0f : 0.0f);
+    thread_local std::vector<glm::vec3> behind;
+    behind.resize(width);
+    behind_medium(work.rays, stages.shading().environment(), surfaces, frame, y, behind);
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::size_t i = y * width + x;
+      values[i] = glm::vec4(behind[x], std::isfinite(frame.depth[i]) ? 1.0f : 0.0f);
     }
   });
   return values;
