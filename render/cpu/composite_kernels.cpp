@@ -28,20 +28,19 @@ HWY_INLINE V Atan2(D d, V y, V x) {
   return hn::CopySign(hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(pi, acute), acute), y);
 }
 
-// Where directions fall on a map, and what the four pixels around count there: for each of a vector
-// of directions their columns and rows and their weights.
+// Where directions fall on a map, and how to mix the four pixels around: for each of a vector of
+// directions their columns and rows.
 struct MapPositions {
   HWY_ALIGN std::int32_t columns[2][HWY_LANES(float)];
   HWY_ALIGN std::int32_t rows[2][HWY_LANES(float)];
-  HWY_ALIGN float weights[4][HWY_LANES(float)];  // times a scale; columns fastest
+  HWY_ALIGN float shares[2][HWY_LANES(float)];  // of the right column and of the row below
 
   // See map_position() and map_radiance().
   template <class D, class V = hn::Vec<D>>
-  HWY_INLINE void set(D d, const RadianceMap& map, float scale, V x, V y, V z) {
+  HWY_INLINE void set(D d, const RadianceMap& map, V x, V y, V z) {
     const hn::RebindToSigned<D> di;
     constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
     const auto width = static_cast<float>(map.width);
-    const V one = hn::Set(d, 1.0f);
     const V azimuth = Atan2(d, x, hn::Neg(z));
     const V polar = Atan2(d, hn::Sqrt(hn::MulAdd(x, x, hn::Mul(z, z))), y);
     const V across =
@@ -62,24 +61,17 @@ struct MapPositions {
                              HWY_ATTR { return hn::Min(hn::Max(i, hn::Zero(di)), last_row); };
     hn::Store(clamped(above), di, rows[0]);
     hn::Store(clamped(hn::Add(above, hn::Set(di, 1))), di, rows[1]);
-    const V s = hn::Sub(across, column);
-    const V t = hn::Mul(hn::Set(d, scale), hn::Sub(down, row));
-    const V rest = hn::Sub(hn::Set(d, scale), t);
-    hn::Store(hn::Mul(hn::Sub(one, s), rest), d, weights[0]);
-    hn::Store(hn::Mul(s, rest), d, weights[1]);
-    hn::Store(hn::Mul(hn::Sub(one, s), t), d, weights[2]);
-    hn::Store(hn::Mul(s, t), d, weights[3]);
+    hn::Store(hn::Sub(across, column), d, shares[0]);
+    hn::Store(hn::Sub(down, row), d, shares[1]);
   }
 
   [[nodiscard]] HWY_INLINE glm::vec3 radiance(const RadianceMap& map, std::size_t i) const {
-    const glm::vec3& a = map.pixel(columns[0][i], rows[0][i]);
-    const glm::vec3& b = map.pixel(columns[1][i], rows[0][i]);
-    const glm::vec3& c = map.pixel(columns[0][i], rows[1][i]);
-    const glm::vec3& e = map.pixel(columns[1][i], rows[1][i]);
-    const auto mix = [&](float va, float vb, float vc, float ve) HWY_ATTR {
-      return weights[0][i] * va + weights[1][i] * vb + weights[2][i] * vc + weights[3][i] * ve;
+    const auto along = [&](std::int32_t row) HWY_ATTR {
+      const glm::vec3& left = map.pixel(columns[0][i], row);
+      return left + shares[0][i] * (map.pixel(columns[1][i], row) - left);
     };
-    return {mix(a.x, b.x, c.x, e.x), mix(a.y, b.y, c.y, e.y), mix(a.z, b.z, c.z, e.z)};
+    const glm::vec3 above = along(rows[0][i]);
+    return above + shares[1][i] * (along(rows[1][i]) - above);
   }
 };
 
@@ -97,11 +89,11 @@ void FindSky(const RadianceMap& map, float scale, const RowDirections& direction
     while (k < end && distances[k] < infinite) ++k;
     if (k == end) continue;
     const auto at = hn::Iota(d, static_cast<float>(first));
-    positions.set(d, map, scale, hn::MulAdd(at, hn::Set(d, step.x), hn::Set(d, start.x)),
+    positions.set(d, map, hn::MulAdd(at, hn::Set(d, step.x), hn::Set(d, start.x)),
                   hn::MulAdd(at, hn::Set(d, step.y), hn::Set(d, start.y)),
                   hn::MulAdd(at, hn::Set(d, step.z), hn::Set(d, start.z)));
     for (; k < end; ++k) {
-      if (!(distances[k] < infinite)) behind[k] = positions.radiance(map, k - first);
+      if (!(distances[k] < infinite)) behind[k] = scale * positions.radiance(map, k - first);
     }
   }
 }
