@@ -1,6 +1,8 @@
 #include "render/cpu/reflection_kernels.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 
@@ -11,6 +13,16 @@
 // Highway's own order: foreach_target first.
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
+
+#ifndef BRUME_REFLECTION_QUARTERS
+#define BRUME_REFLECTION_QUARTERS
+namespace brume {
+// The quarter turn about x and its inverse.
+struct Quarters {
+  std::span<const ShElement> forward, inverse;
+};
+}  // namespace brume
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -108,16 +120,16 @@ struct Rows {
   }
 };
 
-void Reflect(const SurfacePoints& points, const float* table, std::span<const ShElement> forward,
-             std::span<const ShElement> inverse, const IncidentLight& light, PointRadiance& sent) {
+// read(i, f) reads the light of the vector of points that starts at i.
+template <class Read>
+HWY_INLINE void ReflectRead(const SurfacePoints& points, const float* table,
+                            const Quarters& quarters, PointRadiance& sent, Read read) {
   const D d;
   const auto negative = [](const Angle& a) HWY_ATTR { return Angle{a.cosine, hn::Neg(a.sine)}; };
   Coefficients f;
   Coefficients turned;
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
-    for (std::size_t k = 0; k < 3 * functions; ++k) {
-      f.set(k, hn::Load(d, light.values[k].data() + i));
-    }
+    read(i, f);
     const auto load = [i](const PointArray& a) HWY_ATTR { return hn::Load(D(), a.data() + i); };
     const V nx = load(points.normal.x);
     const V ny = load(points.normal.y);
@@ -135,9 +147,9 @@ void Reflect(const SurfacePoints& points, const float* table, std::span<const Sh
     const V cosine = hn::MulAdd(polar.sine, x, hn::Mul(polar.cosine, oz));
 
     TurnAboutZ(negative(azimuth), f);
-    Quarter{forward}(f, turned);
+    Quarter{quarters.forward}(f, turned);
     TurnAboutZ(negative(polar), turned);
-    Quarter{inverse}(turned, f);
+    Quarter{quarters.inverse}(turned, f);
     TurnAboutZ(negative(eye), f);
 
     const Rows rows(cosine);
@@ -156,25 +168,61 @@ void Reflect(const SurfacePoints& points, const float* table, std::span<const Sh
   }
 }
 
+void Reflect(const SurfacePoints& points, const float* table, const Quarters& quarters,
+             const IncidentLight& light, PointRadiance& sent) {
+  ReflectRead(points, table, quarters, sent, [&](std::size_t i, Coefficients& f) HWY_ATTR {
+    for (std::size_t k = 0; k < 3 * functions; ++k) {
+      f.set(k, hn::Load(D(), light.values[k].data() + i));
+    }
+  });
+}
+
+void ReflectMixed(const SurfacePoints& points, const float* table, const Quarters& quarters,
+                  std::span<const MixedLight> light, std::size_t size, PointRadiance& sent) {
+  constexpr std::size_t lanes = HWY_LANES(float);
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+  ReflectRead(points, table, quarters, sent, [&](std::size_t i, Coefficients& f) HWY_ATTR {
+    std::fill(f.values + 3 * size * lanes, std::end(f.values), 0.0f);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const MixedLight& mixed = light[std::min(i + lane, light.size() - 1)];
+      if (!mixed.corners[0]) {
+        for (std::size_t k = 0; k < 3 * size; ++k) f.values[k * lanes + lane] = 0.0f;
+        continue;
+      }
+      const float* a = &mixed.corners[0]->x;
+      const float* b = &mixed.corners[1]->x;
+      const float* c = &mixed.corners[2]->x;
+      float sum[3 * functions];
+      for (std::size_t k = 0; k < 3 * size; ++k) {
+        sum[k] = mixed.weights.x * a[k] + mixed.weights.y * b[k] + mixed.weights.z * c[k];
+      }
+      for (std::size_t k = 0; k < 3 * size; ++k) f.values[k * lanes + lane] = sum[k];
+    }
+  });
+}
+
 }  // namespace brume::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <algorithm>
 
 namespace brume {
 namespace {
 
-std::vector<ShElement> transposed(std::span<const ShElement> elements) {
-  std::vector<ShElement> result;
-  for (const ShElement& e : elements) result.push_back({e.from, e.to, e.value});
-  std::ranges::stable_sort(result, {}, &ShElement::to);
-  return result;
+std::span<const ShElement> inverse_quarter_turn() {
+  static const std::vector<ShElement> transposed = [] {
+    std::vector<ShElement> result;
+    for (const ShElement& e : sh_quarter_turn()) result.push_back({e.from, e.to, e.value});
+    std::ranges::stable_sort(result, {}, &ShElement::to);
+    return result;
+  }();
+  return transposed;
 }
 
 }  // namespace
 
 HWY_EXPORT(Reflect);
+HWY_EXPORT(ReflectMixed);
 
 void IncidentLight::clear() {
   for (PointArray& coefficient : values) coefficient.fill(0.0f);
@@ -199,9 +247,14 @@ ReflectionTable::ReflectionTable(const BrdfSh& brdf) {
 
 void reflect(const SurfacePoints& points, const ReflectionTable& table, const IncidentLight& light,
              PointRadiance& sent) {
-  static const std::vector<ShElement> inverse = transposed(sh_quarter_turn());
   HWY_DYNAMIC_DISPATCH(Reflect)
-  (points, table.rows(), sh_quarter_turn(), inverse, light, sent);
+  (points, table.rows(), {sh_quarter_turn(), inverse_quarter_turn()}, light, sent);
+}
+
+void reflect(const SurfacePoints& points, const ReflectionTable& table,
+             std::span<const MixedLight> light, std::size_t size, PointRadiance& sent) {
+  HWY_DYNAMIC_DISPATCH(ReflectMixed)
+  (points, table.rows(), {sh_quarter_turn(), inverse_quarter_turn()}, light, size, sent);
 }
 
 }  // namespace brume

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
@@ -27,6 +28,13 @@ struct IncidentLight {
   void add(std::size_t point, const ShVector<glm::dvec3>& light);
 };
 
+// Light that arrives at a point of a triangle as its corners have it: each the same number of
+// coefficients, in the world; null: none.
+struct MixedLight {
+  std::array<const glm::vec3*, 3> corners{};
+  glm::vec3 weights{0.0f};
+};
+
 // A BrdfSh as the kernel reads it: rows of polar angles of the eye, each with the coefficients
 // m >= 0 (the others vanish), R G B.
 class ReflectionTable {
@@ -44,5 +52,8 @@ class ReflectionTable {
 // sent[k] = the radiance that point k sends to the eye; what few bands make negative is left so.
 void reflect(const SurfacePoints& points, const ReflectionTable& table, const IncidentLight& light,
              PointRadiance& sent);
+// Of one MixedLight for each point, of `size` coefficients.
+void reflect(const SurfacePoints& points, const ReflectionTable& table,
+             std::span<const MixedLight> light, std::size_t size, PointRadiance& sent);
 
 }  // namespace brume

@@ -94,6 +94,7 @@ void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoi
     store(p, points.position, i);
     store(normal, points.normal, i);
     store(shadow, points.shadow_origin, i);
+    store(side, points.side, i);
   }
 }
 

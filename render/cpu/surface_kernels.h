@@ -19,7 +19,7 @@ struct PointTriangles {
   PointArray u, v;
 };
 
-// Sets position, normal and shadow_origin of points.padded_size() points from triangles and
+// Sets position, normal, shadow_origin and side of points.padded_size() points from triangles and
 // `to_eye`; `offset` [u] is how far shadow rays start off the triangle.
 void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points);
 

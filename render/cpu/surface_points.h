@@ -36,6 +36,7 @@ struct SurfacePoints {
   PointVectors normal;         // unit, or 0 where neither triangle nor mesh has one
   PointVectors to_eye;         // unit
   PointVectors shadow_origin;  // [u]
+  PointArray side;  // 1 where the side is seen that the normals of the mesh tell, else -1
 
   [[nodiscard]] std::size_t padded_size() const { return padded(count); }
 };

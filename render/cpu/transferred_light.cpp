@@ -98,9 +98,7 @@ TransferredLight::TransferredLight(const MediumIndex& medium, const SurfaceLight
                                    const Surface& surface, const SurfaceShading& shading,
                                    Settings::Arithmetic arithmetic, const Job& job,
                                    std::uint64_t& pairs)
-    : mesh_(surface.mesh),
-      rotate_(surface.rotate),
-      to_world_(glm::mat3_cast(surface.rotate)),
+    : rotate_(surface.rotate),
       triangles_(triangles_of(*surface.mesh)),
       material_(shading.material),
       order_(shading.transfer->settings.order) {
@@ -153,29 +151,28 @@ void TransferredLight::receive(const RadianceTransfer& transfer, std::size_t ver
 
 void TransferredLight::add(std::span<const SurfaceHit> hits, const SurfacePoints& points,
                            PointRadiance& radiance) const {
-  thread_local IncidentLight incident;
-  thread_local PointRadiance reflected;
+  const bool is_diffuse = material_->is_diffuse();
   const std::size_t size = sh_size(order_);
-  if (!material_->is_diffuse()) incident.clear();
   std::array<glm::vec3, Tiles::pixels> sent;
+  std::array<MixedLight, Tiles::pixels> incident;
   for (std::size_t p = 0; p < hits.size(); ++p) {
     sent[p] = glm::vec3(0.0f);
+    incident[p] = {};
+    const Side& side =
+        sides_[static_cast<std::size_t>(points.side[p] < 0.0f ? MeshSide::back : MeshSide::front)];
+    if (side.radiance.empty()) continue;
     const glm::uvec3& corners = triangles_[hits[p].triangle];
     const glm::vec3 weights(1.0f - hits[p].u - hits[p].v, hits[p].u, hits[p].v);
-    const glm::vec3 normal(points.normal.x[p], points.normal.y[p], points.normal.z[p]);
-    const Side& side = sides_[static_cast<std::size_t>(seen_side(corners, weights, normal))];
-    if (side.radiance.empty()) continue;
     for (int k = 0; k < 3; ++k) sent[p] += weights[k] * side.radiance[corners[k]];
-    if (side.incident.empty()) continue;
-    const glm::vec3* light[3];
-    for (int k = 0; k < 3; ++k) light[k] = side.incident.data() + corners[k] * size;
-    for (std::size_t i = 0; i < size; ++i) {
-      incident.add(p, i,
-                   weights[0] * light[0][i] + weights[1] * light[1][i] + weights[2] * light[2][i]);
+    if (is_diffuse) continue;
+    incident[p].weights = weights;
+    for (int k = 0; k < 3; ++k) {
+      incident[p].corners[static_cast<std::size_t>(k)] = side.incident.data() + corners[k] * size;
     }
   }
-  if (!material_->is_diffuse()) {
-    reflect(points, material_->table(), incident, reflected);
+  if (!is_diffuse) {
+    PointRadiance reflected;
+    reflect(points, material_->table(), std::span(incident).first(hits.size()), size, reflected);
     for (std::size_t p = 0; p < hits.size(); ++p) {
       sent[p] += glm::vec3(reflected.r[p], reflected.g[p], reflected.b[p]);
     }
@@ -185,17 +182,6 @@ void TransferredLight::add(std::span<const SurfaceHit> hits, const SurfacePoints
     radiance.g[p] += std::max(sent[p].g, 0.0f);
     radiance.b[p] += std::max(sent[p].b, 0.0f);
   }
-}
-
-// By the normal, which is on the side that is seen.
-MeshSide TransferredLight::seen_side(const glm::uvec3& corners, const glm::vec3& weights,
-                                     const glm::vec3& normal) const {
-  glm::vec3 front(0.0f);
-  for (int k = 0; k < 3; ++k) {
-    const OpenMesh::Vec3f& n = mesh_->vertex_normals()[corners[k]];
-    front += weights[k] * glm::vec3(n[0], n[1], n[2]);
-  }
-  return glm::dot(to_world_ * front, normal) < 0.0f ? MeshSide::back : MeshSide::front;
 }
 
 }  // namespace brume

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/mat3x3.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -45,12 +45,8 @@ class TransferredLight {
   };
   void receive(const RadianceTransfer& transfer, std::size_t vertex,
                const ShVector<glm::dvec3>& light, const ShVector<glm::dvec3>& traced);
-  [[nodiscard]] MeshSide seen_side(const glm::uvec3& corners, const glm::vec3& weights,
-                                   const glm::vec3& normal) const;
 
-  std::shared_ptr<const TriangleMesh> mesh_;
   glm::dquat rotate_;
-  glm::mat3 to_world_;  // the same, for directions
   std::vector<glm::uvec3> triangles_;
   const ShMaterial* material_;
   int order_;

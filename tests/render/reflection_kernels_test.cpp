@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <vector>
 
 #include "render/transfer/sh_material.h"
 #include "tests/random.h"
@@ -70,6 +71,40 @@ TEST(ReflectionKernel, IsThePlainVersion) {
         EXPECT_NEAR(sent.b[k], exact.b, 2e-5) << k;
       }
     }
+  }
+}
+
+// Of the light at the corners of triangles: what they mix to, or nothing; of so many points that
+// the last vector is not whole.
+TEST(ReflectionKernel, MixesTheLightOfCorners) {
+  const ShMaterial material = shiny(30.0);
+  const auto at = points();
+  at->count = 71;
+  constexpr std::size_t size = sh_size(4);
+  Random random(11);
+  std::vector<glm::vec3> corners(3 * size * at->count);
+  for (glm::vec3& c : corners) c = glm::vec3(random.point(1.0));
+  const glm::vec3 weights(0.5f, 0.2f, 0.3f);
+  std::vector<MixedLight> mixed(at->count);
+  auto light = std::make_unique<IncidentLight>();
+  for (std::size_t k = 0; k < at->count; ++k) {
+    if (k % 5 == 3) continue;
+    mixed[k].weights = weights;
+    for (std::size_t c = 0; c < 3; ++c) {
+      mixed[k].corners[c] = &corners[(3 * k + c) * size];
+      for (std::size_t i = 0; i < size; ++i) {
+        light->add(k, i, weights[static_cast<int>(c)] * mixed[k].corners[c][i]);
+      }
+    }
+  }
+  PointRadiance expected;
+  PointRadiance sent;
+  reflect(*at, material.table(), *light, expected);
+  reflect(*at, material.table(), mixed, size, sent);
+  for (std::size_t k = 0; k < at->count; ++k) {
+    EXPECT_NEAR(sent.r[k], expected.r[k], 2e-6) << k;
+    EXPECT_NEAR(sent.b[k], expected.b[k], 2e-6) << k;
+    EXPECT_EQ(k % 5 == 3, sent.g[k] == 0.0f) << k;
   }
 }
 
