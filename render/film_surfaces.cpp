@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 
+#include "render/cpu/surface_kernels.h"
 #include "render/tiles.h"
 
 namespace brume {
@@ -11,7 +12,7 @@ namespace {
 
 struct Seen {
   SurfaceHit hit;
-  glm::dvec3 direction;
+  glm::vec3 direction;
   std::size_t pixel;
 };
 
@@ -19,7 +20,7 @@ struct Seen {
 std::uint64_t shade_points(const FilmSurfaces& film, std::span<const Seen> seen,
                            std::span<glm::vec3> radiance) {
   std::array<SurfaceHit, Tiles::pixels> hits;
-  std::array<glm::dvec3, Tiles::pixels> directions;
+  std::array<glm::vec3, Tiles::pixels> directions;
   for (std::size_t k = 0; k < seen.size(); ++k) {
     hits[k] = seen[k].hit;
     directions[k] = seen[k].direction;
@@ -50,12 +51,19 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const Job& j
   const auto width = static_cast<std::size_t>(film.width);
   std::atomic<std::uint64_t> pairs = 0;
   job.each(tiles.count(), [&](std::size_t tile) {
+    const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
+    PointVectors directions;
+    find_view_directions(rays, rectangle, directions);
     std::array<Seen, Tiles::pixels> seen;
     std::size_t count = 0;
-    Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
+    std::size_t k = 0;
+    Tiles::each_pixel(rectangle, [&](int x, int y) {
       const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
       radiance[i] = glm::vec3(0.0f);
-      if (hits[i]) seen[count++] = {hits[i], rays.direction(x + 0.5, y + 0.5), i};
+      if (hits[i]) {
+        seen[count++] = {hits[i], {directions.x[k], directions.y[k], directions.z[k]}, i};
+      }
+      ++k;
     });
     for (auto first = seen.begin(), last = first + static_cast<std::ptrdiff_t>(count);
          first != last;) {

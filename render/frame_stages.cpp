@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "render/cpu/surface_kernels.h"
 #include "render/film_surfaces.h"
 #include "render/light_limits.h"
 #include "render/tiles.h"
@@ -54,23 +55,27 @@ bool FrameStages::find_transfers(FrameWork& work) {
 void FrameStages::find_surfaces(FrameWork& work, double ray_end) {
   const Tiles tiles(work.frame.film);
   const auto width = static_cast<std::size_t>(work.frame.film.width);
-  // Calls visit(pixel index, x, y) for the pixels of a tile.
-  const auto each_pixel = [&](std::size_t tile, auto visit) {
-    Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
-      visit(static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x), x, y);
-    });
-  };
+  const Visibility& visibility = prepared_.visibility();
+  const bool is_near = visibility.is_near(work.rays.eye());
   work.job.each(tiles.count(), [&](std::size_t tile) {
-    std::array<glm::dvec3, Tiles::pixels> directions;
+    const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
     std::array<SurfaceHit, Tiles::pixels> tile_hits;
     std::size_t count = 0;
-    each_pixel(tile, [&](std::size_t, int x, int y) {
-      directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
-    });
-    prepared_.visibility().first_hits(work.rays.eye(), std::span(directions).first(count),
-                                      std::span(tile_hits).first(count));
+    if (is_near) {
+      PointVectors directions;
+      count = find_view_directions(work.rays, rectangle, directions);
+      visibility.first_hits(work.rays.eye(), directions, std::span(tile_hits).first(count));
+    } else {
+      std::array<glm::dvec3, Tiles::pixels> directions;
+      Tiles::each_pixel(rectangle, [&](int x, int y) {
+        directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
+      });
+      visibility.first_hits(work.rays.eye(), std::span(directions).first(count),
+                            std::span(tile_hits).first(count));
+    }
     count = 0;
-    each_pixel(tile, [&](std::size_t i, int, int) {
+    Tiles::each_pixel(rectangle, [&](int x, int y) {
+      const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
       const SurfaceHit& hit = tile_hits[count++];
       hits_[i] = hit ? hit : SurfaceHit{ray_end};
       work.frame.depth[i] = static_cast<float>(hit.distance);

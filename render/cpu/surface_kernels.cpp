@@ -59,6 +59,15 @@ HWY_INLINE Vector choose(hn::Mask<D> mask, const Vector& yes, const Vector& no) 
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
+// directions: from `origin` so many steps as their x and y say, made unit.
+void WalkAndNormalize(const glm::vec3& origin, const glm::vec3& per_x, const glm::vec3& per_y,
+                      std::size_t padded_size, PointVectors& directions) {
+  for (std::size_t i = 0; i < padded_size; i += hn::Lanes(D())) {
+    const Vector along = plus(set(origin), load(directions.x, i), set(per_x));
+    store(normalized(plus(along, load(directions.y, i), set(per_y))), directions, i);
+  }
+}
+
 void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoints& points) {
   const D d;
   const V zero = hn::Zero(d);
@@ -206,11 +215,31 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace brume {
 
+HWY_EXPORT(WalkAndNormalize);
 HWY_EXPORT(InterpolatePoints);
 HWY_EXPORT(SeeLight);
 HWY_EXPORT(AddDirectLight);
 HWY_EXPORT(FindSpread);
 HWY_EXPORT(AddScatteredLight);
+
+std::size_t find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
+                                 PointVectors& directions) {
+  std::size_t count = 0;
+  Tiles::each_pixel(pixels, [&](int x, int y) {
+    directions.x[count] = static_cast<float>(x - pixels.x0);
+    directions.y[count++] = static_cast<float>(y - pixels.y0);
+  });
+  for (std::size_t k = count; k < padded(count); ++k) {
+    directions.x[k] = directions.x[count - 1];
+    directions.y[k] = directions.y[count - 1];
+  }
+  const CameraRays::FilmPlane plane = rays.plane();
+  const glm::dvec3 first =
+      plane.corner + (pixels.x0 + 0.5) * plane.per_x + (pixels.y0 + 0.5) * plane.per_y;
+  HWY_DYNAMIC_DISPATCH(WalkAndNormalize)
+  (glm::vec3(first), glm::vec3(plane.per_x), glm::vec3(plane.per_y), padded(count), directions);
+  return count;
+}
 
 void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points) {
   HWY_DYNAMIC_DISPATCH(InterpolatePoints)(triangles, offset, points);

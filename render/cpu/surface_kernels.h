@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "core/scene/camera.h"
 #include "render/cpu/scatter_table.h"
 #include "render/cpu/surface_points.h"
 
@@ -10,6 +11,12 @@ namespace brume {
 
 // The inner loops of surfaces in single precision (Highway). Plain double counterparts, for single
 // points: Visibility::point(), brdf(), incident_point_light().
+
+// The unit directions of the view rays through the pixels of a rectangle as large as a tile at
+// most, in the order of Tiles::each_pixel(); those from their count to padded(count) repeat the
+// last. Returns the count. The plain double counterpart is CameraRays::direction().
+std::size_t find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
+                                 PointVectors& directions);
 
 // The triangles that points are on: their corners' positions and normals, and the points'
 // barycentric coordinates of the second and third corner.

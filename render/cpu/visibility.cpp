@@ -127,9 +127,8 @@ struct Visibility::Impl {
   [[nodiscard]] Part to_first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
     return {std::max(0.0, glm::dot(middle - origin, direction) - 1.01 * radius)};
   }
-  [[nodiscard]] bool is_near(const glm::dvec3& origin) const {
-    return glm::length(origin - middle) < 8.0 * radius;
-  }
+  void intersect(RTCRayHit16& query, std::span<const Part, packet> parts,
+                 std::span<SurfaceHit> hits) const;
 
   // Of the way between two points, ends excluded.
   [[nodiscard]] Part between(const glm::dvec3& from, const glm::dvec3& direction,
@@ -214,30 +213,65 @@ SurfaceHit Visibility::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
   return hit(part, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
 }
 
+// Traces the first hits.size() rays of a packet, which start at these parts of theirs.
+void Visibility::Impl::intersect(RTCRayHit16& query, std::span<const Part, packet> parts,
+                                 std::span<SurfaceHit> hits) const {
+  alignas(64) std::array<int, packet> valid{};
+  std::fill_n(valid.begin(), hits.size(), -1);
+  std::fill_n(query.hit.geomID, packet, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(query.hit.instID[0], packet, RTC_INVALID_GEOMETRY_ID);
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  rtcIntersect16(valid.data(), scene, &context, &query);
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    hits[k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
+                  query.hit.u[k], query.hit.v[k]);
+  }
+}
+
 void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                             std::span<SurfaceHit> hits, double nearest) const {
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
-  const bool is_near = impl_->is_near(origin);
-  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  const bool near = is_near(origin);
   for (std::size_t first = 0; first < directions.size(); first += packet) {
-    alignas(64) std::array<int, packet> valid{};
     std::array<Part, packet> parts;
     RTCRayHit16 query;
     const std::size_t count = std::min(packet, directions.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
-      if (!is_near) parts[k] = impl_->to_first_hit(origin, directions[first + k]);
+      if (!near) parts[k] = impl_->to_first_hit(origin, directions[first + k]);
       parts[k].tnear = std::max(nearest - parts[k].skip, 0.0);
       impl_->set(query.ray, k, origin, directions[first + k], parts[k]);
-      query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-      query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-      valid[k] = -1;
     }
-    rtcIntersect16(valid.data(), impl_->scene, &context, &query);
-    for (std::size_t k = 0; k < count; ++k) {
-      hits[first + k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
-                            query.hit.u[k], query.hit.v[k]);
+    impl_->intersect(query, parts, hits.subspan(first, count));
+  }
+}
+
+bool Visibility::is_near(const glm::dvec3& origin) const {
+  return glm::length(origin - impl_->middle) < 8.0 * impl_->radius;
+}
+
+void Visibility::first_hits(const glm::dvec3& origin, const PointVectors& directions,
+                            std::span<SurfaceHit> hits) const {
+  const glm::vec3 start(origin - impl_->middle);
+  const std::array<Part, packet> whole{};
+  for (std::size_t first = 0; first < hits.size(); first += packet) {
+    RTCRayHit16 query;
+    RTCRay16& rays = query.ray;
+    for (std::size_t k = 0; k < packet; ++k) {
+      rays.org_x[k] = start.x;
+      rays.org_y[k] = start.y;
+      rays.org_z[k] = start.z;
+      rays.dir_x[k] = directions.x[first + k];
+      rays.dir_y[k] = directions.y[first + k];
+      rays.dir_z[k] = directions.z[first + k];
+      rays.tnear[k] = 0.0f;
+      rays.tfar[k] = std::numeric_limits<float>::infinity();
+      rays.time[k] = 0.0f;
+      rays.mask[k] = ~0u;
+      rays.id[k] = 0u;
+      rays.flags[k] = 0u;
     }
+    impl_->intersect(query, whole, hits.subspan(first, std::min(packet, hits.size() - first)));
   }
 }
 
@@ -287,7 +321,7 @@ SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,
   return result;
 }
 
-void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::dvec3> directions,
+void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
                         std::span<const Surface> surfaces, SurfacePoints& points) const {
   const auto surface = static_cast<std::size_t>(hits[0].surface);
   const std::vector<glm::uvec3>& all_corners = impl_->triangles[surface];
@@ -307,7 +341,7 @@ void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::d
     }
     triangles.u[i] = hit.u;
     triangles.v[i] = hit.v;
-    points.to_eye.set(i, glm::vec3(-directions[from]));
+    points.to_eye.set(i, -directions[from]);
   }
   interpolate_points(triangles, static_cast<float>(self_hit_margin * impl_->radius), points);
 }

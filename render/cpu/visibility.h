@@ -61,6 +61,12 @@ class Visibility {
   // How far off surfaces rays must begin that leave them, a few roundings of float [u].
   [[nodiscard]] double least_gap() const;
 
+  // The same for the first hits.size() of directions in single precision, from an origin that
+  // is_near(): so close that rounding a direction moves a hit by a few roundings of float only.
+  [[nodiscard]] bool is_near(const glm::dvec3& origin) const;
+  void first_hits(const glm::dvec3& origin, const PointVectors& directions,
+                  std::span<SurfaceHit> hits) const;
+
   // The point where that ray hit. Thread-safe.
   [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,
                                    const glm::dvec3& direction,
@@ -68,7 +74,7 @@ class Visibility {
 
   // The same of hits on one surface, of rays of these directions, in single precision: positions
   // to 1e-6 of the size of all surfaces, relative to their middle. Thread-safe.
-  void points(std::span<const SurfaceHit> hits, std::span<const glm::dvec3> directions,
+  void points(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
               std::span<const Surface> surfaces, SurfacePoints& points) const;
 
   // Sets `lit` of a light at `position` relative to points.origin that see_light() has seen.

@@ -27,7 +27,7 @@ struct Seen {
   std::unique_ptr<Visibility> visibility;
   glm::dvec3 eye;
   std::vector<SurfaceHit> hits;
-  std::vector<glm::dvec3> directions;
+  std::vector<glm::vec3> directions;
 };
 
 // `count` hits on surface `which`; all is `offset` away from the origin and `size` large.
@@ -48,7 +48,7 @@ Seen look(std::int32_t which, std::size_t count, const glm::dvec3& offset, doubl
     const SurfaceHit hit = seen.visibility->first_hit(seen.eye, w);
     if (hit.surface != which) continue;
     seen.hits.push_back(hit);
-    seen.directions.push_back(w);
+    seen.directions.emplace_back(w);
   }
   return seen;
 }
@@ -56,6 +56,55 @@ Seen look(std::int32_t which, std::size_t count, const glm::dvec3& offset, doubl
 void expect_close(const glm::dvec3& got, const glm::dvec3& expected, double tolerance,
                   const char* what) {
   EXPECT_LT(glm::length(got - expected), tolerance) << what;
+}
+
+TEST(SurfaceKernels, ViewDirectionsAreThoseOfThePlainVersion) {
+  for (const double fov : {0.01, 40.0, 150.0}) {
+    const Film film{1003, 601};
+    const CameraRays rays({{1, 2, 3}, {-4, 0.5, 1}, {0.1, 1, 0}, fov}, film);
+    for (const CameraRays::PixelRectangle& r :
+         {CameraRays::PixelRectangle{0, 0, 16, 8}, {992, 600, 1003, 601}, {512, 304, 517, 307}}) {
+      PointVectors directions;
+      const std::size_t count = find_view_directions(rays, r, directions);
+      std::size_t k = 0;
+      Tiles::each_pixel(r, [&](int x, int y) {
+        expect_close(directions[k++], rays.direction(x + 0.5, y + 0.5), 2e-7, "direction");
+      });
+      ASSERT_EQ(count, k);
+      for (; k < padded(count); ++k) EXPECT_EQ(directions[k], directions[count - 1]);
+    }
+  }
+}
+
+// From near and inside the balls; a ray that just misses may hit.
+TEST(SurfaceKernels, FirstHitsAreThoseOfThePlainVersion) {
+  Random random(6);
+  const Seen seen = look(0, 1, glm::dvec3(1000.0), 1.0, random);
+  int others = 0;
+  for (int n = 0; n < 200; ++n) {
+    const glm::dvec3 eye = seen.eye + random.point(2.0);
+    ASSERT_TRUE(seen.visibility->is_near(eye));
+    const std::size_t count = n % 2 == 0 ? Tiles::pixels : 1 + static_cast<std::size_t>(n) / 2;
+    PointVectors directions{};
+    std::vector<glm::dvec3> plain(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      plain[k] = glm::normalize(seen.eye - eye + glm::dvec3(-1, -1, -3) + random.point(1.0));
+      directions.set(k, glm::vec3(plain[k]));
+    }
+    std::vector<SurfaceHit> expected(count);
+    std::vector<SurfaceHit> hits(count);
+    seen.visibility->first_hits(eye, plain, expected);
+    seen.visibility->first_hits(eye, directions, hits);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (hits[k].surface != expected[k].surface) {
+        ++others;
+      } else if (hits[k]) {
+        EXPECT_NEAR(hits[k].distance, expected[k].distance, 1e-4);
+      }
+    }
+  }
+  EXPECT_LE(others, 2);
+  EXPECT_FALSE(seen.visibility->is_near(glm::dvec3(0.0)));
 }
 
 TEST(SurfaceKernels, PointsAreThoseOfThePlainVersion) {
@@ -69,8 +118,8 @@ TEST(SurfaceKernels, PointsAreThoseOfThePlainVersion) {
         ASSERT_EQ(points.count, count);
         EXPECT_EQ(points.surface, &seen.surfaces[static_cast<std::size_t>(which)]);
         for (std::size_t k = 0; k < count; ++k) {
-          const SurfacePoint plain =
-              seen.visibility->point(seen.hits[k], seen.eye, seen.directions[k], seen.surfaces);
+          const SurfacePoint plain = seen.visibility->point(
+              seen.hits[k], seen.eye, glm::dvec3(seen.directions[k]), seen.surfaces);
           // Embree's own distance is good to a few 1e-6 of the surfaces' size.
           expect_close(points.origin + points.position[k], plain.position, 2e-5 * size, "position");
           expect_close(points.origin + points.shadow_origin[k], plain.shadow_origin, 2e-5 * size,
