@@ -17,7 +17,9 @@ struct Cancelled {};
 class Exporter {
  public:
   Exporter(const FrameExportRequest& request, const Job& job)
-      : request_(request), job_(job), source_(request.scene, request.camera, request.settings) {}
+      : request_(request),
+        job_(job),
+        source_(request.scene, request.camera, request.settings, request.backend) {}
 
   void run() {
     if (!request_.range) {
@@ -51,7 +53,9 @@ class Exporter {
   }
 
   void write(const std::filesystem::path& file, const Frame& frame) {
-    write_frame(file, frame, request_.info);
+    FrameInfo info = request_.info;
+    info.backend = frame.statistics.backend;
+    write_frame(file, frame, info);
     ++written_;
   }
 

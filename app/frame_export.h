@@ -8,6 +8,7 @@
 #include "app/job_bar.h"
 #include "core/scene/scene.h"
 #include "render/frame_file.h"
+#include "render/gl/gl_renderer.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -17,7 +18,8 @@ struct FrameExportRequest {
   std::shared_ptr<const Scene> scene;  // with all its times
   std::optional<Camera> camera;        // nullopt: the scene's own of each moment
   Settings settings;                   // whose time is that of a single frame
-  FrameInfo info;
+  FrameInfo info;                      // but for the backend, which each frame tells
+  Backend backend = Backend::auto_;
   // The extension decides the format: .exr or .png, or .mp4 of several frames.
   std::filesystem::path file;
   struct Range {

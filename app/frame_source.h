@@ -5,8 +5,8 @@
 
 #include "core/scene/scene.h"
 #include "render/frame.h"
+#include "render/gl/gl_renderer.h"
 #include "render/job.h"
-#include "render/renderer.h"
 #include "render/settings.h"
 #include "render/transfer/transfer_store.h"
 
@@ -18,7 +18,7 @@ class FrameSource {
  public:
   // Without a camera: the scene's own of each moment.
   FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camera> camera,
-              const Settings& settings);
+              const Settings& settings, Backend backend);
 
   // nullopt when it was stopped. Throws InputError.
   std::optional<Frame> at(double time, const Job& job);
@@ -28,7 +28,7 @@ class FrameSource {
   std::optional<Camera> camera_;
   Settings settings_;
   std::shared_ptr<TransferStore> transfers_ = std::make_shared<TransferStore>();
-  Renderer renderer_{transfers_};
+  std::unique_ptr<FrameRenderer> renderer_;
 };
 
 }  // namespace brume

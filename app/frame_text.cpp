@@ -1,8 +1,10 @@
 #include "app/frame_text.h"
 
 #include <QLocale>
+#include <algorithm>
 
 #include "render/error_estimate.h"
+#include "render/frame.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -29,6 +31,17 @@ QString settings_text(const Settings& settings) {
   return settings.airlight == AirlightMethod::sliced
              ? QString("%1 %2").arg(name).arg(settings.slices)
              : name;
+}
+
+QString backend_text(const FrameStatistics& statistics) {
+  return statistics.backend == "gl"
+             ? QString("OpenGL on %1").arg(QString::fromStdString(statistics.device))
+             : QString("processor");
+}
+
+QString fall_back_text(const FrameStatistics& statistics) {
+  const auto frame = std::ranges::find(statistics.on_cpu, "frame", &SkippedStage::stage);
+  return frame == statistics.on_cpu.end() ? QString() : QString::fromStdString(frame->why);
 }
 
 QString percent_text(double share) {

@@ -6,6 +6,7 @@
 namespace brume {
 
 struct ErrorEstimate;
+struct FrameStatistics;
 struct Settings;
 
 // "12,408"
@@ -13,6 +14,12 @@ QString count_text(std::uint64_t count);
 
 // "sliced 16", "paper"
 QString settings_text(const Settings& settings);
+
+// What rendered: "processor", "OpenGL on NVIDIA H100".
+QString backend_text(const FrameStatistics& statistics);
+
+// Why OpenGL did not render the frame although it was to; empty: it did, or was not asked.
+QString fall_back_text(const FrameStatistics& statistics);
 
 // A share in per cent, to about two digits: "1.4 %".
 QString percent_text(double share);

@@ -228,10 +228,14 @@ void MainWindow::connect_document() {
   for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
     connect(views_, signal, this, &MainWindow::update_status);
     connect(views_, signal, this, &MainWindow::update_error);
+    connect(views_, signal, this, &MainWindow::tell_fall_back);
   }
   connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
   connect(viewport_, &Viewport::frame_shown, this, &MainWindow::keep_recent_picture);
-  connect(&document_, &Document::scene_replaced, message_bar_, &QWidget::hide);
+  connect(&document_, &Document::scene_replaced, message_bar_, [this] {
+    message_bar_->hide();
+    fall_back_.clear();
+  });
   connect(&document_, &Document::file_changed, this, &MainWindow::update_title);
   connect(&document_, &Document::medium_changed, this, &MainWindow::update_status);
   connect(&document_, &Document::selection_changed, this, &MainWindow::update_status);
@@ -275,7 +279,8 @@ void MainWindow::update_status() {
   QString text = count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count));
   if (selected > 0) text += tr(", %1 selected").arg(count_text(selected));
   if (const RenderedFrame* frame = views_->active().shown()) {
-    text += tr(" · %1 ms ·").arg(frame->milliseconds, 0, 'f', 1);
+    const bool gl = frame->frame.statistics.backend == "gl";
+    text += tr(" · %1 ms%2 ·").arg(frame->milliseconds, 0, 'f', 1).arg(gl ? tr(", OpenGL") : "");
   }
   numbers_->setText(text);
   const bool is_select = tools_->active() == 0;
@@ -301,6 +306,17 @@ void MainWindow::update_error() {
   error_->setText(status);
   quality_->setText(corner);
   for (QLabel* label : {error_, quality_}) label->setEnabled(view.is_measured());
+}
+
+void MainWindow::tell_fall_back() {
+  const RenderedFrame* frame = views_->active().shown();
+  if (!frame) return;
+  const QString why = fall_back_text(frame->frame.statistics);
+  if (why == fall_back_) return;
+  fall_back_ = why;
+  if (!why.isEmpty()) {
+    message_bar_->show_note(tr("Rendered by the processor instead of OpenGL: %1").arg(why));
+  }
 }
 
 void MainWindow::show_time() {

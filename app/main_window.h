@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow {
   void create_status_bar();
   void create_actions();  // main_window_actions.cpp
   void fill_airlight_menu(QMenu* menu);
+  void fill_backend_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);
   void fill_navigation_menu(QMenu* menu);
   void fill_theme_menu(QMenu* menu);
@@ -72,6 +73,7 @@ class MainWindow : public QMainWindow {
   void update_title();
   void update_status();
   void update_error();
+  void tell_fall_back();  // why OpenGL does not render, once for each reason
   void add_gaussian_in_view();
   void isolate_selection();  // shows all again if anything is hidden
   void export_frame();
@@ -101,6 +103,7 @@ class MainWindow : public QMainWindow {
   BackgroundJob* file_job_ = nullptr;  // imports, exports of the medium, gathers
   SceneImport* import_ = nullptr;
   std::pair<std::filesystem::path, std::uint64_t> pictured_;  // file and revision
+  QString fall_back_;  // the reason that was told last; empty: none
   QLabel* hint_ = nullptr;
   QLabel* numbers_ = nullptr;
   QLabel* error_ = nullptr;

@@ -31,6 +31,7 @@ namespace brume {
 namespace {
 
 constexpr const char* airlight_key = "view/airlight";
+constexpr const char* backend_key = "view/backend";
 constexpr const char* navigation_key = "view/navigation";
 constexpr double tool_step = 1.15;  // of a tool's size by one key
 
@@ -162,6 +163,7 @@ void MainWindow::create_actions() {
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
   fill_mode_menu(view->addMenu(tr("S&how")));
   fill_airlight_menu(view->addMenu(tr("Air&light")));
+  fill_backend_menu(view->addMenu(tr("&Rendered by")));
   fill_navigation_menu(view->addMenu(tr("&Navigation")));
   fill_theme_menu(view->addMenu(tr("&Theme")));
   view->addSeparator();
@@ -232,6 +234,27 @@ void MainWindow::fill_airlight_menu(QMenu* menu) {
   add("auto", tr("&Auto"), std::nullopt);
   add(to_string(AirlightMethod::paper), tr("&Paper"), AirlightMethod::paper);
   add(to_string(AirlightMethod::sliced), tr("&Sliced"), AirlightMethod::sliced);
+  menu->addActions(group->actions());
+}
+
+void MainWindow::fill_backend_menu(QMenu* menu) {
+  const QString remembered = QSettings().value(backend_key).toString();
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const char* name, const QString& text, Backend backend) {
+    if (remembered == name) views_->set_backend(backend);
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setObjectName(QString("backend_") + name);
+    action->setChecked(views_->backend() == backend);
+    connect(action, &QAction::triggered, this, [this, name, backend] {
+      fall_back_.clear();
+      views_->set_backend(backend);
+      QSettings().setValue(backend_key, name);
+    });
+  };
+  add("auto", tr("&Auto: OpenGL where there is a GPU"), Backend::auto_);
+  add("cpu", tr("&Processor"), Backend::cpu);
+  add("gl", tr("&OpenGL"), Backend::gl);
   menu->addActions(group->actions());
 }
 

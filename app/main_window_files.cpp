@@ -13,7 +13,7 @@
 #include "app/medium_dialog.h"
 #include "app/scene_files.h"
 #include "app/timeline.h"
-#include "app/viewport/viewport.h"
+#include "app/viewport/view_grid.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gather.h"
 
@@ -70,7 +70,8 @@ FrameExportRequest MainWindow::export_request(const std::filesystem::path& file)
   return {document_.snapshot(),
           viewport_->camera(),
           settings,
-          {document_.file().string(), to_string(settings.airlight), "cpu", viewport_->exposure()},
+          {document_.file().string(), to_string(settings.airlight), {}, viewport_->exposure()},
+          views_->backend(),
           file,
           std::nullopt};
 }

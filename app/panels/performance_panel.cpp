@@ -58,6 +58,8 @@ PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
   pairs_ = add_row(*numbers, tr("Pairs"), "pairs");
   pairs_->setToolTip(tr("Gaussians times rays: from the eye, and from the lights"));
   picture_ = add_row(*numbers, tr("Picture"), "picture");
+  backend_ = add_row(*form, tr("Rendered by"), "backend");
+  backend_->setWordWrap(true);
 
   stages_->setObjectName("stages");
   stages_->setHeaderLabels({tr("Stage"), tr("Milliseconds")});
@@ -140,6 +142,9 @@ void PerformancePanel::update_frame() {
   const QString size = tr("%1 × %2").arg(film.width).arg(film.height);
   picture_->setText(
       frame->request.moving && !views_.active().is_settled() ? tr("%1 in motion").arg(size) : size);
+  const QString why_not_gl = fall_back_text(statistics);
+  const QString backend = backend_text(statistics);
+  backend_->setText(why_not_gl.isEmpty() ? backend : tr("%1: %2").arg(backend, why_not_gl));
 
   QList<QTreeWidgetItem*> rows;
   for (const StageTime& stage : statistics.stages) {
@@ -147,13 +152,17 @@ void PerformancePanel::update_frame() {
         {QString::fromStdString(stage.name), QString::number(stage.milliseconds, 'f', 1)});
   }
   rows << new QTreeWidgetItem({tr("frame"), QString::number(frame->milliseconds, 'f', 1)});
-  for (const SkippedStage& skipped : statistics.skipped) {
-    const QString why = tr("skipped: %1").arg(QString::fromStdString(skipped.why));
-    auto* row = new QTreeWidgetItem({QString::fromStdString(skipped.stage), why});
-    row->setToolTip(1, why);
-    row->setDisabled(true);
-    rows << row;
-  }
+  const auto add_notes = [&rows](const std::vector<SkippedStage>& stages, const QString& text) {
+    for (const SkippedStage& stage : stages) {
+      const QString why = text.arg(QString::fromStdString(stage.why));
+      auto* row = new QTreeWidgetItem({QString::fromStdString(stage.stage), why});
+      row->setToolTip(1, why);
+      row->setDisabled(true);
+      rows << row;
+    }
+  };
+  add_notes(statistics.on_cpu, tr("on the processor: %1"));
+  add_notes(statistics.skipped, tr("skipped: %1"));
   stages_->clear();
   stages_->addTopLevelItems(rows);
 }

@@ -35,6 +35,7 @@ class PerformancePanel : public QWidget {
   QLabel* gaussians_;
   QLabel* pairs_;
   QLabel* picture_;
+  QLabel* backend_;
   FrontierPlot* frontier_;
   QTreeWidget* stages_;
 };

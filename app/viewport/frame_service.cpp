@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <exception>
 
-#include "render/renderer.h"
-
 namespace brume {
 namespace {
 
@@ -65,6 +63,15 @@ void FrameService::set_active(int view) {
   active_ = view;
 }
 
+void FrameService::set_backend(Backend backend) {
+  {
+    const std::scoped_lock lock(mutex_);
+    backend_ = backend;
+    ++backend_choice_;
+  }
+  Q_EMIT backend_changed();
+}
+
 int FrameService::motion_divisor(const Film& film) const {
   if (milliseconds_per_pixel_ == 0.0) return first_divisor;
   for (int divisor = 1; divisor < max_divisor; ++divisor) {
@@ -76,10 +83,14 @@ int FrameService::motion_divisor(const Film& film) const {
 
 void FrameService::work(const std::stop_token& quit,
                         const std::shared_ptr<const TransferStore>& transfers) {
-  Renderer renderer(transfers);
+  std::unique_ptr<FrameRenderer> renderer;
+  std::string problem;  // why it is not what was asked for
+  std::uint64_t made_for = 0;
   while (true) {
     FrameRequest request;
     int divisor = 1;
+    Backend backend = Backend::auto_;
+    std::uint64_t choice = 0;
     std::stop_token stop;
     {
       std::unique_lock lock(mutex_);
@@ -94,13 +105,23 @@ void FrameService::work(const std::stop_token& quit,
       stop_frame_ = std::stop_source();
       if (quit.stop_requested()) return;
       stop = stop_frame_.get_token();
+      backend = backend_;
+      choice = backend_choice_;
     }
     try {
+      if (made_for != choice) {
+        renderer.reset();
+        problem.clear();
+        renderer = make_renderer(backend, transfers, problem);
+        made_for = choice;
+        milliseconds_per_pixel_ = 0.0;
+      }
       QElapsedTimer timer;
       timer.start();
       const Film film = divided(request.film, divisor);
-      auto frame = renderer.render(*request.scene, request.camera, film, request.settings, stop);
+      auto frame = renderer->render(*request.scene, request.camera, film, request.settings, stop);
       if (!frame) continue;
+      if (!problem.empty()) frame->statistics.on_cpu = {{"frame", problem}};
       auto rendered = std::make_shared<RenderedFrame>();
       rendered->picture = to_picture(*frame, request.exposure, request.mode);
       rendered->milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;

@@ -14,6 +14,7 @@
 #include "app/viewport/view_mode.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
+#include "render/gl/gl_renderer.h"
 #include "render/settings.h"
 #include "render/transfer/transfer_store.h"
 
@@ -54,7 +55,13 @@ class FrameService : public QObject {
   void forget(int view);  // what was asked for it and is not there yet
   void set_active(int view);
 
+  // What renders from the next frame on; auto_ at first. Gives a device that has failed another
+  // chance, even if it is the same as before.
+  void set_backend(Backend backend);
+  [[nodiscard]] Backend backend() const { return backend_; }
+
  Q_SIGNALS:
+  void backend_changed();
   void frame_ready(std::shared_ptr<const brume::RenderedFrame> frame);
   void failed(const QString& message);
 
@@ -73,6 +80,8 @@ class FrameService : public QObject {
   std::optional<Running> running_;
   std::stop_source stop_frame_;
   double milliseconds_per_pixel_ = 0.0;  // of the last frame in motion; 0 before the first
+  Backend backend_ = Backend::auto_;
+  std::uint64_t backend_choice_ = 1;  // counts set_backend()
   std::jthread thread_;
 };
 

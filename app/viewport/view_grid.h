@@ -36,6 +36,8 @@ class ViewGrid : public QWidget {
   void set_airlight(std::optional<AirlightMethod> method);
   void set_max_error(double max_error);
   void set_navigation(NavigationPreset preset);
+  void set_backend(Backend backend) { services_.frames.set_backend(backend); }
+  [[nodiscard]] Backend backend() const { return services_.frames.backend(); }
 
   [[nodiscard]] TransferJob& transfer_job() { return *services_.transfer_job; }
 

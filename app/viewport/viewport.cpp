@@ -78,6 +78,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
     if (active_) Q_EMIT failed(message);
   });
   connect(services_.transfer_job, &TransferJob::made, this, &Viewport::request_frame);
+  connect(&services_.frames, &FrameService::backend_changed, this, &Viewport::request_frame);
   connect(&document_, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
     drag_ = drag_ == Drag::tool ? Drag::none : drag_;

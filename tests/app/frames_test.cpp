@@ -8,11 +8,17 @@
 #include <fstream>
 
 #include "app/commands/edit_medium.h"
+#include "app/document/paths.h"
 #include "app/frame_export.h"
+#include "app/frame_text.h"
+#include "app/message_bar.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/viewport.h"
 #include "core/io/image_file.h"
 #include "core/io/scene_file.h"
+#include "render/compare.h"
+#include "render/gl/device.h"
+#include "render/gl/failures.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -64,6 +70,10 @@ Scene scene_with_transfer(const std::filesystem::path& mesh, int n) {
   surface.mesh_file = mesh;
   surface.transfer = Surface::Transfer::shadow;
   return scene;
+}
+
+bool has_opengl() {
+  return qEnvironmentVariableIsEmpty("BRUME_TEST_NO_OPENGL");
 }
 
 bool misses_transfer(const Frame& frame) {
@@ -282,6 +292,78 @@ class FramesTest : public QObject {
     QVERIFY(!misses_transfer(view.shown()->frame));
   }
 
+  void opengl_renders_where_it_is_chosen() {
+    TestWindow window;
+    const auto* shown = window->findChild<QLabel*>("backend");
+    const auto render_by = [&](const char* action) {
+      window->findChild<QAction*>(action)->trigger();
+      return window.settle() ? window->viewport().shown()->frame : Frame{};
+    };
+    const Frame cpu = render_by("backend_cpu");
+    QCOMPARE(cpu.statistics.backend, "cpu");
+    QCOMPARE(shown->text(), "processor");
+    const Frame gl = render_by("backend_gl");
+    const auto* bar = window->findChild<MessageBar*>();
+    if (!has_opengl()) {
+      QCOMPARE(gl.statistics.backend, "cpu");
+      QVERIFY(all_finite(gl));
+      QVERIFY(shown->text().startsWith("processor: "));
+      QVERIFY(bar->isVisible() && bar->message().contains("instead of OpenGL"));
+    } else {
+      QCOMPARE(gl.statistics.backend, "gl");
+      QVERIFY(shown->text().contains(QString::fromStdString(gl.statistics.device)));
+      QVERIFY(!bar->isVisible());
+      const ChannelPair beauty{gl.beauty, cpu.beauty};
+      QVERIFY(compare(std::span(&beauty, 1)).rel_rmse < 2e-3);
+    }
+    // Nobody asks for software.
+    const Frame chosen = render_by("backend_auto");
+    QVERIFY(!gl::is_software_renderer(chosen.statistics.device));
+    QVERIFY(fall_back_text(chosen.statistics).isEmpty());
+  }
+
+  // And the picture goes on, with a message, until OpenGL is chosen again.
+  void the_processor_takes_over_where_opengl_fails() {
+    if (!has_opengl()) return;
+    {
+      TestWindow window;
+      auto* opengl = window->findChild<QAction*>("backend_gl");
+      opengl->trigger();
+      QVERIFY(window.settle());
+      const auto backend = [&] { return window->viewport().shown()->frame.statistics.backend; };
+      QCOMPARE(backend(), "gl");
+      gl::failures().context = true;
+      window->document().select({5});
+      window.key(Qt::Key_Delete);
+      QVERIFY(window.settle());
+      gl::failures() = {};
+      QCOMPARE(backend(), "cpu");
+      QVERIFY(all_finite(window->viewport().shown()->frame));
+      auto* bar = window->findChild<MessageBar*>();
+      QVERIFY2(bar->isVisible() && bar->message().contains("lost"), qPrintable(bar->message()));
+      QVERIFY(window->findChild<QLabel*>("backend")->text().contains("lost"));
+      // It is said once.
+      bar->hide();
+      window.key(Qt::Key_Z, Qt::ControlModifier);
+      QVERIFY(window.settle());
+      QCOMPARE(backend(), "cpu");
+      QVERIFY(!bar->isVisible());
+      opengl->trigger();
+      QVERIFY(window.settle());
+      QCOMPARE(backend(), "gl");
+    }
+    TestWindow window;
+    QVERIFY(window->findChild<QAction*>("backend_gl")->isChecked());
+    QCOMPARE(window->viewport().shown()->frame.statistics.backend, "gl");
+    QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
+    window->export_frame_to(window.file("frame.exr"));
+    QVERIFY(exported.wait(60000));
+    QFile file(to_qstring(window.file("frame.exr")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(4096).contains(QByteArray("brume:backend\0string\0\2\0\0\0gl", 27)));
+    window->findChild<QAction*>("backend_auto")->trigger();
+  }
+
   void export_writes_the_scene_film_in_the_background() {
     TestWindow window;
     auto* exporter = window->findChild<FrameExport*>();
@@ -311,7 +393,7 @@ class FramesTest : public QObject {
     big.film = {3000, 2000};
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     exporter->start({std::make_shared<const Scene>(big), big.camera, Settings{}, FrameInfo{},
-                     window.file("big.png"), std::nullopt});
+                     Backend::cpu, window.file("big.png"), std::nullopt});
     exporter->cancel();
     QVERIFY(cancelled.wait(30000));
     QVERIFY(!std::filesystem::exists(window.file("big.png")));
