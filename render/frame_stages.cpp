@@ -23,21 +23,10 @@ bool FrameStages::begin(FrameWork& work, StageClock& clock) {
   work.frame.airlight.resize(3 * pixels);
   work.frame.transmittance.assign(3 * pixels, 1.0f);
   work.frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
-  const double ray_end = work.fog_end.of_rays(work.rays.eye());
-  if (work.plan.surfaces) {
-    hits_.resize(pixels);
-  } else {
-    hits_.assign(std::isfinite(ray_end) ? pixels : 0, {ray_end});
-  }
-
   prepared_.update(work.scene, work.plan.lights, work.settings);
   shading_.update(work.scene, work.plan, work.settings, work.transfers);
   clock.finish("prepare");
-  if (work.plan.surfaces) {
-    find_surfaces(work, ray_end);
-    clock.finish("visibility");
-  }
-  return prepare_source(work, clock);
+  return true;
 }
 
 // False if stopped.
@@ -52,7 +41,13 @@ bool FrameStages::find_transfers(FrameWork& work) {
 }
 
 // Rays that hit nothing end where the fog does.
-void FrameStages::find_surfaces(FrameWork& work, double ray_end) {
+void FrameStages::find_hits(FrameWork& work, StageClock& clock) {
+  const double ray_end = work.fog_end.of_rays(work.rays.eye());
+  if (!work.plan.surfaces) {
+    hits_.assign(std::isfinite(ray_end) ? work.frame.depth.size() : 0, {ray_end});
+    return;
+  }
+  hits_.resize(work.frame.depth.size());
   const Tiles tiles(work.frame.film);
   const auto width = static_cast<std::size_t>(work.frame.film.width);
   const Visibility& visibility = prepared_.visibility();
@@ -81,9 +76,9 @@ void FrameStages::find_surfaces(FrameWork& work, double ray_end) {
       work.frame.depth[i] = static_cast<float>(hit.distance);
     });
   });
+  clock.finish("visibility");
 }
 
-// False: the job was stopped.
 bool FrameStages::prepare_source(const FrameWork& work, StageClock& clock) {
   const AirlightMethod method = work.settings.airlight;
   const bool airlight =
@@ -183,22 +178,20 @@ std::vector<SlicedLight> FrameStages::sliced_lights(FrameWork& work, StageClock&
     }
     if (!lights.empty()) clock.finish("light_table");
   }
-  find_shadows(work, clock, maps, lights);
+  if (work.plan.surfaces && !lights.empty()) {
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      lights[l].shadows =
+          &prepared_.shadow_map(lights[l].position, shadow_directions(work, maps[l]));
+    }
+    clock.finish("shadow_map");
+  }
   return lights;
 }
 
-void FrameStages::find_shadows(const FrameWork& work, StageClock& clock,
-                               std::span<const DirectionMap> tables,
-                               std::span<SlicedLight> lights) {
-  if (!work.plan.surfaces || lights.empty()) return;
-  for (std::size_t l = 0; l < lights.size(); ++l) {
-    // Fog scatters in every direction, Gaussians only where they are.
-    const int cells = work.settings.shadow_cells;
-    lights[l].shadows =
-        &prepared_.shadow_map(lights[l].position, work.plan.homogeneous ? DirectionMap::all(cells)
-                                                                        : tables[l].resized(cells));
-  }
-  clock.finish("shadow_map");
+// Fog scatters in every direction, Gaussians only where they are.
+DirectionMap FrameStages::shadow_directions(const FrameWork& work, const DirectionMap& table) {
+  const int cells = work.settings.shadow_cells;
+  return work.plan.homogeneous ? DirectionMap::all(cells) : table.resized(cells);
 }
 
 std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClock& clock) {

@@ -71,10 +71,17 @@ struct FrameWork {
 // frame.
 class FrameStages {
  public:
-  // All that comes before the airlight. False if the job was stopped.
+  // What comes before the airlight, in this order. First what does not depend on the view; false if
+  // the job was stopped.
   bool begin(FrameWork& work, StageClock& clock);
+  // Where view rays end, by Embree; fills the depth layer.
+  void find_hits(FrameWork& work, StageClock& clock);
+  // The same found elsewhere: per pixel, those that hit nothing as they are.
+  void set_hits(std::vector<SurfaceHit> hits) { hits_ = std::move(hits); }
+  // The light of an environment in the medium. False if the job was stopped.
+  bool prepare_source(const FrameWork& work, StageClock& clock);
 
-  // From here on, of the last begin().
+  // From here on, of the frame that has begun.
   [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
   [[nodiscard]] const PreparedShading& shading() const { return shading_; }
   // Per pixel, where its view ray ends; empty where none does.
@@ -90,19 +97,16 @@ class FrameStages {
   // What `paper` and `sliced` need of the lights; pairs go to the frame's statistics.
   PaperLights paper_lights(FrameWork& work, StageClock& clock);
   std::vector<SlicedLight> sliced_lights(FrameWork& work, StageClock& clock);
-  // The latter's parts: the lights as such, and the shadows of surfaces around them; `tables` are
-  // the maps of their tables.
+  // The latter's parts: the lights as such, and the directions of the shadows of surfaces around
+  // one; `table` is the map of its table.
   static std::vector<SlicedLight> lights_of(const FrameWork& work);
-  void find_shadows(const FrameWork& work, StageClock& clock, std::span<const DirectionMap> tables,
-                    std::span<SlicedLight> lights);
+  static DirectionMap shadow_directions(const FrameWork& work, const DirectionMap& table);
 
   // RGB per pixel that surfaces send to the eye; empty where none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameWork& work, StageClock& clock);
 
  private:
   static bool find_transfers(FrameWork& work);
-  void find_surfaces(FrameWork& work, double ray_end);
-  bool prepare_source(const FrameWork& work, StageClock& clock);
   [[nodiscard]] ArrivalOptics arrival_optics(const FrameWork& work) const;
 
   PreparedScene prepared_;

@@ -59,6 +59,7 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     occluders_.reset();
     shadows_.clear();
     visibility_ = std::make_unique<Visibility>(scene.surfaces);
+    ++visibility_revision_;
   }
   if (!occluders_ && is_reference) occluders_ = std::make_unique<Occluders>(scene.surfaces);
 

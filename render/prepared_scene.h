@@ -32,6 +32,8 @@ class PreparedScene {
   // Another number whenever medium() is another, its noise aside.
   [[nodiscard]] std::uint64_t medium_revision() const { return medium_revision_; }
   [[nodiscard]] const Visibility& visibility() const { return *visibility_; }
+  // Another number whenever visibility() is another.
+  [[nodiscard]] std::uint64_t visibility_revision() const { return visibility_revision_; }
   [[nodiscard]] const Occluders& occluders() const { return *occluders_; }  // of the reference only
 
   // Made when first asked for. The pairs that this evaluates are added to `pairs`. References
@@ -50,6 +52,7 @@ class PreparedScene {
   double depth_error_ = 0.0;
 
   std::unique_ptr<Visibility> visibility_;
+  std::uint64_t visibility_revision_ = 0;
   std::unique_ptr<Occluders> occluders_;
 
   struct Depths {

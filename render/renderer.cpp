@@ -60,6 +60,8 @@ std::optional<Frame> Renderer::Impl::render(FrameWork& work) {
   statistics.gaussians_total = work.scene.medium.size();
   StageClock clock(statistics.stages);
   if (!stages.begin(work, clock)) return std::nullopt;
+  stages.find_hits(work, clock);
+  if (!stages.prepare_source(work, clock)) return std::nullopt;
   if (work.plan.gaussians || work.plan.homogeneous) {
     const TileMethod method = airlight_method(work, clock);
     const FilmAirlight film = film_airlight(stages.prepared().medium(), work.rays, work.settings,

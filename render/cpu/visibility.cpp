@@ -18,10 +18,6 @@
 namespace brume {
 namespace {
 
-// Rays start and end this share of their length away from the surfaces they leave or reach, which
-// is a few roundings of float.
-constexpr double self_hit_margin = 1e-5;
-
 glm::dvec3 mesh_point(const TriangleMesh& mesh, int vertex) {
   const auto& p = mesh.point(OpenMesh::VertexHandle(vertex));
   return {p[0], p[1], p[2]};
@@ -192,6 +188,34 @@ Visibility::~Visibility() = default;
 const Box& Visibility::bounds() const {
   return impl_->bounds;
 }
+const glm::dvec3& Visibility::middle() const {
+  return impl_->middle;
+}
+double Visibility::radius() const {
+  return impl_->radius;
+}
+bool Visibility::is_near(const glm::dvec3& origin) const {
+  return glm::length(origin - impl_->middle) < 8.0 * impl_->radius;
+}
+
+std::vector<PlacedTriangle> Visibility::triangles() const {
+  std::vector<PlacedTriangle> result;
+  for (std::size_t s = 0; s < impl_->triangles.size(); ++s) {
+    const std::vector<Vertex>& vertices = impl_->vertices[s];
+    for (std::size_t t = 0; t < impl_->triangles[s].size(); ++t) {
+      PlacedTriangle& triangle = result.emplace_back();
+      triangle.surface = static_cast<std::uint32_t>(s);
+      triangle.index = static_cast<std::uint32_t>(t);
+      for (int k = 0; k < 3; ++k) {
+        const Vertex& vertex = vertices[impl_->triangles[s][t][k]];
+        triangle.positions[static_cast<std::size_t>(k)] = vertex.position;
+        triangle.normals[static_cast<std::size_t>(k)] = vertex.normal;
+      }
+    }
+  }
+  return result;
+}
+
 bool Visibility::empty() const {
   return impl_->placements.empty();
 }
@@ -244,10 +268,6 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
     }
     impl_->intersect(query, parts, hits.subspan(first, count));
   }
-}
-
-bool Visibility::is_near(const glm::dvec3& origin) const {
-  return glm::length(origin - impl_->middle) < 8.0 * impl_->radius;
 }
 
 void Visibility::first_hits(const glm::dvec3& origin, const PointVectors& directions,

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/scene/scene.h"
 #include "render/cpu/box.h"
@@ -34,6 +36,14 @@ struct SurfacePoint {
   const Surface* surface = nullptr;
 };
 
+// A triangle of a surface as rays meet it, relative to Visibility::middle().
+struct PlacedTriangle {
+  std::array<glm::vec3, 3> positions;
+  std::array<glm::vec3, 3> normals;  // of any length
+  std::uint32_t surface = 0;
+  std::uint32_t index = 0;  // in the surface's mesh
+};
+
 // The surfaces of a scene for ray casting, by Embree. Coordinates go to Embree in float relative
 // to the middle of the surfaces, so a scene far from the origin loses nothing.
 class Visibility {
@@ -46,6 +56,18 @@ class Visibility {
   [[nodiscard]] bool empty() const;
   // Around all surfaces.
   [[nodiscard]] const Box& bounds() const;
+
+  // For who casts the same rays elsewhere: what triangles are relative to, the radius of the ball
+  // around it that holds them all (< 0: there are none), and the triangles.
+  [[nodiscard]] const glm::dvec3& middle() const;
+  [[nodiscard]] double radius() const;
+  [[nodiscard]] std::vector<PlacedTriangle> triangles() const;
+  // Whether rays may start at this point, so close that rounding a direction moves a hit by a few
+  // roundings of float only; those from farther away start near the ball.
+  [[nodiscard]] bool is_near(const glm::dvec3& origin) const;
+  // Rays start and end this share of their length away from the surfaces they leave or reach, which
+  // is a few roundings of float.
+  static constexpr double self_hit_margin = 1e-5;
 
   // Whether surfaces() still are these, mesh by mesh and place by place (materials do not count).
   [[nodiscard]] bool shows(std::span<const Surface> surfaces) const;
@@ -62,8 +84,6 @@ class Visibility {
   [[nodiscard]] double least_gap() const;
 
   // The same for the first hits.size() of directions in single precision, from an origin that
-  // is_near(): so close that rounding a direction moves a hit by a few roundings of float only.
-  [[nodiscard]] bool is_near(const glm::dvec3& origin) const;
   void first_hits(const glm::dvec3& origin, const PointVectors& directions,
                   std::span<SurfaceHit> hits) const;
 

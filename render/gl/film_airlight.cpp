@@ -43,7 +43,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   const auto capacity = static_cast<std::size_t>(most_asked(scale));
   const auto batches_at = static_cast<int>(tile_count * capacity);
   samples_.reserve(Texture::Format::rgba32f, sample_film);
-  textures.pairs.clear();
+  textures.pairs.fill(0.0f);
 
   const auto run_method = [&](bool again, std::size_t groups) {
     set_rays(method, view.rays);

@@ -40,11 +40,6 @@ GlPlan::GlPlan(const Settings& settings, const RenderPlan& plan)
     on_cpu.push_back({"frame", refusal});
     return;
   }
-  if (plan.surfaces) {
-    on_cpu.push_back({"visibility", "rays are cast by Embree"});
-    if (plan.scattered_on_surfaces && settings.airlight == AirlightMethod::sliced)
-      on_cpu.push_back({"shadow_map", "rays are cast by Embree"});
-  }
   if (settings.airlight == AirlightMethod::paper && plan.gaussians && !plan.lights.empty()) {
     on_cpu.push_back({"light_depth", "depths of centres are not on the device yet"});
     on_cpu.push_back({"eye_depth", "depths of centres are not on the device yet"});

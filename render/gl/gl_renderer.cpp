@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <cmath>
+#include <limits>
 
 #include "render/albedo.h"
 #include "render/composite.h"
@@ -19,14 +20,6 @@ namespace brume {
 using namespace gl;
 
 namespace {
-
-void upload_depths(const Frame& frame, Texture& depth) {
-  std::vector<float> values(frame.depth.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = std::isfinite(frame.depth[i]) ? frame.depth[i] : -1.0f;
-  }
-  depth.upload(values);
-}
 
 std::vector<glm::vec4> find_behind(const FrameWork& work, const FrameStages& stages,
                                    std::span<const glm::vec3> surfaces) {
@@ -57,6 +50,10 @@ void read_back(const FilmTextures& textures, Frame& frame) {
   }
   textures.beauty.download(frame.beauty);
   for (float& x : frame.beauty) x = finite(x);
+  textures.depth.download(frame.depth);
+  for (float& depth : frame.depth) {
+    if (depth < 0.0f) depth = std::numeric_limits<float>::infinity();
+  }
   std::vector<float>& pairs = frame.statistics.pixel_pairs;
   pairs.resize(pixels);
   textures.pairs.download(pairs);
@@ -86,6 +83,7 @@ struct GlRenderer::Impl {
   struct Group {
     FrameStages stages;
     MediumBuffers medium;
+    MeshBuffers mesh;
     TileLists lists;
     SlicedStage sliced;
     PaperStage paper;
@@ -109,6 +107,7 @@ struct GlRenderer::Impl {
   // Gives all objects back; the shaders too if the context is not used any more.
   void release(bool all);
   std::optional<Frame> render(FrameWork& work, tbb::task_arena& arena, Group& group);
+  void find_hits(FrameWork& work, Group& group);
 };
 
 std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
@@ -219,6 +218,18 @@ std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera
   return frame;
 }
 
+// Where view rays end: the depth texture, and the hits of the mesh.
+void GlRenderer::Impl::find_hits(FrameWork& work, Group& group) {
+  if (!work.plan.surfaces) {
+    textures.depth.fill(-1.0f);
+    return;
+  }
+  const PreparedScene& prepared = group.stages.prepared();
+  group.mesh.update(prepared.visibility(), prepared.visibility_revision());
+  clock.time("visibility",
+             [&] { group.mesh.find_hits(programs, work.rays, work.frame.film, textures.depth); });
+}
+
 std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& arena,
                                               Group& group) {
   const auto start = std::chrono::steady_clock::now();
@@ -228,10 +239,13 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
   StageClock cpu_clock(statistics.stages);
   clock.restart();
   if (!arena.execute([&] { return group.stages.begin(work, cpu_clock); })) return std::nullopt;
+  textures.reserve(work.frame.film);
+  find_hits(work, group);
+  if (!arena.execute([&] { return group.stages.prepare_source(work, cpu_clock); })) {
+    return std::nullopt;
+  }
 
   const MediumIndex& medium = group.stages.prepared().medium();
-  textures.reserve(work.frame.film);
-  upload_depths(work.frame, textures.depth);
   if (work.plan.gaussians || work.plan.homogeneous) {
     group.medium.update(medium, group.stages.prepared().medium_revision());
     clock.time("lists", [&] {
@@ -241,6 +255,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
     DeviceFrame frame{programs,
                       clock,
                       group.medium,
+                      group.mesh,
                       group.lists,
                       textures,
                       {work.frame.film, work.rays, work.fog_end.of_rays(work.rays.eye()),
@@ -248,21 +263,28 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
                       arena};
     statistics.exact_pixels = work.settings.airlight == AirlightMethod::paper
                                   ? group.paper.run(group.stages, work, cpu_clock, frame)
-                                  : group.sliced.run(group.stages, work, cpu_clock, frame);
+                                  : group.sliced.run(group.stages, work, frame);
     statistics.gaussians_used = group.lists.used();
     cpu_clock.finish("submit");
   } else {
     const std::vector<glm::vec4> clear(work.frame.depth.size(), {0.0f, 0.0f, 0.0f, 1.0f});
     textures.airlight.upload({&clear[0].x, 4 * clear.size()});
-    textures.pairs.clear();
+    textures.pairs.fill(0.0f);
   }
   if (work.plan.surfaces || work.plan.environment) {
+    if (work.plan.surfaces) {
+      std::vector<SurfaceHit> hits = group.mesh.download_hits();
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        work.frame.depth[i] = static_cast<float>(hits[i].distance);
+      }
+      group.stages.set_hits(std::move(hits));
+    }
     const std::vector<glm::vec4> behind = arena.execute([&] {
       return find_behind(work, group.stages, group.stages.shade_surfaces(work, cpu_clock));
     });
     textures.behind.upload({&behind[0].x, 4 * behind.size()});
   } else {
-    textures.behind.clear();
+    textures.behind.fill(0.0f);
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   clock.time("composite", [&] {

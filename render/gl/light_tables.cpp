@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "render/gl/shadow_maps.h"
+
 namespace brume::gl {
 namespace {
 
@@ -32,6 +34,14 @@ MapUniforms::MapUniforms(const DirectionMap& map, std::size_t first)
       axis(map.axis, map.octahedral ? 1.0f : 0.0f),
       offset(map.offset, 0.0f, 0.0f),
       cells(map.columns, map.rows, static_cast<int>(first), 0) {}
+
+void set_map(const Program& program, const MapUniforms& map) {
+  program.set("map_right", map.right);
+  program.set("map_up", map.up);
+  program.set("map_axis", map.axis);
+  program.set("map_offset", map.offset);
+  program.set("map_cells", map.cells);
+}
 
 std::span<const DirectionMap> LightTables::lay_out(const MediumIndex& medium,
                                                    std::uint64_t revision,
@@ -67,15 +77,10 @@ std::uint64_t LightTables::build(Programs& programs, MediumBuffers& medium) {
       pairs_.clear();
     }
     any = true;
-    const MapUniforms map(table.layout.map, l * most_words(size_));
     const Program& program = programs["light_table"];
+    set_map(program, MapUniforms(table.layout.map, l * most_words(size_)));
     program.set("count", static_cast<unsigned>(medium.count()));
     program.set("light", table.light);
-    program.set("map_right", map.right);
-    program.set("map_up", map.up);
-    program.set("map_axis", map.axis);
-    program.set("map_offset", map.offset);
-    program.set("map_cells", map.cells);
     program.set("radii", table.layout.radii.count);
     program.set("first_radius", static_cast<float>(table.layout.radii.first));
     program.set("radii_per_unit", static_cast<float>(table.layout.radii.per_unit));
@@ -93,14 +98,14 @@ std::uint64_t LightTables::build(Programs& programs, MediumBuffers& medium) {
   return pairs[0];
 }
 
-void LightTables::upload(std::span<const SlicedLight> lights, const glm::dvec3& eye) {
+void LightTables::upload(std::span<const SlicedLight> lights, const ShadowMaps& shadows,
+                         const glm::dvec3& origin) {
   std::vector<LightUniforms> uniforms(lights.size());
-  std::vector<float> distances;
   for (std::size_t l = 0; l < lights.size(); ++l) {
     const SlicedLight& light = lights[l];
     const LightTableLayout& layout = tables_[l].layout;
     LightUniforms& u = uniforms[l];
-    u.position = glm::vec4(glm::vec3(light.position - eye), static_cast<float>(light.h_min));
+    u.position = glm::vec4(glm::vec3(light.position - origin), static_cast<float>(light.h_min));
     u.intensity = glm::vec4(glm::vec3(light.intensity), 0.0f);
     if (!layout.empty()) {
       u.has.x = 1;
@@ -108,28 +113,18 @@ void LightTables::upload(std::span<const SlicedLight> lights, const glm::dvec3& 
       u.radii = glm::vec4(layout.radii.first, layout.radii.per_unit, layout.radii.count,
                           layout.radii.bend);
     }
-    if (light.shadows && !light.shadows->empty()) {
-      const DirectionMap& map = light.shadows->map();
+    if (!shadows.empty()) {
       u.has.y = 1;
-      u.shadows = MapUniforms(map, distances.size());
-      u.intensity.w = 1.0f - 2.0f * static_cast<float>(map.cell_angle());
-      const float* first = light.shadows->distances();
-      distances.insert(distances.end(), first, first + map.cells());
+      u.shadows = MapUniforms(shadows.map(l), shadows.first(l));
+      u.intensity.w = 1.0f - 2.0f * static_cast<float>(shadows.map(l).cell_angle());
     }
   }
-  // Nothing is farther than this; shaders know no infinity.
-  for (float& distance : distances) distance = std::min(distance, 1e30f);
   lights_.upload(std::span<const LightUniforms>(uniforms));
-  if (distances != shadow_values_) {
-    shadows_.upload(std::span<const float>(distances));
-    shadow_values_ = std::move(distances);
-  }
 }
 
 void LightTables::bind() {
   lights_.bind(0);
   values_.bind(1);
-  shadows_.bind(6);
 }
 
 }  // namespace brume::gl

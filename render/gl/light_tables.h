@@ -11,6 +11,8 @@
 
 namespace brume::gl {
 
+class ShadowMaps;
+
 // A DirectionMap as shaders/direction_map.glsl has it.
 struct MapUniforms {
   glm::vec4 right{0.0f}, up{0.0f}, axis{0.0f}, offset{0.0f};
@@ -21,8 +23,11 @@ struct MapUniforms {
   MapUniforms(const DirectionMap& map, std::size_t first);
 };
 
-// The lights of a frame on the device, with their tables (LightTable) and the shadows of surfaces
-// around them. A table is kept while its light and the medium stay.
+// Those of a program that makes one map.
+void set_map(const Program& program, const MapUniforms& map);
+
+// The lights of a frame on the device, with their tables (LightTable). A table is kept while its
+// light and the medium stay.
 class LightTables {
  public:
   // Finds out which table each light needs; the maps of all.
@@ -32,9 +37,10 @@ class LightTables {
   // Makes the tables that are not there yet. Returns the Gaussian x ray pairs that this took; waits
   // for the device if any is made.
   std::uint64_t build(Programs& programs, MediumBuffers& medium);
-  // Uploads the lights as seen from the eye; `lights` are those of lay_out(), with their shadows.
-  void upload(std::span<const SlicedLight> lights, const glm::dvec3& eye);
-  // As storage blocks 0, 1 and 6.
+  // Uploads the lights relative to a point; `lights` are those of lay_out().
+  void upload(std::span<const SlicedLight> lights, const ShadowMaps& shadows,
+              const glm::dvec3& origin);
+  // As storage blocks 0 and 1.
   void bind();
 
  private:
@@ -47,8 +53,7 @@ class LightTables {
   LightTableSize size_;
   std::vector<Table> tables_;
   std::vector<DirectionMap> maps_;
-  std::vector<float> shadow_values_;  // what shadows_ holds
-  Buffer lights_, values_, pairs_, shadows_;
+  Buffer lights_, values_, pairs_;
 };
 
 }  // namespace brume::gl

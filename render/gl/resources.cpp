@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -141,8 +142,9 @@ void Texture::download(std::span<float> values) const {
                     static_cast<GLsizei>(values.size_bytes()), values.data());
 }
 
-void Texture::clear() {
-  glClearTexImage(name(), 0, names_of(format_).channels, GL_FLOAT, nullptr);
+void Texture::fill(float value) {
+  const std::array<float, 4> texel{value, value, value, value};
+  glClearTexImage(name(), 0, names_of(format_).channels, GL_FLOAT, texel.data());
 }
 
 void Texture::bind_image(unsigned unit) const {

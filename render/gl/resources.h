@@ -108,8 +108,8 @@ class Texture {
     object_.reset();
     size_ = glm::ivec2(0);
   }
-  // All channels of all texels 0.
-  void clear();
+  // All channels of all texels.
+  void fill(float value);
   void bind_image(unsigned unit) const;  // to read and to write
 
  private:

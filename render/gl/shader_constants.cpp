@@ -18,6 +18,7 @@
 #include "render/gl/arithmetic_peak.h"
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
+#include "render/triangle_hierarchy.h"
 
 namespace brume::gl {
 namespace {
@@ -87,6 +88,7 @@ std::string shader_constants() {
   constants.add("chunk", slice_chunk);
   constants.add("most_bins", 4 * most_slices);
   constants.add("most_boundaries", most_boundaries);
+  constants.add("most_levels", TriangleHierarchy::most_levels);
   constants.add("peak_slices", peak_slices);
   return constants.text();
 }

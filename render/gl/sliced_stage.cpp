@@ -17,17 +17,16 @@ void set_noise(const Program& program, const RayNoise& noise, const glm::dvec3& 
   program.set("noise_key", noise.key());
 }
 
-std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, StageClock& clock,
-                             DeviceFrame& device) {
+std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, DeviceFrame& device) {
   const MediumIndex& medium = stages.prepared().medium();
   const glm::dvec3& eye = work.rays.eye();
-  std::vector<SlicedLight> lights = FrameStages::lights_of(work);
+  const std::vector<SlicedLight> lights = FrameStages::lights_of(work);
   const auto maps = lights_.lay_out(medium, stages.prepared().medium_revision(), lights,
                                     work.settings.light_table);
   work.frame.statistics.light_pairs += device.clock.time(
       "light_table", [&] { return lights_.build(device.programs, device.medium); });
-  device.arena.execute([&] { stages.find_shadows(work, clock, maps, lights); });
-  lights_.upload(lights, eye);
+  make_shadows(work, lights, maps, device);
+  lights_.upload(lights, shadows_, eye);
 
   const Program& program = device.programs["sliced"];
   set_noise(program, medium.noise(), eye);
@@ -41,9 +40,24 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, StageClock& c
       device.programs, device.clock, program,
       [&] {
         lights_.bind();
+        shadows_.values().bind(6);
         source_.bind(7);
       },
       device.lists, device.view, device.textures);
+}
+
+void SlicedStage::make_shadows(const FrameWork& work, std::span<const SlicedLight> lights,
+                               std::span<const DirectionMap> tables, DeviceFrame& device) {
+  if (!work.plan.surfaces || lights.empty()) {
+    shadows_.clear();
+    return;
+  }
+  std::vector<DirectionMap> directions;
+  for (const DirectionMap& table : tables) {
+    directions.push_back(FrameStages::shadow_directions(work, table));
+  }
+  device.clock.time("shadow_map",
+                    [&] { shadows_.make(device.programs, device.mesh, lights, directions); });
 }
 
 void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec3& eye,

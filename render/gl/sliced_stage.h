@@ -6,6 +6,7 @@
 #include "render/frame_stages.h"
 #include "render/gl/film_airlight.h"
 #include "render/gl/light_tables.h"
+#include "render/gl/shadow_maps.h"
 
 namespace brume::gl {
 
@@ -14,6 +15,7 @@ struct DeviceFrame {
   Programs& programs;
   DeviceClock& clock;
   MediumBuffers& medium;
+  MeshBuffers& mesh;
   TileLists& lists;
   FilmTextures& textures;
   FilmView view;
@@ -24,13 +26,16 @@ struct DeviceFrame {
 class SlicedStage {
  public:
   // Fills the airlight and the pairs of the textures. Returns where the method itself was asked.
-  std::size_t run(FrameStages& stages, FrameWork& work, StageClock& clock, DeviceFrame& device);
+  std::size_t run(FrameStages& stages, FrameWork& work, DeviceFrame& device);
 
  private:
+  void make_shadows(const FrameWork& work, std::span<const SlicedLight> lights,
+                    std::span<const DirectionMap> tables, DeviceFrame& device);
   void upload_source(const EnvironmentSource* source, const glm::dvec3& eye,
                      const Program& program);
 
   LightTables lights_;
+  ShadowMaps shadows_;
   FilmAirlight film_;
   Buffer source_;
   std::uint64_t source_revision_ = 0;

@@ -4,7 +4,9 @@ uniform dvec3 corner;
 uniform dvec3 per_x;
 uniform dvec3 per_y;
 
-vec3 ray_direction(ivec2 pixel) {
+dvec3 exact_direction(ivec2 pixel) {
   const dvec2 at = dvec2(pixel) + 0.5LF;
-  return vec3(normalize(corner + at.x * per_x + at.y * per_y));
+  return normalize(corner + at.x * per_x + at.y * per_y);
 }
+
+vec3 ray_direction(ivec2 pixel) { return vec3(exact_direction(pixel)); }

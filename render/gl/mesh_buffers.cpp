@@ -1,0 +1,85 @@
+#include "render/gl/mesh_buffers.h"
+
+#include <bit>
+#include <glm/vec4.hpp>
+
+#include "render/gl/film_airlight.h"
+#include "render/triangle_hierarchy.h"
+
+namespace brume::gl {
+namespace {
+
+glm::ivec4 bits(const glm::vec3& v, std::int32_t w) {
+  return {std::bit_cast<std::int32_t>(v.x), std::bit_cast<std::int32_t>(v.y),
+          std::bit_cast<std::int32_t>(v.z), w};
+}
+
+}  // namespace
+
+void MeshBuffers::update(const Visibility& visibility, std::uint64_t revision) {
+  if (revision_ == revision) return;
+  revision_ = 0;
+  const std::vector<PlacedTriangle> triangles = visibility.triangles();
+  const TriangleHierarchy hierarchy(triangles);
+  std::vector<glm::ivec4> nodes;
+  nodes.reserve(4 * hierarchy.nodes.size());
+  for (const TriangleHierarchy::Node& node : hierarchy.nodes) {
+    for (const TriangleHierarchy::Child& child : node.children) {
+      nodes.push_back(bits(child.low, child.first));
+      nodes.push_back(bits(child.high, child.count));
+    }
+  }
+  std::vector<glm::ivec4> corners;
+  corners.reserve(3 * hierarchy.order.size());
+  places_.clear();
+  for (const std::uint32_t i : hierarchy.order) {
+    const PlacedTriangle& triangle = triangles[i];
+    places_.push_back({triangle.surface, triangle.index});
+    corners.push_back(bits(triangle.positions[0], static_cast<std::int32_t>(triangle.surface)));
+    corners.push_back(bits(triangle.positions[1], static_cast<std::int32_t>(triangle.index)));
+    corners.push_back(bits(triangle.positions[2], 0));
+  }
+  nodes_.upload(std::span<const glm::ivec4>(nodes));
+  corners_.upload(std::span<const glm::ivec4>(corners));
+  node_count_ = hierarchy.nodes.size();
+  middle_ = visibility.middle();
+  radius_ = visibility.radius();
+  revision_ = revision;
+}
+
+void MeshBuffers::bind(const Program& program) {
+  program.set("node_count", static_cast<int>(node_count_));
+  program.set("surfaces_radius", radius_);
+  nodes_.bind(0);
+  corners_.bind(1);
+}
+
+void MeshBuffers::find_hits(Programs& programs, const CameraRays& rays, const Film& film,
+                            Texture& depth) {
+  pixels_ = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  hits_.reserve(pixels_ * sizeof(glm::ivec4));
+  const Program& program = programs["visibility"];
+  set_rays(program, rays);
+  program.set("eye", rays.eye() - middle_);
+  bind(program);
+  hits_.bind(2);
+  depth.bind_image(0);
+  program.dispatch(static_cast<std::size_t>((film.width + 7) / 8),
+                   static_cast<std::size_t>((film.height + 7) / 8));
+}
+
+std::vector<SurfaceHit> MeshBuffers::download_hits() const {
+  std::vector<glm::ivec4> packed(pixels_);
+  hits_.download(std::span<glm::ivec4>(packed));
+  std::vector<SurfaceHit> hits(pixels_);
+  for (std::size_t i = 0; i < pixels_; ++i) {
+    if (packed[i].w < 0) continue;
+    const Place& place = places_[static_cast<std::size_t>(packed[i].w)];
+    hits[i] = {static_cast<double>(std::bit_cast<float>(packed[i].x)),
+               static_cast<std::int32_t>(place.surface), place.index,
+               std::bit_cast<float>(packed[i].y), std::bit_cast<float>(packed[i].z)};
+  }
+  return hits;
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,103 @@
+// Rays against the triangles of a scene: TriangleHierarchy, and the intersection of Embree's robust
+// mode, which leaves no gaps between triangles (Plücker coordinates). All is relative to the middle
+// of the surfaces; whole numbers and bits of floats share vectors.
+#include "constants.glsl"
+
+// Of a node its two children: low and where it begins (< 0: there is none), high and the number of
+// its triangles (0: it is a node).
+layout(std430, binding = 0) readonly buffer Nodes { ivec4 nodes[]; };
+// Of each triangle three corners; with the surface, its number in that, and nothing.
+layout(std430, binding = 1) readonly buffer Corners { ivec4 corners[]; };
+
+uniform int node_count;
+uniform double surfaces_radius;  // of the ball around the middle that holds them
+
+struct Hit {
+  float t;
+  float u, v;    // barycentric, of the second and third corner
+  int triangle;  // < 0: none
+};
+
+vec3 corner_of(int triangle, int k) { return intBitsToFloat(corners[3 * triangle + k].xyz); }
+
+// a x b or b x c, which are equal for edges that close: by component that which cancels less.
+vec3 stable_normal(vec3 a, vec3 b, vec3 c) {
+  const vec3 ab = a.zxy * b.yzx;
+  const vec3 bc = b.zxy * c.yzx;
+  return mix(b.yzx * c.zxy - bc, a.yzx * b.zxy - ab, lessThan(abs(ab), abs(bc)));
+}
+
+void meet_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit) {
+  const vec3 v0 = corner_of(triangle, 0) - o;
+  const vec3 v1 = corner_of(triangle, 1) - o;
+  const vec3 v2 = corner_of(triangle, 2) - o;
+  const vec3 e0 = v2 - v0;
+  const vec3 e1 = v0 - v1;
+  const vec3 e2 = v1 - v2;
+  const float U = dot(cross(e0, v2 + v0), d);
+  const float V = dot(cross(e1, v0 + v1), d);
+  const float W = dot(cross(e2, v1 + v2), d);
+  const float all = U + V + W;
+  const float eps = 1.1920929e-7 * abs(all);
+  if (min(min(U, V), W) < -eps && max(max(U, V), W) > eps) return;
+  const vec3 normal = stable_normal(e0, e1, e2);
+  const float den = 2.0 * dot(normal, d);
+  if (den == 0.0) return;
+  const float t = 2.0 * dot(v0, normal) / den;
+  if (!(t >= tnear && t < hit.t)) return;
+  const float share = all == 0.0 ? 0.0 : 1.0 / all;
+  hit = Hit(t, min(U * share, 1.0), min(V * share, 1.0), triangle);
+}
+
+// Where a ray enters a box; no less than `tfar` where it does not.
+float entry(vec3 low, vec3 high, vec3 o, vec3 inverse, float tnear, float tfar) {
+  const vec3 a = (low - o) * inverse;
+  const vec3 b = (high - o) * inverse;
+  const vec3 first = min(a, b);
+  const vec3 last = max(a, b);
+  const float from = max(max(max(first.x, first.y), first.z), tnear);
+  // Roundings must lose no triangle.
+  const float to = 1.000001 * min(min(last.x, last.y), last.z);
+  return from <= to ? from : tfar;
+}
+
+// The nearest hit in [tnear, tfar), or with `any` the first that is found; t = tfar for none.
+Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
+  Hit hit = Hit(tfar, 0.0, 0.0, -1);
+  if (node_count == 0) return hit;
+  const vec3 inverse = 1.0 / mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
+  int stack[most_levels];
+  int top = 0;
+  int node = 0;
+  while (node >= 0) {
+    float at[2];
+    int next[2];
+    for (int c = 0; c < 2; ++c) {
+      const ivec4 low = nodes[4 * node + 2 * c];
+      const ivec4 high = nodes[4 * node + 2 * c + 1];
+      at[c] = entry(intBitsToFloat(low.xyz), intBitsToFloat(high.xyz), o, inverse, tnear, hit.t);
+      next[c] = at[c] < hit.t ? low.w : -1;
+      if (next[c] < 0 || high.w == 0) continue;
+      for (int k = 0; k < high.w; ++k) meet_triangle(low.w + k, o, d, tnear, hit);
+      if (any_hit && hit.triangle >= 0) return hit;
+      next[c] = -1;
+    }
+    const bool second_first = next[1] >= 0 && (next[0] < 0 || at[1] < at[0]);
+    node = second_first ? next[1] : next[0];
+    const int other = second_first ? next[0] : next[1];
+    if (other >= 0 && top < most_levels) stack[top++] = other;
+    if (node < 0 && top > 0) node = stack[--top];
+  }
+  return hit;
+}
+
+// The nearest surface on a ray from any distance, in double up to where float will do: it starts at
+// the ball around the surfaces. `skip`: how far that is.
+Hit first_hit(dvec3 origin, dvec3 direction, out float skip) {
+  double start = 0.0LF;
+  if (length(origin) >= 8.0LF * surfaces_radius) {
+    start = max(-dot(origin, direction) - 1.01LF * surfaces_radius, 0.0LF);
+  }
+  skip = float(start);
+  return trace(vec3(origin + start * direction), vec3(direction), 0.0, 1e38, false);
+}

@@ -1,0 +1,23 @@
+// The first surface on each view ray: Visibility::first_hits() of render/cpu.
+#include "rays.glsl"
+#include "trace.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(r32f, binding = 0) writeonly uniform image2D depths;  // to the surface; < 0: none
+// Per pixel the bits of distance, u and v, and the triangle; < 0: none.
+layout(std430, binding = 2) writeonly buffer Hits { ivec4 hits[]; };
+
+uniform dvec3 eye;
+
+void main() {
+  const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  const ivec2 film = imageSize(depths);
+  if (any(greaterThanEqual(pixel, film))) return;
+  float skip;
+  const Hit hit = first_hit(eye, exact_direction(pixel), skip);
+  const float t = hit.triangle < 0 ? -1.0 : skip + hit.t;
+  imageStore(depths, pixel, vec4(t));
+  hits[pixel.y * film.x + pixel.x] =
+      ivec4(floatBitsToInt(vec3(t, hit.u, hit.v)), hit.triangle);
+}

@@ -1,0 +1,33 @@
+#include "render/gl/shadow_maps.h"
+
+#include <algorithm>
+
+#include "render/gl/light_tables.h"
+
+namespace brume::gl {
+
+void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const SlicedLight> lights,
+                      std::span<const DirectionMap> directions) {
+  std::size_t most = slot_;
+  for (const DirectionMap& map : directions) most = std::max(most, map.cells());
+  const std::size_t bytes = lights.size() * most * sizeof(float);
+  if (most > slot_ || bytes > values_.bytes() || revision_ != mesh.revision()) maps_.clear();
+  slot_ = most;
+  values_.reserve(bytes);
+  revision_ = mesh.revision();
+  maps_.resize(lights.size());
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    Map& map = maps_[l];
+    if (map.made && map.light == lights[l].position && map.directions == directions[l]) continue;
+    map = {lights[l].position, directions[l], true};
+    const Program& program = programs["shadow_map"];
+    set_map(program, MapUniforms(map.directions, first(l)));
+    program.set("light", map.light - mesh.middle());
+    mesh.bind(program);
+    values_.bind(2);
+    const auto blocks = [](int cells) { return static_cast<std::size_t>((cells + 2 + 7) / 8); };
+    program.dispatch(blocks(map.directions.columns), blocks(map.directions.rows));
+  }
+}
+
+}  // namespace brume::gl
