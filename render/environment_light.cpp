@@ -27,8 +27,9 @@ glm::vec3 banded(const ShVector<glm::vec3>& L, const ScatterTable::Bands& factor
   return glm::max(sum, 0.0f);
 }
 
-// What convolution with max(0, cos theta) / pi does to each band.
-const ScatterTable::Bands& cosine_factors() {
+}  // namespace
+
+const ScatterTable::Bands& EnvironmentLight::cosine_factors() {
   static const ScatterTable::Bands factors = [] {
     const ZonalSh<double> cosine = clamped_cosine_sh();
     ScatterTable::Bands f;
@@ -41,8 +42,6 @@ const ScatterTable::Bands& cosine_factors() {
   }();
   return factors;
 }
-
-}  // namespace
 
 EnvironmentLight::EnvironmentLight(const Environment& environment, const ScatterTable& scattering)
     : environment_(environment),

@@ -46,6 +46,8 @@ class EnvironmentLight {
   // What a surface of reflectance 1 and unit normal n makes of incident(): its irradiance / pi.
   [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ScatterTable::Bands& shares) const;
   [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ArrivingLight& light) const;
+  // What it makes of each band: convolution with max(0, cos theta) / pi.
+  static const ScatterTable::Bands& cosine_factors();
 
  private:
   // The mean of the light that arrives beside that without a medium, R G B.

@@ -194,12 +194,7 @@ DirectionMap FrameStages::shadow_directions(const FrameWork& work, const Directi
   return work.plan.homogeneous ? DirectionMap::all(cells) : table.resized(cells);
 }
 
-std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClock& clock) {
-  if (!work.plan.lit_surfaces) return {};
-  surface_radiance_.resize(hits_.size());
-  const Settings::Arithmetic arithmetic = work.settings.airlight == AirlightMethod::reference
-                                              ? Settings::Arithmetic::plain_double
-                                              : work.settings.arithmetic;
+SurfaceLighting FrameStages::surface_lighting(const FrameWork& work) const {
   SurfaceLighting lighting;
   lighting.environment = shading_.environment();
   lighting.albedo = work.albedo;
@@ -214,12 +209,23 @@ std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClo
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
     lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();
   }
-  std::vector<SurfaceLight>& lights = lighting.lights;
   for (const PointLight& light : work.plan.lights) {
-    lights.push_back({light, prepared_.medium().density(light.position)});
-    if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
-      lights.back().table = &prepared_.light_table(light.position, work.settings.light_table,
-                                                   work.frame.statistics.light_pairs);
+    lighting.lights.push_back({light, prepared_.medium().density(light.position)});
+  }
+  return lighting;
+}
+
+std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClock& clock) {
+  if (!work.plan.lit_surfaces) return {};
+  surface_radiance_.resize(hits_.size());
+  const Settings::Arithmetic arithmetic = work.settings.airlight == AirlightMethod::reference
+                                              ? Settings::Arithmetic::plain_double
+                                              : work.settings.arithmetic;
+  SurfaceLighting lighting = surface_lighting(work);
+  if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
+    for (SurfaceLight& light : lighting.lights) {
+      light.table = &prepared_.light_table(light.light.position, work.settings.light_table,
+                                           work.frame.statistics.light_pairs);
     }
   }
   shading_.take_light(work.scene, prepared_.medium(), lighting, work.settings, arithmetic, work.job,

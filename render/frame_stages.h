@@ -8,6 +8,7 @@
 #include "core/scene/scene.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
+#include "render/cpu/surfaces.h"
 #include "render/environment_source.h"
 #include "render/fog_end.h"
 #include "render/frame.h"
@@ -102,6 +103,10 @@ class FrameStages {
   static std::vector<SlicedLight> lights_of(const FrameWork& work);
   static DirectionMap shadow_directions(const FrameWork& work, const DirectionMap& table);
 
+  // What surfaces are lit by; no light has a table.
+  [[nodiscard]] SurfaceLighting surface_lighting(const FrameWork& work) const;
+  // Another number whenever the grid of SurfaceLighting::arriving is another.
+  [[nodiscard]] std::uint64_t source_revision() const { return source_.revision(); }
   // RGB per pixel that surfaces send to the eye; empty where none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameWork& work, StageClock& clock);
 

@@ -17,19 +17,6 @@ namespace {
 
 using BandArrays = std::array<PointArray, sh_most_bands>;
 
-PointLightShading shading_of(const Material& material, const PointLight& light) {
-  PointLightShading shading;
-  shading.intensity = glm::vec3(light.intensity);
-  shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
-  if (material.type == Material::Type::phong) {
-    const double exponent = std::min(material.exponent, 1e30);  // float ends
-    shading.highlight =
-        glm::vec3(material.specular * ((exponent + 2.0) * 0.5 * std::numbers::inv_pi));
-    shading.exponent = static_cast<float>(exponent);
-  }
-  return shading;
-}
-
 void add(const glm::vec3& value, std::size_t k, PointRadiance& radiance) {
   radiance.r[k] += value.r;
   radiance.g[k] += value.g;
@@ -76,6 +63,19 @@ void add_reflected(const SurfacePoints& points, const ReflectionTable& table,
 
 }  // namespace
 
+PointLightShading point_light_shading(const Material& material, const PointLight& light) {
+  PointLightShading shading;
+  shading.intensity = glm::vec3(light.intensity);
+  shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
+  if (material.type == Material::Type::phong) {
+    const double exponent = std::min(material.exponent, 1e30);  // float ends
+    shading.highlight =
+        glm::vec3(material.specular * ((exponent + 2.0) * 0.5 * std::numbers::inv_pi));
+    shading.exponent = static_cast<float>(exponent);
+  }
+  return shading;
+}
+
 std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
                           const SurfacePoints& points, Settings::Arithmetic arithmetic,
                           LightAtPoints& at) {
@@ -120,7 +120,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
     see_light(points, position, at);
     pairs += find_depths(medium, light, points, arithmetic, at);
     visibility.find_lit(points, position, at);
-    PointLightShading reflected = shading_of(material, light.light);
+    PointLightShading reflected = point_light_shading(material, light.light);
     if (material.type == Material::Type::measured) {
       add_measured_light(points, at, reflected.intensity, radiance);
     } else {

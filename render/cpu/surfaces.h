@@ -5,6 +5,7 @@
 #include "render/cpu/light_table.h"
 #include "render/cpu/scatter_table.h"
 #include "render/cpu/source_look_up.h"
+#include "render/cpu/surface_kernels.h"
 #include "render/cpu/surface_points.h"
 #include "render/cpu/visibility.h"
 #include "render/environment_light.h"
@@ -54,6 +55,9 @@ void each_arrival(const SurfaceLighting& lighting, const AverageDepthGrid* avera
     visit(k, lighting.environment->arriving(Tbar, lighting.albedo));
   }
 }
+
+// What a material that is not measured makes of a light.
+PointLightShading point_light_shading(const Material& material, const PointLight& light);
 
 // Sets at.depths of points for a light whose at.paths are set. Returns the number of Gaussian x
 // path pairs evaluated. Thread-safe.

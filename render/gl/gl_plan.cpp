@@ -32,9 +32,27 @@ std::string refusal_of(const Settings& settings, const RenderPlan& plan) {
   return {};
 }
 
+// Why light on surfaces is the CPU's; empty: it is not.
+std::string surfaces_on_cpu(const Scene& scene, const Settings& settings, const RenderPlan& plan) {
+  if (!plan.transfers.empty()) return "radiance transfer is not on the device yet";
+  if (plan.environment && plan.gaussians && settings.airlight == AirlightMethod::paper) {
+    return "average depths are not on the device yet";
+  }
+  const bool is_indirect = plan.environment || plan.scattered_on_surfaces;
+  for (const Surface& surface : scene.surfaces) {
+    if (surface.material.type == Material::Type::measured) {
+      return "measured materials are not on the device yet";
+    }
+    if (surface.material.type == Material::Type::phong && is_indirect) {
+      return "what Phong's materials make of light from all around is not on the device yet";
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
-GlPlan::GlPlan(const Settings& settings, const RenderPlan& plan)
+GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan)
     : refusal(refusal_of(settings, plan)) {
   if (!refusal.empty()) {
     on_cpu.push_back({"frame", refusal});
@@ -44,9 +62,14 @@ GlPlan::GlPlan(const Settings& settings, const RenderPlan& plan)
     on_cpu.push_back({"light_depth", "depths of centres are not on the device yet"});
     on_cpu.push_back({"eye_depth", "depths of centres are not on the device yet"});
   }
-  if (plan.lit_surfaces) on_cpu.push_back({"surfaces", "they are not on the device yet"});
-  if (plan.environment) {
-    on_cpu.push_back({"environment", "its grid and its picture are not on the device yet"});
+  if (plan.lit_surfaces) {
+    const std::string why = surfaces_on_cpu(scene, settings, plan);
+    surfaces = why.empty();
+    if (!surfaces) on_cpu.push_back({"surfaces", why});
+  }
+  if (plan.environment && plan.airlight &&
+      (plan.surfaces || settings.airlight != AirlightMethod::paper)) {
+    on_cpu.push_back({"environment", "its grid is not on the device yet"});
   }
 }
 

@@ -6,13 +6,14 @@
 #include <limits>
 
 #include "render/albedo.h"
-#include "render/composite.h"
 #include "render/frame_stages.h"
+#include "render/gl/composite_stage.h"
 #include "render/gl/device.h"
 #include "render/gl/egl_context.h"
 #include "render/gl/gl_plan.h"
 #include "render/gl/paper_stage.h"
 #include "render/gl/sliced_stage.h"
+#include "render/gl/surface_stage.h"
 #include "render/renderer.h"
 
 namespace brume {
@@ -20,23 +21,6 @@ namespace brume {
 using namespace gl;
 
 namespace {
-
-std::vector<glm::vec4> find_behind(const FrameWork& work, const FrameStages& stages,
-                                   std::span<const glm::vec3> surfaces) {
-  const Frame& frame = work.frame;
-  std::vector<glm::vec4> values(frame.depth.size());
-  const auto width = static_cast<std::size_t>(frame.film.width);
-  work.job.each(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
-    thread_local std::vector<glm::vec3> behind;
-    behind.resize(width);
-    behind_medium(work.rays, stages.shading().environment(), surfaces, frame, y, behind);
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::size_t i = y * width + x;
-      values[i] = glm::vec4(behind[x], std::isfinite(frame.depth[i]) ? 1.0f : 0.0f);
-    }
-  });
-  return values;
-}
 
 void read_back(const FilmTextures& textures, Frame& frame) {
   const std::size_t pixels = frame.depth.size();
@@ -87,6 +71,7 @@ struct GlRenderer::Impl {
     TileLists lists;
     SlicedStage sliced;
     PaperStage paper;
+    SurfaceStage surfaces;
   };
 
   std::unique_ptr<EglContext> context;
@@ -99,6 +84,7 @@ struct GlRenderer::Impl {
   Programs programs;
   DeviceClock clock;
   FilmTextures textures;
+  CompositeStage composite;
   std::vector<std::unique_ptr<Group>> groups;
 
   std::unique_ptr<Renderer> cpu;  // made when it is needed
@@ -106,8 +92,11 @@ struct GlRenderer::Impl {
   ~Impl() { release(true); }
   // Gives all objects back; the shaders too if the context is not used any more.
   void release(bool all);
-  std::optional<Frame> render(FrameWork& work, tbb::task_arena& arena, Group& group);
+  std::optional<Frame> render(FrameWork& work, const GlPlan& plan, tbb::task_arena& arena,
+                              Group& group);
   void find_hits(FrameWork& work, Group& group);
+  void find_airlight(FrameWork& work, Group& group, StageClock& clock, DeviceFrame& frame);
+  void shade_on_cpu(FrameWork& work, Group& group, StageClock& clock, tbb::task_arena& arena);
 };
 
 std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
@@ -170,6 +159,7 @@ void GlRenderer::Impl::release(bool all) {
   if (!context || !context->make_current()) return;
   groups.clear();
   textures = {};
+  composite = {};
   clock = {};
   if (all) programs = {};
   context->done_current();
@@ -179,7 +169,7 @@ std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera
                                         const Settings& settings, std::stop_token stop,
                                         const std::function<void(double)>& progress) {
   Impl& impl = *impl_;
-  GlPlan plan(settings, RenderPlan(scene, settings.airlight));
+  GlPlan plan(scene, settings, RenderPlan(scene, settings.airlight));
   std::string refusal = impl.failure.empty() ? plan.refusal : impl.failure;
   if (refusal.empty()) {
     try {
@@ -194,7 +184,7 @@ std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera
           scene, job, [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
             FrameWork work(of, camera, film, settings, *impl.transfers, impl.own_transfers.get(),
                            part, albedo, fog_end);
-            return impl.render(work, arena, *impl.groups[which]);
+            return impl.render(work, plan, arena, *impl.groups[which]);
           });
       if (!frame) return std::nullopt;
       frame->statistics.backend = "gl";
@@ -230,8 +220,43 @@ void GlRenderer::Impl::find_hits(FrameWork& work, Group& group) {
              [&] { group.mesh.find_hits(programs, work.rays, work.frame.film, textures.depth); });
 }
 
-std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& arena,
-                                              Group& group) {
+void GlRenderer::Impl::find_airlight(FrameWork& work, Group& group, StageClock& cpu_clock,
+                                     DeviceFrame& frame) {
+  if (!work.plan.gaussians && !work.plan.homogeneous) {
+    const std::vector<glm::vec4> clear(work.frame.depth.size(), {0.0f, 0.0f, 0.0f, 1.0f});
+    textures.airlight.upload({&clear[0].x, 4 * clear.size()});
+    textures.pairs.fill(0.0f);
+    return;
+  }
+  const PreparedScene& prepared = group.stages.prepared();
+  group.medium.update(prepared.medium(), prepared.medium_revision());
+  clock.time("lists", [&] {
+    group.lists.build(programs, group.medium, prepared.medium(), work.rays, work.frame.film,
+                      work.settings.airlight_scale, device.storage_bytes);
+  });
+  FrameStatistics& statistics = work.frame.statistics;
+  statistics.exact_pixels = work.settings.airlight == AirlightMethod::paper
+                                ? group.paper.run(group.stages, work, cpu_clock, frame)
+                                : group.sliced.run(group.stages, work, frame);
+  statistics.gaussians_used = group.lists.used();
+  cpu_clock.finish("submit");
+}
+
+// What surfaces send, found on the CPU from the device's hits.
+void GlRenderer::Impl::shade_on_cpu(FrameWork& work, Group& group, StageClock& cpu_clock,
+                                    tbb::task_arena& arena) {
+  group.stages.set_hits(group.mesh.download_hits());
+  const std::span<const glm::vec3> sent =
+      arena.execute([&] { return group.stages.shade_surfaces(work, cpu_clock); });
+  std::vector<glm::vec4> values;
+  values.reserve(sent.size());
+  for (const glm::vec3& radiance : sent) values.emplace_back(radiance, 0.0f);
+  textures.behind.upload({&values[0].x, 4 * values.size()});
+  cpu_clock.finish("upload");
+}
+
+std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, const GlPlan& plan,
+                                              tbb::task_arena& arena, Group& group) {
   const auto start = std::chrono::steady_clock::now();
   FrameStatistics& statistics = work.frame.statistics;
   statistics.skipped = work.plan.skipped;
@@ -244,60 +269,30 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
   if (!arena.execute([&] { return group.stages.prepare_source(work, cpu_clock); })) {
     return std::nullopt;
   }
-
-  const MediumIndex& medium = group.stages.prepared().medium();
-  if (work.plan.gaussians || work.plan.homogeneous) {
-    group.medium.update(medium, group.stages.prepared().medium_revision());
-    clock.time("lists", [&] {
-      group.lists.build(programs, group.medium, medium, work.rays, work.frame.film,
-                        work.settings.airlight_scale, device.storage_bytes);
+  DeviceFrame frame{programs,
+                    clock,
+                    group.medium,
+                    group.mesh,
+                    group.lists,
+                    textures,
+                    {work.frame.film, work.rays, work.fog_end.of_rays(work.rays.eye()),
+                     group.stages.prepared().medium().homogeneous_density(), work.settings},
+                    arena};
+  find_airlight(work, group, cpu_clock, frame);
+  if (plan.surfaces) {
+    const bool has_tables = work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians;
+    clock.time("surfaces", [&] {
+      statistics.light_pairs += group.surfaces.run(
+          group.stages, work, has_tables ? &group.sliced.tables() : nullptr, frame);
     });
-    DeviceFrame frame{programs,
-                      clock,
-                      group.medium,
-                      group.mesh,
-                      group.lists,
-                      textures,
-                      {work.frame.film, work.rays, work.fog_end.of_rays(work.rays.eye()),
-                       medium.homogeneous_density(), work.settings},
-                      arena};
-    statistics.exact_pixels = work.settings.airlight == AirlightMethod::paper
-                                  ? group.paper.run(group.stages, work, cpu_clock, frame)
-                                  : group.sliced.run(group.stages, work, frame);
-    statistics.gaussians_used = group.lists.used();
-    cpu_clock.finish("submit");
-  } else {
-    const std::vector<glm::vec4> clear(work.frame.depth.size(), {0.0f, 0.0f, 0.0f, 1.0f});
-    textures.airlight.upload({&clear[0].x, 4 * clear.size()});
-    textures.pairs.fill(0.0f);
-  }
-  if (work.plan.surfaces || work.plan.environment) {
-    if (work.plan.surfaces) {
-      std::vector<SurfaceHit> hits = group.mesh.download_hits();
-      for (std::size_t i = 0; i < hits.size(); ++i) {
-        work.frame.depth[i] = static_cast<float>(hits[i].distance);
-      }
-      group.stages.set_hits(std::move(hits));
-    }
-    const std::vector<glm::vec4> behind = arena.execute([&] {
-      return find_behind(work, group.stages, group.stages.shade_surfaces(work, cpu_clock));
-    });
-    textures.behind.upload({&behind[0].x, 4 * behind.size()});
+  } else if (work.plan.lit_surfaces) {
+    shade_on_cpu(work, group, cpu_clock, arena);
   } else {
     textures.behind.fill(0.0f);
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
-  clock.time("composite", [&] {
-    textures.airlight.bind_image(0);
-    textures.behind.bind_image(1);
-    textures.beauty.bind_image(2);
-    const auto across = [](int pixels, int size) {
-      return static_cast<std::size_t>((pixels + size - 1) / size);
-    };
-    programs["composite"].dispatch(across(work.frame.film.width, 16),
-                                   across(work.frame.film.height, 8));
-  });
-  cpu_clock.finish("upload");
+  clock.time("composite", [&] { composite.run(programs, work, textures); });
+  cpu_clock.finish("submit");
   read_back(textures, work.frame);
   check("reading a frame back");
   cpu_clock.finish("read_back");

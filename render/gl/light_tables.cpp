@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "render/gl/shadow_maps.h"
 
@@ -13,17 +15,27 @@ struct LightUniforms {
   glm::vec4 position{0.0f};
   glm::vec4 intensity{0.0f};
   glm::vec4 radii{0.0f};
+  glm::vec4 depths{0.0f};
   glm::ivec4 has{0};
   MapUniforms table;
   MapUniforms shadows;
 };
-static_assert(sizeof(LightUniforms) == 14 * sizeof(glm::vec4));
+static_assert(sizeof(LightUniforms) == 15 * sizeof(glm::vec4));
 
 // Words that a table of any map takes at most, so that a light that moves leaves the others' tables
 // where they are: DirectionMap has size^2 cells, about, and sides up to four times as long.
 std::size_t most_words(const LightTableSize& size) {
   const auto n = static_cast<std::size_t>(size.directions);
   return (n * n + 12 * n + 16) * static_cast<std::size_t>(size.radii);
+}
+
+// No ray meets more than this.
+float greatest_depth(const MediumIndex& medium) {
+  double sum = 0.0;
+  for (const GaussianTerm<double>& g : medium.gaussians()) {
+    sum += g.c / g.a * std::sqrt(std::numbers::pi);
+  }
+  return static_cast<float>(std::clamp(1.01 * sum, 1e-30, static_cast<double>(LightTable::opaque)));
 }
 
 }  // namespace
@@ -48,6 +60,7 @@ std::span<const DirectionMap> LightTables::lay_out(const MediumIndex& medium,
                                                    std::span<const SlicedLight> lights,
                                                    const LightTableSize& size) {
   const bool same = revision == revision_ && size == size_;
+  if (!same) most_depth_ = greatest_depth(medium);
   tables_.resize(lights.size());
   maps_.resize(lights.size());
   for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -81,6 +94,7 @@ std::uint64_t LightTables::build(Programs& programs, MediumBuffers& medium) {
     set_map(program, MapUniforms(table.layout.map, l * most_words(size_)));
     program.set("count", static_cast<unsigned>(medium.count()));
     program.set("light", table.light);
+    program.set("most_depth", most_depth_);
     program.set("radii", table.layout.radii.count);
     program.set("first_radius", static_cast<float>(table.layout.radii.first));
     program.set("radii_per_unit", static_cast<float>(table.layout.radii.per_unit));
@@ -98,25 +112,26 @@ std::uint64_t LightTables::build(Programs& programs, MediumBuffers& medium) {
   return pairs[0];
 }
 
-void LightTables::upload(std::span<const SlicedLight> lights, const ShadowMaps& shadows,
+void LightTables::upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
                          const glm::dvec3& origin) {
   std::vector<LightUniforms> uniforms(lights.size());
   for (std::size_t l = 0; l < lights.size(); ++l) {
     const SlicedLight& light = lights[l];
-    const LightTableLayout& layout = tables_[l].layout;
     LightUniforms& u = uniforms[l];
     u.position = glm::vec4(glm::vec3(light.position - origin), static_cast<float>(light.h_min));
     u.intensity = glm::vec4(glm::vec3(light.intensity), 0.0f);
-    if (!layout.empty()) {
+    if (l < tables_.size() && !tables_[l].layout.empty()) {
+      const LightTableLayout& layout = tables_[l].layout;
       u.has.x = 1;
       u.table = MapUniforms(layout.map, l * most_words(size_));
       u.radii = glm::vec4(layout.radii.first, layout.radii.per_unit, layout.radii.count,
                           layout.radii.bend);
+      u.depths.x = most_depth_;
     }
-    if (!shadows.empty()) {
+    if (shadows && !shadows->empty()) {
       u.has.y = 1;
-      u.shadows = MapUniforms(shadows.map(l), shadows.first(l));
-      u.intensity.w = 1.0f - 2.0f * static_cast<float>(shadows.map(l).cell_angle());
+      u.shadows = MapUniforms(shadows->map(l), shadows->first(l));
+      u.intensity.w = 1.0f - 2.0f * static_cast<float>(shadows->map(l).cell_angle());
     }
   }
   lights_.upload(std::span<const LightUniforms>(uniforms));

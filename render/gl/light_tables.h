@@ -37,8 +37,9 @@ class LightTables {
   // Makes the tables that are not there yet. Returns the Gaussian x ray pairs that this took; waits
   // for the device if any is made.
   std::uint64_t build(Programs& programs, MediumBuffers& medium);
-  // Uploads the lights relative to a point; `lights` are those of lay_out().
-  void upload(std::span<const SlicedLight> lights, const ShadowMaps& shadows,
+  // Uploads the lights relative to a point; `lights` are those of lay_out(), or there are no
+  // tables. `shadows` may be null.
+  void upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
               const glm::dvec3& origin);
   // As storage blocks 0 and 1.
   void bind();
@@ -51,6 +52,7 @@ class LightTables {
   };
   std::uint64_t revision_ = 0;
   LightTableSize size_;
+  float most_depth_ = 0.0f;  // that a table holds
   std::vector<Table> tables_;
   std::vector<DirectionMap> maps_;
   Buffer lights_, values_, pairs_;

@@ -30,14 +30,17 @@ void MeshBuffers::update(const Visibility& visibility, std::uint64_t revision) {
     }
   }
   std::vector<glm::ivec4> corners;
-  corners.reserve(3 * hierarchy.order.size());
+  corners.reserve(6 * hierarchy.order.size());
   places_.clear();
   for (const std::uint32_t i : hierarchy.order) {
     const PlacedTriangle& triangle = triangles[i];
     places_.push_back({triangle.surface, triangle.index});
-    corners.push_back(bits(triangle.positions[0], static_cast<std::int32_t>(triangle.surface)));
-    corners.push_back(bits(triangle.positions[1], static_cast<std::int32_t>(triangle.index)));
-    corners.push_back(bits(triangle.positions[2], 0));
+    for (const glm::vec3& position : triangle.positions) {
+      corners.push_back(bits(position, static_cast<std::int32_t>(triangle.surface)));
+    }
+  }
+  for (const std::uint32_t i : hierarchy.order) {
+    for (const glm::vec3& normal : triangles[i].normals) corners.push_back(bits(normal, 0));
   }
   nodes_.upload(std::span<const glm::ivec4>(nodes));
   corners_.upload(std::span<const glm::ivec4>(corners));
@@ -50,8 +53,9 @@ void MeshBuffers::update(const Visibility& visibility, std::uint64_t revision) {
 void MeshBuffers::bind(const Program& program) {
   program.set("node_count", static_cast<int>(node_count_));
   program.set("surfaces_radius", radius_);
-  nodes_.bind(0);
-  corners_.bind(1);
+  program.set("triangle_count", static_cast<int>(places_.size()));
+  nodes_.bind(4);
+  corners_.bind(5);
 }
 
 void MeshBuffers::find_hits(Programs& programs, const CameraRays& rays, const Film& film,

@@ -16,7 +16,7 @@ class MeshBuffers {
   void update(const Visibility& visibility, std::uint64_t revision);
 
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  // As shaders/trace.glsl has them: storage blocks 0 and 1, and the program's uniforms.
+  // As shaders/trace.glsl has them: storage blocks 4 and 5, and the program's uniforms.
   void bind(const Program& program);
   // What rays are relative to.
   [[nodiscard]] const glm::dvec3& middle() const { return middle_; }

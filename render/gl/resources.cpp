@@ -213,6 +213,11 @@ void Program::set(const char* uniform, double value) const {
   glProgramUniform1d(object_.name(), location(uniform), value);
 }
 
+void Program::set(const char* uniform, std::span<const float> values) const {
+  glProgramUniform1fv(object_.name(), location(uniform), static_cast<GLsizei>(values.size()),
+                      values.data());
+}
+
 void Program::set(const char* uniform, const glm::ivec2& value) const {
   glProgramUniform2iv(object_.name(), location(uniform), 1, glm::value_ptr(value));
 }

@@ -129,6 +129,7 @@ class Program {
   void set(const char* uniform, unsigned value) const;
   void set(const char* uniform, float value) const;
   void set(const char* uniform, double value) const;
+  void set(const char* uniform, std::span<const float> values) const;
   void set(const char* uniform, const glm::ivec2& value) const;
   void set(const char* uniform, const glm::vec2& value) const;
   void set(const char* uniform, const glm::vec3& value) const;

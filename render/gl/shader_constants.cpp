@@ -9,12 +9,12 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "core/medium/noise.h"
-#include "render/cpu/light_table.h"
 #include "render/cpu/ray_range.h"
 #include "render/cpu/scatter_table.h"
 #include "render/cpu/slice_boundaries.h"
 #include "render/cpu/slice_kernels.h"
 #include "render/cpu/source_grid.h"
+#include "render/environment_light.h"
 #include "render/gl/arithmetic_peak.h"
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
@@ -73,10 +73,11 @@ std::string shader_constants() {
   constants.add("sh_start", floats(std::span(&recurrence.start, 1)));
   constants.add("sh_up", floats(recurrence.up));
   constants.add("sh_down", floats(recurrence.down));
+  constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
+  constants.add("cosine_factors", EnvironmentLight::cosine_factors());
   constants.add("scatter_terms", ScatterTable::degree + 1);
   constants.add("scatter_opaque", ScatterTable::opaque);
   constants.add("scatter_scale", ScatterTable::scale);
-  constants.add("opaque", LightTable::opaque);
   constants.add("bin_room", static_cast<float>(bin_room));
   constants.add("slice_opaque", static_cast<float>(slice_opaque));
   constants.add("fog_end", static_cast<float>(fog_end));

@@ -26,7 +26,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, DeviceFrame& 
   work.frame.statistics.light_pairs += device.clock.time(
       "light_table", [&] { return lights_.build(device.programs, device.medium); });
   make_shadows(work, lights, maps, device);
-  lights_.upload(lights, shadows_, eye);
+  lights_.upload(lights, &shadows_, eye);
 
   const Program& program = device.programs["sliced"];
   set_noise(program, medium.noise(), eye);

@@ -27,6 +27,8 @@ class SlicedStage {
  public:
   // Fills the airlight and the pairs of the textures. Returns where the method itself was asked.
   std::size_t run(FrameStages& stages, FrameWork& work, DeviceFrame& device);
+  // Of the lights of the last run().
+  LightTables& tables() { return lights_; }
 
  private:
   void make_shadows(const FrameWork& work, std::span<const SlicedLight> lights,

@@ -1,16 +1,36 @@
-// Eq. 29: what is behind the medium, through it, and what the medium adds.
+// Eq. 29: what is behind the medium, through it, and what the medium adds. Behind it is what
+// surfaces send, or the environment where there is none: behind_medium() of render/composite.
+#include "radiance_map.glsl"
+#include "rays.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 
 layout(rgba32f, binding = 0) readonly uniform image2D airlight;  // RGB, transmittance
-layout(rgba32f, binding = 1) readonly uniform image2D behind;    // RGB, 1 where a surface is hit
+layout(rgba32f, binding = 1) readonly uniform image2D behind;    // RGB of surfaces
 layout(rgba32f, binding = 2) writeonly uniform image2D beauty;
+layout(r32f, binding = 3) readonly uniform image2D depths;  // to the surface; < 0: none
+layout(std430, binding = 0) readonly buffer Sky { vec4 sky[]; };
+
+uniform ivec2 sky_size;  // 0: there is none
+uniform vec2 sky_rotation;
+uniform float sky_intensity;
+
+vec3 sky_radiance(vec3 w) {
+  const MapTexels at = map_texels(sky_size, turned_to_map(sky_rotation, w));
+  const vec3 above = mix(sky[at.index.x].rgb, sky[at.index.y].rgb, at.f.x);
+  const vec3 below = mix(sky[at.index.z].rgb, sky[at.index.w].rgb, at.f.x);
+  return sky_intensity * mix(above, below, at.f.y);
+}
 
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(beauty)))) return;
   const vec4 medium = imageLoad(airlight, pixel);
-  const vec4 surface = imageLoad(behind, pixel);
-  const vec3 radiance = clamp(medium.rgb + medium.a * surface.rgb, vec3(0.0), vec3(1e30));
-  imageStore(beauty, pixel, vec4(radiance, surface.a > 0.5 ? 1.0 : 1.0 - medium.a));
+  const bool on_surface = imageLoad(depths, pixel).r >= 0.0;
+  vec3 radiance = on_surface ? imageLoad(behind, pixel).rgb : vec3(0.0);
+  if (!on_surface && sky_size.x > 0) radiance = sky_radiance(ray_direction(pixel));
+  // No brighter than a float may be, or black fog would make NaN of it.
+  radiance = medium.rgb + medium.a * min(radiance, vec3(1e30));
+  imageStore(beauty, pixel,
+             vec4(clamp(radiance, vec3(0.0), vec3(1e30)), on_surface ? 1.0 : 1.0 - medium.a));
 }

@@ -6,12 +6,13 @@ layout(local_size_x = 64) in;
 const int most_radii = 1024;
 shared float boundaries[most_radii];
 
-#include "increments.glsl"
+#include "cone.glsl"
 #include "direction_map.glsl"
+#include "increments.glsl"
 
 layout(std430, binding = 0) readonly buffer Centers { double centers[]; };
 layout(std430, binding = 1) readonly buffer Shapes { vec4 shapes[]; };  // a, scale, cutoff, reach
-// Two neighbouring radii in each, in units of `opaque`, so that a look-up reads one word.
+// Two neighbouring radii in each, in units of `most_depth`, so that a look-up reads one word.
 layout(std430, binding = 2) writeonly buffer Tables { uint tables[]; };
 layout(std430, binding = 4) buffer Totals { uint pairs; };
 
@@ -20,39 +21,16 @@ uniform dvec3 light;
 uniform vec4 map_right, map_up, map_axis, map_offset;
 uniform ivec4 map_cells;
 uniform int radii;
+uniform float most_depth;
 uniform float first_radius;
 uniform float radii_per_unit;
 uniform float bend;  // see TableRadii
 
-shared vec4 axis;  // of the cone, and the cosine of its half angle
 shared uint found;
 shared vec4 gaussians[64];
 shared vec4 shapes_of[64];
 shared ivec2 ranges[64];
 shared uint counted[64];  // 1 in the first chunk that it touches
-shared vec3 directions[64];
-
-void find_cone(uint id) {
-  if (id != 0) return;
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < 64; ++i) sum += directions[i];
-  // Rays all around have no middle; then everything touches them.
-  const float length_ = length(sum);
-  float cosine = -1.0;
-  if (length_ > 1e-3) {
-    sum /= length_;
-    cosine = 1.0;
-    for (int i = 0; i < 64; ++i) cosine = min(cosine, dot(sum, directions[i]));
-  }
-  axis = vec4(sum, cosine - 1e-6);
-}
-
-bool touches_cone(vec3 b, float reach) {
-  if (axis.w <= 0.0) return true;
-  const float along = dot(b, axis.xyz);
-  const float across = length(b - along * axis.xyz);
-  return across * axis.w - along * sqrt(max(1.0 - axis.w * axis.w, 0.0)) <= 1.0001 * reach;
-}
 
 void main() {
   const DirectionMap map = DirectionMap(map_right, map_up, map_axis, map_offset, map_cells);
@@ -67,7 +45,7 @@ void main() {
     boundaries[k] = first_radius + float(k) / (radii_per_unit - bend * float(k));
   }
   barrier();
-  find_cone(id);
+  if (id == 0u) find_cone();
 
   const int last = radii - 1;
   const int place = map_cells.z + (cell.y * cells.x + cell.x) * radii;
@@ -112,7 +90,7 @@ void main() {
       before = depth;
       depth += increments[k];
       if (live) {
-        tables[place + first + k] = packUnorm2x16(vec2(before, depth) / opaque);
+        tables[place + first + k] = packUnorm2x16(vec2(before, depth) / most_depth);
       }
     }
   }

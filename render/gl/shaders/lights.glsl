@@ -3,9 +3,10 @@
 #include "gaussian.glsl"
 
 struct Light {
-  vec4 position;   // relative to the eye; h_min
+  vec4 position;   // relative to the eye, or the middle of the surfaces; h_min
   vec4 intensity;  // RGB; how much nearer than a shadow's caster still is lit, as a share
   vec4 radii;      // of the table: first, per unit, number, bend; see TableRadii
+  vec4 depths;     // the greatest of the table
   ivec4 has;       // a table, a shadow map
   DirectionMap table;
   DirectionMap shadows;
@@ -13,7 +14,6 @@ struct Light {
 
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
-layout(std430, binding = 6) readonly buffer Shadows { float shadows[]; };
 
 uniform int light_count;
 
@@ -33,19 +33,7 @@ float table_depth(int l, vec3 q, float distance_) {
   const vec2 c = unpackUnorm2x16(tables[first + row]);
   const vec2 d = unpackUnorm2x16(tables[first + row + size]);
   const vec2 both = mix(mix(a, b, at.f.x), mix(c, d, at.f.x), at.f.y);
-  return opaque * mix(both.x, both.y, f);
-}
-
-// The share of the light that no surface stops, mixed over four cells.
-float lit(int l, vec3 q, float distance_) {
-  const MapPosition at = map_position(lights[l].shadows, q, distance_);
-  const float near = distance_ * lights[l].intensity.w;
-  const int row = map_stride(lights[l].shadows);
-  const int first = lights[l].shadows.cells.z + at.cell;
-  const vec4 free = vec4(greaterThanEqual(
-      vec4(shadows[first], shadows[first + 1], shadows[first + row], shadows[first + row + 1]),
-      vec4(near)));
-  return mix(mix(free.x, free.y, at.f.x), mix(free.z, free.w, at.f.x), at.f.y);
+  return lights[l].depths.x * mix(both.x, both.y, f);
 }
 
 // The mean of 1 / r^2 over t in [ts + a, ts + b] for a light at distance sqrt(h2) from the ray.

@@ -17,3 +17,8 @@ MapTexels map_texels(ivec2 size, vec3 d) {
   const int y1 = clamp(int(low.y) + 1, 0, size.y - 1) * size.x;
   return MapTexels(ivec4(y0 + x0, y0 + x1, y1 + x0, y1 + x1), position - low);
 }
+
+// The direction in a map that is turned about y; `rotation`: cosine and sine.
+vec3 turned_to_map(vec2 rotation, vec3 w) {
+  return vec3(rotation.x * w.x - rotation.y * w.z, w.y, rotation.y * w.x + rotation.x * w.z);
+}

@@ -8,6 +8,7 @@ shared float boundaries[most_boundaries];
 #include "film.glsl"
 #include "noise.glsl"
 #include "lights.glsl"
+#include "shadows.glsl"
 #include "increments.glsl"
 #include "slice_boundaries.glsl"
 #include "source.glsl"

@@ -33,9 +33,7 @@ void set_source_weights(vec3 w) {
     }
   }
   if (source_bands == 1) return;
-  const vec3 in_map = vec3(source_rotation.x * w.x - source_rotation.y * w.z, w.y,
-                           source_rotation.y * w.x + source_rotation.x * w.z);
-  const MapTexels at = map_texels(source_map_size, in_map);
+  const MapTexels at = map_texels(source_map_size, turned_to_map(source_rotation, w));
   for (int f = 0; f < source_families; ++f) {
     const ivec4 index = source_map_at + f * source_map_size.x * source_map_size.y + at.index;
     const vec3 above = mix(source_values[index.x].rgb, source_values[index.y].rgb, at.f.x);

@@ -5,9 +5,9 @@
 
 // Of a node its two children: low and where it begins (< 0: there is none), high and the number of
 // its triangles (0: it is a node).
-layout(std430, binding = 0) readonly buffer Nodes { ivec4 nodes[]; };
-// Of each triangle three corners; with the surface, its number in that, and nothing.
-layout(std430, binding = 1) readonly buffer Corners { ivec4 corners[]; };
+layout(std430, binding = 4) readonly buffer Nodes { ivec4 nodes[]; };
+// Of each triangle three corners, the first with the surface; then of each the three normals there.
+layout(std430, binding = 5) readonly buffer Corners { ivec4 corners[]; };
 
 uniform int node_count;
 uniform double surfaces_radius;  // of the ball around the middle that holds them

@@ -137,10 +137,12 @@ TEST_F(Context, CompositePutsTheMediumBeforeWhatIsBehind) {
   const auto pixels = static_cast<std::size_t>(size.x * size.y);
   std::vector<glm::vec4> medium(pixels);
   std::vector<glm::vec4> surface(pixels);
+  std::vector<float> distances(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
     const auto x = static_cast<float>(i) / static_cast<float>(pixels);
     medium[i] = {x, 2.0f * x, 0.0f, 1.0f - x};
-    surface[i] = {1.0f, x, 3.0f, i % 2 == 0 ? 1.0f : 0.0f};
+    surface[i] = {1.0f, x, 3.0f, 0.0f};
+    distances[i] = i % 2 == 0 ? 2.0f : -1.0f;
   }
   const auto upload = [&](Texture& texture, const std::vector<glm::vec4>& values) {
     texture.reserve(Texture::Format::rgba32f, size);
@@ -149,19 +151,25 @@ TEST_F(Context, CompositePutsTheMediumBeforeWhatIsBehind) {
   Texture airlight;
   Texture behind;
   Texture beauty;
+  Texture depth;
+  Buffer no_sky;
   upload(airlight, medium);
   upload(behind, surface);
   beauty.reserve(Texture::Format::rgba32f, size);
+  depth.reserve(Texture::Format::r32f, size);
+  depth.upload(distances);
+  no_sky.bind(0);
   airlight.bind_image(0);
   behind.bind_image(1);
   beauty.bind_image(2);
+  depth.bind_image(3);
   Program("composite.glsl").dispatch(2, 2);
   check("composite");
   std::vector<glm::vec4> result(pixels);
   beauty.download({&result[0].x, 4 * pixels});
   for (std::size_t i = 0; i < pixels; ++i) {
     const glm::vec4& m = medium[i];
-    const glm::vec4& s = surface[i];
+    const glm::vec4 s = i % 2 == 0 ? surface[i] : glm::vec4(0.0f);
     for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(result[i][c], m[c] + m.w * s[c]) << i;
     EXPECT_FLOAT_EQ(result[i].w, i % 2 == 0 ? 1.0f : 1.0f - m.w) << i;
   }

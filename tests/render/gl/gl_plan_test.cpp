@@ -12,7 +12,7 @@ namespace brume::gl {
 namespace {
 
 GlPlan plan_of(const Scene& scene, const Settings& settings) {
-  return {settings, RenderPlan(scene, settings.airlight)};
+  return {scene, settings, RenderPlan(scene, settings.airlight)};
 }
 
 bool has(const GlPlan& plan, const char* stage) {
@@ -54,7 +54,8 @@ TEST(GlPlan, SaysWhatSurfacesAndEnvironmentsNeed) {
   const GlPlan plan = plan_of(scene, sliced_settings({}, 12));
   EXPECT_FALSE(has(plan, "visibility"));
   EXPECT_FALSE(has(plan, "shadow_map"));
-  EXPECT_TRUE(has(plan, "surfaces"));
+  EXPECT_FALSE(has(plan, "surfaces"));
+  EXPECT_TRUE(plan.surfaces);
   EXPECT_FALSE(has(plan, "environment"));
   scene.environment.emplace();
   scene.environment->map = constant_sky(1.0f);

@@ -1,0 +1,41 @@
+#include "render/gl/composite_stage.h"
+
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "core/scene/radiance_map.h"
+
+namespace brume::gl {
+
+void CompositeStage::run(Programs& programs, const FrameWork& work, FilmTextures& textures) {
+  const Program& program = programs["composite"];
+  set_rays(program, work.rays);
+  program.set("sky_size", glm::ivec2(0));
+  if (work.plan.environment) {
+    const Environment& environment = *work.scene.environment;
+    const RadianceMap& map = *environment.map;
+    if (map_ != environment.map) {
+      map_.reset();
+      std::vector<glm::vec4> texels;
+      texels.reserve(map.pixels.size());
+      for (const glm::vec3& pixel : map.pixels) texels.emplace_back(pixel, 0.0f);
+      sky_.upload(std::span<const glm::vec4>(texels));
+      map_ = environment.map;
+    }
+    const double angle = glm::radians(environment.rotation);
+    program.set("sky_size", glm::ivec2(map.width, map.height));
+    program.set("sky_rotation", glm::vec2(std::cos(angle), std::sin(angle)));
+    program.set("sky_intensity", static_cast<float>(environment.intensity));
+  }
+  sky_.bind(0);
+  textures.airlight.bind_image(0);
+  textures.behind.bind_image(1);
+  textures.beauty.bind_image(2);
+  textures.depth.bind_image(3);
+  const auto across = [](int pixels, int size) {
+    return static_cast<std::size_t>((pixels + size - 1) / size);
+  };
+  program.dispatch(across(work.frame.film.width, 16), across(work.frame.film.height, 8));
+}
+
+}  // namespace brume::gl

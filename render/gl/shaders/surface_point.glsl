@@ -1,0 +1,60 @@
+// Where view rays meet surfaces: interpolate_points() of render/cpu. Positions are relative to the
+// middle of the surfaces.
+#include "trace.glsl"
+
+// See visibility.glsl.
+layout(std430, binding = 2) readonly buffer Hits { ivec4 hits[]; };
+
+uniform int triangle_count;
+
+struct SurfacePoint {
+  vec3 position;
+  vec3 normal;         // unit, or 0 where neither triangle nor mesh has one
+  vec3 shadow_origin;  // where shadow rays start
+  int surface;
+};
+
+vec3 hit_position(ivec4 hit) {
+  const vec3 first = corner_of(hit.w, 0);
+  // From a corner, so that big triangles lose nothing near it.
+  return first + intBitsToFloat(hit.y) * (corner_of(hit.w, 1) - first) +
+         intBitsToFloat(hit.z) * (corner_of(hit.w, 2) - first);
+}
+
+vec3 unit_or_none(vec3 v) {
+  const float square = dot(v, v);
+  return square > 1e-37 ? v / sqrt(square) : vec3(0.0);
+}
+
+// `offset`: how far shadow rays start off the triangle.
+SurfacePoint point_of(ivec4 hit, vec3 to_eye, float offset) {
+  const float u = intBitsToFloat(hit.y);
+  const float v = intBitsToFloat(hit.z);
+  const float weights[3] = float[](1.0 - (u + v), u, v);
+  vec3 at[3];
+  vec3 normals[3];
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < 3; ++k) {
+    at[k] = corner_of(hit.w, k);
+    normals[k] = intBitsToFloat(corners[3 * (triangle_count + hit.w) + k].xyz);
+    sum += weights[k] * normals[k];
+  }
+  SurfacePoint point;
+  point.position = hit_position(hit);
+  point.surface = corners[3 * hit.w].w;
+  // Lengthened first: the product of two short edges would vanish.
+  vec3 geometric = unit_or_none(cross(unit_or_none(at[1] - at[0]), unit_or_none(at[2] - at[0])));
+  if (dot(geometric, to_eye) < 0.0) geometric = -geometric;
+  const vec3 smooth_ = unit_or_none(sum);
+  point.normal = dot(smooth_, smooth_) > 0.0 ? smooth_ : geometric;
+  const float side = dot(point.normal, geometric) < 0.0 ? -1.0 : 1.0;
+  point.normal *= side;
+  point.shadow_origin = point.position + offset * geometric;
+  for (int k = 0; k < 3; ++k) {
+    // How far the point lies below the tangent plane of a corner.
+    const vec3 n = side * normals[k];
+    const float below = min(dot(point.position - at[k], n), 0.0);
+    point.shadow_origin -= weights[k] * below * n;
+  }
+  return point;
+}

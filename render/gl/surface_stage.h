@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/gl/sliced_stage.h"
+
+namespace brume::gl {
+
+// The light of surfaces on the device.
+class SurfaceStage {
+ public:
+  // Fills `behind` of the textures from the hits of the mesh. `tables`: those of the lights, where
+  // depths are taken from; null: they are summed exactly. Returns the Gaussian x path pairs that
+  // this took.
+  std::uint64_t run(const FrameStages& stages, const FrameWork& work, LightTables* tables,
+                    DeviceFrame& device);
+
+ private:
+  std::uint64_t sum_depths(const SurfaceLighting& lighting, DeviceFrame& device);
+  void upload_values(const FrameWork& work, const SurfaceLighting& lighting,
+                     const Program& program);
+  void upload_arriving(const FrameStages& stages, const SurfaceLighting& lighting,
+                       const glm::dvec3& middle, const Program& program);
+
+  LightTables lights_;  // without tables
+  Buffer depths_, totals_, values_, arriving_;
+  std::uint64_t arriving_revision_ = 0;
+};
+
+}  // namespace brume::gl
