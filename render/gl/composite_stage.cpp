@@ -28,10 +28,10 @@ void CompositeStage::run(Programs& programs, const FrameWork& work, FilmTextures
     program.set("sky_intensity", static_cast<float>(environment.intensity));
   }
   sky_.bind(0);
+  textures.behind.bind(1);
   textures.airlight.bind_image(0);
-  textures.behind.bind_image(1);
-  textures.beauty.bind_image(2);
-  textures.depth.bind_image(3);
+  textures.beauty.bind_image(1);
+  textures.depth.bind_image(2);
   const auto across = [](int pixels, int size) {
     return static_cast<std::size_t>((pixels + size - 1) / size);
   };

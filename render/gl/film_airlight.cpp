@@ -20,7 +20,8 @@ void FilmTextures::reserve(const Film& film) {
   depth.reserve(Texture::Format::r32f, size);
   airlight.reserve(Texture::Format::rgba32f, size);
   pairs.reserve(Texture::Format::r32f, size);
-  behind.reserve(Texture::Format::rgba32f, size);
+  behind.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                 sizeof(glm::vec4));
   beauty.reserve(Texture::Format::rgba32f, size);
 }
 

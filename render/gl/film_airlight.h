@@ -17,7 +17,7 @@ struct FilmTextures {
   Texture depth;     // to the surface [u]; < 0: none
   Texture airlight;  // RGB, transmittance
   Texture pairs;     // Gaussians evaluated
-  Texture behind;    // RGB of what is behind the medium, 1 where a surface is hit
+  Buffer behind;     // RGB and a gap per pixel that surfaces send
   Texture beauty;    // RGBA
 
   void reserve(const Film& film);

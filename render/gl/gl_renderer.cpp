@@ -251,7 +251,7 @@ void GlRenderer::Impl::shade_on_cpu(FrameWork& work, Group& group, StageClock& c
   std::vector<glm::vec4> values;
   values.reserve(sent.size());
   for (const glm::vec3& radiance : sent) values.emplace_back(radiance, 0.0f);
-  textures.behind.upload({&values[0].x, 4 * values.size()});
+  textures.behind.upload(std::span<const glm::vec4>(values));
   cpu_clock.finish("upload");
 }
 
@@ -288,7 +288,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, const GlPlan& pla
   } else if (work.plan.lit_surfaces) {
     shade_on_cpu(work, group, cpu_clock, arena);
   } else {
-    textures.behind.fill(0.0f);
+    textures.behind.clear();
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   clock.time("composite", [&] { composite.run(programs, work, textures); });

@@ -38,16 +38,17 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("albedo", static_cast<float>(lighting.albedo));
   program.set("margin", static_cast<float>(Visibility::self_hit_margin));
+  program.set("film", glm::ivec2(work.frame.film.width, work.frame.film.height));
   program.set("has_depths", sums ? 1 : 0);
   upload_values(work, lighting, program);
   upload_arriving(stages, lighting, device.mesh.middle(), program);
   device.mesh.bind(program);
   lights.bind();
+  if (sums) depths_.bind(1);
   device.mesh.hits().bind(2);
-  depths_.bind(3);
+  device.textures.behind.bind(3);
   arriving_.bind(6);
   values_.bind(7);
-  device.textures.behind.bind_image(0);
   program.dispatch(blocks(work.frame.film.width), blocks(work.frame.film.height));
   return pairs;
 }

@@ -6,10 +6,10 @@
 layout(local_size_x = 16, local_size_y = 8) in;
 
 layout(rgba32f, binding = 0) readonly uniform image2D airlight;  // RGB, transmittance
-layout(rgba32f, binding = 1) readonly uniform image2D behind;    // RGB of surfaces
-layout(rgba32f, binding = 2) writeonly uniform image2D beauty;
-layout(r32f, binding = 3) readonly uniform image2D depths;  // to the surface; < 0: none
+layout(rgba32f, binding = 1) writeonly uniform image2D beauty;
+layout(r32f, binding = 2) readonly uniform image2D depths;  // to the surface; < 0: none
 layout(std430, binding = 0) readonly buffer Sky { vec4 sky[]; };
+layout(std430, binding = 1) readonly buffer Behind { vec4 behind[]; };  // RGB of surfaces
 
 uniform ivec2 sky_size;  // 0: there is none
 uniform vec2 sky_rotation;
@@ -24,10 +24,11 @@ vec3 sky_radiance(vec3 w) {
 
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(pixel, imageSize(beauty)))) return;
+  const ivec2 film = imageSize(beauty);
+  if (any(greaterThanEqual(pixel, film))) return;
   const vec4 medium = imageLoad(airlight, pixel);
   const bool on_surface = imageLoad(depths, pixel).r >= 0.0;
-  vec3 radiance = on_surface ? imageLoad(behind, pixel).rgb : vec3(0.0);
+  vec3 radiance = on_surface ? behind[pixel.y * film.x + pixel.x].rgb : vec3(0.0);
   if (!on_surface && sky_size.x > 0) radiance = sky_radiance(ray_direction(pixel));
   // No brighter than a float may be, or black fog would make NaN of it.
   radiance = medium.rgb + medium.a * min(radiance, vec3(1e30));

@@ -7,9 +7,8 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(rgba32f, binding = 0) writeonly uniform image2D behind;
-// Of each light and pixel what Gaussians take of the light, where it is in no table.
-layout(std430, binding = 3) readonly buffer Depths { float depths[]; };
+// RGB per pixel. Not an image: software compiles a shader anew for other sizes of images.
+layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // What arrives of an environment at the nodes of a grid: for each basis function R G B 0.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 arriving_values[]; };
 // Per surface its reflectance / pi, Phong's exponent and highlight, and a gap; from the places
@@ -20,6 +19,8 @@ layout(std430, binding = 7) readonly buffer Values { float values[]; };
 uniform float b0;
 uniform float albedo;
 uniform float margin;  // Visibility::self_hit_margin
+uniform ivec2 film;
+// 1: instead of tables there are, of each light and pixel, what Gaussians take of the light.
 uniform int has_depths;
 uniform int scatters;  // whether the medium sends light of lamps around
 uniform int scatter_at, environment_at, densities_at;
@@ -52,7 +53,7 @@ LightAtPoint see_light(int l, SurfacePoint point, int pixel, int pixels) {
   at.inverse_square = inverse * inverse;
   at.depth = b0 * at.length_;
   if (has_depths != 0) {
-    at.depth += depths[l * pixels + pixel];
+    at.depth += uintBitsToFloat(tables[l * pixels + pixel]);
   } else if (lights[l].has.x != 0) {
     at.depth += table_depth(l, q, at.length_);
   }
@@ -168,7 +169,6 @@ vec3 environment_light(SurfacePoint point) {
 
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  const ivec2 film = imageSize(behind);
   if (any(greaterThanEqual(pixel, film))) return;
   const int index = pixel.y * film.x + pixel.x;
   const ivec4 hit = hits[index];
@@ -186,5 +186,5 @@ void main() {
       radiance += 3.14159265358979 * values_rgb(8 * point.surface) * environment_light(point);
     }
   }
-  imageStore(behind, pixel, vec4(radiance, 0.0));
+  behind[index] = vec4(radiance, 0.0);
 }

@@ -11,6 +11,7 @@
 #include "tests/random.h"
 #include "tests/render/gl/gl_test.h"
 #include "tests/render/random_scene.h"
+#include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume::gl {
@@ -200,6 +201,86 @@ TEST_F(GlFrames, ShortRaysInALargeGaussian) {
     const Frame cpu = on_cpu(scene, settings);
     expect_within({render_on_device(scene, settings, name), cpu}, bound, name);
   }
+}
+
+// A ball over a floor that shadow each other and themselves, lit by two lamps.
+class GlSurfaces : public GlFrames {
+ protected:
+  GlSurfaces() {
+    scene_ = cloud_scene(10, 2.0);
+    scene_.film = {48, 36};
+    scene_.camera.eye = {2.5, -4.0, 2.5};
+    scene_.camera.target = {0.0, 0.0, 0.3};
+    scene_.camera.up = {0.0, 0.0, 1.0};
+    auto ball = empty_mesh();
+    add_ball(*ball, 12, {0.0, 0.0, 0.9}, 0.7, 3.0, false);
+    auto floor = empty_mesh();
+    add_floor(*floor, 4, 3.0);
+    for (const auto& mesh : {ball, floor}) {
+      Surface& surface = scene_.surfaces.emplace_back();
+      surface.mesh = mesh;
+      surface.material.reflectance = {0.7, 0.5, 0.3};
+    }
+    scene_.lights.assign(2, {});
+    scene_.lights[0].position = {2.0, 1.0, 3.0};
+    scene_.lights[1].position = {-1.5, -2.0, 2.0};
+    scene_.lights[1].intensity = {0.5, 2.0, 1.0};
+  }
+  void make_glossy() {
+    for (Surface& surface : scene_.surfaces) {
+      surface.material.type = Material::Type::phong;
+      surface.material.specular = {0.3, 0.4, 0.2};
+      surface.material.exponent = 20.0;
+    }
+  }
+  void expect_same(Settings settings, const std::string& what) {
+    const std::string name = what + ", " + airlight_name(settings);
+    const Frame gl = render_on_device(scene_, settings, name);
+    for (const SkippedStage& stage : gl.statistics.on_cpu) {
+      EXPECT_NE(stage.stage, "surfaces") << name << ": " << stage.why;
+    }
+    const Frame cpu = on_cpu(scene_, settings);
+    expect_within({gl, cpu}, bound, name);
+    if (settings.airlight == AirlightMethod::paper && !scene_.medium.empty()) {
+      EXPECT_GT(gl.statistics.light_pairs, 0u);
+    }
+  }
+
+  Scene scene_;
+};
+
+TEST_F(GlSurfaces, AreLitByLamps) {
+  const Scene in_fog = scene_;
+  Settings of_the_paper = quick_slices();
+  of_the_paper.paper_spread = true;
+  for (const Settings& settings : {Settings{}, quick_slices(), of_the_paper}) {
+    expect_same(settings, "Gaussians");
+    scene_.medium.set_homogeneous_density(0.2);
+    scene_.optics.albedo = glm::dvec3(0.6);
+    expect_same(settings, "Gaussians and fog");
+    scene_.medium = Medium();
+    expect_same(settings, "clear air");
+    make_glossy();
+    expect_same(settings, "clear air, glossy");
+    scene_ = in_fog;
+  }
+}
+
+TEST_F(GlSurfaces, AreLitByAnEnvironment) {
+  scene_.environment.emplace();
+  scene_.environment->map = smooth_sky();
+  scene_.environment->rotation = 40.0;
+  scene_.environment->intensity = 2.0;
+  expect_same(quick_slices(), "Gaussians");
+  scene_.lights.clear();
+  scene_.medium.set_homogeneous_density(0.2);
+  expect_same(quick_slices(), "Gaussians and fog");
+  scene_.medium = Medium();
+  scene_.medium.set_homogeneous_density(0.2);
+  expect_same(quick_slices(), "fog");
+  expect_same({}, "fog");
+  scene_.medium = Medium();
+  expect_same(quick_slices(), "clear air");
 }
 
 // Everything that may change from frame to frame, a little, one thing at a time: no message, and
