@@ -11,6 +11,14 @@
 #include "render/tiles.h"
 
 namespace brume {
+namespace {
+
+Settings::Arithmetic arithmetic_of(const Settings& settings) {
+  return settings.airlight == AirlightMethod::reference ? Settings::Arithmetic::plain_double
+                                                        : settings.arithmetic;
+}
+
+}  // namespace
 
 bool FrameStages::begin(FrameWork& work, StageClock& clock) {
   if (!work.plan.transfers.empty()) {
@@ -215,12 +223,7 @@ SurfaceLighting FrameStages::surface_lighting(const FrameWork& work) const {
   return lighting;
 }
 
-std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClock& clock) {
-  if (!work.plan.lit_surfaces) return {};
-  surface_radiance_.resize(hits_.size());
-  const Settings::Arithmetic arithmetic = work.settings.airlight == AirlightMethod::reference
-                                              ? Settings::Arithmetic::plain_double
-                                              : work.settings.arithmetic;
+SurfaceLighting FrameStages::tabled_lighting(FrameWork& work) {
   SurfaceLighting lighting = surface_lighting(work);
   if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
     for (SurfaceLight& light : lighting.lights) {
@@ -228,16 +231,22 @@ std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClo
                                            work.frame.statistics.light_pairs);
     }
   }
-  shading_.take_light(work.scene, prepared_.medium(), lighting, work.settings, arithmetic, work.job,
-                      work.frame.statistics.light_pairs);
-  const FilmSurfaces film{work.scene.surfaces,
-                          prepared_.medium(),
-                          prepared_.visibility(),
-                          shading_,
-                          lighting,
-                          work.rays,
-                          work.frame.film,
-                          arithmetic};
+  return lighting;
+}
+
+void FrameStages::take_light(FrameWork& work) {
+  shading_.take_light(work.scene, prepared_.medium(), tabled_lighting(work), work.settings,
+                      arithmetic_of(work.settings), work.job, work.frame.statistics.light_pairs);
+}
+
+std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClock& clock) {
+  if (!work.plan.lit_surfaces) return {};
+  surface_radiance_.resize(hits_.size());
+  take_light(work);
+  const SurfaceLighting lighting = tabled_lighting(work);
+  const FilmSurfaces film{
+      work.scene.surfaces, prepared_.medium(), prepared_.visibility(),      shading_, lighting,
+      work.rays,           work.frame.film,    arithmetic_of(work.settings)};
   work.frame.statistics.light_pairs += film.shade(hits_, work.job, surface_radiance_);
   clock.finish("surfaces");
   return surface_radiance_;

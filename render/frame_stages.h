@@ -107,11 +107,14 @@ class FrameStages {
   [[nodiscard]] SurfaceLighting surface_lighting(const FrameWork& work) const;
   // Another number whenever the grid of SurfaceLighting::arriving is another.
   [[nodiscard]] std::uint64_t source_revision() const { return source_.revision(); }
+  // Takes the light of surfaces with radiance transfer: see PreparedShading.
+  void take_light(FrameWork& work);
   // RGB per pixel that surfaces send to the eye; empty where none is lit.
   std::span<const glm::vec3> shade_surfaces(FrameWork& work, StageClock& clock);
 
  private:
   static bool find_transfers(FrameWork& work);
+  SurfaceLighting tabled_lighting(FrameWork& work);
   [[nodiscard]] ArrivalOptics arrival_optics(const FrameWork& work) const;
 
   PreparedScene prepared_;

@@ -118,6 +118,7 @@ void PreparedShading::take_light(const Scene& scene, const MediumIndex& medium,
                                                             arithmetic, job, pairs);
       if (job.stop.stop_requested()) return;
       light = std::move(taken);
+      ++light_revision_;
     }
     shading_[i].transferred = light.get();
   }

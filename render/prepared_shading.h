@@ -41,6 +41,8 @@ class PreparedShading {
 
   // From here on, of the last update(). One for each surface of the scene.
   [[nodiscard]] const std::vector<SurfaceShading>& surfaces() const { return shading_; }
+  // Another number whenever light was taken.
+  [[nodiscard]] std::uint64_t light_revision() const { return light_revision_; }
   // Null: there is none.
   [[nodiscard]] const EnvironmentLight* environment() const {
     return environment_ ? &*environment_ : nullptr;
@@ -72,6 +74,7 @@ class PreparedShading {
 
     bool operator==(const LitBy&) const = default;
   };
+  std::uint64_t light_revision_ = 0;
   struct VertexLight {
     Surface surface;
     std::shared_ptr<const RadianceTransfer> transfer;

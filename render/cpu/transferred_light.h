@@ -37,12 +37,17 @@ class TransferredLight {
   void add(std::span<const SurfaceHit> hits, const SurfacePoints& points,
            PointRadiance& radiance) const;
 
- private:
   // ReceivedLight of all vertices; empty where the transfer is.
   struct Side {
     std::vector<glm::vec3> radiance;
     std::vector<glm::vec3> incident;  // [vertex][coefficient], in the world; of diffuse ones empty
   };
+  [[nodiscard]] const Side& side(MeshSide which) const {
+    return sides_[static_cast<std::size_t>(which)];
+  }
+  [[nodiscard]] int order() const { return order_; }
+
+ private:
   void receive(const RadianceTransfer& transfer, std::size_t vertex,
                const ShVector<glm::dvec3>& light, const ShVector<glm::dvec3>& traced);
 

@@ -206,6 +206,7 @@ std::vector<PlacedTriangle> Visibility::triangles() const {
       PlacedTriangle& triangle = result.emplace_back();
       triangle.surface = static_cast<std::uint32_t>(s);
       triangle.index = static_cast<std::uint32_t>(t);
+      triangle.vertices = impl_->triangles[s][t];
       for (int k = 0; k < 3; ++k) {
         const Vertex& vertex = vertices[impl_->triangles[s][t][k]];
         triangle.positions[static_cast<std::size_t>(k)] = vertex.position;

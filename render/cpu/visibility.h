@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/ext/vector_uint3.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
@@ -40,6 +41,7 @@ struct SurfacePoint {
 struct PlacedTriangle {
   std::array<glm::vec3, 3> positions;
   std::array<glm::vec3, 3> normals;  // of any length
+  glm::uvec3 vertices{0};            // in the surface's mesh
   std::uint32_t surface = 0;
   std::uint32_t index = 0;  // in the surface's mesh
 };

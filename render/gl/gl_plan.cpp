@@ -34,17 +34,12 @@ std::string refusal_of(const Settings& settings, const RenderPlan& plan) {
 
 // Why light on surfaces is the CPU's; empty: it is not.
 std::string surfaces_on_cpu(const Scene& scene, const Settings& settings, const RenderPlan& plan) {
-  if (!plan.transfers.empty()) return "radiance transfer is not on the device yet";
   if (plan.environment && plan.gaussians && settings.airlight == AirlightMethod::paper) {
     return "average depths are not on the device yet";
   }
-  const bool is_indirect = plan.environment || plan.scattered_on_surfaces;
   for (const Surface& surface : scene.surfaces) {
     if (surface.material.type == Material::Type::measured) {
       return "measured materials are not on the device yet";
-    }
-    if (surface.material.type == Material::Type::phong && is_indirect) {
-      return "what Phong's materials make of light from all around is not on the device yet";
     }
   }
   return {};
@@ -66,6 +61,9 @@ GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& p
     const std::string why = surfaces_on_cpu(scene, settings, plan);
     surfaces = why.empty();
     if (!surfaces) on_cpu.push_back({"surfaces", why});
+    if (!plan.transfers.empty()) {
+      on_cpu.push_back({"vertex_light", "light at the vertices is not taken on the device yet"});
+    }
   }
   if (plan.environment && plan.airlight &&
       (plan.surfaces || settings.airlight != AirlightMethod::paper)) {

@@ -280,6 +280,11 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, const GlPlan& pla
                     arena};
   find_airlight(work, group, cpu_clock, frame);
   if (plan.surfaces) {
+    if (!work.plan.transfers.empty()) {
+      arena.execute([&] { group.stages.take_light(work); });
+      if (work.job.stop.stop_requested()) return std::nullopt;
+      cpu_clock.finish("vertex_light");
+    }
     const bool has_tables = work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians;
     clock.time("surfaces", [&] {
       statistics.light_pairs += group.surfaces.run(

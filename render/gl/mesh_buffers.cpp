@@ -40,7 +40,11 @@ void MeshBuffers::update(const Visibility& visibility, std::uint64_t revision) {
     }
   }
   for (const std::uint32_t i : hierarchy.order) {
-    for (const glm::vec3& normal : triangles[i].normals) corners.push_back(bits(normal, 0));
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners.push_back(
+          bits(triangles[i].normals[k],
+               static_cast<std::int32_t>(triangles[i].vertices[static_cast<int>(k)])));
+    }
   }
   nodes_.upload(std::span<const glm::ivec4>(nodes));
   corners_.upload(std::span<const glm::ivec4>(corners));

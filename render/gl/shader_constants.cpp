@@ -10,6 +10,7 @@
 #include "core/math/spherical_harmonics.h"
 #include "core/medium/noise.h"
 #include "render/cpu/ray_range.h"
+#include "render/cpu/reflection_kernels.h"
 #include "render/cpu/scatter_table.h"
 #include "render/cpu/slice_boundaries.h"
 #include "render/cpu/slice_kernels.h"
@@ -75,6 +76,8 @@ std::string shader_constants() {
   constants.add("sh_down", floats(recurrence.down));
   constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
   constants.add("cosine_factors", EnvironmentLight::cosine_factors());
+  constants.add("reflection_intervals", ReflectionTable::intervals);
+  constants.add("reflection_row", static_cast<int>(ReflectionTable::row_size));
   constants.add("scatter_terms", ScatterTable::degree + 1);
   constants.add("scatter_opaque", ScatterTable::opaque);
   constants.add("scatter_scale", ScatterTable::scale);

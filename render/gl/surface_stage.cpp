@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
+
+#include "render/cpu/reflection_kernels.h"
+#include "render/cpu/transferred_light.h"
 
 namespace brume::gl {
 namespace {
@@ -32,7 +34,10 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work
 
   LightTables& lights = tables ? *tables : lights_;
   lights.upload(FrameStages::lights_of(work), nullptr, device.mesh.middle());
-  const Program& program = device.programs["surfaces"];
+  const bool is_glossy = std::ranges::any_of(
+      stages.shading().surfaces(),
+      [](const SurfaceShading& s) { return s.material && !s.material->is_diffuse(); });
+  const Program& program = device.programs[is_glossy ? "glossy_surfaces" : "surfaces"];
   set_rays(program, work.rays);
   program.set("light_count", static_cast<int>(lighting.lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
@@ -40,14 +45,14 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work
   program.set("margin", static_cast<float>(Visibility::self_hit_margin));
   program.set("film", glm::ivec2(work.frame.film.width, work.frame.film.height));
   program.set("has_depths", sums ? 1 : 0);
-  upload_values(work, lighting, program);
-  upload_arriving(stages, lighting, device.mesh.middle(), program);
+  upload_light(stages, lighting, device.mesh.middle(), program);
+  upload_values(stages, work, lighting, program);
   device.mesh.bind(program);
   lights.bind();
   if (sums) depths_.bind(1);
   device.mesh.hits().bind(2);
   device.textures.behind.bind(3);
-  arriving_.bind(6);
+  light_.bind(6);
   values_.bind(7);
   program.dispatch(blocks(work.frame.film.width), blocks(work.frame.film.height));
   return pairs;
@@ -80,18 +85,41 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
   return pairs[0];
 }
 
-// As shaders/surfaces.glsl has them.
-void SurfaceStage::upload_values(const FrameWork& work, const SurfaceLighting& lighting,
-                                 const Program& program) {
+// As shaders/shade_surfaces.glsl has them.
+void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& work,
+                                 const SurfaceLighting& lighting, const Program& program) {
   std::vector<float> values;
   const auto begin = [&](const char* place) {
     program.set(place, static_cast<int>(values.size()));
   };
-  for (const Surface& surface : work.scene.surfaces) {
-    const PointLightShading reflected = point_light_shading(surface.material, {});
+  const auto& shadings = stages.shading().surfaces();
+  std::vector<std::size_t> materials;
+  for (std::size_t i = 0; i < shadings.size(); ++i) {
+    const Material& material = work.scene.surfaces[i].material;
+    const PointLightShading reflected = point_light_shading(material, {});
+    materials.push_back(values.size());
     append(values, reflected.diffuse, reflected.exponent);
     append(values, reflected.highlight, 0.0f);
+    const TransferredLight* transferred = shadings[i].transferred;
+    const bool is_glossy = shadings[i].material && !shadings[i].material->is_diffuse();
+    values.insert(values.end(),
+                  {transferred ? 1.0f : 0.0f,
+                   static_cast<float>(transferred && is_glossy ? sh_size(transferred->order()) : 0),
+                   static_cast<float>(sides_at_[i][0]), static_cast<float>(sides_at_[i][1])});
   }
+  for (std::size_t i = 0; i < shadings.size(); ++i) {
+    if (!shadings[i].material || shadings[i].material->is_diffuse()) continue;
+    values[materials[i] + 7] = static_cast<float>(values.size());
+    const float* rows = shadings[i].material->table().rows();
+    values.insert(values.end(), rows,
+                  rows + (ReflectionTable::intervals + 1) * ReflectionTable::row_size);
+  }
+  begin("turn_at");
+  for (const ShElement& e : sh_quarter_turn()) {
+    values.insert(values.end(), {static_cast<float>(e.to), static_cast<float>(e.from),
+                                 static_cast<float>(e.value)});
+  }
+  program.set("turn_count", static_cast<int>(sh_quarter_turn().size()));
   program.set("scatters", lighting.point ? 1 : 0);
   begin("scatter_at");
   if (lighting.point) {
@@ -101,8 +129,9 @@ void SurfaceStage::upload_values(const FrameWork& work, const SurfaceLighting& l
   program.set("has_environment", lighting.environment ? 1 : 0);
   begin("environment_at");
   if (lighting.environment) {
-    for (const glm::vec3& c : lighting.environment->coefficients().values())
+    for (const glm::vec3& c : lighting.environment->coefficients().values()) {
       append(values, c, 0.0f);
+    }
     const auto fog = static_cast<float>(lighting.fog_depth);
     program.set("environment_shares", lighting.environment->arriving(fog, lighting.albedo));
     program.set("environment_intensity", static_cast<float>(work.scene.environment->intensity));
@@ -114,28 +143,55 @@ void SurfaceStage::upload_values(const FrameWork& work, const SurfaceLighting& l
   values_.upload(std::span<const float>(values));
 }
 
-void SurfaceStage::upload_arriving(const FrameStages& stages, const SurfaceLighting& lighting,
-                                   const glm::dvec3& middle, const Program& program) {
+void SurfaceStage::upload_light(const FrameStages& stages, const SurfaceLighting& lighting,
+                                const glm::dvec3& middle, const Program& program) {
+  const std::uint64_t source = lighting.arriving ? stages.source_revision() : 0;
+  const std::uint64_t vertices = stages.shading().light_revision();
+  std::vector<const TransferredLight*> transferred;
+  for (const SurfaceShading& shading : stages.shading().surfaces()) {
+    transferred.push_back(shading.transferred);
+  }
+  const bool is_new = source != source_revision_ || vertices != vertex_revision_ ||
+                      transferred != transferred_ || transferred.empty();
+  std::vector<glm::vec4> values;
   program.set("arriving_levels",
               lighting.arriving ? static_cast<int>(lighting.arriving->levels().size()) : 0);
-  if (!lighting.arriving) return;
-  const bool is_new = arriving_revision_ != stages.source_revision();
-  std::vector<float> values;
   std::size_t at = 0;
-  const auto levels = lighting.arriving->levels();
-  for (std::size_t k = 0; k < levels.size(); ++k) {
-    const SourceGrid::Level& level = levels[k];
+  for (std::size_t k = 0; lighting.arriving && k < lighting.arriving->levels().size(); ++k) {
+    const SourceGrid::Level& level = lighting.arriving->levels()[k];
     program.set(k == 0 ? "arriving_first[0]" : "arriving_first[1]",
                 glm::vec4(glm::vec3(level.first - middle), 1.0f / level.nodes.spacing));
     program.set(k == 0 ? "arriving_count[0]" : "arriving_count[1]",
                 glm::ivec4(level.nodes.count, static_cast<int>(at)));
     at += level.arriving.size() / 4;
-    if (is_new) values.insert(values.end(), level.arriving.begin(), level.arriving.end());
+    for (std::size_t i = 0; is_new && i < level.arriving.size(); i += 4) {
+      const float* v = level.arriving.data() + i;
+      values.emplace_back(v[0], v[1], v[2], v[3]);
+    }
   }
   if (!is_new) return;
-  arriving_revision_ = 0;
-  arriving_.upload(std::span<const float>(values));
-  arriving_revision_ = stages.source_revision();
+  source_revision_ = vertex_revision_ = 0;
+  transferred_.clear();
+  sides_at_.clear();
+  for (const TransferredLight* light : transferred) {
+    auto& begins = sides_at_.emplace_back(std::array{-1, -1});
+    for (const MeshSide which : {MeshSide::front, MeshSide::back}) {
+      if (!light || light->side(which).radiance.empty()) continue;
+      const TransferredLight::Side& side = light->side(which);
+      begins[static_cast<std::size_t>(which)] = static_cast<int>(values.size());
+      const std::size_t functions = side.incident.size() / side.radiance.size();
+      for (std::size_t v = 0; v < side.radiance.size(); ++v) {
+        values.emplace_back(side.radiance[v], 0.0f);
+        for (std::size_t i = 0; i < functions; ++i) {
+          values.emplace_back(side.incident[v * functions + i], 0.0f);
+        }
+      }
+    }
+  }
+  light_.upload(std::span<const glm::vec4>(values));
+  source_revision_ = source;
+  vertex_revision_ = vertices;
+  transferred_ = std::move(transferred);
 }
 
 }  // namespace brume::gl

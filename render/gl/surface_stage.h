@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "render/gl/sliced_stage.h"
 
@@ -17,14 +19,19 @@ class SurfaceStage {
 
  private:
   std::uint64_t sum_depths(const SurfaceLighting& lighting, DeviceFrame& device);
-  void upload_values(const FrameWork& work, const SurfaceLighting& lighting,
-                     const Program& program);
-  void upload_arriving(const FrameStages& stages, const SurfaceLighting& lighting,
-                       const glm::dvec3& middle, const Program& program);
+  void upload_values(const FrameStages& stages, const FrameWork& work,
+                     const SurfaceLighting& lighting, const Program& program);
+  void upload_light(const FrameStages& stages, const SurfaceLighting& lighting,
+                    const glm::dvec3& middle, const Program& program);
 
   LightTables lights_;  // without tables
-  Buffer depths_, totals_, values_, arriving_;
-  std::uint64_t arriving_revision_ = 0;
+  Buffer depths_, totals_, values_, light_;
+  // What light_ holds: the revisions of an environment's grid, 0 for none, and of light at
+  // vertices; and where that of surfaces begins.
+  std::uint64_t source_revision_ = 0;
+  std::uint64_t vertex_revision_ = 0;
+  std::vector<const TransferredLight*> transferred_;
+  std::vector<std::array<int, 2>> sides_at_;  // < 0: there is none
 };
 
 }  // namespace brume::gl

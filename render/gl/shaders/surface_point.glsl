@@ -12,7 +12,10 @@ struct SurfacePoint {
   vec3 normal;         // unit, or 0 where neither triangle nor mesh has one
   vec3 shadow_origin;  // where shadow rays start
   int surface;
+  bool on_back;  // of the mesh, by its normals
 };
+
+int vertex_of(int triangle, int k) { return corners[3 * (triangle_count + triangle) + k].w; }
 
 vec3 hit_position(ivec4 hit) {
   const vec3 first = corner_of(hit.w, 0);
@@ -49,6 +52,7 @@ SurfacePoint point_of(ivec4 hit, vec3 to_eye, float offset) {
   point.normal = dot(smooth_, smooth_) > 0.0 ? smooth_ : geometric;
   const float side = dot(point.normal, geometric) < 0.0 ? -1.0 : 1.0;
   point.normal *= side;
+  point.on_back = dot(sum, point.normal) < 0.0;
   point.shadow_origin = point.position + offset * geometric;
   for (int k = 0; k < 3; ++k) {
     // How far the point lies below the tangent plane of a corner.

@@ -6,7 +6,8 @@
 // Of a node its two children: low and where it begins (< 0: there is none), high and the number of
 // its triangles (0: it is a node).
 layout(std430, binding = 4) readonly buffer Nodes { ivec4 nodes[]; };
-// Of each triangle three corners, the first with the surface; then of each the three normals there.
+// Of each triangle three corners with the surface; then of each the three normals there with their
+// numbers in the surface's mesh.
 layout(std430, binding = 5) readonly buffer Corners { ivec4 corners[]; };
 
 uniform int node_count;

@@ -57,6 +57,13 @@ TEST(GlPlan, SaysWhatSurfacesAndEnvironmentsNeed) {
   EXPECT_FALSE(has(plan, "surfaces"));
   EXPECT_TRUE(plan.surfaces);
   EXPECT_FALSE(has(plan, "environment"));
+  scene.surfaces[0].material.type = Material::Type::measured;
+  EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "surfaces"));
+  EXPECT_FALSE(plan_of(scene, sliced_settings({}, 12)).surfaces);
+  scene.surfaces[0].material.type = Material::Type::phong;
+  EXPECT_TRUE(plan_of(scene, sliced_settings({}, 12)).surfaces);
+  scene.surfaces[0].transfer = Surface::Transfer::shadow;
+  EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "vertex_light"));
   scene.environment.emplace();
   scene.environment->map = constant_sky(1.0f);
   EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "environment"));

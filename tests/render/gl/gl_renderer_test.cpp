@@ -264,6 +264,11 @@ TEST_F(GlSurfaces, AreLitByLamps) {
   Settings of_the_paper = quick_slices();
   of_the_paper.paper_spread = true;
   for (const Settings& settings : {Settings{}, quick_slices(), of_the_paper}) {
+    make_glossy();
+    expect_same(settings, "Gaussians, glossy");
+    scene_.surfaces.back().material.type = Material::Type::diffuse;
+    expect_same(settings, "Gaussians, glossy and diffuse");
+    scene_ = in_fog;
     expect_same(settings, "Gaussians");
     scene_.medium.set_homogeneous_density(0.5);
     scene_.optics.albedo = glm::dvec3(0.6);
@@ -276,6 +281,24 @@ TEST_F(GlSurfaces, AreLitByLamps) {
   }
 }
 
+TEST_F(GlSurfaces, WithRadianceTransferAreLit) {
+  scene_.surfaces[0].transfer = Surface::Transfer::shadow;
+  scene_.surfaces[1].transfer = Surface::Transfer::interreflection;
+  scene_.surfaces[0].rotate = glm::dquat(0.8, 0.36, 0.0, 0.48);
+  scene_.surfaces.push_back(wall(-0.5, 1.0));  // without
+  for (const bool glossy : {false, true}) {
+    const std::string what = glossy ? "glossy" : "diffuse";
+    if (glossy) make_glossy();
+    expect_same(quick_slices(), what);
+    // What is kept from frame to frame follows.
+    scene_.lights[0].position.x += 1.0;
+    expect_same(quick_slices(), what + ", another lamp");
+    expect_same({}, what);
+    scene_.surfaces[1].material.reflectance = {0.2, 0.9, 0.9};
+    expect_same(quick_slices(), what + ", another colour");
+  }
+}
+
 TEST_F(GlSurfaces, AreLitByAnEnvironment) {
   scene_.environment.emplace();
   auto sky = std::make_shared<RadianceMap>(*smooth_sky());
@@ -285,6 +308,16 @@ TEST_F(GlSurfaces, AreLitByAnEnvironment) {
   scene_.environment->rotation = 40.0;
   scene_.environment->intensity = 2.0;
   expect_same(quick_slices(), "Gaussians");
+  const Scene diffuse = scene_;
+  make_glossy();
+  expect_same(quick_slices(), "Gaussians, glossy");
+  scene_.surfaces[0].transfer = Surface::Transfer::shadow;
+  expect_same(quick_slices(), "Gaussians, glossy, with transfer");
+  scene_.medium = Medium();
+  expect_same(quick_slices(), "clear air, glossy, with transfer");
+  scene_.surfaces[0].transfer = Surface::Transfer::none;
+  expect_same(quick_slices(), "clear air, glossy");
+  scene_ = diffuse;
   scene_.lights.clear();
   scene_.medium.set_homogeneous_density(0.2);
   expect_same(quick_slices(), "Gaussians and fog");

@@ -1,0 +1,66 @@
+// Reflection of light given as spherical harmonics: reflect() of render/cpu/reflection_kernels. The
+// table and the elements of a quarter turn about x are among the values of shade_surfaces.glsl.
+
+uniform int turn_at, turn_count;
+
+// x / r and y / r, where r is the length of (x, y): cosine and sine of an angle, 0 where there is
+// none.
+vec2 angle_of(float x, float y) {
+  const float square = x * x + y * y;
+  return square > 1e-14 ? vec2(x, y) / sqrt(square) : vec2(1.0, 0.0);
+}
+
+// A turn of all coefficients about z by the angle.
+void turn_about_z(vec2 angle, inout vec3 f[sh_count]) {
+  vec2 turned = angle;  // by m times
+  for (int m = 1; m < sh_bands; ++m) {
+    for (int l = m; l < sh_bands; ++l) {
+      const vec3 a = f[l * (l + 1) + m];
+      const vec3 b = f[l * (l + 1) - m];
+      f[l * (l + 1) + m] = turned.x * a - turned.y * b;
+      f[l * (l + 1) - m] = turned.y * a + turned.x * b;
+    }
+    turned = vec2(turned.x * angle.x - turned.y * angle.y, turned.y * angle.x + turned.x * angle.y);
+  }
+}
+
+// A quarter turn about x, or the inverse, which is the transpose.
+void quarter_turn(bool inverse_, vec3 f[sh_count], out vec3 result[sh_count]) {
+  for (int i = 0; i < sh_count; ++i) result[i] = vec3(0.0);
+  for (int e = turn_at; e < turn_at + 3 * turn_count; e += 3) {
+    const int a = int(values[e]);
+    const int b = int(values[e + 1]);
+    result[inverse_ ? b : a] += values[e + 2] * f[inverse_ ? a : b];
+  }
+}
+
+// What a surface of normal n sends to the eye of light f; the table begins at `table`.
+vec3 reflected(int table, vec3 n, vec3 to_eye, vec3 f[sh_count]) {
+  // The frame of the surface is the world turned about z and y to the normal, and then about it to
+  // the eye.
+  const vec2 azimuth = angle_of(n.x, n.y);
+  const vec2 polar = angle_of(n.z, length(n.xy));
+  const float x = azimuth.x * to_eye.x + azimuth.y * to_eye.y;
+  const float y = azimuth.x * to_eye.y - azimuth.y * to_eye.x;
+  const vec2 eye = angle_of(polar.x * x - polar.y * to_eye.z, y);
+  const float cosine = polar.y * x + polar.x * to_eye.z;
+  const vec2 back = vec2(1.0, -1.0);
+  vec3 turned[sh_count];
+  turn_about_z(back * azimuth, f);
+  quarter_turn(false, f, turned);
+  turn_about_z(back * polar, turned);
+  quarter_turn(true, turned, f);
+  turn_about_z(back * eye, f);
+
+  const float at = acos(clamp(cosine, 0.0, 1.0)) * (float(reflection_intervals) * 2.0 / pi);
+  const float below = min(floor(at), float(reflection_intervals - 1));
+  int row = table + int(below) * reflection_row;
+  vec3 sum = vec3(0.0);
+  for (int l = 0; l < sh_bands; ++l) {
+    for (int m = 0; m <= l; ++m) {
+      sum += mix(values_rgb(row), values_rgb(row + reflection_row), at - below) * f[l * (l + 1) + m];
+      row += 3;
+    }
+  }
+  return sum;
+}

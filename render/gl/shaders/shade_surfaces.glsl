@@ -1,0 +1,285 @@
+// The light that surfaces send to the eye: surface_radiance() and TransferredLight of render/cpu. A
+// file that includes this says whether any surface is `glossy`, that is not diffuse.
+#include "lights.glsl"
+#include "rays.glsl"
+#include "spherical_harmonics.glsl"
+#include "surface_point.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+// RGB per pixel. Not an image: software compiles a shader anew for other sizes of images.
+layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
+// What arrives of an environment at the nodes of a grid: for each basis function R G B 0. Then what
+// does at vertices of surfaces with radiance transfer: of each what it sends, and for each basis
+// function what it is still to reflect.
+layout(std430, binding = 6) readonly buffer Arriving { vec4 arriving_values[]; };
+// Per surface: reflectance / pi and Phong's exponent; his highlight, and where the ReflectionTable
+// is (0: diffuse); whether it has transfer, the functions that it still reflects, and where the
+// light at its front and back begins (< 0: there is none). From the places named below on the
+// elements of a quarter turn, the polynomials of point and distant ScatterTable, the environment's
+// coefficients R G B 0, and for each light the density of the medium there.
+layout(std430, binding = 7) readonly buffer Values { float values[]; };
+
+uniform float b0;
+uniform float albedo;
+uniform float margin;  // Visibility::self_hit_margin
+uniform ivec2 film;
+// 1: instead of tables there are, of each light and pixel, what Gaussians take of the light.
+uniform int has_depths;
+uniform int scatters;  // whether the medium sends light of lamps around
+uniform int scatter_at, environment_at, densities_at;
+uniform int has_environment;
+uniform float environment_intensity;
+uniform float environment_shares[sh_bands];  // of what arrives, where there is no grid
+uniform int arriving_levels;                 // 0: there is none
+uniform vec4 arriving_first[2];              // as source.glsl has them
+uniform ivec4 arriving_count[2];
+
+const int surface_size = 12;
+
+vec3 values_rgb(int at) { return vec3(values[at], values[at + 1], values[at + 2]); }
+
+#include "radiance_map.glsl"
+#include "reflection.glsl"
+
+// A light as seen from a point.
+struct LightAtPoint {
+  vec3 w;  // from the light
+  float length_;
+  float cosine;
+  float inverse_square;
+  float depth;
+};
+
+LightAtPoint see_light(int l, SurfacePoint point, int pixel, int pixels) {
+  LightAtPoint at;
+  const vec3 q = point.position - lights[l].position.xyz;
+  const float square = dot(q, q);
+  const float inverse = square > 1e-30 ? 1.0 / sqrt(square) : 0.0;
+  at.w = inverse * q;
+  at.length_ = square * inverse;
+  at.cosine = -dot(at.w, point.normal);
+  at.inverse_square = inverse * inverse;
+  at.depth = b0 * at.length_;
+  if (has_depths != 0) {
+    at.depth += uintBitsToFloat(tables[l * pixels + pixel]);
+  } else if (lights[l].has.x != 0) {
+    at.depth += table_depth(l, q, at.length_);
+  }
+  return at;
+}
+
+bool is_lit(int l, SurfacePoint point, float length_) {
+  const float away = min(margin, margin * 2.0 * float(surfaces_radius) / length_);
+  // The whole way is 1.
+  const vec3 way = lights[l].position.xyz - point.shadow_origin;
+  return trace(point.shadow_origin, way, away, 1.0 - away, true).triangle < 0;
+}
+
+vec3 direct_light(int l, SurfacePoint point, LightAtPoint at, vec3 to_eye) {
+  if (!(at.cosine > 0.0) || !is_lit(l, point, at.length_)) return vec3(0.0);
+  const int material = surface_size * point.surface;
+  const vec3 intensity = lights[l].intensity.rgb;
+  const float arrives = at.cosine * at.inverse_square * exp(-at.depth);
+  vec3 radiance = arrives * (values_rgb(material) * intensity);
+  const vec3 highlight = values_rgb(material + 4);
+  // w mirrored at the normal, times the direction to the eye.
+  const float r = 2.0 * at.cosine * dot(point.normal, to_eye) + dot(at.w, to_eye);
+  if (highlight == vec3(0.0) || !(r > 0.0)) return radiance;
+  const float lobe = exp(values[material + 3] * log(clamp(r, 1e-30, 1.0)));
+  return radiance + arrives * lobe * (highlight * intensity);
+}
+
+float scatter_polynomial(int at, float x) {
+  float p = values[at];
+  for (int i = 1; i < scatter_terms; ++i) p = p * x + values[at + i];
+  return p;
+}
+
+// find_spread(): how much of a lamp's light in each band the medium scatters onto a point.
+void find_spread(int l, LightAtPoint at, out float factors[sh_bands]) {
+  for (int k = 0; k < sh_bands; ++k) factors[k] = 0.0;
+  if (!(at.depth > 0.0 && at.depth < scatter_opaque)) return;
+  const float homogeneous = values[densities_at + l] * at.length_;
+  const float share = homogeneous < at.depth ? homogeneous / at.depth : 1.0;
+  const float root = sqrt(at.depth);
+  const float x = scatter_scale * root / (root + 1.0) - 1.0;
+  const float once = at.depth * exp(-at.depth);
+  for (int k = 0; k < sh_bands; ++k) {
+    if (!glossy && (k == 3 || k == 5)) continue;  // nothing to a diffuse surface
+    factors[k] = once * mix(scatter_polynomial(scatter_at + (sh_bands + k) * scatter_terms, x),
+                            scatter_polynomial(scatter_at + k * scatter_terms, x), share);
+  }
+}
+
+// add_scattered_light(): what a diffuse surface sends of that.
+vec3 scattered_light(int l, SurfacePoint point, LightAtPoint at, float factors[sh_bands]) {
+  const float c = at.cosine;
+  const float c2 = c * c;
+  const float irradiance = 0.25 * factors[0] + 0.5 * c * factors[1] +
+                           0.3125 * (1.5 * c2 - 0.5) * factors[2] -
+                           0.09375 * ((4.375 * c2 - 3.75) * c2 + 0.375) * factors[4];
+  return max(irradiance, 0.0) * at.inverse_square *
+         (values_rgb(surface_size * point.surface) * lights[l].intensity.rgb * albedo);
+}
+
+// light += that, for surfaces that are not diffuse.
+void add_scattered(int l, LightAtPoint at, float factors[sh_bands], inout vec3 light[sh_count]) {
+  float y[sh_count];
+  sh_basis(-at.w, y);
+  for (int k = 0; k < sh_bands; ++k) {
+    const vec3 band = at.inverse_square * factors[k] * (lights[l].intensity.rgb * albedo);
+    for (int i = k * k; i < (k + 1) * (k + 1); ++i) light[i] += y[i] * band;
+  }
+}
+
+// What arrives at a point, by the grid.
+void find_arriving(vec3 p, out vec3 light[grid_functions]) {
+  int level = 0;
+  vec3 at = arriving_first[0].w * (p - arriving_first[0].xyz);
+  if (arriving_levels > 1 && (any(lessThan(at, vec3(0.0))) ||
+                              any(greaterThan(at, vec3(arriving_count[0].xyz - 1))))) {
+    level = 1;
+    at = arriving_first[1].w * (p - arriving_first[1].xyz);
+  }
+  const ivec4 count = arriving_count[level];
+  const vec3 last = vec3(count.xyz - 2);
+  const vec3 inside = clamp(at, vec3(0.0), last + 1.0);
+  const vec3 low = min(floor(inside), last);
+  const vec3 f = inside - low;
+  for (int i = 0; i < grid_functions; ++i) light[i] = vec3(0.0);
+  for (int c = 0; c < 8; ++c) {
+    const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
+    const vec3 share = mix(1.0 - f, f, vec3(corner_));
+    const ivec3 node = ivec3(low) + corner_;
+    const int first =
+        count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
+    for (int i = 0; i < grid_functions; ++i) {
+      light[i] += share.x * share.y * share.z * arriving_values[first + i].rgb;
+    }
+  }
+}
+
+// The mean of the light that arrives beside that without a medium.
+vec3 dimming(vec3 mean) {
+  const vec3 all = values_rgb(environment_at);
+  return mix(vec3(0.0), environment_intensity * mean / max(all, vec3(1e-37)),
+             greaterThan(all, vec3(0.0)));
+}
+
+// EnvironmentLight::diffuse() of a surface of reflectance 1.
+vec3 environment_light(SurfacePoint point) {
+  float y[sh_count];
+  sh_basis(point.normal, y);
+  vec3 sum = vec3(0.0);
+  if (arriving_levels > 0) {
+    vec3 light[grid_functions];
+    find_arriving(point.position, light);
+    for (int l = 0; l < 3; ++l) {
+      vec3 band = vec3(0.0);
+      for (int i = l * l; i < (l + 1) * (l + 1); ++i) band += y[i] * light[i];
+      sum += environment_intensity * cosine_factors[l] * band;
+    }
+    vec3 fifth = vec3(0.0);
+    for (int i = 16; i < 25; ++i) fifth += y[i] * values_rgb(environment_at + 4 * i);
+    return max(sum + cosine_factors[4] * dimming(light[0]) * fifth, vec3(0.0));
+  }
+  for (int l = 0; l < sh_bands; ++l) {
+    vec3 band = vec3(0.0);
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+      band += y[i] * values_rgb(environment_at + 4 * i);
+    }
+    sum += cosine_factors[l] * environment_shares[l] * band;
+  }
+  return max(sum, vec3(0.0));
+}
+
+// light += EnvironmentLight::incident().
+void add_environment(vec3 p, inout vec3 light[sh_count]) {
+  vec3 arrives[grid_functions];
+  if (arriving_levels > 0) find_arriving(p, arrives);
+  for (int l = 0; l < sh_bands; ++l) {
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+      const vec3 outside = values_rgb(environment_at + 4 * i);
+      if (arriving_levels == 0) {
+        light[i] += environment_shares[l] * outside;
+      } else if (i < grid_functions) {
+        light[i] += environment_intensity * arrives[i];
+      } else {
+        light[i] += dimming(arrives[0]) * outside;
+      }
+    }
+  }
+}
+
+// TransferredLight::add(): what radiance transfer has made of light at the vertices.
+vec3 transferred_light(SurfacePoint point, ivec4 hit, vec3 to_eye) {
+  const int surface = surface_size * point.surface;
+  const int first = int(values[surface + (point.on_back ? 11 : 10)]);
+  if (first < 0) return vec3(0.0);
+  const float u = intBitsToFloat(hit.y);
+  const float v = intBitsToFloat(hit.z);
+  const float weights[3] = float[](1.0 - u - v, u, v);
+  const int functions = int(values[surface + 9]);
+  vec3 sent = vec3(0.0);
+  vec3 light[sh_count];
+  if (glossy) {
+    for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int at = first + (1 + functions) * vertex_of(hit.w, k);
+    sent += weights[k] * arriving_values[at].rgb;
+    if (!glossy) continue;
+    for (int i = 0; i < functions; ++i) light[i] += weights[k] * arriving_values[at + 1 + i].rgb;
+  }
+  if (glossy && functions > 0) {
+    sent += reflected(int(values[surface + 7]), point.normal, to_eye, light);
+  }
+  return max(sent, vec3(0.0));
+}
+
+vec3 surface_light(SurfacePoint point, ivec4 hit, vec3 to_eye, int index, int pixels) {
+  const int surface = surface_size * point.surface;
+  const bool transferred = values[surface + 8] > 0.0;
+  const bool is_diffuse = !glossy || values[surface + 7] == 0.0;
+  const bool is_scattered = scatters != 0 && !transferred;
+  vec3 light[sh_count];
+  if (glossy) {
+    for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
+  }
+  vec3 radiance = vec3(0.0);
+  for (int l = 0; l < light_count; ++l) {
+    const LightAtPoint at = see_light(l, point, index, pixels);
+    radiance += direct_light(l, point, at, to_eye);
+    if (!is_scattered) continue;
+    float factors[sh_bands];
+    find_spread(l, at, factors);
+    if (is_diffuse) {
+      radiance += scattered_light(l, point, at, factors);
+    } else {
+      add_scattered(l, at, factors, light);
+    }
+  }
+  if (transferred) return radiance + transferred_light(point, hit, to_eye);
+  if (is_diffuse) {
+    return has_environment == 0
+               ? radiance  // values has reflectance / pi
+               : radiance + pi * values_rgb(surface) * environment_light(point);
+  }
+  if (has_environment != 0) add_environment(point.position, light);
+  return radiance + max(reflected(int(values[surface + 7]), point.normal, to_eye, light), vec3(0.0));
+}
+
+void main() {
+  const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, film))) return;
+  const int index = pixel.y * film.x + pixel.x;
+  const ivec4 hit = hits[index];
+  vec3 radiance = vec3(0.0);
+  if (hit.w >= 0) {
+    const vec3 to_eye = -ray_direction(pixel);
+    const SurfacePoint point = point_of(hit, to_eye, margin * float(surfaces_radius));
+    radiance = surface_light(point, hit, to_eye, index, film.x * film.y);
+  }
+  behind[index] = vec4(radiance, 0.0);
+}
