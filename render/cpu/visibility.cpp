@@ -297,7 +297,7 @@ void Visibility::first_hits(const glm::dvec3& origin, const PointVectors& direct
 }
 
 double Visibility::least_gap() const {
-  return self_hit_margin * 2.0 * impl_->radius;
+  return 1e-6 * impl_->radius;
 }
 
 SurfacePoint Visibility::point(const SurfaceHit& hit, const glm::dvec3& origin,

@@ -82,7 +82,8 @@ class Visibility {
   void first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                   std::span<SurfaceHit> hits, double nearest = 0.0) const;
 
-  // How far off surfaces rays must begin that leave them, a few roundings of float [u].
+  // What lies this near to where a ray starts may as well be on its other side: a few roundings of
+  // float [u].
   [[nodiscard]] double least_gap() const;
 
   // The same for the first hits.size() of directions in single precision, from an origin that

@@ -51,6 +51,7 @@ void MeshBuffers::update(const Visibility& visibility, std::uint64_t revision) {
   node_count_ = hierarchy.nodes.size();
   middle_ = visibility.middle();
   radius_ = visibility.radius();
+  least_gap_ = visibility.least_gap();
   revision_ = revision;
 }
 

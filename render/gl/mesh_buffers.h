@@ -20,6 +20,7 @@ class MeshBuffers {
   void bind(const Program& program);
   // What rays are relative to.
   [[nodiscard]] const glm::dvec3& middle() const { return middle_; }
+  [[nodiscard]] double least_gap() const { return least_gap_; }
 
   // Finds the first surface on each view ray, and how far it is (< 0: none).
   void find_hits(Programs& programs, const CameraRays& rays, const Film& film, Texture& depth);
@@ -32,6 +33,7 @@ class MeshBuffers {
   std::uint64_t revision_ = 0;  // 0: of none
   glm::dvec3 middle_{0.0};
   double radius_ = 0.0;
+  double least_gap_ = 0.0;
   std::size_t node_count_ = 0;
   std::size_t pixels_ = 0;
   struct Place {

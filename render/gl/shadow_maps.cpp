@@ -23,6 +23,7 @@ void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const Sli
     const Program& program = programs["shadow_map"];
     set_map(program, MapUniforms(map.directions, first(l)));
     program.set("light", map.light - mesh.middle());
+    program.set("nearest", static_cast<float>(mesh.least_gap()));
     mesh.bind(program);
     values_.bind(2);
     const auto blocks = [](int cells) { return static_cast<std::size_t>((cells + 2 + 7) / 8); };

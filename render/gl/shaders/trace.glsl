@@ -93,12 +93,13 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
 }
 
 // The nearest surface on a ray from any distance, in double up to where float will do: it starts at
-// the ball around the surfaces. `skip`: how far that is.
-Hit first_hit(dvec3 origin, dvec3 direction, out float skip) {
+// the ball around the surfaces. `skip`: how far that is. Hits nearer than `nearest` do not count.
+Hit first_hit(dvec3 origin, dvec3 direction, float nearest, out float skip) {
   double start = 0.0LF;
   if (length(origin) >= 8.0LF * surfaces_radius) {
     start = max(-dot(origin, direction) - 1.01LF * surfaces_radius, 0.0LF);
   }
   skip = float(start);
-  return trace(vec3(origin + start * direction), vec3(direction), 0.0, 1e38, false);
+  return trace(vec3(origin + start * direction), vec3(direction), max(nearest - skip, 0.0), 1e38,
+               false);
 }

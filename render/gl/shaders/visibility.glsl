@@ -15,7 +15,7 @@ void main() {
   const ivec2 film = imageSize(depths);
   if (any(greaterThanEqual(pixel, film))) return;
   float skip;
-  const Hit hit = first_hit(eye, exact_direction(pixel), skip);
+  const Hit hit = first_hit(eye, exact_direction(pixel), 0.0, skip);
   const float t = hit.triangle < 0 ? -1.0 : skip + hit.t;
   imageStore(depths, pixel, vec4(t));
   hits[pixel.y * film.x + pixel.x] =
