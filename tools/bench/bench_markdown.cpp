@@ -220,7 +220,7 @@ void put_savings(const std::vector<PlanSaving>& savings, std::string& page) {
       "| stage | left out because | without | with | the picture changes by |\n"
       "|---|---|---|---|---|\n";
   for (const PlanSaving& saving : savings) {
-    put(page, "| %s | %s | %.2f (%.2f to %.2f) | %.2f (%.2f to %.2f) | %.0e |\n",
+    put(page, "| %s | %s | %.2f (%.2f to %.2f) | %.2f (%.2f to %.2f) | %.0g |\n",
         saving.stage.c_str(), saving.why.c_str(), saving.left_out.median, saving.left_out.least,
         saving.left_out.greatest, saving.made.median, saving.made.least, saving.made.greatest,
         saving.change);
@@ -244,10 +244,10 @@ void put_hard_cases(const std::vector<HardCaseRow>& rows, std::string& page) {
       with_gl ? " OpenGL |" : "");
   put(page, "|---|---|---|---|---|%s---|---|\n", with_gl ? "---|" : "");
   for (const auto& [hard_case, errors] : rows) {
-    put(page, "| %s | %s | %s | %.0e | %.2f%% |", hard_case.name.c_str(), hard_case.breaks.c_str(),
+    put(page, "| %s | %s | %s | %.0g | %.2f%% |", hard_case.name.c_str(), hard_case.breaks.c_str(),
         hard_case.remedy.c_str(), errors.reference.airlight, 100.0 * errors.sliced.airlight);
     if (errors.gl) put(page, " %.2f%% |", 100.0 * errors.gl->airlight);
-    put(page, " %.0e | %g%%%s%s |\n", errors.paper, 100.0 * hard_case.bound,
+    put(page, " %.0g | %g%%%s%s |\n", errors.paper, 100.0 * hard_case.bound,
         hard_case.why.empty() ? "" : ": ", hard_case.why.c_str());
   }
 }
