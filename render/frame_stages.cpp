@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "render/cpu/surface_kernels.h"
 #include "render/film_surfaces.h"
 #include "render/light_limits.h"
 #include "render/tiles.h"
@@ -48,6 +47,40 @@ bool FrameStages::find_transfers(FrameWork& work) {
   return work.own_transfers->make(work.plan.transfers, {}, job.part(0.0, 0.5));
 }
 
+namespace {
+
+// Calls keep(x, y, hit) for all pixels.
+template <class Keep>
+void draw_hits(const Visibility& visibility, const FrameWork& work, Keep keep) {
+  const Raster raster = visibility.raster(work.rays, work.frame.film, work.job);
+  work.job.each(raster.bands(), [&](std::size_t band) {
+    raster.draw(band, [&](int x, int y, const RasterPixel& pixel) {
+      keep(x, y, visibility.hit_of(pixel));
+    });
+  });
+}
+
+// The same by rays.
+template <class Keep>
+void trace_hits(const Visibility& visibility, const FrameWork& work, Keep keep) {
+  const Tiles tiles(work.frame.film);
+  work.job.each(tiles.count(), [&](std::size_t tile) {
+    const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
+    std::array<glm::dvec3, Tiles::pixels> directions;
+    std::array<SurfaceHit, Tiles::pixels> hits;
+    std::size_t count = 0;
+    Tiles::each_pixel(rectangle, [&](int x, int y) {
+      directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
+    });
+    visibility.first_hits(work.rays.eye(), std::span(directions).first(count),
+                          std::span(hits).first(count));
+    count = 0;
+    Tiles::each_pixel(rectangle, [&](int x, int y) { keep(x, y, hits[count++]); });
+  });
+}
+
+}  // namespace
+
 // Rays that hit nothing end where the fog does.
 void FrameStages::find_hits(FrameWork& work, StageClock& clock) {
   const double ray_end = work.fog_end.of_rays(work.rays.eye());
@@ -56,34 +89,18 @@ void FrameStages::find_hits(FrameWork& work, StageClock& clock) {
     return;
   }
   hits_.resize(work.frame.depth.size());
-  const Tiles tiles(work.frame.film);
   const auto width = static_cast<std::size_t>(work.frame.film.width);
   const Visibility& visibility = prepared_.visibility();
-  const bool is_near = visibility.is_near(work.rays.eye());
-  work.job.each(tiles.count(), [&](std::size_t tile) {
-    const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
-    std::array<SurfaceHit, Tiles::pixels> tile_hits;
-    std::size_t count = 0;
-    if (is_near) {
-      PointVectors directions;
-      count = find_view_directions(work.rays, rectangle, directions);
-      visibility.first_hits(work.rays.eye(), directions, std::span(tile_hits).first(count));
-    } else {
-      std::array<glm::dvec3, Tiles::pixels> directions;
-      Tiles::each_pixel(rectangle, [&](int x, int y) {
-        directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
-      });
-      visibility.first_hits(work.rays.eye(), std::span(directions).first(count),
-                            std::span(tile_hits).first(count));
-    }
-    count = 0;
-    Tiles::each_pixel(rectangle, [&](int x, int y) {
-      const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-      const SurfaceHit& hit = tile_hits[count++];
-      hits_[i] = hit ? hit : SurfaceHit{ray_end};
-      work.frame.depth[i] = static_cast<float>(hit.distance);
-    });
-  });
+  const auto keep = [&](int x, int y, const SurfaceHit& hit) {
+    const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+    hits_[i] = hit ? hit : SurfaceHit{ray_end};
+    work.frame.depth[i] = static_cast<float>(hit.distance);
+  };
+  if (visibility.suits_raster(work.rays, work.frame.film)) {
+    draw_hits(visibility, work, keep);
+  } else {
+    trace_hits(visibility, work, keep);
+  }
   clock.finish("visibility");
 }
 

@@ -222,8 +222,8 @@ HWY_EXPORT(AddDirectLight);
 HWY_EXPORT(FindSpread);
 HWY_EXPORT(AddScatteredLight);
 
-std::size_t find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
-                                 PointVectors& directions) {
+void find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
+                          PointVectors& directions) {
   std::size_t count = 0;
   Tiles::each_pixel(pixels, [&](int x, int y) {
     directions.x[count] = static_cast<float>(x - pixels.x0);
@@ -238,7 +238,6 @@ std::size_t find_view_directions(const CameraRays& rays, const CameraRays::Pixel
       plane.corner + (pixels.x0 + 0.5) * plane.per_x + (pixels.y0 + 0.5) * plane.per_y;
   HWY_DYNAMIC_DISPATCH(WalkAndNormalize)
   (glm::vec3(first), glm::vec3(plane.per_x), glm::vec3(plane.per_y), padded(count), directions);
-  return count;
 }
 
 void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points) {

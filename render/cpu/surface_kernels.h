@@ -14,9 +14,9 @@ namespace brume {
 
 // The unit directions of the view rays through the pixels of a rectangle as large as a tile at
 // most, in the order of Tiles::each_pixel(); those from their count to padded(count) repeat the
-// last. Returns the count. The plain double counterpart is CameraRays::direction().
-std::size_t find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
-                                 PointVectors& directions);
+// last. The plain double counterpart is CameraRays::direction().
+void find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
+                          PointVectors& directions);
 
 // The triangles that points are on: their corners' positions and normals, and the points'
 // barycentric coordinates of the second and third corner.

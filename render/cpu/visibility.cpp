@@ -60,6 +60,8 @@ struct Visibility::Impl {
   std::vector<Placement> placements;
   std::vector<std::vector<glm::uvec3>> triangles;  // vertex indices, per surface
   std::vector<std::vector<Vertex>> vertices;       // per surface
+  RasterTriangles raster;
+  std::vector<std::uint32_t> first_triangles;  // per surface, in raster.corners
   Box bounds;
   glm::dvec3 middle{0.0};
   double radius = -1.0;  // of the ball around `middle` that holds all surfaces; < 0: none
@@ -83,6 +85,7 @@ struct Visibility::Impl {
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     for (const Surface& surface : surfaces) add(surface);
+    raster.pad();
     rtcCommitScene(scene);
   }
 
@@ -108,6 +111,11 @@ struct Visibility::Impl {
       for (const auto v : face.vertices()) corners[k++] = static_cast<unsigned>(v.idx());
       own_triangles.push_back(corners);
     }
+    const glm::uvec3 first_vertex(static_cast<unsigned>(raster.x.size()));
+    first_triangles.push_back(static_cast<std::uint32_t>(raster.corners.size()));
+    for (const Vertex& vertex : own_vertices) raster.add_vertex(vertex.position);
+    for (const glm::uvec3& corners : own_triangles)
+      raster.corners.push_back(first_vertex + corners);
     // Embree reads the very arrays.
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -123,8 +131,6 @@ struct Visibility::Impl {
   [[nodiscard]] Part to_first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
     return {std::max(0.0, glm::dot(middle - origin, direction) - 1.01 * radius)};
   }
-  void intersect(RTCRayHit16& query, std::span<const Part, packet> parts,
-                 std::span<SurfaceHit> hits) const;
 
   // Of the way between two points, ends excluded.
   [[nodiscard]] Part between(const glm::dvec3& from, const glm::dvec3& direction,
@@ -238,27 +244,14 @@ SurfaceHit Visibility::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
   return hit(part, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
 }
 
-// Traces the first hits.size() rays of a packet, which start at these parts of theirs.
-void Visibility::Impl::intersect(RTCRayHit16& query, std::span<const Part, packet> parts,
-                                 std::span<SurfaceHit> hits) const {
-  alignas(64) std::array<int, packet> valid{};
-  std::fill_n(valid.begin(), hits.size(), -1);
-  std::fill_n(query.hit.geomID, packet, RTC_INVALID_GEOMETRY_ID);
-  std::fill_n(query.hit.instID[0], packet, RTC_INVALID_GEOMETRY_ID);
-  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-  rtcIntersect16(valid.data(), scene, &context, &query);
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    hits[k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
-                  query.hit.u[k], query.hit.v[k]);
-  }
-}
-
 void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
                             std::span<SurfaceHit> hits, double nearest) const {
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
   const bool near = is_near(origin);
+  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
   for (std::size_t first = 0; first < directions.size(); first += packet) {
+    alignas(64) std::array<int, packet> valid{};
     std::array<Part, packet> parts;
     RTCRayHit16 query;
     const std::size_t count = std::min(packet, directions.size() - first);
@@ -266,34 +259,35 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
       if (!near) parts[k] = impl_->to_first_hit(origin, directions[first + k]);
       parts[k].tnear = std::max(nearest - parts[k].skip, 0.0);
       impl_->set(query.ray, k, origin, directions[first + k], parts[k]);
+      query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+      query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+      valid[k] = -1;
     }
-    impl_->intersect(query, parts, hits.subspan(first, count));
+    rtcIntersect16(valid.data(), impl_->scene, &context, &query);
+    for (std::size_t k = 0; k < count; ++k) {
+      hits[first + k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
+                            query.hit.u[k], query.hit.v[k]);
+    }
   }
 }
 
-void Visibility::first_hits(const glm::dvec3& origin, const PointVectors& directions,
-                            std::span<SurfaceHit> hits) const {
-  const glm::vec3 start(origin - impl_->middle);
-  const std::array<Part, packet> whole{};
-  for (std::size_t first = 0; first < hits.size(); first += packet) {
-    RTCRayHit16 query;
-    RTCRay16& rays = query.ray;
-    for (std::size_t k = 0; k < packet; ++k) {
-      rays.org_x[k] = start.x;
-      rays.org_y[k] = start.y;
-      rays.org_z[k] = start.z;
-      rays.dir_x[k] = directions.x[first + k];
-      rays.dir_y[k] = directions.y[first + k];
-      rays.dir_z[k] = directions.z[first + k];
-      rays.tnear[k] = 0.0f;
-      rays.tfar[k] = std::numeric_limits<float>::infinity();
-      rays.time[k] = 0.0f;
-      rays.mask[k] = ~0u;
-      rays.id[k] = 0u;
-      rays.flags[k] = 0u;
-    }
-    impl_->intersect(query, whole, hits.subspan(first, std::min(packet, hits.size() - first)));
-  }
+bool Visibility::suits_raster(const CameraRays& rays, const Film& film) const {
+  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  // Products of three lengths must stay in the range of float, small triangles' too.
+  return impl_->raster.corners.size() <= pixels && is_near(rays.eye()) && impl_->radius > 1e-6 &&
+         impl_->radius < 1e6;
+}
+
+Raster Visibility::raster(const CameraRays& rays, const Film& film, const Job& job) const {
+  return {impl_->raster, rays, rays.eye() - impl_->middle, film, job};
+}
+
+SurfaceHit Visibility::hit_of(const RasterPixel& pixel) const {
+  if (!std::isfinite(pixel.distance)) return {};
+  const std::vector<std::uint32_t>& first = impl_->first_triangles;
+  const auto surface = std::ranges::upper_bound(first, pixel.triangle) - first.begin() - 1;
+  return {static_cast<double>(pixel.distance), static_cast<std::int32_t>(surface),
+          pixel.triangle - first[static_cast<std::size_t>(surface)], pixel.u, pixel.v};
 }
 
 double Visibility::least_gap() const {

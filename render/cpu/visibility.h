@@ -11,6 +11,7 @@
 
 #include "core/scene/scene.h"
 #include "render/cpu/box.h"
+#include "render/cpu/raster.h"
 #include "render/cpu/surface_points.h"
 
 namespace brume {
@@ -86,9 +87,12 @@ class Visibility {
   // float [u].
   [[nodiscard]] double least_gap() const;
 
-  // The same for the first hits.size() of directions in single precision, from an origin that
-  void first_hits(const glm::dvec3& origin, const PointVectors& directions,
-                  std::span<SurfaceHit> hits) const;
+  // The first hits of the view rays of a film at once, as a raster has them, which is faster than
+  // rays where pixels are not far fewer than triangles, and has digits enough where the eye is not
+  // far off. Refers to this.
+  [[nodiscard]] bool suits_raster(const CameraRays& rays, const Film& film) const;
+  [[nodiscard]] Raster raster(const CameraRays& rays, const Film& film, const Job& job) const;
+  [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel) const;
 
   // The point where that ray hit. Thread-safe.
   [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,

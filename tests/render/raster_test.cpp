@@ -1,0 +1,157 @@
+// The raster against rays, pixel by pixel.
+
+#include "render/cpu/raster.h"
+
+#include <gtest/gtest.h>
+
+#include <hwy/targets.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <vector>
+
+#include "core/scene/mesh.h"
+#include "render/cpu/visibility.h"
+#include "tests/random.h"
+#include "tests/render/test_meshes.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+// Of three corners for each triangle.
+Surface surface_of(const std::vector<glm::dvec3>& corners) {
+  const auto mesh = empty_mesh();
+  std::vector<OpenMesh::VertexHandle> triangle;
+  for (const glm::dvec3& corner : corners) {
+    const glm::vec3 p(corner);
+    triangle.push_back(mesh->add_vertex({p.x, p.y, p.z}));
+    mesh->set_normal(triangle.back(), {0, 1, 0});
+    if (triangle.size() < 3) continue;
+    mesh->add_face(triangle);
+    triangle.clear();
+  }
+  Surface surface;
+  surface.mesh = mesh;
+  return surface;
+}
+
+// A ground of two triangles that reaches behind any eye above it, a ball, and triangles of all
+// sizes and sides.
+std::vector<Surface> mixed_surfaces(Random& random) {
+  std::vector<Surface> surfaces{
+      surface_of({{-9, -1, -9}, {9, -1, -9}, {9, -1, 9}, {-9, -1, -9}, {9, -1, 9}, {-9, -1, 9}})};
+  surfaces.emplace_back().mesh = ball_mesh(24);
+  surfaces.back().translate = {0.5, 0.3, 0.0};
+  std::vector<glm::dvec3> corners;
+  for (int i = 0; i < 300; ++i) {
+    const glm::dvec3 center = random.point(4.0);
+    const double size = random.power(-2.5, 0.0);
+    for (int k = 0; k < 3; ++k) corners.push_back(center + random.point(size));
+  }
+  surfaces.push_back(surface_of(corners));
+  return surfaces;
+}
+
+struct Differences {
+  int others = 0;  // pixels of another triangle at another distance
+  int hits = 0;
+  double distance = 0.0;  // relative, where the triangle is the same
+  double weights = 0.0;   // barycentric, of the two large triangles
+};
+
+Differences differences(const Visibility& visibility, const CameraRays& rays, const Film& film) {
+  Differences result;
+  const Raster raster = visibility.raster(rays, film, {});
+  int count = 0;
+  for (std::size_t band = 0; band < raster.bands(); ++band) {
+    raster.draw(band, [&](int x, int y, const RasterPixel& pixel) {
+      ++count;
+      const SurfaceHit hit = visibility.hit_of(pixel);
+      const SurfaceHit ray = visibility.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
+      if (ray) ++result.hits;
+      if (!hit && !ray) return;
+      if (hit.surface == ray.surface && hit.triangle == ray.triangle) {
+        result.distance =
+            std::max(result.distance, std::abs(hit.distance - ray.distance) / ray.distance);
+        if (hit.surface == 0) {
+          result.weights = std::max({result.weights, std::abs(static_cast<double>(hit.u - ray.u)),
+                                     std::abs(static_cast<double>(hit.v - ray.v))});
+        }
+      } else if (!(std::abs(hit.distance - ray.distance) < 1e-4 * ray.distance)) {
+        ++result.others;
+      }
+    });
+  }
+  EXPECT_EQ(count, film.width * film.height);
+  return result;
+}
+
+// On every instruction set of the machine.
+TEST(Raster, HitsAreThoseOfRays) {
+  Random random(3);
+  const std::vector<Surface> surfaces = mixed_surfaces(random);
+  const Visibility visibility(surfaces);
+  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  int hits = 0;
+  int others = 0;
+  for (int n = 0; n < 30; ++n) {
+    const Film film{120 + 3 * n, 67 + n};
+    glm::dvec3 eye = random.point(4.0);
+    eye.y = std::abs(eye.y);
+    const Camera camera{eye, random.point(2.0), {0.2, 1, 0.1}, random.uniform(2.0, 150.0)};
+    const CameraRays rays(camera, film);
+    ASSERT_TRUE(visibility.suits_raster(rays, film));
+    hwy::SetSupportedTargetsForTest(targets[static_cast<std::size_t>(n) % targets.size()]);
+    const Differences d = differences(visibility, rays, film);
+    EXPECT_LT(d.distance, 1e-4) << n;
+    EXPECT_LT(d.weights, 1e-4) << n;
+    hits += d.hits;
+    others += d.others;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  EXPECT_GT(hits, 100'000);
+  // Rays that touch an edge.
+  EXPECT_LT(others, hits / 5'000);
+}
+
+// The interior of a closed mesh has no gaps, its triangles far smaller and far larger than pixels.
+TEST(Raster, HasNoGaps) {
+  Random random(8);
+  for (const int segments : {4, 24, 150}) {
+    std::vector<Surface> surfaces(1);
+    surfaces[0].mesh = ball_mesh(segments);
+    const Visibility visibility(surfaces);
+    for (int n = 0; n < 4; ++n) {
+      const Film film{333, 111};
+      const CameraRays rays({random.point(0.3), random.point(0.5), {0, 1, 0}, 60.0}, film);
+      const Raster raster = visibility.raster(rays, film, {});
+      int open = 0;
+      for (std::size_t band = 0; band < raster.bands(); ++band) {
+        raster.draw(band, [&](int, int, const RasterPixel& pixel) {
+          if (!std::isfinite(pixel.distance)) ++open;
+        });
+      }
+      EXPECT_EQ(open, 0) << segments;
+    }
+  }
+}
+
+// Where float has no digits for it, or rays are fewer, rays are asked.
+TEST(Raster, IsLeftWhereItDoesNotSuit) {
+  Random random(5);
+  const std::vector<Surface> surfaces = mixed_surfaces(random);
+  const Visibility visibility(surfaces);
+  const auto suits = [&](const glm::dvec3& eye, const Film& film) {
+    return visibility.suits_raster(CameraRays({eye, {0, 0, 0}, {0, 1, 0}, 40.0}, film), film);
+  };
+  EXPECT_TRUE(suits({0, 1, 5}, {80, 60}));
+  EXPECT_FALSE(suits({0, 1, 5}, {8, 6}));
+  EXPECT_FALSE(suits({0, 1, 5e4}, {80, 60}));
+  EXPECT_FALSE(Visibility({}).suits_raster(CameraRays({}, {80, 60}), {80, 60}));
+}
+
+}  // namespace
+}  // namespace brume
