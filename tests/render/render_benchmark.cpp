@@ -12,6 +12,7 @@
 #include "core/io/scene_file.h"
 #include "render/compare.h"
 #include "render/cpu/path_depths.h"
+#include "render/frame_memory.h"
 #include "render/renderer.h"
 #include "tools/bench/benchmark_scenes.h"
 
@@ -92,4 +93,10 @@ BENCHMARK(depths_of_n_gaussians)
 }  // namespace
 }  // namespace brume
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  brume::keep_frame_memory();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
