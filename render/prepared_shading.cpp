@@ -139,6 +139,7 @@ const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface
   }
   std::vector<GaussianTerm<double>> gaussians;
   for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
+  ++light_revision_;
   depths_.push_back(std::make_unique<Depths>(Depths{surface.mesh, surface.translate, surface.rotate,
                                                     surface.scale,
                                                     AverageDepthGrid(gaussians, bounds(surface))}));

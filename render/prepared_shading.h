@@ -41,7 +41,7 @@ class PreparedShading {
 
   // From here on, of the last update(). One for each surface of the scene.
   [[nodiscard]] const std::vector<SurfaceShading>& surfaces() const { return shading_; }
-  // Another number whenever light was taken.
+  // Another number whenever light was taken or the average depths of a surface were found.
   [[nodiscard]] std::uint64_t light_revision() const { return light_revision_; }
   // Null: there is none.
   [[nodiscard]] const EnvironmentLight* environment() const {

@@ -21,6 +21,12 @@ class AverageDepthGrid {
   // For p in the box; outside, the value at the nearest point of it.
   [[nodiscard]] float operator()(const glm::dvec3& p) const;
 
+  // What a look-up needs.
+  [[nodiscard]] const glm::dvec3& low() const { return box_.low; }
+  [[nodiscard]] const glm::dvec3& cells_per_unit() const { return cells_per_unit_; }
+  [[nodiscard]] const glm::ivec3& nodes() const { return nodes_; }
+  [[nodiscard]] std::span<const float> depths() const { return depths_; }  // x fastest
+
  private:
   Box box_;
   glm::ivec3 nodes_{1};  // along each axis

@@ -33,10 +33,7 @@ std::string refusal_of(const Settings& settings, const RenderPlan& plan) {
 }
 
 // Why light on surfaces is the CPU's; empty: it is not.
-std::string surfaces_on_cpu(const Scene& scene, const Settings& settings, const RenderPlan& plan) {
-  if (plan.environment && plan.gaussians && settings.airlight == AirlightMethod::paper) {
-    return "average depths are not on the device yet";
-  }
+std::string surfaces_on_cpu(const Scene& scene) {
   for (const Surface& surface : scene.surfaces) {
     if (surface.material.type == Material::Type::measured) {
       return "measured materials are not on the device yet";
@@ -58,16 +55,18 @@ GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& p
     on_cpu.push_back({"eye_depth", "depths of centres are not on the device yet"});
   }
   if (plan.lit_surfaces) {
-    const std::string why = surfaces_on_cpu(scene, settings, plan);
+    const std::string why = surfaces_on_cpu(scene);
     surfaces = why.empty();
     if (!surfaces) on_cpu.push_back({"surfaces", why});
     if (!plan.transfers.empty()) {
       on_cpu.push_back({"vertex_light", "light at the vertices is not taken on the device yet"});
     }
   }
-  if (plan.environment && plan.airlight &&
-      (plan.surfaces || settings.airlight != AirlightMethod::paper)) {
+  if (!plan.environment || !plan.airlight) return;
+  if (settings.airlight != AirlightMethod::paper) {
     on_cpu.push_back({"environment", "its grid is not on the device yet"});
+  } else if (plan.surfaces && plan.gaussians) {
+    on_cpu.push_back({"average_depth", "the grids around surfaces are not on the device yet"});
   }
 }
 

@@ -23,6 +23,36 @@ void append(std::vector<float>& values, const ScatterTable& table) {
   }
 }
 
+bool has_same_light(const SurfaceShading& a, const SurfaceShading& b) {
+  return a.transferred == b.transferred && a.average_depth == b.average_depth;
+}
+
+// Appends the light at a surface's vertices, front and back, and the average depths around it;
+// where they begin.
+std::array<int, 3> append_light(const SurfaceShading& shading, std::vector<glm::vec4>& values) {
+  std::array<int, 3> begins{-1, -1, -1};
+  for (const MeshSide which : {MeshSide::front, MeshSide::back}) {
+    if (!shading.transferred || shading.transferred->side(which).radiance.empty()) continue;
+    const TransferredLight::Side& side = shading.transferred->side(which);
+    begins[static_cast<std::size_t>(which)] = static_cast<int>(values.size());
+    const std::size_t functions = side.incident.size() / side.radiance.size();
+    for (std::size_t v = 0; v < side.radiance.size(); ++v) {
+      values.emplace_back(side.radiance[v], 0.0f);
+      for (std::size_t i = 0; i < functions; ++i) {
+        values.emplace_back(side.incident[v * functions + i], 0.0f);
+      }
+    }
+  }
+  if (!shading.average_depth) return begins;
+  begins[2] = static_cast<int>(values.size());
+  const std::span<const float> depths = shading.average_depth->depths();
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (i % 4 == 0) values.emplace_back(0.0f);
+    values.back()[static_cast<int>(i % 4)] = depths[i];
+  }
+  return begins;
+}
+
 }  // namespace
 
 std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work,
@@ -46,7 +76,7 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work
   program.set("film", glm::ivec2(work.frame.film.width, work.frame.film.height));
   program.set("has_depths", sums ? 1 : 0);
   upload_light(stages, lighting, device.mesh.middle(), program);
-  upload_values(stages, work, lighting, program);
+  upload_values(stages, work, lighting, device.mesh.middle(), program);
   device.mesh.bind(program);
   lights.bind();
   if (sums) depths_.bind(1);
@@ -87,7 +117,8 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
 
 // As shaders/shade_surfaces.glsl has them.
 void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& work,
-                                 const SurfaceLighting& lighting, const Program& program) {
+                                 const SurfaceLighting& lighting, const glm::dvec3& middle,
+                                 const Program& program) {
   std::vector<float> values;
   const auto begin = [&](const char* place) {
     program.set(place, static_cast<int>(values.size()));
@@ -105,7 +136,16 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& wor
     values.insert(values.end(),
                   {transferred ? 1.0f : 0.0f,
                    static_cast<float>(transferred && is_glossy ? sh_size(transferred->order()) : 0),
-                   static_cast<float>(sides_at_[i][0]), static_cast<float>(sides_at_[i][1])});
+                   static_cast<float>(begins_[i][0]), static_cast<float>(begins_[i][1])});
+    const auto at = static_cast<float>(begins_[i][2]);
+    if (const AverageDepthGrid* grid = shadings[i].average_depth) {
+      append(values, glm::vec3(grid->low() - middle), at);
+      append(values, glm::vec3(grid->cells_per_unit()), 0.0f);
+      append(values, glm::vec3(grid->nodes()), 0.0f);
+    } else {
+      append(values, glm::vec3(0.0f), at);
+      values.resize(values.size() + 8, 0.0f);
+    }
   }
   for (std::size_t i = 0; i < shadings.size(); ++i) {
     if (!shadings[i].material || shadings[i].material->is_diffuse()) continue;
@@ -132,8 +172,8 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& wor
     for (const glm::vec3& c : lighting.environment->coefficients().values()) {
       append(values, c, 0.0f);
     }
-    const auto fog = static_cast<float>(lighting.fog_depth);
-    program.set("environment_shares", lighting.environment->arriving(fog, lighting.albedo));
+    append(values, lighting.environment->scattering());
+    program.set("fog_depth", static_cast<float>(lighting.fog_depth));
     program.set("environment_intensity", static_cast<float>(work.scene.environment->intensity));
   }
   begin("densities_at");
@@ -147,12 +187,9 @@ void SurfaceStage::upload_light(const FrameStages& stages, const SurfaceLighting
                                 const glm::dvec3& middle, const Program& program) {
   const std::uint64_t source = lighting.arriving ? stages.source_revision() : 0;
   const std::uint64_t vertices = stages.shading().light_revision();
-  std::vector<const TransferredLight*> transferred;
-  for (const SurfaceShading& shading : stages.shading().surfaces()) {
-    transferred.push_back(shading.transferred);
-  }
+  const std::vector<SurfaceShading>& shadings = stages.shading().surfaces();
   const bool is_new = source != source_revision_ || vertices != vertex_revision_ ||
-                      transferred != transferred_ || transferred.empty();
+                      !std::ranges::equal(shadings, shadings_, has_same_light) || begins_.empty();
   std::vector<glm::vec4> values;
   program.set("arriving_levels",
               lighting.arriving ? static_cast<int>(lighting.arriving->levels().size()) : 0);
@@ -171,27 +208,12 @@ void SurfaceStage::upload_light(const FrameStages& stages, const SurfaceLighting
   }
   if (!is_new) return;
   source_revision_ = vertex_revision_ = 0;
-  transferred_.clear();
-  sides_at_.clear();
-  for (const TransferredLight* light : transferred) {
-    auto& begins = sides_at_.emplace_back(std::array{-1, -1});
-    for (const MeshSide which : {MeshSide::front, MeshSide::back}) {
-      if (!light || light->side(which).radiance.empty()) continue;
-      const TransferredLight::Side& side = light->side(which);
-      begins[static_cast<std::size_t>(which)] = static_cast<int>(values.size());
-      const std::size_t functions = side.incident.size() / side.radiance.size();
-      for (std::size_t v = 0; v < side.radiance.size(); ++v) {
-        values.emplace_back(side.radiance[v], 0.0f);
-        for (std::size_t i = 0; i < functions; ++i) {
-          values.emplace_back(side.incident[v * functions + i], 0.0f);
-        }
-      }
-    }
-  }
+  begins_.clear();
+  for (const SurfaceShading& shading : shadings) begins_.push_back(append_light(shading, values));
   light_.upload(std::span<const glm::vec4>(values));
   source_revision_ = source;
   vertex_revision_ = vertices;
-  transferred_ = std::move(transferred);
+  shadings_ = shadings;
 }
 
 }  // namespace brume::gl

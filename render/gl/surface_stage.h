@@ -20,7 +20,8 @@ class SurfaceStage {
  private:
   std::uint64_t sum_depths(const SurfaceLighting& lighting, DeviceFrame& device);
   void upload_values(const FrameStages& stages, const FrameWork& work,
-                     const SurfaceLighting& lighting, const Program& program);
+                     const SurfaceLighting& lighting, const glm::dvec3& middle,
+                     const Program& program);
   void upload_light(const FrameStages& stages, const SurfaceLighting& lighting,
                     const glm::dvec3& middle, const Program& program);
 
@@ -30,8 +31,9 @@ class SurfaceStage {
   // vertices; and where that of surfaces begins.
   std::uint64_t source_revision_ = 0;
   std::uint64_t vertex_revision_ = 0;
-  std::vector<const TransferredLight*> transferred_;
-  std::vector<std::array<int, 2>> sides_at_;  // < 0: there is none
+  std::vector<SurfaceShading> shadings_;
+  // Of each surface's light at vertices, front and back, and of its average depths; < 0: none.
+  std::vector<std::array<int, 3>> begins_;
 };
 
 }  // namespace brume::gl

@@ -11,13 +11,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // What arrives of an environment at the nodes of a grid: for each basis function R G B 0. Then what
 // does at vertices of surfaces with radiance transfer: of each what it sends, and for each basis
-// function what it is still to reflect.
+// function what it is still to reflect. Then the average depths around surfaces, four to a vector.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 arriving_values[]; };
 // Per surface: reflectance / pi and Phong's exponent; his highlight, and where the ReflectionTable
 // is (0: diffuse); whether it has transfer, the functions that it still reflects, and where the
-// light at its front and back begins (< 0: there is none). From the places named below on the
+// light at its front and back begins (< 0: there is none); the corner of its grid of average depths
+// and where that begins (< 0: there is none), its cells per unit, its nodes. From the places named below on the
 // elements of a quarter turn, the polynomials of point and distant ScatterTable, the environment's
-// coefficients R G B 0, and for each light the density of the medium there.
+// coefficients R G B 0 and the polynomials of its ScatterTable, and for each light the density of the medium there.
 layout(std430, binding = 7) readonly buffer Values { float values[]; };
 
 uniform float b0;
@@ -30,12 +31,12 @@ uniform int scatters;  // whether the medium sends light of lamps around
 uniform int scatter_at, environment_at, densities_at;
 uniform int has_environment;
 uniform float environment_intensity;
-uniform float environment_shares[sh_bands];  // of what arrives, where there is no grid
+uniform float fog_depth;         // b0's part of the average depth
 uniform int arriving_levels;                 // 0: there is none
 uniform vec4 arriving_first[2];              // as source.glsl has them
 uniform ivec4 arriving_count[2];
 
-const int surface_size = 12;
+const int surface_size = 24;
 
 vec3 values_rgb(int at) { return vec3(values[at], values[at + 1], values[at + 2]); }
 
@@ -160,6 +161,41 @@ void find_arriving(vec3 p, out vec3 light[grid_functions]) {
   }
 }
 
+// AverageDepthGrid of render/cpu.
+float average_depth(SurfacePoint point) {
+  const int surface = surface_size * point.surface;
+  const int first = int(values[surface + 15]);
+  if (first < 0) return 0.0;
+  const ivec3 nodes_ = ivec3(values_rgb(surface + 20));
+  const vec3 at = clamp((point.position - values_rgb(surface + 12)) * values_rgb(surface + 16),
+                        vec3(0.0), vec3(nodes_ - 1));
+  const ivec3 cell = min(ivec3(at), max(nodes_ - 2, 0));
+  const vec3 f = at - vec3(cell);
+  float sum = 0.0;
+  for (int c = 0; c < 8; ++c) {
+    const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
+    const vec3 share = mix(1.0 - f, f, vec3(corner_));
+    const ivec3 node = min(cell + corner_, nodes_ - 1);
+    const int i = (node.z * nodes_.y + node.y) * nodes_.x + node.x;
+    sum += share.x * share.y * share.z * arriving_values[first + i / 4][i % 4];
+  }
+  return sum;
+}
+
+// EnvironmentLight::arriving(): how much of each band arrives, where there is no grid.
+void find_shares(SurfacePoint point, out float shares[sh_bands]) {
+  const float depth = fog_depth + average_depth(point);
+  const float straight = exp(-depth);
+  const float root = sqrt(depth);
+  const float x = scatter_scale * root / (root + 1.0) - 1.0;
+  const bool passes = depth > 0.0 && depth < scatter_opaque;
+  const int first = environment_at + 4 * sh_count;
+  for (int l = 0; l < sh_bands; ++l) {
+    const float spread = scatter_polynomial(first + l * scatter_terms, x);
+    shares[l] = straight + (passes ? albedo * depth * straight * spread : 0.0);
+  }
+}
+
 // The mean of the light that arrives beside that without a medium.
 vec3 dimming(vec3 mean) {
   const vec3 all = values_rgb(environment_at);
@@ -184,25 +220,32 @@ vec3 environment_light(SurfacePoint point) {
     for (int i = 16; i < 25; ++i) fifth += y[i] * values_rgb(environment_at + 4 * i);
     return max(sum + cosine_factors[4] * dimming(light[0]) * fifth, vec3(0.0));
   }
+  float shares[sh_bands];
+  find_shares(point, shares);
   for (int l = 0; l < sh_bands; ++l) {
     vec3 band = vec3(0.0);
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       band += y[i] * values_rgb(environment_at + 4 * i);
     }
-    sum += cosine_factors[l] * environment_shares[l] * band;
+    sum += cosine_factors[l] * shares[l] * band;
   }
   return max(sum, vec3(0.0));
 }
 
 // light += EnvironmentLight::incident().
-void add_environment(vec3 p, inout vec3 light[sh_count]) {
+void add_environment(SurfacePoint point, inout vec3 light[sh_count]) {
   vec3 arrives[grid_functions];
-  if (arriving_levels > 0) find_arriving(p, arrives);
+  float shares[sh_bands];
+  if (arriving_levels > 0) {
+    find_arriving(point.position, arrives);
+  } else {
+    find_shares(point, shares);
+  }
   for (int l = 0; l < sh_bands; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       const vec3 outside = values_rgb(environment_at + 4 * i);
       if (arriving_levels == 0) {
-        light[i] += environment_shares[l] * outside;
+        light[i] += shares[l] * outside;
       } else if (i < grid_functions) {
         light[i] += environment_intensity * arrives[i];
       } else {
@@ -266,7 +309,7 @@ vec3 surface_light(SurfacePoint point, ivec4 hit, vec3 to_eye, int index, int pi
                ? radiance  // values has reflectance / pi
                : radiance + pi * values_rgb(surface) * environment_light(point);
   }
-  if (has_environment != 0) add_environment(point.position, light);
+  if (has_environment != 0) add_environment(point, light);
   return radiance + max(reflected(int(values[surface + 7]), point.normal, to_eye, light), vec3(0.0));
 }
 

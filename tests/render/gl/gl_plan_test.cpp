@@ -67,6 +67,8 @@ TEST(GlPlan, SaysWhatSurfacesAndEnvironmentsNeed) {
   scene.environment.emplace();
   scene.environment->map = constant_sky(1.0f);
   EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "environment"));
+  EXPECT_FALSE(has(plan_of(scene, {}), "environment"));
+  EXPECT_TRUE(has(plan_of(scene, {}), "average_depth"));
 }
 
 }  // namespace

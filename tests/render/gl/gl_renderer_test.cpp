@@ -308,8 +308,13 @@ TEST_F(GlSurfaces, AreLitByAnEnvironment) {
   scene_.environment->rotation = 40.0;
   scene_.environment->intensity = 2.0;
   expect_same(quick_slices(), "Gaussians");
+  expect_same({}, "Gaussians");
   const Scene diffuse = scene_;
+  scene_.medium.set_homogeneous_density(0.2);
   make_glossy();
+  expect_same({}, "Gaussians and fog, glossy");
+  expect_same(quick_slices(), "Gaussians and fog, glossy");
+  scene_.medium.set_homogeneous_density(0.0);
   expect_same(quick_slices(), "Gaussians, glossy");
   scene_.surfaces[0].transfer = Surface::Transfer::shadow;
   expect_same(quick_slices(), "Gaussians, glossy, with transfer");
