@@ -77,8 +77,6 @@ class FrameStages {
   bool begin(FrameWork& work, StageClock& clock);
   // Where view rays end, by Embree; fills the depth layer.
   void find_hits(FrameWork& work, StageClock& clock);
-  // The same found elsewhere: per pixel, those that hit nothing as they are.
-  void set_hits(std::vector<SurfaceHit> hits) { hits_ = std::move(hits); }
   // The light of an environment in the medium. False if the job was stopped.
   bool prepare_source(const FrameWork& work, StageClock& clock);
 

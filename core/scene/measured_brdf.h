@@ -26,6 +26,8 @@ class MeasuredBrdf {
   [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& wi, const glm::dvec3& wo,
                                       const glm::dvec3& n) const;
 
+  [[nodiscard]] const std::vector<glm::vec3>& values() const { return values_; }
+
  private:
   std::vector<glm::vec3> values_;
 };

@@ -32,19 +32,9 @@ std::string refusal_of(const Settings& settings, const RenderPlan& plan) {
   return {};
 }
 
-// Why light on surfaces is the CPU's; empty: it is not.
-std::string surfaces_on_cpu(const Scene& scene) {
-  for (const Surface& surface : scene.surfaces) {
-    if (surface.material.type == Material::Type::measured) {
-      return "measured materials are not on the device yet";
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
-GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan)
+GlPlan::GlPlan(const Settings& settings, const RenderPlan& plan)
     : refusal(refusal_of(settings, plan)) {
   if (!refusal.empty()) {
     on_cpu.push_back({"frame", refusal});
@@ -54,13 +44,8 @@ GlPlan::GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& p
     on_cpu.push_back({"light_depth", "depths of centres are not on the device yet"});
     on_cpu.push_back({"eye_depth", "depths of centres are not on the device yet"});
   }
-  if (plan.lit_surfaces) {
-    const std::string why = surfaces_on_cpu(scene);
-    surfaces = why.empty();
-    if (!surfaces) on_cpu.push_back({"surfaces", why});
-    if (!plan.transfers.empty()) {
-      on_cpu.push_back({"vertex_light", "light at the vertices is not taken on the device yet"});
-    }
+  if (!plan.transfers.empty()) {
+    on_cpu.push_back({"vertex_light", "light at the vertices is not taken on the device yet"});
   }
   if (!plan.environment || !plan.airlight) return;
   if (settings.airlight != AirlightMethod::paper) {

@@ -13,9 +13,8 @@ namespace brume::gl {
 struct GlPlan {
   std::string refusal;               // why all of it is the CPU's; empty: it is not
   std::vector<SkippedStage> on_cpu;  // stages that are the CPU's all the same
-  bool surfaces = false;             // whether light on surfaces is the device's
 
-  GlPlan(const Scene& scene, const Settings& settings, const RenderPlan& plan);
+  GlPlan(const Settings& settings, const RenderPlan& plan);
 };
 
 }  // namespace brume::gl

@@ -92,11 +92,9 @@ struct GlRenderer::Impl {
   ~Impl() { release(true); }
   // Gives all objects back; the shaders too if the context is not used any more.
   void release(bool all);
-  std::optional<Frame> render(FrameWork& work, const GlPlan& plan, tbb::task_arena& arena,
-                              Group& group);
+  std::optional<Frame> render(FrameWork& work, tbb::task_arena& arena, Group& group);
   void find_hits(FrameWork& work, Group& group);
   void find_airlight(FrameWork& work, Group& group, StageClock& clock, DeviceFrame& frame);
-  void shade_on_cpu(FrameWork& work, Group& group, StageClock& clock, tbb::task_arena& arena);
 };
 
 std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
@@ -169,7 +167,7 @@ std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera
                                         const Settings& settings, std::stop_token stop,
                                         const std::function<void(double)>& progress) {
   Impl& impl = *impl_;
-  GlPlan plan(scene, settings, RenderPlan(scene, settings.airlight));
+  GlPlan plan(settings, RenderPlan(scene, settings.airlight));
   std::string refusal = impl.failure.empty() ? plan.refusal : impl.failure;
   if (refusal.empty()) {
     try {
@@ -184,7 +182,7 @@ std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera
           scene, job, [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
             FrameWork work(of, camera, film, settings, *impl.transfers, impl.own_transfers.get(),
                            part, albedo, fog_end);
-            return impl.render(work, plan, arena, *impl.groups[which]);
+            return impl.render(work, arena, *impl.groups[which]);
           });
       if (!frame) return std::nullopt;
       frame->statistics.backend = "gl";
@@ -242,21 +240,8 @@ void GlRenderer::Impl::find_airlight(FrameWork& work, Group& group, StageClock& 
   cpu_clock.finish("submit");
 }
 
-// What surfaces send, found on the CPU from the device's hits.
-void GlRenderer::Impl::shade_on_cpu(FrameWork& work, Group& group, StageClock& cpu_clock,
-                                    tbb::task_arena& arena) {
-  group.stages.set_hits(group.mesh.download_hits());
-  const std::span<const glm::vec3> sent =
-      arena.execute([&] { return group.stages.shade_surfaces(work, cpu_clock); });
-  std::vector<glm::vec4> values;
-  values.reserve(sent.size());
-  for (const glm::vec3& radiance : sent) values.emplace_back(radiance, 0.0f);
-  textures.behind.upload(std::span<const glm::vec4>(values));
-  cpu_clock.finish("upload");
-}
-
-std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, const GlPlan& plan,
-                                              tbb::task_arena& arena, Group& group) {
+std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& arena,
+                                              Group& group) {
   const auto start = std::chrono::steady_clock::now();
   FrameStatistics& statistics = work.frame.statistics;
   statistics.skipped = work.plan.skipped;
@@ -279,7 +264,7 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, const GlPlan& pla
                      group.stages.prepared().medium().homogeneous_density(), work.settings},
                     arena};
   find_airlight(work, group, cpu_clock, frame);
-  if (plan.surfaces) {
+  if (work.plan.lit_surfaces) {
     if (!work.plan.transfers.empty()) {
       arena.execute([&] { group.stages.take_light(work); });
       if (work.job.stop.stop_requested()) return std::nullopt;
@@ -290,8 +275,6 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, const GlPlan& pla
       statistics.light_pairs += group.surfaces.run(
           group.stages, work, has_tables ? &group.sliced.tables() : nullptr, frame);
     });
-  } else if (work.plan.lit_surfaces) {
-    shade_on_cpu(work, group, cpu_clock, arena);
   } else {
     textures.behind.clear();
   }

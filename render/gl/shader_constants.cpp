@@ -9,6 +9,7 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "core/medium/noise.h"
+#include "core/scene/measured_brdf.h"
 #include "render/cpu/ray_range.h"
 #include "render/cpu/reflection_kernels.h"
 #include "render/cpu/scatter_table.h"
@@ -76,6 +77,9 @@ std::string shader_constants() {
   constants.add("sh_down", floats(recurrence.down));
   constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
   constants.add("cosine_factors", EnvironmentLight::cosine_factors());
+  constants.add("theta_h_cells", MeasuredBrdf::theta_h_cells);
+  constants.add("theta_d_cells", MeasuredBrdf::theta_d_cells);
+  constants.add("phi_d_cells", MeasuredBrdf::phi_d_cells);
   constants.add("reflection_intervals", ReflectionTable::intervals);
   constants.add("reflection_row", static_cast<int>(ReflectionTable::row_size));
   constants.add("scatter_terms", ScatterTable::degree + 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/scene/measured_brdf.h"
 #include "render/cpu/reflection_kernels.h"
 #include "render/cpu/transferred_light.h"
 
@@ -29,8 +30,8 @@ bool has_same_light(const SurfaceShading& a, const SurfaceShading& b) {
 
 // Appends the light at a surface's vertices, front and back, and the average depths around it;
 // where they begin.
-std::array<int, 3> append_light(const SurfaceShading& shading, std::vector<glm::vec4>& values) {
-  std::array<int, 3> begins{-1, -1, -1};
+std::array<int, 4> append_light(const SurfaceShading& shading, std::vector<glm::vec4>& values) {
+  std::array<int, 4> begins{-1, -1, -1, -1};
   for (const MeshSide which : {MeshSide::front, MeshSide::back}) {
     if (!shading.transferred || shading.transferred->side(which).radiance.empty()) continue;
     const TransferredLight::Side& side = shading.transferred->side(which);
@@ -51,6 +52,22 @@ std::array<int, 3> append_light(const SurfaceShading& shading, std::vector<glm::
     values.back()[static_cast<int>(i % 4)] = depths[i];
   }
   return begins;
+}
+
+// The tables of measured materials, each once; where they begin.
+void append_tables(std::span<const std::shared_ptr<const MeasuredBrdf>> measured,
+                   std::vector<glm::vec4>& values, std::span<std::array<int, 4>> begins) {
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    if (!measured[i]) continue;
+    const auto known =
+        static_cast<std::size_t>(std::ranges::find(measured, measured[i]) - measured.begin());
+    if (known < i) {
+      begins[i][3] = begins[known][3];
+      continue;
+    }
+    begins[i][3] = static_cast<int>(values.size());
+    for (const glm::vec3& value : measured[i]->values()) values.emplace_back(value, 0.0f);
+  }
 }
 
 }  // namespace
@@ -75,7 +92,7 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work
   program.set("margin", static_cast<float>(Visibility::self_hit_margin));
   program.set("film", glm::ivec2(work.frame.film.width, work.frame.film.height));
   program.set("has_depths", sums ? 1 : 0);
-  upload_light(stages, lighting, device.mesh.middle(), program);
+  upload_light(stages, work, lighting, device.mesh.middle(), program);
   upload_values(stages, work, lighting, device.mesh.middle(), program);
   device.mesh.bind(program);
   lights.bind();
@@ -137,15 +154,12 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& wor
                   {transferred ? 1.0f : 0.0f,
                    static_cast<float>(transferred && is_glossy ? sh_size(transferred->order()) : 0),
                    static_cast<float>(begins_[i][0]), static_cast<float>(begins_[i][1])});
-    const auto at = static_cast<float>(begins_[i][2]);
-    if (const AverageDepthGrid* grid = shadings[i].average_depth) {
-      append(values, glm::vec3(grid->low() - middle), at);
-      append(values, glm::vec3(grid->cells_per_unit()), 0.0f);
-      append(values, glm::vec3(grid->nodes()), 0.0f);
-    } else {
-      append(values, glm::vec3(0.0f), at);
-      values.resize(values.size() + 8, 0.0f);
-    }
+    const AverageDepthGrid* grid = shadings[i].average_depth;
+    append(values, grid ? glm::vec3(grid->low() - middle) : glm::vec3(0.0f),
+           static_cast<float>(begins_[i][2]));
+    append(values, grid ? glm::vec3(grid->cells_per_unit()) : glm::vec3(0.0f),
+           static_cast<float>(begins_[i][3]));
+    append(values, grid ? glm::vec3(grid->nodes()) : glm::vec3(0.0f), 0.0f);
   }
   for (std::size_t i = 0; i < shadings.size(); ++i) {
     if (!shadings[i].material || shadings[i].material->is_diffuse()) continue;
@@ -183,12 +197,19 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& wor
   values_.upload(std::span<const float>(values));
 }
 
-void SurfaceStage::upload_light(const FrameStages& stages, const SurfaceLighting& lighting,
-                                const glm::dvec3& middle, const Program& program) {
+void SurfaceStage::upload_light(const FrameStages& stages, const FrameWork& work,
+                                const SurfaceLighting& lighting, const glm::dvec3& middle,
+                                const Program& program) {
   const std::uint64_t source = lighting.arriving ? stages.source_revision() : 0;
   const std::uint64_t vertices = stages.shading().light_revision();
   const std::vector<SurfaceShading>& shadings = stages.shading().surfaces();
+  std::vector<std::shared_ptr<const MeasuredBrdf>> measured;
+  for (const Surface& surface : work.scene.surfaces) {
+    const bool is_measured = surface.material.type == Material::Type::measured;
+    measured.push_back(is_measured ? surface.material.measured : nullptr);
+  }
   const bool is_new = source != source_revision_ || vertices != vertex_revision_ ||
+                      measured != measured_ ||
                       !std::ranges::equal(shadings, shadings_, has_same_light) || begins_.empty();
   std::vector<glm::vec4> values;
   program.set("arriving_levels",
@@ -210,10 +231,16 @@ void SurfaceStage::upload_light(const FrameStages& stages, const SurfaceLighting
   source_revision_ = vertex_revision_ = 0;
   begins_.clear();
   for (const SurfaceShading& shading : shadings) begins_.push_back(append_light(shading, values));
+  append_tables(measured, values, begins_);
+  // Shaders are told in floats where things begin.
+  if (values.size() > std::size_t{1} << 24) {
+    throw OutOfMemory("the light of all surfaces is too much for the device");
+  }
   light_.upload(std::span<const glm::vec4>(values));
   source_revision_ = source;
   vertex_revision_ = vertices;
   shadings_ = shadings;
+  measured_ = std::move(measured);
 }
 
 }  // namespace brume::gl

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render/gl/sliced_stage.h"
@@ -22,8 +23,9 @@ class SurfaceStage {
   void upload_values(const FrameStages& stages, const FrameWork& work,
                      const SurfaceLighting& lighting, const glm::dvec3& middle,
                      const Program& program);
-  void upload_light(const FrameStages& stages, const SurfaceLighting& lighting,
-                    const glm::dvec3& middle, const Program& program);
+  void upload_light(const FrameStages& stages, const FrameWork& work,
+                    const SurfaceLighting& lighting, const glm::dvec3& middle,
+                    const Program& program);
 
   LightTables lights_;  // without tables
   Buffer depths_, totals_, values_, light_;
@@ -32,8 +34,10 @@ class SurfaceStage {
   std::uint64_t source_revision_ = 0;
   std::uint64_t vertex_revision_ = 0;
   std::vector<SurfaceShading> shadings_;
-  // Of each surface's light at vertices, front and back, and of its average depths; < 0: none.
-  std::vector<std::array<int, 3>> begins_;
+  std::vector<std::shared_ptr<const MeasuredBrdf>> measured_;  // of each surface; null: none
+  // Of each surface's light at vertices, front and back, of its average depths and its table of a
+  // measured material; < 0: there is none.
+  std::vector<std::array<int, 4>> begins_;
 };
 
 }  // namespace brume::gl

@@ -42,7 +42,8 @@ double median(std::vector<double> values) {
 
 // The stages that a frame's device runs; the others are the processor's.
 bool is_on_device(const std::string& stage) {
-  constexpr const char* names[] = {"lists", "light_table", "airlight", "upsample", "composite"};
+  constexpr const char* names[] = {"visibility", "lists",    "light_table", "shadow_map",
+                                   "airlight",   "upsample", "surfaces",    "composite"};
   return std::ranges::find(names, stage) != std::end(names);
 }
 

@@ -11,12 +11,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // What arrives of an environment at the nodes of a grid: for each basis function R G B 0. Then what
 // does at vertices of surfaces with radiance transfer: of each what it sends, and for each basis
-// function what it is still to reflect. Then the average depths around surfaces, four to a vector.
+// function what it is still to reflect. Then the average depths around surfaces, four to a vector,
+// and the tables of measured materials.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 arriving_values[]; };
 // Per surface: reflectance / pi and Phong's exponent; his highlight, and where the ReflectionTable
 // is (0: diffuse); whether it has transfer, the functions that it still reflects, and where the
 // light at its front and back begins (< 0: there is none); the corner of its grid of average depths
-// and where that begins (< 0: there is none), its cells per unit, its nodes. From the places named below on the
+// and where that begins (< 0: there is none); its cells per unit, and where the table of a measured
+// material begins (< 0: it is not one); its nodes. From the places named below on the
 // elements of a quarter turn, the polynomials of point and distant ScatterTable, the environment's
 // coefficients R G B 0 and the polynomials of its ScatterTable, and for each light the density of the medium there.
 layout(std430, binding = 7) readonly buffer Values { float values[]; };
@@ -41,6 +43,7 @@ const int surface_size = 24;
 vec3 values_rgb(int at) { return vec3(values[at], values[at + 1], values[at + 2]); }
 
 #include "radiance_map.glsl"
+#include "measured_brdf.glsl"
 #include "reflection.glsl"
 
 // A light as seen from a point.
@@ -82,7 +85,11 @@ vec3 direct_light(int l, SurfacePoint point, LightAtPoint at, vec3 to_eye) {
   const int material = surface_size * point.surface;
   const vec3 intensity = lights[l].intensity.rgb;
   const float arrives = at.cosine * at.inverse_square * exp(-at.depth);
-  vec3 radiance = arrives * (values_rgb(material) * intensity);
+  const int measured = int(values[material + 19]);
+  if (measured >= 0) {
+    return measured_brdf(measured, -at.w, to_eye, point.normal) * intensity * arrives;
+  }
+  const vec3 radiance = arrives * (values_rgb(material) * intensity);
   const vec3 highlight = values_rgb(material + 4);
   // w mirrored at the normal, times the direction to the eye.
   const float r = 2.0 * at.cosine * dot(point.normal, to_eye) + dot(at.w, to_eye);

@@ -12,7 +12,7 @@ namespace brume::gl {
 namespace {
 
 GlPlan plan_of(const Scene& scene, const Settings& settings) {
-  return {scene, settings, RenderPlan(scene, settings.airlight)};
+  return {settings, RenderPlan(scene, settings.airlight)};
 }
 
 bool has(const GlPlan& plan, const char* stage) {
@@ -55,13 +55,7 @@ TEST(GlPlan, SaysWhatSurfacesAndEnvironmentsNeed) {
   EXPECT_FALSE(has(plan, "visibility"));
   EXPECT_FALSE(has(plan, "shadow_map"));
   EXPECT_FALSE(has(plan, "surfaces"));
-  EXPECT_TRUE(plan.surfaces);
   EXPECT_FALSE(has(plan, "environment"));
-  scene.surfaces[0].material.type = Material::Type::measured;
-  EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "surfaces"));
-  EXPECT_FALSE(plan_of(scene, sliced_settings({}, 12)).surfaces);
-  scene.surfaces[0].material.type = Material::Type::phong;
-  EXPECT_TRUE(plan_of(scene, sliced_settings({}, 12)).surfaces);
   scene.surfaces[0].transfer = Surface::Transfer::shadow;
   EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "vertex_light"));
   scene.environment.emplace();

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/io/scene_file.h"
+#include "core/scene/measured_brdf.h"
 #include "core/scene/radiance_map.h"
 #include "render/compare.h"
 #include "render/renderer.h"
@@ -279,6 +280,32 @@ TEST_F(GlSurfaces, AreLitByLamps) {
     expect_same(settings, "clear air, glossy");
     scene_ = in_fog;
   }
+}
+
+// Of two tables, one with cells that were not measured.
+TEST_F(GlSurfaces, AreOfMeasuredMaterials) {
+  for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
+    std::vector<glm::vec3> values(MeasuredBrdf::samples);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const auto h =
+          static_cast<float>(k / (MeasuredBrdf::theta_d_cells * MeasuredBrdf::phi_d_cells));
+      const auto d =
+          static_cast<float>(k / MeasuredBrdf::phi_d_cells % MeasuredBrdf::theta_d_cells);
+      const auto p = static_cast<float>(k % MeasuredBrdf::phi_d_cells);
+      values[k] = {std::exp(-0.1f * h), 0.2f + 0.002f * d, 0.3f + 0.1f * std::sin(0.035f * p)};
+      if (i == 0 && k % 7 == 0) values[k] = glm::vec3(-1.0f);
+    }
+    Material& material = scene_.surfaces[i].material;
+    material.type = Material::Type::measured;
+    material.measured = std::make_shared<const MeasuredBrdf>(std::move(values));
+  }
+  scene_.surfaces.push_back(wall(-0.5, 1.0));
+  expect_same(quick_slices(), "measured");
+  expect_same({}, "measured");
+  std::swap(scene_.surfaces[0].material, scene_.surfaces[1].material);
+  expect_same(quick_slices(), "measured, the other way round");
+  scene_.medium = Medium();
+  expect_same(quick_slices(), "measured, in clear air");
 }
 
 TEST_F(GlSurfaces, WithRadianceTransferAreLit) {
