@@ -82,7 +82,9 @@ void LogPlot::dot(double x, double y, const char* color, const std::string& titl
   put(svg_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"><title>%s</title></circle>\n",
       px(x), py(y), color, escaped(title).c_str());
   if (label.empty()) return;
-  put(svg_, "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\">%s</text>\n", px(x) + 7, py(y) + 4, color,
+  const bool is_left = px(x) < 0.7 * right;  // with room beside it
+  put(svg_, "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"%s\">%s</text>\n",
+      px(x) + (is_left ? 7 : -7), py(y) + 4, color, is_left ? "start" : "end",
       escaped(label).c_str());
 }
 
