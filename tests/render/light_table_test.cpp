@@ -60,6 +60,40 @@ TEST(LightTable, FindsTheDepthOfTheMedium) {
 }
 
 // What an update makes is what a new table would hold, to a step or two of its 16 bits.
+TEST(TableRadii, AreEvenOrHalfOfThemNear) {
+  const TableRadii even(65, 1.0, 9.0, 4.0);
+  EXPECT_EQ(even.bend, 0.0);
+  EXPECT_DOUBLE_EQ(even.radius(16), 3.0);
+  EXPECT_DOUBLE_EQ(even.last(), 9.0);
+
+  const TableRadii near(65, 1.0, 1e4, 2.0);
+  EXPECT_NEAR(near.radius(32), 3.0, 1e-9);
+  EXPECT_NEAR(near.last(), 1e4, 1e-6);
+  for (int k = 0; k < 64; ++k) {
+    const double x = near.radius(k) - near.first;
+    EXPECT_NEAR(near.per_unit * x / (1.0 + near.bend * x), k, 1e-9) << "as a look-up finds it";
+    EXPECT_LT(near.radius(k), near.radius(k + 1));
+  }
+}
+
+// One Gaussian as large as the world does not take the radii of a small cloud.
+TEST(LightTable, FindsASmallCloudInAHugeGaussian) {
+  Scene scene = cloud_scene(30, 2.0);
+  scene.medium.append({{0, 0, 0}, 1e4, 1e-4});
+  const MediumIndex medium(scene.medium, 1e-6);
+  const std::vector<glm::dvec3> points = points_in_the_cloud(500);
+  const glm::dvec3 light(2, 3, 2);
+  const std::vector<double> depths = depths_of(LightTable(medium, light, {}), points);
+  double square = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::dvec3 q = points[i] - light;
+    const double d = glm::length(q);
+    square += std::pow(depths[i] - medium.depth({light, q / d, d}), 2);
+  }
+  // Half of the radii are left to the cloud; with even ones it is 0.7.
+  EXPECT_LT(std::sqrt(square / static_cast<double>(points.size())), 0.04);
+}
+
 TEST(LightTable, UpdatesAreExact) {
   // Small ones, each seen in some directions only.
   Random random(5);
