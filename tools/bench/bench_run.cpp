@@ -26,7 +26,7 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   Renderer renderer(transfers);
   Settings settings = fewest_slices(renderer, scene);
   settings.threads = options.threads;
-  const Truth truth = find_truth(scene, 300);
+  const Truth truth = find_truth(scene, 300, 1e-3);
   return {kind.name, kind.frames_per_second, measure(renderer, scene, settings, truth.sample, 2.0),
           measure_kernel_share(scene, settings, options.quick ? 3 : 9)};
 }

@@ -34,10 +34,10 @@ std::string setting_name(const Settings& settings) {
   return name;
 }
 
-Truth find_truth(const Scene& scene, std::size_t pixels) {
+Truth find_truth(const Scene& scene, std::size_t pixels, double tolerance) {
   const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 12));
   const double begin = cpu_seconds();
-  ErrorSample sample = *ErrorSample::take(scene, scene.camera, guide, pixels, 1, 1e-4);
+  ErrorSample sample = *ErrorSample::take(scene, scene.camera, guide, pixels, 1, tolerance);
   const double film = static_cast<double>(scene.film.width) * scene.film.height;
   return {std::move(sample), 1e3 * (cpu_seconds() - begin) * film / static_cast<double>(pixels)};
 }

@@ -46,7 +46,7 @@ struct Truth {
   ErrorSample sample;
   double frame_cpu_milliseconds;
 };
-Truth find_truth(const Scene& scene, std::size_t pixels);
+Truth find_truth(const Scene& scene, std::size_t pixels, double tolerance = 1e-4);
 
 // A first frame, of which the error is, and moved ones: 3 to 15 in `seconds`.
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,

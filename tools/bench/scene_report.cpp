@@ -80,7 +80,7 @@ SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, 
   report.film = scene.film;
   const std::size_t pixels = scene.medium.size() > 1000 ? 150 : 400;
   const Truth truth = find_truth(scene, options.quick ? pixels / 2 : pixels);
-  const double seconds = options.quick ? 0.15 : 1.0;
+  const double seconds = options.quick ? 0.15 : 0.4;
   report.reference_cpu_milliseconds = truth.frame_cpu_milliseconds;
   for (const Settings& settings : tried_settings(options)) {
     Renderer renderer;
