@@ -4,9 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
-#include "core/scene/radiance_map.h"
 #include "render/auto_quality.h"
 #include "render/environment_source.h"
 #include "render/renderer.h"
@@ -14,18 +12,6 @@
 
 namespace brume {
 namespace {
-
-// Bright above, dark below, with a sun.
-std::shared_ptr<const RadianceMap> sunny_sky() {
-  auto map = std::make_shared<RadianceMap>(RadianceMap{256, 128, {}});
-  const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 1.5, 0.5));
-  for (int i = 0; i < 256 * 128; ++i) {
-    const glm::dvec3 d = map_direction(*map, {i % 256 + 0.5, i / 256 + 0.5});
-    map->pixels.emplace_back(
-        glm::dvec3(0.1 + std::max(d.y, 0.0) + (glm::dot(d, sun) > 0.97 ? 20.0 : 0.0)));
-  }
-  return map;
-}
 
 // The grid of n Gaussians, and frames with k slices, at an anisotropy of a tenth of the third
 // argument; with_surfaces_ms is what the grid takes where surfaces receive light.

@@ -37,16 +37,20 @@ Json to_json(const KernelShare& share) {
           {"used_lanes", share.used_lanes}};
 }
 
+Json to_json(const ErrorEstimate& error) {
+  return {{"rel_rmse", error.rel_rmse},
+          {"low", error.low},
+          {"high", error.high},
+          {"pixels", error.pixels}};
+}
+
 Json to_json(const Measurement& m) {
   Json json;
   json["setting"] = m.setting;
   json["frame_ms"] = to_json(m.milliseconds);
   json["cpu_ms"] = to_json(m.cpu_milliseconds);
   json["first_frame_ms"] = m.first_milliseconds;
-  json["error"] = {{"rel_rmse", m.error.rel_rmse},
-                   {"low", m.error.low},
-                   {"high", m.error.high},
-                   {"pixels", m.error.pixels}};
+  json["error"] = to_json(m.error);
   json["view_pairs"] = m.pairs;
   Json stages = Json::array();
   for (const StageTime& stage : m.stages) {
@@ -107,6 +111,23 @@ std::string to_json(const BenchReport& report) {
   Json scenes = Json::array();
   for (const SceneReport& scene : report.scenes) scenes.push_back(to_json(scene));
   json["scenes"] = std::move(scenes);
+  Json thickness = Json::array();
+  for (const ThicknessRow& row : report.thickness) {
+    thickness.push_back({{"factor", row.factor},
+                         {"greatest_depth", row.greatest_depth},
+                         {"paper", to_json(row.paper)},
+                         {"sliced", to_json(row.sliced)}});
+  }
+  json["thickness"] = std::move(thickness);
+  Json skies = Json::array();
+  for (const SkyRow& row : report.skies) {
+    skies.push_back({{"gaussians", row.gaussians},
+                     {"depth", row.depth},
+                     {"anisotropy", row.anisotropy},
+                     {"even", to_json(row.even)},
+                     {"sunny", to_json(row.sunny)}});
+  }
+  json["skies"] = std::move(skies);
   Json curves = Json::array();
   for (const CostCurve& curve : report.curves) {
     Json points = Json::array();

@@ -157,6 +157,34 @@ void put_gl(const BenchReport& report, std::string& page) {
   }
 }
 
+void put_thickness(const std::vector<ThicknessRow>& rows, std::string& page) {
+  if (rows.empty()) return;
+  page +=
+      "\n## Thin and thick fog\n\nThe sample scene dense_cloud, all densities times a factor.\n\n"
+      "| factor | greatest optical depth | `paper` | `sliced` 24 |\n|---|---|---|---|\n";
+  for (const ThicknessRow& row : rows) {
+    put(page, "| %g | %.2g | %.2g%% (%.2g to %.2g) | %.2g%% (%.2g to %.2g) |\n", row.factor,
+        row.greatest_depth, 100.0 * row.paper.rel_rmse, 100.0 * row.paper.low,
+        100.0 * row.paper.high, 100.0 * row.sliced.rel_rmse, 100.0 * row.sliced.low,
+        100.0 * row.sliced.high);
+  }
+}
+
+void put_skies(const std::vector<SkyRow>& rows, std::string& page) {
+  if (rows.empty()) return;
+  page +=
+      "\n## Light of an environment\n\nThe error of `sliced` 24 in clouds that only a sky lights: "
+      "an even one, and one that is brighter above and has a sun.\n\n"
+      "| Gaussians | optical depth | anisotropy | even sky | sky with a sun |\n"
+      "|---|---|---|---|---|\n";
+  for (const SkyRow& row : rows) {
+    put(page, "| %d | %g | %g | %.2g%% (%.2g to %.2g) | %.2g%% (%.2g to %.2g) |\n", row.gaussians,
+        row.depth, row.anisotropy, 100.0 * row.even.rel_rmse, 100.0 * row.even.low,
+        100.0 * row.even.high, 100.0 * row.sunny.rel_rmse, 100.0 * row.sunny.low,
+        100.0 * row.sunny.high);
+  }
+}
+
 void put_curves(const std::vector<CostCurve>& curves, std::string& page) {
   if (curves.empty()) return;
   page +=
@@ -259,6 +287,8 @@ std::string to_markdown(const BenchReport& report) {
   put_head(report, page);
   put_fastest(report.scenes, page);
   put_errors(report.scenes, page);
+  put_thickness(report.thickness, page);
+  put_skies(report.skies, page);
   put_peers(report.scenes, page);
   put_gl(report, page);
   put_table_one(report.table_one, page);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench/fog_errors.h"
 #include "tools/bench/frontier.h"
 #include "tools/bench/hard_cases.h"
 #include "tools/bench/kernel_limit.h"
@@ -68,6 +69,8 @@ struct BenchReport {
   int threads = 0;
   std::string gl_device;  // empty: no OpenGL was measured
   std::vector<SceneReport> scenes;
+  std::vector<ThicknessRow> thickness;
+  std::vector<SkyRow> skies;
   std::vector<CostCurve> curves;
   std::vector<ThreadRow> thread_rows;
   std::vector<PlanSaving> savings;

@@ -96,6 +96,9 @@ BenchReport run_bench(const BenchOptions& options,
     report.scenes.push_back(measure_scene(scene, options, gl.get()));
   }
   if (!options.scenes.empty()) return report;
+  tell("errors over thickness, and under skies");
+  report.thickness = measure_thickness(options.quick ? 100 : 400);
+  if (!options.quick) report.skies = measure_skies();
   report.curves = measure_cost_curves(options, tell);
   tell("threads");
   report.thread_rows = measure_threads(options);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
 
@@ -83,13 +84,34 @@ Scene box_scene(int count, int lights) {
   return scene;
 }
 
-std::shared_ptr<const RadianceMap> gradient_sky() {
-  auto map = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
-  for (int i = 0; i < 64 * 32; ++i) {
-    const glm::dvec3 d = map_direction(*map, {i % 64 + 0.5, i / 64 + 0.5});
-    map->pixels.emplace_back(glm::dvec3(0.2, 0.25, 0.3) + std::max(d.y, 0.0));
+namespace {
+
+// radiance(direction) at 2 n by n pixels.
+template <class Radiance>
+std::shared_ptr<const RadianceMap> sky(int n, Radiance radiance) {
+  auto map = std::make_shared<RadianceMap>(RadianceMap{2 * n, n, {}});
+  for (int i = 0; i < 2 * n * n; ++i) {
+    map->pixels.emplace_back(radiance(map_direction(*map, {i % (2 * n) + 0.5, i / (2 * n) + 0.5})));
   }
   return map;
+}
+
+}  // namespace
+
+std::shared_ptr<const RadianceMap> even_sky() {
+  return sky(8, [](const glm::dvec3&) { return glm::dvec3(1.0); });
+}
+
+std::shared_ptr<const RadianceMap> gradient_sky() {
+  return sky(32,
+             [](const glm::dvec3& d) { return glm::dvec3(0.2, 0.25, 0.3) + std::max(d.y, 0.0); });
+}
+
+std::shared_ptr<const RadianceMap> sunny_sky() {
+  const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 1.5, 0.5));
+  return sky(128, [&](const glm::dvec3& d) {
+    return glm::dvec3(0.1 + std::max(d.y, 0.0) + (glm::dot(d, sun) > 0.97 ? 20.0 : 0.0));
+  });
 }
 
 Settings fewest_slices(FrameRenderer& renderer, const Scene& scene) {

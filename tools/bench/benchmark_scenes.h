@@ -29,8 +29,10 @@ Medium box_of(int count);
 // That box before a camera, with so many lights around it.
 Scene box_scene(int count, int lights);
 
-// A sky that is brighter above.
+// Skies: the same everywhere; brighter above; that with a sun.
+std::shared_ptr<const RadianceMap> even_sky();
 std::shared_ptr<const RadianceMap> gradient_sky();
+std::shared_ptr<const RadianceMap> sunny_sky();
 
 // `sliced` with the airlight at every fourth pixel and the fewest slices that keep an error of 2%
 // on the scene's own film, by the upper end of the interval of 1000 pixels; the most where none
