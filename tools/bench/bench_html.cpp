@@ -197,7 +197,7 @@ std::string to_html(const BenchReport& report) {
       "converged integral at some pixels of the same frames. "
       "<b style=\"color:#c4a000\">paper</b>, <b style=\"color:#1f77b4\">sliced</b> and "
       "<b style=\"color:#d62728\">march</b>, pale at full resolution, "
-      "<b style=\"color:#9467bd\">other programs</b>; the line is the frontier.</p>\n";
+      "other programs in other colours; the line is the frontier.</p>\n";
   for (const SceneReport& scene : report.scenes) put_scene(scene, html);
   if (!report.curves.empty()) put_curves(report.curves, html);
   if (!report.thread_rows.empty()) put_threads(report.thread_rows, html);

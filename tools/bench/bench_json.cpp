@@ -50,6 +50,7 @@ Json to_json(const Measurement& m) {
   json["frame_ms"] = to_json(m.milliseconds);
   json["cpu_ms"] = to_json(m.cpu_milliseconds);
   json["first_frame_ms"] = m.first_milliseconds;
+  json["first_frame_cpu_ms"] = m.first_cpu_milliseconds;
   json["error"] = to_json(m.error);
   json["view_pairs"] = m.pairs;
   Json stages = Json::array();

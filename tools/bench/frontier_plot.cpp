@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
 
 #include "tools/bench/log_plot.h"
 
@@ -11,7 +10,9 @@ namespace {
 
 constexpr const char* reference_color = "#555";
 constexpr const char* gl_color = "#2ca02c";
-constexpr const char* peer_color = "#9467bd";
+
+// One after the other.
+constexpr const char* peer_colors[] = {"#9467bd", "#8c564b", "#e377c2"};
 
 const char* color_of(const Settings& settings) {
   switch (settings.airlight) {
@@ -35,7 +36,7 @@ std::string title(const std::string& name, double error, double milliseconds) {
 
 }  // namespace
 
-std::string frontier_plot(const SceneReport& scene, bool with_labels) {
+std::string frontier_plot(const SceneReport& scene, bool with_legend) {
   double least_time = scene.settings[0].cpu_milliseconds.median;
   double greatest_time = scene.reference_cpu_milliseconds;
   double least_error = 1e-3;
@@ -53,13 +54,12 @@ std::string frontier_plot(const SceneReport& scene, bool with_labels) {
 
   LogPlot plot({100.0 * least_error, 100.0 * greatest_error}, {least_time, greatest_time},
                "error: relative RMSE of the airlight [%]", "CPU time of a frame [ms]");
-  std::set<std::string> labelled;
-  const auto label = [&](const std::string& name) {
-    return with_labels && labelled.insert(name).second ? name : std::string();
-  };
+  std::vector<std::pair<std::string, std::string>> legend;
   const auto dot = [&](const std::string& name, double error, double milliseconds,
-                       const char* color, const std::string& shown) {
-    plot.dot(100.0 * error, milliseconds, color, title(name, error, milliseconds), label(shown));
+                       const char* color, const std::string& kind) {
+    plot.dot(100.0 * error, milliseconds, color, title(name, error, milliseconds));
+    const std::pair<std::string, std::string> entry{kind, color};
+    if (std::ranges::find(legend, entry) == legend.end()) legend.push_back(entry);
   };
   std::vector<std::pair<double, double>> best;
   for (const std::size_t i : frontier(scene.settings)) {
@@ -67,7 +67,6 @@ std::string frontier_plot(const SceneReport& scene, bool with_labels) {
     best.emplace_back(100.0 * m.error.rel_rmse, m.cpu_milliseconds.median);
   }
   plot.line(best, "#333");
-  // The cheapest of each method bears its name.
   for (const Measurement& m : scene.settings) {
     const std::string method = to_string(m.settings.airlight);
     dot(m.setting, m.error.rel_rmse, m.cpu_milliseconds.median, color_of(m.settings),
@@ -76,11 +75,17 @@ std::string frontier_plot(const SceneReport& scene, bool with_labels) {
   for (const Measurement& m : scene.on_gl) {
     dot("OpenGL, " + m.setting, m.error.rel_rmse, m.cpu_milliseconds.median, gl_color, "OpenGL");
   }
+  std::vector<std::string> programs;
   for (const PeerRow& peer : scene.peers) {
+    auto known = std::ranges::find(programs, peer.program);
+    if (known == programs.end()) known = programs.insert(known, peer.program);
+    const char* const peer_color =
+        peer_colors[static_cast<std::size_t>(known - programs.begin()) % std::size(peer_colors)];
     dot(peer.program + ", " + peer.setting, peer.rel_rmse, peer.cpu_milliseconds, peer_color,
         peer.program);
   }
   dot("reference", least_error, scene.reference_cpu_milliseconds, reference_color, "reference");
+  if (with_legend) plot.legend(legend);
   return plot.svg();
 }
 

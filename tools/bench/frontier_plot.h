@@ -7,7 +7,7 @@
 namespace brume {
 
 // The CPU time of a scene's settings, of the reference and of other programs against their error,
-// as SVG. `with_labels`: names stand beside what bounds the frontier and beside the others.
-std::string frontier_plot(const SceneReport& scene, bool with_labels = false);
+// as SVG. `with_legend`: what the colours mean is in it.
+std::string frontier_plot(const SceneReport& scene, bool with_legend = false);
 
 }  // namespace brume

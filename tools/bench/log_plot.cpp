@@ -77,15 +77,19 @@ LogPlot::LogPlot(Range x, Range y, const char* x_title, const char* y_title)
       (top + bottom) / 2, y_title);
 }
 
-void LogPlot::dot(double x, double y, const char* color, const std::string& title,
-                  const std::string& label) {
+void LogPlot::dot(double x, double y, const char* color, const std::string& title) {
   put(svg_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"><title>%s</title></circle>\n",
       px(x), py(y), color, escaped(title).c_str());
-  if (label.empty()) return;
-  const bool is_left = px(x) < 0.7 * right;  // with room beside it
-  put(svg_, "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"%s\">%s</text>\n",
-      px(x) + (is_left ? 7 : -7), py(y) + 4, color, is_left ? "start" : "end",
-      escaped(label).c_str());
+}
+
+void LogPlot::legend(const std::vector<std::pair<std::string, std::string>>& names_and_colors) {
+  int y = bottom - 6 - 14 * (static_cast<int>(names_and_colors.size()) - 1);
+  for (const auto& [name, color] : names_and_colors) {
+    put(svg_,
+        "<circle cx=\"%d\" cy=\"%d\" r=\"4\" fill=\"%s\"/><text x=\"%d\" y=\"%d\">%s</text>\n",
+        left + 12, y - 4, color.c_str(), left + 22, y, escaped(name).c_str());
+    y += 14;
+  }
 }
 
 void LogPlot::line(const std::vector<std::pair<double, double>>& points, const char* color) {

@@ -19,10 +19,12 @@ class LogPlot {
 
   LogPlot(Range x, Range y, const char* x_title, const char* y_title);
 
-  // `title` is shown where the mouse is; `label` beside the dot, if there is one.
-  void dot(double x, double y, const char* color, const std::string& title,
-           const std::string& label = "");
+  // `title` is shown where the mouse is.
+  void dot(double x, double y, const char* color, const std::string& title);
   void line(const std::vector<std::pair<double, double>>& points, const char* color);
+
+  // What the colours mean, in the lower left corner.
+  void legend(const std::vector<std::pair<std::string, std::string>>& names_and_colors);
 
   [[nodiscard]] std::string svg() const { return svg_ + "</svg>\n"; }
 

@@ -78,8 +78,10 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
   result.setting = setting_name(settings);
   result.settings = settings;
   const Clock::time_point begin = Clock::now();
+  const double cpu_begin = cpu_seconds();
   const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
   result.first_milliseconds = milliseconds_since(begin);
+  result.first_cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
   result.error = truth.measure(first);
   result.pairs = first.statistics.view_pairs;
   static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds);

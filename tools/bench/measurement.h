@@ -35,6 +35,7 @@ struct Measurement : MovedFrames {
   std::string setting;  // "sliced 24, scale 4"
   Settings settings;
   double first_milliseconds = 0.0;
+  double first_cpu_milliseconds = 0.0;
   ErrorEstimate error;
   std::uint64_t pairs = 0;  // Gaussian x ray pairs of the view
 };
