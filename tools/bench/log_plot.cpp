@@ -8,7 +8,7 @@
 namespace brume {
 namespace {
 
-constexpr int width = 640, height = 320;
+constexpr int height = 320;
 constexpr int left = 64, right = 620, top = 12, bottom = 272;
 
 LogPlot::Range decades(LogPlot::Range range) {
@@ -54,11 +54,6 @@ std::string escaped(const std::string& text) {
 
 LogPlot::LogPlot(Range x, Range y, const char* x_title, const char* y_title)
     : x_(decades(x)), y_(decades(y)) {
-  put(svg_,
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
-      "font-family=\"sans-serif\" font-size=\"11\"><rect width=\"100%%\" height=\"100%%\" "
-      "fill=\"#fff\"/>\n",
-      width, height, width);
   for (double d = x_.first; d <= x_.second; ++d) {
     const double at = px(std::pow(10, d));
     put(svg_, "<path stroke=\"#ddd\" d=\"M%.1f %d V%d\"/>", at, top, bottom);
@@ -83,13 +78,24 @@ void LogPlot::dot(double x, double y, const char* color, const std::string& titl
 }
 
 void LogPlot::legend(const std::vector<std::pair<std::string, std::string>>& names_and_colors) {
-  int y = bottom - 6 - 14 * (static_cast<int>(names_and_colors.size()) - 1);
+  width_ += 170;
+  int y = top + 10;
   for (const auto& [name, color] : names_and_colors) {
     put(svg_,
         "<circle cx=\"%d\" cy=\"%d\" r=\"4\" fill=\"%s\"/><text x=\"%d\" y=\"%d\">%s</text>\n",
-        left + 12, y - 4, color.c_str(), left + 22, y, escaped(name).c_str());
-    y += 14;
+        right + 20, y - 4, color.c_str(), right + 30, y, escaped(name).c_str());
+    y += 16;
   }
+}
+
+std::string LogPlot::svg() const {
+  std::string text;
+  put(text,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+      "font-family=\"sans-serif\" font-size=\"11\"><rect width=\"100%%\" height=\"100%%\" "
+      "fill=\"#fff\"/>\n",
+      width_, height, width_);
+  return text + svg_ + "</svg>\n";
 }
 
 void LogPlot::line(const std::vector<std::pair<double, double>>& points, const char* color) {

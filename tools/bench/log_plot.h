@@ -23,16 +23,17 @@ class LogPlot {
   void dot(double x, double y, const char* color, const std::string& title);
   void line(const std::vector<std::pair<double, double>>& points, const char* color);
 
-  // What the colours mean, in the lower left corner.
+  // What the colours mean, to the right of the plot.
   void legend(const std::vector<std::pair<std::string, std::string>>& names_and_colors);
 
-  [[nodiscard]] std::string svg() const { return svg_ + "</svg>\n"; }
+  [[nodiscard]] std::string svg() const;
 
  private:
   [[nodiscard]] double px(double x) const;
   [[nodiscard]] double py(double y) const;
 
   Range x_, y_;
+  int width_ = 640;
   std::string svg_;
 };
 
