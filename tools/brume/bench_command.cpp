@@ -19,7 +19,7 @@
 namespace brume {
 namespace {
 
-// A scene's file may not be named like any scene.
+// The command for the report, without names that only this machine has.
 std::string shown_command(bool quick, bool of_scenes, bool with_peers) {
   std::string command = "brume bench";
   if (quick) command += " --quick";
