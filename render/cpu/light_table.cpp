@@ -8,7 +8,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "render/cpu/slice_kernels.h"
 
@@ -18,22 +17,20 @@ namespace {
 // Directions are built in square blocks, whose rays share a list of Gaussians.
 constexpr int block_side = 8;
 
-// The map is laid out for this much of each Gaussian, in radii; what lies further out gets the
-// depth of the map's border: below 0.2% of the depth through its centre, and below 0.02 where that
-// is great.
-double core_radii(double greatest_depth) {
-  constexpr double least = 2.5;
-  return greatest_depth > 1.0 ? std::max(least, std::sqrt(std::log(greatest_depth / 0.02))) : least;
-}
+// The map is laid out for the core of each Gaussian; what lies further out gets the depth of the
+// map's border. So many radii, beyond which it is below 0.2% of the depth through its centre, or as
+// far as it has this depth.
+constexpr double core_radii = 2.5;
+constexpr double core_depth = 0.02;
 
 }  // namespace
 
 TableGaussian::TableGaussian(const MediumIndex& medium, std::size_t index)
     : center(medium.gaussians()[index].b),
       core(std::min(medium.reach()[index],
-                    core_radii(std::sqrt(std::numbers::pi) * medium.gaussians()[index].c /
-                               medium.gaussians()[index].a) /
-                        medium.gaussians()[index].a)),
+                    std::max(core_radii / medium.gaussians()[index].a,
+                             brume::reach(1.0 / medium.gaussians()[index].a,
+                                          medium.gaussians()[index].c, core_depth)))),
       reach(medium.reach()[index]) {}
 
 TableRadii::TableRadii(int count_, double first_, double last, double half)

@@ -33,10 +33,12 @@ double line_depth(double peak, double r) {
   return std::sqrt(std::numbers::pi) * peak * r;
 }
 
-// How far from its centre a Gaussian wants slices, over its radius: an opaque one out to where its
-// tail is a fiftieth deep.
-double core_radii(double depth) {
-  return depth < slice_opaque ? 2.0 : std::sqrt(std::log(50.0 * depth));
+// An opaque Gaussian wants slices out to where its tail has this depth.
+constexpr double tail_depth = 0.02;
+
+// How far from its centre a Gaussian of radius r and density c wants slices.
+double core_reach(double r, double c) {
+  return line_depth(c, r) < slice_opaque ? 2.0 * r : reach(r, c, tail_depth);
 }
 
 // How many boundaries a stretch of a ray wants: the midpoint rule is off by the second derivative
@@ -53,9 +55,9 @@ class SliceDemand {
   // A Gaussian of radius r whose density is `peak` where the ray passes it at t.
   void add(double t, double r, double peak) {
     add_box(t, 1.5 * r, 0.59 * peak, peak / (r * r));  // with the Gaussian's integral
-    const double depth = line_depth(peak, r);
-    if (depth < slice_opaque) return;
-    for (double k = 1.5; k < core_radii(depth); k += 0.5) {
+    if (line_depth(peak, r) < slice_opaque) return;
+    const double last = reach(r, peak, tail_depth) / r;
+    for (double k = 1.5; k < last; k += 0.5) {
       const double middle = k + 0.25;
       const double density = peak * std::exp(-middle * middle);
       add_box(t, (k + 0.5) * r, density, 4.0 * middle * middle * density / (r * r));
@@ -146,7 +148,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const double t = glm::dot(g.b - rays.eye, w);
     const double r = medium.reach()[i];
     reach.add(t - r, t + r);
-    const double half = std::min(core_radii(line_depth(g.c, 1.0 / g.a)) / g.a, r);
+    const double half = std::min(core_reach(1.0 / g.a, g.c), r);
     core.add(t - half, t + half);
   }
   reach.clip(longest);
@@ -167,7 +169,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
         const GaussianTerm<double>& g = medium.gaussians()[i];
         const glm::dvec3 q = g.b - rays.eye;
         const double t = glm::dot(q, w);
-        const double half = core_radii(line_depth(g.c, 1.0 / g.a)) / g.a;
+        const double half = core_reach(1.0 / g.a, g.c);
         if (t + half < core.begin || t - half > core.end) continue;
         const double h = g.a * std::max(glm::length(q - t * w) - spread * std::max(t, 0.0), 0.0);
         demand.add(t, 1.0 / g.a, g.c * std::exp(-h * h));
