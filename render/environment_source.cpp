@@ -26,9 +26,9 @@ RadianceMap empty_map(double anisotropy) {
 
 // What a family of groups sends on towards each direction, less what the grid has of it: the bands
 // of the groups as single lights.
-std::shared_ptr<const RadianceMap> scattered_beyond(const PhaseBands& bands, double anisotropy,
-                                                    std::span<const LightGroup* const> family,
-                                                    const Job& job) {
+std::shared_ptr<const RadianceMap> scattered_by_peak(const PhaseBands& bands, double anisotropy,
+                                                     std::span<const LightGroup* const> family,
+                                                     const Job& job) {
   auto map = std::make_shared<RadianceMap>(empty_map(anisotropy));
   const auto width = static_cast<std::size_t>(map->width);
   job.each(static_cast<std::size_t>(map->height), [&](std::size_t y) {
@@ -51,6 +51,20 @@ std::shared_ptr<const RadianceMap> scattered_beyond(const PhaseBands& bands, dou
 
 double power(const DistantLight& light) {
   return light.flux.x + light.flux.y + light.flux.z;
+}
+
+// Whether the light comes from within 14 degrees or so (rms) of one direction.
+bool is_beam(std::span<const LightGroup* const> family) {
+  constexpr double least_resultant = 0.97;
+  double sum = 0.0;
+  glm::dvec3 moment(0.0);
+  for (const LightGroup* group : family) {
+    for (const DistantLight& part : group->parts) {
+      sum += power(part);
+      moment += power(part) * part.direction;
+    }
+  }
+  return glm::length(moment) > least_resultant * sum;
 }
 
 }  // namespace
@@ -108,14 +122,19 @@ void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std:
     power_ += own;
   }
   phase_ = PhaseBands(anisotropy);
-  beyond_.clear();
-  if (phase_.count() == 1) return;
-  for (int family = 0; family < source_families; ++family) {
+  peaks_.clear();
+  if (phase_.count() > 1) find_peaks(groups, anisotropy, job);
+}
+
+void EnvironmentSource::find_peaks(std::span<const LightGroup> groups, double anisotropy,
+                                   const Job& job) {
+  for (std::size_t family = 0; family < source_families; ++family) {
     std::vector<const LightGroup*> members;
     for (const LightGroup& group : groups) {
-      if (group.family == family) members.push_back(&group);
+      if (group.family == static_cast<int>(family)) members.push_back(&group);
     }
-    beyond_.push_back(scattered_beyond(phase_, anisotropy, members, job));
+    peaks_.push_back(scattered_by_peak(phase_, anisotropy, members, job));
+    is_beam_[family] = is_beam(members);
   }
 }
 
@@ -123,7 +142,20 @@ EnvironmentSource::WeightParts EnvironmentSource::weight_parts() const {
   // Sums of what is beyond float would not be numbers.
   const double scale =
       std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power_, 1e-30));
-  return {scale, phase_.factors(), beyond_, environment_.rotation};
+  return {scale, phase_.factors(), peaks_, is_beam_, environment_.rotation};
+}
+
+glm::vec3 EnvironmentSource::peak(const SourceLookUp& from_eye, const SourceWeights& weights,
+                                  float line_depth) const {
+  SourceLookUp::Families passes;
+  if (anisotropy_ > 0.0) {
+    passes.fill(std::exp(-line_depth));
+  } else {
+    passes = from_eye.families_at_origin();
+  }
+  glm::vec3 sum(0.0f);
+  for (std::size_t f = 0; f < passes.size(); ++f) sum += passes[f] * weights.spread[f];
+  return sum;
 }
 
 SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
@@ -135,10 +167,12 @@ SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
       weights.harmonics[4 * i + c] = static_cast<float>(scale * static_cast<double>(bands[i]));
     }
   }
-  if (beyond_.empty()) return weights;
+  if (peaks_.empty()) return weights;
   const glm::vec3 in_map(glm::conjugate(environment_rotation(environment_)) * w);
-  for (std::size_t f = 0; f < beyond_.size(); ++f) {
-    weights.families[f] = static_cast<float>(scale) * map_radiance(*beyond_[f], in_map);
+  for (std::size_t f = 0; f < peaks_.size(); ++f) {
+    const glm::vec3 scattered = static_cast<float>(scale) * map_radiance(*peaks_[f], in_map);
+    (is_beam_[f] ? weights.beams : weights.spread)[f] = scattered;
+    weights.has_beams |= is_beam_[f];
   }
   return weights;
 }

@@ -342,6 +342,10 @@ void PathBatch::assign(std::span<const glm::dvec3> directions, std::span<const d
   }
 }
 
+void PathBatch::end_nowhere() {
+  std::ranges::fill(length, std::numeric_limits<float>::infinity());
+}
+
 void PathBatch::assign(const glm::dvec3& origin, std::span<const glm::dvec3> ends,
                        std::span<const std::int32_t> self_of) {
   resize(ends.size());

@@ -57,6 +57,7 @@ struct PathBatch {
               std::span<const std::int32_t> self_of);
   // Rays of unit directions; lengths may be +inf.
   void assign(std::span<const glm::dvec3> directions, std::span<const double> lengths);
+  void end_nowhere();  // all lengths become infinite
   void resize(std::size_t size);
   [[nodiscard]] std::size_t padded_size() const { return x.size(); }
 };

@@ -43,6 +43,7 @@ struct Scratch {
   std::vector<double> exact;
   std::vector<SourceWeights> source_weights;
   std::vector<glm::vec3> environment;  // per ray
+  std::vector<float> along_rays;       // see SliceShares
 };
 
 // Sets up the steps of every ray and clears what is summed over them.
@@ -112,13 +113,31 @@ std::uint64_t add_light(const MediumIndex& medium, const Visibility& visibility,
   return pairs;
 }
 
-// Adds what the samples scatter of the environment.
-void add_environment(const EnvironmentSource& environment, const TileRays& rays, Scratch& s) {
+// Adds what the samples scatter of the environment, but for its peak.
+void add_environment(const EnvironmentSource& environment, const MediumIndex& medium,
+                     const TileRays& rays, Scratch& s) {
   const SourceLookUp source(environment.grid(), rays.eye);
+  const auto b0 = static_cast<float>(medium.homogeneous_density());
   for (const std::size_t k : s.kept) {
     const float share = s.weights[k] * std::exp(-s.depths[k]);
     s.environment[k] += source(glm::vec3(rays.directions[k]), std::span(&s.t[k], 1),
                                std::span(&share, 1), s.source_weights[k]);
+    const float fog = b0 * s.t[k];
+    s.along_rays[k] +=
+        s.weights[k] * std::exp(medium.anisotropy() > 0.0 ? -fog : fog - 2.0f * s.depths[k]);
+  }
+}
+
+// Adds what the peak of the phase function scatters of it.
+void add_peak(const EnvironmentSource& environment, const TileRays& rays, Scratch& s) {
+  const SourceLookUp source(environment.grid(), rays.eye);
+  PathBatch lines = s.rays;
+  lines.end_nowhere();
+  std::fill(s.depths.begin(), s.depths.end(), 0.0f);
+  accumulate_path_depths(s.batch, lines, s.depths.data());
+  for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+    s.environment[k] +=
+        s.along_rays[k] * environment.peak(source, s.source_weights[k], s.depths[k]);
   }
 }
 
@@ -136,16 +155,18 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
     s.source_weights.push_back(environment->weights(rays.directions[k]));
   }
   s.environment.assign(rays.directions.size(), glm::vec3(0.0f));
+  s.along_rays.assign(rays.directions.size(), 0.0f);
   const bool is_lit = environment || !lights.empty();
   for (int index = 0; index < steps && is_lit; ++index) {
     pairs += take_samples(medium, rays, index, steps, s);
     if (s.kept.empty()) continue;
-    if (environment) add_environment(*environment, rays, s);
+    if (environment) add_environment(*environment, medium, rays, s);
     for (std::size_t l = 0; l < lights.size(); ++l) {
       pairs += add_light(medium, visibility, lights[l], rays.eye, s, s.radiance[l]);
     }
   }
 
+  if (environment && environment->has_peak()) add_peak(*environment, rays, s);
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
   accumulate_path_depths(s.batch, s.rays, s.depths.data());
   const double b0 = medium.homogeneous_density();

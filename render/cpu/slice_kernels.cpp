@@ -216,12 +216,47 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
   return hn::IfThenElse(small, direct, wide);
 }
 
+// SliceShares::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
+// (G' + b0) exp(-b0 t) dt, or of (G' + b0) exp(-2 G - b0 t) dt for light from the eye. The exponent
+// grows evenly within a slice.
+void SumAlongRays(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
+                  float b0, bool from_eye, float* sums) {
+  const D d;
+  const std::size_t stride = rays.padded_size();
+  const V per_depth = set(from_eye ? 2.0f : 0.0f);
+  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    const V length = hn::LoadU(d, rays.length.data() + i);
+    V begin = hn::Min(set(boundaries[0]), length);
+    V passes = hn::Exp(d, hn::Mul(set(-b0), begin));
+    V sum = hn::Zero(d);
+    for (std::size_t k = 0; k + 1 < boundaries.size(); ++k) {
+      const V end = hn::Min(set(boundaries[k + 1]), length);
+      const V fog = hn::Mul(set(b0), hn::Sub(end, begin));
+      const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), hn::Zero(d));
+      const V exponent = hn::MulAdd(per_depth, gaussians, fog);
+      const V left = hn::Mul(passes, hn::Exp(d, hn::Neg(exponent)));
+      // The mean of exp(-exponent x) over x in [0, 1], times what passes.
+      const V mean = hn::IfThenElse(hn::Lt(exponent, set(1e-2f)),
+                                    hn::NegMulAdd(hn::Mul(set(0.5f), exponent), passes, passes),
+                                    hn::Div(hn::Sub(passes, left), hn::Max(exponent, set(1e-30f))));
+      sum = hn::MulAdd(mean, hn::Add(gaussians, fog), sum);
+      passes = left;
+      begin = end;
+    }
+    hn::StoreU(sum, d, sums + i);
+  }
+}
+
 void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
                float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
-               float* depths, float* shares, const std::array<float*, light_pack>& radiance) {
+               float* depths, const SliceShares& shares,
+               const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
+  if (shares.along_rays) {
+    SumAlongRays(rays, boundaries, increments, b0, anisotropy < 0.0f, shares.along_rays);
+  }
   std::array<LightTable::View, light_pack> tables{};
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (lights[l].table && !lights[l].table->empty()) tables[l] = lights[l].table->view();
@@ -250,7 +285,7 @@ void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const f
       const V increment = hn::MulAdd(set(b0), width, gaussians);
       const V next_depth = hn::Add(depth, increment);
       const auto matters = hn::And(hn::Gt(increment, set(negligible)), hn::Lt(depth, set(20.0f)));
-      if (shares) hn::StoreU(zero, d, shares + k * stride + i);
+      if (shares.of_slices) hn::StoreU(zero, d, shares.of_slices + k * stride + i);
       if (!hn::AllFalse(d, matters)) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
         const V lost = hn::Mul(
@@ -258,7 +293,9 @@ void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const f
             hn::IfThenElse(hn::Lt(increment, set(1e-3f)),
                            hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
                            hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
-        if (shares) hn::StoreU(hn::IfThenElseZero(matters, lost), d, shares + k * stride + i);
+        if (shares.of_slices) {
+          hn::StoreU(hn::IfThenElseZero(matters, lost), d, shares.of_slices + k * stride + i);
+        }
         const V middle = hn::Mul(set(0.5f), hn::Add(begin, end));
         for (std::size_t l = 0; l < lights.size(); ++l) {
           const V falloff = MeanInverseSquare(hn::Sub(begin, ts[l]), hn::Sub(end, ts[l]), h2[l]);
@@ -315,7 +352,8 @@ void look_up_depths(const LightTable& table, const PathBatch& paths, float* dept
 
 void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
                 float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, float* shares, const std::array<float*, light_pack>& radiance) {
+                float* depths, const SliceShares& shares,
+                const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
   (rays, boundaries, increments, b0, anisotropy, negligible, lights, depths, shares, radiance);
 }

@@ -34,15 +34,26 @@ struct SliceLight {
   const ShadowMap* shadows = nullptr;  // null: no surface does
 };
 
+// What slices scatter towards the eye of light from far away; null: not asked for.
+struct SliceShares {
+  // shares[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)): slice k of ray i, of light
+  // that is 1 all around.
+  float* of_slices = nullptr;
+  // [i]: all slices of ray i together, of light that comes along the ray and that only Gaussians
+  // dim: from the eye, where it is 1, if the anisotropy is negative, else from behind, where it is
+  // exp(their depth on the ray).
+  float* along_rays = nullptr;
+};
+
 // Single scattering summed front to back over the slices (K = boundaries.size() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
 //   (times henyey_greenstein() at x_k, the middle of the slice)
 // radiance[l][i] += that per unit of the light's intensity [1/u^2]; depths[i] = T(v, p) of
 // Gaussians and b0 up to t_K. A slice whose depth is below `negligible` gives no light. At most
-// light_pack lights. Unless null, shares[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)),
-// what slice k of ray i scatters towards the eye of a light that is 1 all around.
+// light_pack lights.
 void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
                 float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, float* shares, const std::array<float*, light_pack>& radiance);
+                float* depths, const SliceShares& shares,
+                const std::array<float*, light_pack>& radiance);
 
 }  // namespace brume

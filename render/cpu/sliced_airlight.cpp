@@ -20,6 +20,8 @@ struct Scratch {
   std::vector<float> depths;
   std::vector<float> shares;               // of the slices of all rays
   std::vector<float> middles, ray_shares;  // of those of one
+  PathBatch lines;                         // the rays without an end
+  std::vector<float> along_rays, line_depths;
   std::array<std::vector<float>, light_pack> radiance;
 };
 
@@ -37,8 +39,12 @@ void add_environment(const EnvironmentSource& environment, const TileRays& rays,
       s.ray_shares[k] = s.shares[k * stride + i];
     }
     const glm::dvec3& w = rays.directions[i];
-    airlight[i] +=
-        glm::max(source(glm::vec3(w), s.middles, s.ray_shares, environment.weights(w)), 0.0f);
+    const SourceWeights weights = environment.weights(w);
+    glm::vec3 scattered = source(glm::vec3(w), s.middles, s.ray_shares, weights);
+    if (environment.has_peak()) {
+      scattered += s.along_rays[i] * environment.peak(source, weights, s.line_depths[i]);
+    }
+    airlight[i] += glm::max(scattered, 0.0f);
   }
 }
 
@@ -66,7 +72,19 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   const double b0 = medium.homogeneous_density();
   const auto negligible = static_cast<float>(medium.negligible_depth());
   s.depths.resize(stride);
-  if (environment) s.shares.resize(s.increments.size());
+  SliceShares shares;
+  if (environment) {
+    s.shares.resize(s.increments.size());
+    shares.of_slices = s.shares.data();
+    if (environment->has_peak()) {
+      s.along_rays.resize(stride);
+      shares.along_rays = s.along_rays.data();
+      s.lines = s.rays;
+      s.lines.end_nowhere();
+      s.line_depths.assign(stride, 0.0f);
+      accumulate_path_depths(s.batch, s.lines, s.line_depths.data());
+    }
+  }
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
     std::array<SliceLight, light_pack> pack;
     std::array<float*, light_pack> radiance{};
@@ -80,7 +98,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     }
     sum_slices(s.rays, s.boundaries, s.increments.data(), static_cast<float>(b0),
                static_cast<float>(medium.anisotropy()), negligible, std::span(pack).first(size),
-               s.depths.data(), environment && first == 0 ? s.shares.data() : nullptr, radiance);
+               s.depths.data(), first == 0 ? shares : SliceShares(), radiance);
     for (std::size_t l = 0; l < size; ++l) {
       const glm::vec3 intensity(lights[first + l].intensity);
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];

@@ -118,9 +118,11 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
 
 PhaseBands::PhaseBands(double anisotropy) : count_(anisotropy == 0.0 ? 1 : most) {
   double factor = 1.0;
+  double of_peak = std::pow(anisotropy, most);
   for (double& f : factors_) {
-    f = factor;
+    f = factor - of_peak;
     factor *= anisotropy;
+    of_peak = std::copysign(of_peak, factor);
   }
 }
 

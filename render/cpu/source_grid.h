@@ -17,8 +17,11 @@
 
 namespace brume {
 
-// The bands of the Henyey-Greenstein phase function that a SourceGrid keeps: band l of the light
-// around a point times g^l is that band of what is scattered there.
+// The bands of the Henyey-Greenstein phase function that a SourceGrid keeps. What it has beyond
+// them is a narrow peak; the bands of that are taken out of the others and left with it, as delta-M
+// does (Wiscombe 1977): band l of the light around a point times g^l - p_l is that band of what is
+// scattered there but for the peak, whose bands p_l are g^4 (sgn g)^l for l < 4, and g^l from there
+// on.
 class PhaseBands {
  public:
   static constexpr int most = grid_bands;

@@ -1,6 +1,7 @@
 #include "render/cpu/source_look_up.h"
 
 #include <algorithm>
+#include <glm/vector_relational.hpp>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -71,19 +72,20 @@ HWY_INLINE hn::Vec<D> Mixed(const Cell& cell, D d, std::size_t i) {
 }
 
 // In vectors of no more floats than nodes have.
-template <int bands>
+template <int bands, bool has_beams>
 HWY_INLINE glm::vec3 Sum(std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
                          std::span<const float> t, std::span<const float> shares,
                          const SourceWeights& weights) {
   constexpr std::size_t size = SourceGrid::node_size(bands);
   constexpr std::size_t harmonics = 4 * sh_size(bands);
+  constexpr std::size_t used = has_beams ? size : harmonics;
   const hn::CappedTag<float, (size < 16 ? size : 16)> d;
-  float sums[size] = {};
+  float sums[used] = {};
   for (std::size_t k = 0; k < t.size(); ++k) {
     if (!(shares[k] > 0.0f)) continue;
     const Cell cell = CellAt(levels, &SourceLookUp::Level::values, t[k] * w, size);
     const auto share = hn::Set(d, shares[k]);
-    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < used; i += hn::Lanes(d)) {
       hn::StoreU(hn::MulAdd(share, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d, sums + i);
     }
   }
@@ -92,10 +94,19 @@ HWY_INLINE glm::vec3 Sum(std::span<const SourceLookUp::Level> levels, const glm:
     const float* weight = weights.harmonics.data() + i;
     result += glm::vec3(weight[0] * sums[i], weight[1] * sums[i + 1], weight[2] * sums[i + 2]);
   }
-  for (std::size_t f = harmonics; f < size; ++f) {
-    result += sums[f] * weights.families[f - harmonics];
+  for (std::size_t f = harmonics; f < used; ++f) {
+    result += sums[f] * weights.beams[f - harmonics];
   }
   return result;
+}
+
+void FamiliesAtOrigin(std::span<const SourceLookUp::Level> levels, float* values) {
+  constexpr std::size_t size = SourceGrid::node_size(PhaseBands::most);
+  const hn::CappedTag<float, 16> d;
+  const Cell cell = CellAt(levels, &SourceLookUp::Level::values, glm::vec3(0.0f), size);
+  for (std::size_t i = 0; i < source_families; i += hn::Lanes(d)) {
+    hn::StoreU(Mixed<size>(cell, d, size - source_families + i), d, values + i);
+  }
 }
 
 void MixArriving(std::span<const SourceLookUp::Level> levels, const glm::vec3& p, float* values) {
@@ -110,8 +121,10 @@ void MixArriving(std::span<const SourceLookUp::Level> levels, const glm::vec3& p
 glm::vec3 SumSource(int bands, std::span<const SourceLookUp::Level> levels, const glm::vec3& w,
                     std::span<const float> t, std::span<const float> shares,
                     const SourceWeights& weights) {
-  return bands == 1 ? Sum<1>(levels, w, t, shares, weights)
-                    : Sum<PhaseBands::most>(levels, w, t, shares, weights);
+  constexpr int most = PhaseBands::most;
+  if (bands == 1) return Sum<1, false>(levels, w, t, shares, weights);
+  return weights.has_beams ? Sum<most, true>(levels, w, t, shares, weights)
+                           : Sum<most, false>(levels, w, t, shares, weights);
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -121,6 +134,7 @@ HWY_AFTER_NAMESPACE();
 namespace brume {
 
 HWY_EXPORT(SumSource);
+HWY_EXPORT(FamiliesAtOrigin);
 HWY_EXPORT(MixArriving);
 
 SourceLookUp::SourceLookUp(const SourceGrid& grid, const glm::dvec3& origin)
@@ -136,6 +150,20 @@ glm::vec3 SourceLookUp::operator()(const glm::vec3& w, std::span<const float> t,
                                    const SourceWeights& weights) const {
   return HWY_DYNAMIC_DISPATCH(SumSource)(bands_, std::span(levels_).first(count_), w, t, shares,
                                          weights);
+}
+
+SourceLookUp::Families SourceLookUp::families_at_origin() const {
+  Families passes;
+  const Level& coarsest = levels_[count_ - 1];
+  const glm::vec3 at = -coarsest.per_unit * coarsest.first;
+  const bool is_inside = glm::all(glm::greaterThanEqual(at, glm::vec3(0.0f))) &&
+                         glm::all(glm::lessThanEqual(at, glm::vec3(coarsest.count - 1)));
+  if (is_inside) {
+    HWY_DYNAMIC_DISPATCH(FamiliesAtOrigin)(std::span(levels_).first(count_), passes.data());
+  } else {
+    passes.fill(1.0f);
+  }
+  return passes;
 }
 
 ArrivingLight SourceLookUp::arriving(const glm::vec3& p) const {

@@ -13,7 +13,10 @@ namespace brume {
 // its weight.
 struct SourceWeights {
   std::array<float, 4 * sh_size(PhaseBands::most)> harmonics{};  // for each R G B 0
-  std::array<glm::vec3, source_families> families{};
+  bool has_beams = false;
+  std::array<glm::vec3, source_families> beams{};
+  // Not of J: what the peak of the phase function makes of the other families.
+  std::array<glm::vec3, source_families> spread{};
 };
 
 // The light that arrives at a point: for each basis function R G B 0.
@@ -29,6 +32,11 @@ class SourceLookUp {
   [[nodiscard]] glm::vec3 operator()(const glm::vec3& w, std::span<const float> t,
                                      std::span<const float> shares,
                                      const SourceWeights& weights) const;
+
+  // The transmittance towards each family at the origin, in a grid of more than one band; beyond
+  // the grid it is 1. Thread-safe.
+  using Families = std::array<float, source_families>;
+  [[nodiscard]] Families families_at_origin() const;
 
   // The light that arrives at origin + p, where the grid has receivers. Thread-safe.
   [[nodiscard]] ArrivingLight arriving(const glm::vec3& p) const;

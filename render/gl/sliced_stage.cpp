@@ -90,15 +90,18 @@ void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec
   program.set("source_bands", static_cast<int>(parts.factors.size()));
   program.set("source_scale", static_cast<float>(parts.scale));
   program.set("source_map_at", static_cast<int>(at));
-  if (!parts.beyond.empty()) {
-    const RadianceMap& map = *parts.beyond[0];  // all have the same size
+  int beams = 0;
+  for (std::size_t f = 0; f < parts.peaks.size(); ++f) beams |= parts.is_beam[f] ? 1 << f : 0;
+  program.set("source_beams", beams);
+  if (!parts.peaks.empty()) {
+    const RadianceMap& map = *parts.peaks[0];  // all have the same size
     const double angle = glm::radians(parts.rotation);
     program.set("source_map_size", glm::ivec2(map.width, map.height));
     program.set("source_rotation", glm::vec2(std::cos(angle), std::sin(angle)));
   }
-  for (const auto& beyond : parts.beyond) {
-    for (std::size_t i = 0; is_new && i < beyond->pixels.size(); ++i) {
-      values.emplace_back(beyond->pixels[i], 0.0f);
+  for (const auto& peak : parts.peaks) {
+    for (std::size_t i = 0; is_new && i < peak->pixels.size(); ++i) {
+      values.emplace_back(peak->pixels[i], 0.0f);
     }
   }
   if (!is_new) return;

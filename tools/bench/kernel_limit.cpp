@@ -106,7 +106,7 @@ Seconds run_kernels(const View& view, float negligible) {
     });
     const auto sum = [&](const Lights& lights) {
       sum_slices(tile.rays, tile.boundaries, increments.data(), 0.0f, 0.0f, negligible,
-                 std::span(lights).first(view.light_count), depths.data(), nullptr, out);
+                 std::span(lights).first(view.light_count), depths.data(), {}, out);
     };
     timed(seconds.sum, [&] { sum(view.lights); });
     timed(seconds.small_sum, [&] { sum(view.small_lights); });

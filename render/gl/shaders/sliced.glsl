@@ -54,6 +54,12 @@ void main() {
   vec3 scattered = vec3(0.0);
   uint pairs = 0u;
   float from = last > 0 ? min(boundaries[0], length_) : 0.0;
+  // SliceShares::along_rays.
+  const bool has_peak = source_levels > 0 && source_bands > 1;
+  const bool needs_line = has_peak && anisotropy > 0.0;
+  float along_ray = 0.0;
+  float line_depth = 0.0;  // of all Gaussians, also behind surfaces
+  float passes = exp(-b0 * from);
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
     for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
@@ -64,7 +70,7 @@ void main() {
       if (base + id < end) {
         const uint i = list[base + id];
         const ivec4 range = slices_of(i, ray, first, last);
-        if (range.x < range.y) {
+        if (range.x < range.y || (needs_line && first == 0)) {
           const uint slot = atomicAdd(found, 1u);
           batch_position[slot] = seen[2 * i];
           batch_shape[slot] = seen[2 * i + 1];
@@ -78,6 +84,9 @@ void main() {
         const Crossing crossing = view_crossing(g.xyz, w, g.w, shape.z);
         if (crossing.e > shape.y) continue;
         pairs += uint(batch_slices[j].z);
+        if (needs_line && first == 0) {
+          line_depth += shape.x * crossing_depth(crossing, g.w, 1e18);
+        }
         add_increments(increments, crossing, g.w, shape.x, length_, first, batch_slices[j].xy);
       }
     }
@@ -86,7 +95,16 @@ void main() {
     const int count = min(chunk, last - first);
     for (int k = 0; k < count; ++k) {
       const float to = min(boundaries[first + k + 1], length_);
-      const float increment = b0 * (to - from) + max(spilled[k * group_size + id], 0.0);
+      const float gaussians = max(spilled[k * group_size + id], 0.0);
+      const float fog = b0 * (to - from);
+      const float increment = fog + gaussians;
+      if (has_peak) {
+        const float exponent = anisotropy < 0.0 ? 2.0 * gaussians + fog : fog;
+        const float left = passes * exp(-exponent);
+        along_ray += increment * (exponent < 1e-2 ? passes - 0.5 * exponent * passes
+                                                  : (passes - left) / exponent);
+        passes = left;
+      }
       if (increment > negligible && depth < 20.0) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
         const float lost = exp(-depth) * (increment < 1e-3 ? increment - 0.5 * increment * increment
@@ -114,6 +132,9 @@ void main() {
       depth += increment;
       from = to;
     }
+  }
+  if (has_peak) {
+    scattered += along_ray * source_peak(anisotropy < 0.0, line_depth);
   }
   // Fog goes on where slices end; the Gaussians do not.
   if (b0 > 0.0 && last > 0) depth += b0 * (length_ - min(length_, boundaries[last]));

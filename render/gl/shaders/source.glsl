@@ -14,8 +14,9 @@ uniform int source_bands;     // of a node: 1, or 4 where scattering is not alik
 uniform vec4 source_factors;  // what the phase function makes of each band
 uniform float source_scale;
 // With more than one band nodes also have the transmittance of each family, and from source_map_at
-// on there is a map for each of what it sends beyond the bands.
+// on there is a map for each of what the phase function's peak makes of it.
 uniform int source_map_at;
+uniform int source_beams;  // bit f: family f is a beam
 uniform ivec2 source_map_size;
 uniform vec2 source_rotation;  // of the maps: cosine and sine
 
@@ -42,37 +43,80 @@ void set_source_weights(vec3 w) {
   }
 }
 
-vec3 source_at(vec3 p) {
-  const int functions = source_bands * source_bands;
-  const int node_size = functions + (source_bands > 1 ? source_families / 4 : 0);  // in vec4
+vec3 source_position(int level, vec3 p) {
+  return source_first[level].w * (p - source_first[level].xyz);
+}
+
+bool is_on_source(int level, vec3 at) {
+  return all(greaterThanEqual(at, vec3(0.0))) &&
+         all(lessThanEqual(at, vec3(source_count[level].xyz - 1)));
+}
+
+// A corner of the cell that holds a point: where its node begins, and its share.
+struct SourceCorner {
+  int first;
+  float share;
+};
+
+int source_functions() { return source_bands * source_bands; }
+
+SourceCorner source_corner(vec3 p, int c) {
   int level = 0;
-  vec3 at = source_first[0].w * (p - source_first[0].xyz);
-  if (source_levels > 1 && (any(lessThan(at, vec3(0.0))) ||
-                            any(greaterThan(at, vec3(source_count[0].xyz - 1))))) {
+  vec3 at = source_position(0, p);
+  if (source_levels > 1 && !is_on_source(0, at)) {
     level = 1;
-    at = source_first[1].w * (p - source_first[1].xyz);
+    at = source_position(1, p);
   }
   const ivec4 count = source_count[level];
   const vec3 last = vec3(count.xyz - 2);
   const vec3 x = clamp(at, vec3(0.0), last + 1.0);
   const vec3 low = min(floor(x), last);
-  const vec3 f = x - low;
-  const ivec3 cell = ivec3(low);
+  const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
+  const vec3 share = mix(1.0 - (x - low), x - low, vec3(corner_));
+  const ivec3 node = ivec3(low) + corner_;
+  const int node_size = source_functions() + (source_bands > 1 ? source_families / 4 : 0);
+  return SourceCorner(
+      count.w + ((node.z * count.y + node.y) * count.x + node.x) * node_size,
+      share.x * share.y * share.z);
+}
+
+// What a node has of the families for which is_beam is so.
+vec3 source_families_at(int node, bool is_beam) {
   vec3 sum = vec3(0.0);
-  for (int c = 0; c < 8; ++c) {
-    const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const vec3 share = mix(1.0 - f, f, vec3(corner_));
-    const ivec3 node = cell + corner_;
-    const int first = count.w + ((node.z * count.y + node.y) * count.x + node.x) * node_size;
-    vec3 value = vec3(0.0);
-    for (int i = 0; i < functions; ++i) value += source_weights[i] * source_values[first + i].rgb;
-    for (int i = functions; i < node_size; ++i) {
-      const vec4 passes = source_values[first + i];
-      for (int k = 0; k < 4; ++k) {
-        value += passes[k] * source_family_weights[4 * (i - functions) + k];
-      }
-    }
-    sum += share.x * share.y * share.z * value;
+  for (int f = 0; f < source_families; ++f) {
+    if ((((source_beams >> f) & 1) != 0) != is_beam) continue;
+    sum += source_values[node + source_functions() + f / 4][f % 4] * source_family_weights[f];
   }
   return sum;
+}
+
+vec3 source_at(vec3 p) {
+  vec3 sum = vec3(0.0);
+  for (int c = 0; c < 8; ++c) {
+    const SourceCorner corner_ = source_corner(p, c);
+    vec3 value = vec3(0.0);
+    for (int i = 0; i < source_functions(); ++i) {
+      value += source_weights[i] * source_values[corner_.first + i].rgb;
+    }
+    if (source_beams != 0) value += source_families_at(corner_.first, true);
+    sum += corner_.share * value;
+  }
+  return sum;
+}
+
+// EnvironmentSource::peak().
+vec3 source_peak(bool from_eye, float line_depth) {
+  const vec3 eye = vec3(0.0);
+  vec3 sum = vec3(0.0);
+  if (from_eye && is_on_source(source_levels - 1, source_position(source_levels - 1, eye))) {
+    for (int c = 0; c < 8; ++c) {
+      const SourceCorner corner_ = source_corner(eye, c);
+      sum += corner_.share * source_families_at(corner_.first, false);
+    }
+    return sum;
+  }
+  for (int f = 0; f < source_families; ++f) {
+    if (((source_beams >> f) & 1) == 0) sum += source_family_weights[f];
+  }
+  return from_eye ? sum : exp(-line_depth) * sum;
 }
