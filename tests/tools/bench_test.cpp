@@ -11,6 +11,9 @@
 #include "core/io/scene_file.h"
 #include "tests/tools/command_line.h"
 #include "tools/bench/bench_compare.h"
+#include "tools/bench/bench_html.h"
+#include "tools/bench/bench_markdown.h"
+#include "tools/bench/bench_tables.h"
 #include "tools/bench/frontier.h"
 
 namespace brume {
@@ -62,6 +65,40 @@ TEST(BenchCompare, SaysWhatIsWorseBeyondTheSpread) {
   EXPECT_EQ(worse[0], "a, sliced 24: less accurate, at least 1.80% where it was at most 1.10%");
   EXPECT_THROW(compare_reports("old.json", "{}", old), InputError);
   EXPECT_THROW(compare_reports("old.json", "no json", old), InputError);
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST(BenchTables, AreAllOnThePageAndInHtml) {
+  BenchReport report;
+  SceneReport& scene = report.scenes.emplace_back();
+  scene.name = "fog & mist";
+  scene.settings.push_back(measured(10, 0.02));
+  report.thickness.push_back({0.1, 1.0, {0.031, 0.028, 0.036, 9}, {0.0003, 0.0002, 0.0004, 9}});
+  report.skies.push_back({30, 3.0, 0.6, {0.005, 0.004, 0.006, 9}, {0.007, 0.006, 0.008, 9}});
+  report.curves.push_back({"lights", {{1.0, 2.0}, {10.0, 30.0}}, 1.2});
+  report.thread_rows.push_back({1, {4.0, 3.0, 5.0}});
+  report.savings.push_back({"noise", "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
+  report.hard_cases.emplace_back().hard_case.breaks = "x < y";
+  report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}});
+  const std::vector<ReportTable> tables = bench_tables(report);
+  EXPECT_EQ(tables.size(), 8u);
+  const std::string page = to_markdown(report);
+  const std::string html = to_html(report);
+  for (const ReportTable& table : tables) {
+    EXPECT_NE(page.find("## " + table.title + "\n"), std::string::npos) << table.title;
+    EXPECT_NE(html.find("<h2>" + table.title + "</h2>"), std::string::npos) << table.title;
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.heads.size()) << table.title;
+  }
+  EXPECT_NE(page.find("| 0.1 | 1 | 3.1% (2.8 to 3.6) | 0.03% (0.02 to 0.04) |"), std::string::npos);
+  EXPECT_EQ(count(html, "<td>3.1% (2.8 to 3.6)"), 1u);
+  EXPECT_EQ(count(html, "x &lt; y"), 1u);
+  EXPECT_EQ(count(html, "x < y"), 0u);
+  EXPECT_EQ(count(html, "`"), 0u) << "code";
 }
 
 using BenchCommand = CommandLine;

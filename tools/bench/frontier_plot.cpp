@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tools/bench/log_plot.h"
+#include "tools/bench/report_text.h"
 
 namespace brume {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+
+#include "tools/bench/report_text.h"
 
 namespace brume {
 namespace {
@@ -22,35 +22,6 @@ double place(double value, LogPlot::Range axis) {
 }
 
 }  // namespace
-
-void put(std::string& to, const char* format, ...) {
-  char text[1024];
-  std::va_list arguments;
-  va_start(arguments, format);
-  const int size = std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  to.append(text, static_cast<std::size_t>(std::clamp(size, 0, 1023)));
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 LogPlot::LogPlot(Range x, Range y, const char* x_title, const char* y_title)
     : x_(decades(x)), y_(decades(y)) {

@@ -6,12 +6,6 @@
 
 namespace brume {
 
-// printf() to the end of a text.
-[[gnu::format(printf, 2, 3)]] void put(std::string& to, const char* format, ...);
-
-// A text as HTML and SVG have it.
-std::string escaped(const std::string& text);
-
 // A plot as SVG, with logarithmic axes over whole decades.
 class LogPlot {
  public:
