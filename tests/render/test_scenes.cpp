@@ -100,15 +100,6 @@ std::shared_ptr<const RadianceMap> constant_sky(float radiance) {
       RadianceMap{16, 8, std::vector<glm::vec3>(16 * 8, glm::vec3(radiance))});
 }
 
-std::shared_ptr<const RadianceMap> smooth_sky() {
-  auto sky = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
-  for (int i = 0; i < 64 * 32; ++i) {
-    const glm::dvec3 d = map_direction(*sky, {i % 64 + 0.5, i / 64 + 0.5});
-    sky->pixels.emplace_back(glm::dvec3(1.0 + 0.8 * d.y + 0.3 * d.x * d.z) * glm::dvec3(1, 2, 3));
-  }
-  return sky;
-}
-
 Frame render_frame(const Scene& scene, const Settings& settings) {
   Renderer renderer;
   return *renderer.render(scene, scene.camera, scene.film, settings);

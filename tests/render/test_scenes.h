@@ -23,9 +23,8 @@ Scene cut_by_a_surface();
 // A tessellated unit ball.
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
 
-// Skies: the same everywhere, and brighter above, of three colours.
+// A sky that is the same everywhere.
 std::shared_ptr<const RadianceMap> constant_sky(float radiance);
-std::shared_ptr<const RadianceMap> smooth_sky();
 
 Frame render_frame(const Scene& scene, const Settings& settings);
 

@@ -3,25 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numbers>
 
 #include "core/io/merl_file.h"
-#include "core/math/sphere_rule.h"
-#include "core/scene/brdf.h"
-#include "render/reference/surface_reference.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
 #include "tests/core/io/merl_writer.h"
 #include "tests/core/io/temporary_folder.h"
-#include "tests/random.h"
 #include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/transfer_errors.h"
+#include "tools/bench/transfer_scenes.h"
 
 namespace brume {
 namespace {
@@ -31,78 +28,9 @@ constexpr auto none = Surface::Transfer::none;
 constexpr auto shadow = Surface::Transfer::shadow;
 constexpr auto interreflection = Surface::Transfer::interreflection;
 
-// A hollow ball of radius 1, open at the top from the polar angle `to`, seen from above.
-Scene bowl_scene(double to, Surface::Transfer transfer) {
-  auto mesh = empty_mesh();
-  add_ball(*mesh, 40, {0, 0, 0}, 1.0, to, true);
-  Scene scene;
-  Surface& surface = scene.surfaces.emplace_back();
-  surface.mesh = mesh;
-  surface.transfer = transfer;
-  scene.camera = {{0.4, -0.3, 5.0}, {0, 0, 0}, {0, 1, 0}, 14.0};
-  scene.film = {12, 12};
-  return scene;
-}
-
-// A ball over a floor in one mesh; the floor is at z = 0.
-Scene ball_over_floor(Surface::Transfer transfer) {
-  auto mesh = empty_mesh();
-  add_floor(*mesh, 40, 1.0);
-  add_ball(*mesh, 32, {0.3, 0.1, 0.7}, 0.4, pi, false);
-  Scene scene;
-  Surface& surface = scene.surfaces.emplace_back();
-  surface.mesh = mesh;
-  surface.transfer = transfer;
-  scene.camera = {{-1.2, -2.5, 2.6}, {0, 0, 0.2}, {0, 0, 1}, 34.0};
-  scene.film = {16, 12};
-  return scene;
-}
-
 Frame with(Scene scene, Surface::Transfer transfer) {
   for (Surface& surface : scene.surfaces) surface.transfer = transfer;
   return render_frame(scene, {});
-}
-
-// A truth for each pixel where a surface is seen.
-using Truth = std::map<std::size_t, glm::dvec3>;
-template <class At>
-Truth truth_of(const Scene& scene, const At& at) {
-  const CameraRays rays(scene.camera, scene.film);
-  const Visibility visibility(scene.surfaces);
-  Truth truth;
-  for (int y = 0; y < scene.film.height; ++y) {
-    for (int x = 0; x < scene.film.width; ++x) {
-      const glm::dvec3 w = rays.direction(x + 0.5, y + 0.5);
-      const SurfaceHit hit = visibility.first_hit(rays.eye(), w);
-      if (!hit) continue;
-      truth[static_cast<std::size_t>(y * scene.film.width + x)] =
-          at(visibility, visibility.point(hit, rays.eye(), w, scene.surfaces));
-    }
-  }
-  return truth;
-}
-
-Truth by_monte_carlo(const Scene& scene, std::size_t samples) {
-  return truth_of(scene, [&](const Visibility& visibility, const SurfacePoint& point) {
-    const ReflectedLight light = reflected_light(scene, visibility, point, {.samples = samples});
-    return light.attenuated + light.scattered;
-  });
-}
-
-// How far what surfaces of a frame reflect is from the truth, relative rms.
-double error_of(const Frame& frame, const Truth& truth) {
-  double error = 0.0;
-  double all = 0.0;
-  for (const auto& [i, expected] : truth) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double transmittance = static_cast<double>(frame.transmittance[3 * i + c]);
-      const double got =
-          static_cast<double>(frame.beauty[4 * i + c] - frame.airlight[3 * i + c]) / transmittance;
-      error += std::pow(got - expected[static_cast<int>(c)], 2);
-      all += std::pow(expected[static_cast<int>(c)], 2);
-    }
-  }
-  return std::sqrt(error / all);
 }
 
 TEST(TransferredLight, AWhiteBallIsTheColourOfItsEnvironment) {
@@ -152,89 +80,21 @@ TEST(TransferredLight, OfABowlInAFurnaceIsAGeometricSeries) {
   }
 }
 
-TEST(TransferredLight, OfASkyIsTheReferenceWithItsShadows) {
-  struct Row {
-    Material::Type type;
-    double depth;              // of the cloud
-    double error, unshadowed;  // measured, and a quarter more; a quarter less
+// The bounds are what was measured and a quarter more, less for what is without; the noise of these
+// few samples is in it.
+TEST(TransferredLight, IsNearTheReference) {
+  struct Bounds {
+    double error, without;  // at most, at least
   };
-  const Row rows[] = {{Material::Type::diffuse, 0.0, 0.015, 0.115},
-                      {Material::Type::phong, 0.0, 0.03, 0.145},
-                      {Material::Type::diffuse, 0.3, 0.02, 0.11}};
-  for (const Row& row : rows) {
-    Scene scene = ball_over_floor(shadow);
-    if (row.depth > 0.0) scene.medium = cloud_scene(20, row.depth).medium;
-    scene.environment.emplace().map = smooth_sky();
-    Surface& surface = scene.surfaces[0];
-    surface.rotate = glm::normalize(glm::dquat(0.9, -0.5, 0.1, 0.2));
-    const auto place = [&](const glm::dvec3& p) { return surface.rotate * p; };
-    scene.camera.eye = place(scene.camera.eye);
-    scene.camera.target = place(scene.camera.target);
-    scene.camera.up = place(scene.camera.up);
-    surface.material.type = row.type;
-    surface.material.reflectance = {0.8, 0.5, 0.3};
-    surface.material.specular = glm::dvec3(0.3);
-    surface.material.exponent = 8.0;
-    const Truth truth = by_monte_carlo(scene, 1'000);
-    EXPECT_LT(error_of(with(scene, shadow), truth), row.error) << row.depth;
-    EXPECT_GT(error_of(with(scene, none), truth), row.unshadowed) << row.depth;
-  }
-}
-
-TEST(TransferredLight, ShadowsWhatTheMediumScattersOfALamp) {
-  Scene scene = bowl_scene(2.6, shadow);
-  scene.medium.set_homogeneous_density(0.2);
-  scene.lights.push_back({{1.5, 0, 2.5}, {9, 9, 9}, {}});
-  const Truth truth = by_monte_carlo(scene, 2'000);
-  // Measured: 1.5% and 17%.
-  EXPECT_LT(error_of(with(scene, shadow), truth), 0.02);
-  EXPECT_GT(error_of(with(scene, none), truth), 0.12);
-}
-
-// What one part of an object sends to another of a lamp's light, by path tracing.
-TEST(TransferredLight, OfALampIsReflectedBetweenTheParts) {
-  struct Row {
-    double distance;  // of the lamp, from the middle of a bowl of radius 1
-    double error;     // measured, and a quarter more: light is taken to come from far away
-  };
-  for (const auto& [distance, bound] : {Row{2.0, 0.47}, Row{4.0, 0.25}, Row{20.0, 0.06}}) {
-    Scene scene = bowl_scene(0.5 * pi, interreflection);
-    scene.film = {6, 6};
-    scene.surfaces[0].material.reflectance = glm::dvec3(0.5);
-    scene.lights.push_back({distance * glm::normalize(glm::dvec3(0.8, 0.3, 1.0)),
-                            glm::dvec3(distance * distance),
-                            {}});
-    const PointLight& lamp = scene.lights[0];
-    const Frame direct = with(scene, none);
-    Frame indirect = with(scene, interreflection);
-    for (std::size_t i = 0; i < direct.beauty.size(); ++i) indirect.beauty[i] -= direct.beauty[i];
-
-    const auto straight = [&](const Visibility& visibility, const SurfacePoint& p) {
-      const glm::dvec3 q = lamp.position - p.position;
-      const double cosine = glm::dot(p.normal, q);
-      if (!(cosine > 0.0) || visibility.blocked(p.shadow_origin, lamp.position)) return 0.0;
-      return 0.5 / pi * lamp.intensity.x * cosine / std::pow(glm::length(q), 3);
-    };
-    // What `bounces` reflections more bring to a point.
-    const auto gathered = [&](const auto& self, const Visibility& visibility, const SurfacePoint& p,
-                              int bounces, std::size_t rays) -> double {
-      const glm::dquat frame = surface_frame(p.normal, p.normal);
-      double sum = 0.0;
-      for (const SphereNode& node : hemisphere_rule(rays)) {
-        const glm::dvec3 w = frame * node.direction;
-        const SurfaceHit hit = visibility.first_hit(p.shadow_origin, w);
-        if (!hit) continue;
-        const SurfacePoint other = visibility.point(hit, p.shadow_origin, w, scene.surfaces);
-        double sent = straight(visibility, other);
-        if (bounces > 1) sent += self(self, visibility, other, bounces - 1, 64);
-        sum += 0.5 / pi * node.weight * node.direction.z * sent;
-      }
-      return sum;
-    };
-    const Truth truth = truth_of(scene, [&](const Visibility& visibility, const SurfacePoint& p) {
-      return glm::dvec3(gathered(gathered, visibility, p, 2, 512));
-    });
-    EXPECT_LT(error_of(indirect, truth), bound) << distance;
+  constexpr Bounds bounds[] = {{0.009, 0.13}, {0.014, 0.15}, {0.015, 0.13}, {0.016, 0.14},
+                               {0.45, 0.0},   {0.25, 0.0},   {0.06, 0.0}};
+  const std::vector<ComparedError> rows = measure_transfer(250);
+  ASSERT_EQ(rows.size(), std::size(bounds));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].what;
+    if (rows[i].other) {
+      EXPECT_GT(rows[i].other->rel_rmse, bounds[i].without) << rows[i].what;
+    }
   }
 }
 

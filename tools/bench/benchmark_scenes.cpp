@@ -31,8 +31,8 @@ Scene two_gaussians() {
   return scene;
 }
 
-Scene cloud(int count, double depth) {
-  Random random(1);
+Scene cloud(int count, double depth, std::uint64_t seed) {
+  Random random(seed);
   std::vector<Gaussian> gaussians;
   for (int i = 0; i < count; ++i) {
     gaussians.push_back({random.in_ball(), 0.3, random.uniform(0.5, 1.5)});
@@ -111,6 +111,19 @@ std::shared_ptr<const RadianceMap> sunny_sky() {
   const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 1.5, 0.5));
   return sky(128, [&](const glm::dvec3& d) {
     return glm::dvec3(0.1 + std::max(d.y, 0.0) + (glm::dot(d, sun) > 0.97 ? 20.0 : 0.0));
+  });
+}
+
+std::shared_ptr<const RadianceMap> low_sun_sky() {
+  const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 0.06, 0.1));
+  return sky(128, [&](const glm::dvec3& d) {
+    return glm::dvec3((d.y > 0.0 ? 0.3 : 0.05) + (glm::dot(d, sun) > 0.995 ? 40.0 : 0.0));
+  });
+}
+
+std::shared_ptr<const RadianceMap> smooth_sky() {
+  return sky(32, [](const glm::dvec3& d) {
+    return glm::dvec3(1.0 + 0.8 * d.y + 0.3 * d.x * d.z) * glm::dvec3(1, 2, 3);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -17,7 +18,7 @@ Scene sample_airlight(const char* name);
 Scene two_gaussians();
 
 // A ball of random Gaussians of radius 0.3, whose greatest optical depth is `depth`, lit by a lamp.
-Scene cloud(int count, double depth);
+Scene cloud(int count, double depth, std::uint64_t seed = 1);
 
 // The medium of these Gaussians, densities scaled so that its greatest optical depth is `depth`.
 Medium with_depth(std::span<const Gaussian> gaussians, double depth);
@@ -29,10 +30,13 @@ Medium box_of(int count);
 // That box before a camera, with so many lights around it.
 Scene box_scene(int count, int lights);
 
-// Skies: the same everywhere; brighter above; that with a sun.
+// Skies: the same everywhere; brighter above; that with a sun; one with a sun near the horizon; and
+// one without any edge, brighter above, of three colours.
 std::shared_ptr<const RadianceMap> even_sky();
 std::shared_ptr<const RadianceMap> gradient_sky();
 std::shared_ptr<const RadianceMap> sunny_sky();
+std::shared_ptr<const RadianceMap> low_sun_sky();
+std::shared_ptr<const RadianceMap> smooth_sky();
 
 // `sliced` with the airlight at every fourth pixel and the fewest slices that keep an error of 2%
 // on the scene's own film, by the upper end of the interval of 1000 pixels; the most where none

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "render/error_estimate.h"
+#include "tools/bench/compared_error.h"
 
 namespace brume {
 
@@ -24,5 +26,28 @@ struct SkyRow {
   ErrorEstimate even, sunny;
 };
 std::vector<SkyRow> measure_skies();
+
+// Where the grid of an environment's light is worst: small Gaussians in patches over a landscape
+// (resources/scenes/ground_fog) under a sun near the horizon, with `sliced` of 12, 24 and 64 slices
+// and the grids that go with them; and in fog that turns light little, with 24.
+std::vector<ComparedError> measure_patches();
+
+// The glow of `paper` (eq. 28) in the middle of a Gaussian before a white sky, over what single
+// scattering gives there.
+struct GlowRow {
+  double depth = 0.0;
+  double share = 0.0;
+};
+std::vector<GlowRow> measure_glow();
+
+// What is computed at 800 x 600 where the airlight is interpolated, and what that changes: `sliced`
+// with 24 slices, at every second and fourth pixel, against every pixel.
+struct ScaleRow {
+  std::string scene;
+  int scale = 1;
+  double computed = 1.0;  // share of the pixels
+  double change = 0.0;    // relative rms
+};
+std::vector<ScaleRow> measure_scales();
 
 }  // namespace brume

@@ -15,6 +15,7 @@
 #include "tests/render/random_scene.h"
 #include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
+#include "tools/bench/benchmark_scenes.h"
 
 namespace brume::gl {
 namespace {

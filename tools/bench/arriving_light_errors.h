@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/settings.h"
+#include "tools/bench/compared_error.h"
+
+namespace brume {
+
+// How far the light of an environment that arrives at surfaces through the medium is from Monte
+// Carlo: on the grid of `sliced`, and with the average optical depth (eq. 27).
+
+// A white surface, which casts no shadow.
+struct Receiver {
+  glm::dvec3 position, normal;
+};
+
+// Points of a ball, seen from outside, small enough to be one point of the medium.
+std::vector<Receiver> receivers_around(const glm::dvec3& middle);
+
+// The error of what they reflect, relative rms over receivers and channels; `other` is that of the
+// average optical depth. `samples`: of each run at each receiver.
+ComparedError arriving_light_error(const std::string& what, const Scene& scene,
+                                   const std::vector<Receiver>& receivers, std::size_t samples,
+                                   const SourceGridSize& size = {});
+
+// Inside, at the edge of and below clouds, and before and behind a dense one.
+std::vector<ComparedError> measure_arriving_light(std::size_t samples);
+
+}  // namespace brume

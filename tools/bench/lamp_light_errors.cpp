@@ -1,0 +1,79 @@
+#include "tools/bench/lamp_light_errors.h"
+
+#include <numbers>
+
+#include "render/renderer.h"
+#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/mesh_patches.h"
+#include "tools/bench/report_text.h"
+#include "tools/bench/surface_truth.h"
+
+namespace brume {
+namespace {
+
+Surface ball(double radius) {
+  auto mesh = empty_mesh();
+  add_ball(*mesh, 64, {0, 0, 0}, radius, std::numbers::pi, false);
+  Surface surface;
+  surface.mesh = mesh;
+  return surface;
+}
+
+// The glow of the lamp is there where it stands in the fog.
+Scene ball_in_fog(double depth) {
+  Scene scene;
+  scene.medium.set_homogeneous_density(depth);
+  scene.optics.albedo = {1.0, 1.0, 0.6};
+  scene.surfaces = {ball(0.05)};
+  scene.lights.push_back({{0, 0, 1}, {1, 2, 3}, {}});
+  scene.camera = {{1.0, 0.0, 0.6}, {0, 0, 0}, {0, 1, 0}, 5.0};
+  scene.film = {6, 6};
+  return scene;
+}
+
+Scene ball_in_cloud(std::uint64_t seed, Material::Type type) {
+  Scene scene = cloud(30, 3.0, seed);
+  scene.surfaces = {ball(0.3)};
+  Material& material = scene.surfaces[0].material;
+  material.type = type;
+  material.specular = glm::dvec3(0.3);
+  material.exponent = 5.0;
+  scene.camera = {0.3 * scene.lights[0].position, {0, 0, 0}, {0, 1, 0}, 20.0};
+  scene.film = {6, 6};
+  return scene;
+}
+
+Frame frame_of(const Scene& scene, bool paper_spread) {
+  Settings settings;
+  settings.paper_spread = paper_spread;
+  return *Renderer().render(scene, scene.camera, scene.film, settings);
+}
+
+}  // namespace
+
+std::vector<ComparedError> measure_lamp_light(std::size_t samples) {
+  std::vector<ComparedError> rows;
+  for (const double depth : {0.1, 0.3, 1.0, 3.0}) {
+    const Scene scene = ball_in_fog(depth);
+    const SurfaceTruth truth(scene, {.samples = samples});
+    rows.push_back({formatted("diffuse ball in even fog, lamp at depth %g", depth),
+                    truth.scattered_error(frame_of(scene, false)),
+                    truth.scattered_error(frame_of(scene, true))});
+  }
+  const auto add_cloud = [&](std::uint64_t cloud, Material::Type type, const char* kind) {
+    const Scene scene = ball_in_cloud(cloud, type);
+    // Its error is larger: fewer samples show it.
+    const SurfaceTruth truth(scene, {.samples = samples / 10});
+    const Frame ours = frame_of(scene, false);
+    const Frame paper = frame_of(scene, true);
+    const std::string what =
+        formatted("%s ball in cloud %d, lamp outside", kind, static_cast<int>(cloud));
+    rows.push_back({what, truth.scattered_error(ours), truth.scattered_error(paper)});
+    rows.push_back({what + ": of all light", truth.error(ours), truth.error(paper)});
+  };
+  for (const std::uint64_t cloud : {1, 2, 3}) add_cloud(cloud, Material::Type::diffuse, "diffuse");
+  add_cloud(3, Material::Type::phong, "shiny");
+  return rows;
+}
+
+}  // namespace brume
