@@ -12,6 +12,7 @@
 #include "tests/tools/command_line.h"
 #include "tools/bench/bench_compare.h"
 #include "tools/bench/bench_html.h"
+#include "tools/bench/bench_json.h"
 #include "tools/bench/bench_markdown.h"
 #include "tools/bench/bench_tables.h"
 #include "tools/bench/frontier.h"
@@ -67,6 +68,38 @@ TEST(BenchCompare, SaysWhatIsWorseBeyondTheSpread) {
   EXPECT_THROW(compare_reports("old.json", "no json", old), InputError);
 }
 
+TEST(BenchCompare, HoldsRowsOfErrorsAgainstTheOldOnes) {
+  for (const char* section : {"patches", "noise", "lamp_light", "arriving_light", "transfer"}) {
+    const auto with_row = [&](const char* what, double error) {
+      Json json = Json::parse(report(10.0, 0.01));
+      json[section] = {{{"what", what}, {"error", {{"low", 0.9 * error}, {"high", 1.1 * error}}}}};
+      return json.dump();
+    };
+    const std::string old = with_row("a ball", 0.01);
+    EXPECT_TRUE(compare_reports("old.json", old, with_row("a ball", 0.012)).empty());
+    EXPECT_TRUE(compare_reports("old.json", old, with_row("a floor", 0.02)).empty());
+    EXPECT_TRUE(compare_reports("old.json", report(10.0, 0.01), old).empty());
+    const auto worse = compare_reports("old.json", old, with_row("a ball", 0.02));
+    ASSERT_EQ(worse.size(), 1u) << section;
+    EXPECT_EQ(worse[0], "a ball: less accurate, at least 1.80% where it was at most 1.10%");
+  }
+}
+
+// What --compare reads is what is written.
+TEST(BenchCompare, ReadsWhatIsWritten) {
+  const auto json = [](double error) {
+    BenchReport written;
+    const ErrorEstimate estimate{error, 0.9 * error, 1.1 * error, 9};
+    for (auto rows : {&BenchReport::patches, &BenchReport::noise, &BenchReport::lamp_light,
+                      &BenchReport::arriving_light, &BenchReport::transfer}) {
+      (written.*rows).push_back({"a ball", estimate, estimate});
+    }
+    return to_json(written);
+  };
+  EXPECT_EQ(compare_reports("old.json", json(0.01), json(0.02)).size(), 5u);
+  EXPECT_TRUE(compare_reports("old.json", json(0.02), json(0.01)).empty());
+}
+
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t n = 0;
   for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
@@ -80,20 +113,43 @@ TEST(BenchTables, AreAllOnThePageAndInHtml) {
   scene.settings.push_back(measured(10, 0.02));
   report.thickness.push_back({0.1, 1.0, {0.031, 0.028, 0.036, 9}, {0.0003, 0.0002, 0.0004, 9}});
   report.skies.push_back({30, 3.0, 0.6, {0.005, 0.004, 0.006, 9}, {0.007, 0.006, 0.008, 9}});
+  const ErrorEstimate small{0.011, 0.01, 0.012, 9};
+  const ErrorEstimate large{0.35, 0.34, 0.36, 9};
+  report.patches.push_back({"turning fog", small, {}});
+  report.glow.push_back({1.0, 0.62});
+  report.scales.push_back({"statue", 4, 0.0964, 0.00704});
+  report.noise_depths.push_back({2.0, {-0.0031, -0.0168, 0.0171}, {0.0, -0.02, 0.029}});
+  report.noise.push_back({"torn fog", small, large});
+  report.lamp_light.push_back({"lit ball", small, large});
+  report.arriving_light.push_back({"under a sky", small, large});
+  report.transfer.push_back({"floor", small, large});
+  report.transfer.push_back({"bowl", large, {}});
   report.curves.push_back({"lights", {{1.0, 2.0}, {10.0, 30.0}}, 1.2});
   report.thread_rows.push_back({1, {4.0, 3.0, 5.0}});
   report.savings.push_back({"noise", "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
   report.hard_cases.emplace_back().hard_case.breaks = "x < y";
   report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}});
   const std::vector<ReportTable> tables = bench_tables(report);
-  EXPECT_EQ(tables.size(), 8u);
+  EXPECT_EQ(tables.size(), 16u);
   const std::string page = to_markdown(report);
   const std::string html = to_html(report);
   for (const ReportTable& table : tables) {
-    EXPECT_NE(page.find("## " + table.title + "\n"), std::string::npos) << table.title;
-    EXPECT_NE(html.find("<h2>" + table.title + "</h2>"), std::string::npos) << table.title;
-    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.heads.size()) << table.title;
+    if (!table.title.empty()) {
+      EXPECT_EQ(count(page, "## " + table.title + "\n"), 1u) << table.title;
+      EXPECT_EQ(count(html, "<h2>" + table.title + "</h2>"), 1u) << table.title;
+    }
+    EXPECT_FALSE(table.title.empty() && table.lead.empty());
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.heads.size()) << table.lead;
   }
+  for (const char* row : {"turning fog | 1.1% (1 to 1.2)", "1 | 62%", "statue | 4 | 9.6% | 0.7%",
+                          "2 | -0.31% (-1.7 to +1.7) | +0% (-2 to +2.9)",
+                          "torn fog | 1.1% (1 to 1.2) | 35% (34 to 36)",
+                          "lit ball | 1.1% (1 to 1.2) | 35% (34 to 36)",
+                          "under a sky | 1.1% (1 to 1.2) | 35% (34 to 36)",
+                          "floor | 1.1% (1 to 1.2) | 35% (34 to 36)", "bowl | 35% (34 to 36) |"}) {
+    EXPECT_EQ(count(page, std::string("\n| ") + row + " |\n"), 1u) << row;
+  }
+  EXPECT_EQ(count(html, "<td>1.1% (1 to 1.2)<td>35% (34 to 36)"), 4u);
   EXPECT_NE(page.find("| 0.1 | 1 | 3.1% (2.8 to 3.6) | 0.03% (0.02 to 0.04) |"), std::string::npos);
   EXPECT_EQ(count(html, "<td>3.1% (2.8 to 3.6)"), 1u);
   EXPECT_EQ(count(html, "x &lt; y"), 1u);

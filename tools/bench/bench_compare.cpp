@@ -24,6 +24,16 @@ std::string milliseconds(double x) {
   return text;
 }
 
+void compare_errors(const std::string& what, const Json& before, const Json& after,
+                    std::vector<std::string>& lines) {
+  const double high = before.at("error").at("high").get<double>();
+  const double low = after.at("error").at("low").get<double>();
+  if (low > high) {
+    lines.push_back(what + ": less accurate, at least " + percent(low) + " where it was at most " +
+                    percent(high));
+  }
+}
+
 void compare(const std::string& what, const Json& before, const Json& after,
              std::vector<std::string>& lines) {
   const double slowest = before.at("cpu_ms").at("max").get<double>();
@@ -32,12 +42,7 @@ void compare(const std::string& what, const Json& before, const Json& after,
     lines.push_back(what + ": slower, at best " + milliseconds(fastest) + " where it was at most " +
                     milliseconds(slowest));
   }
-  const double high = before.at("error").at("high").get<double>();
-  const double low = after.at("error").at("low").get<double>();
-  if (low > high) {
-    lines.push_back(what + ": less accurate, at least " + percent(low) + " where it was at most " +
-                    percent(high));
-  }
+  compare_errors(what, before, after, lines);
 }
 
 void compare_scenes(const Json& before, const Json& after, std::vector<std::string>& lines) {
@@ -64,6 +69,18 @@ void compare_scenes(const Json& before, const Json& after, std::vector<std::stri
   }
 }
 
+// Rows that are told apart by what they are of. Older reports do not have them.
+void compare_rows(const char* section, const Json& before, const Json& after,
+                  std::vector<std::string>& lines) {
+  if (!before.contains(section) || !after.contains(section)) return;
+  for (const Json& row : after.at(section)) {
+    for (const Json& old : before.at(section)) {
+      if (old.at("what") != row.at("what")) continue;
+      compare_errors(row.at("what").get<std::string>(), old, row, lines);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
@@ -71,7 +88,11 @@ std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
   const Json after = Json::parse(new_json);
   std::vector<std::string> lines;
   try {
-    compare_scenes(Json::parse(old_json), after, lines);
+    const Json before = Json::parse(old_json);
+    compare_scenes(before, after, lines);
+    for (const char* section : {"patches", "noise", "lamp_light", "arriving_light", "transfer"}) {
+      compare_rows(section, before, after, lines);
+    }
   } catch (const Json::exception& e) {
     throw InputError(old_file, "", std::string("is no report of brume bench: ") + e.what());
   }

@@ -44,6 +44,15 @@ Json to_json(const ErrorEstimate& error) {
           {"pixels", error.pixels}};
 }
 
+Json to_json(const std::vector<ComparedError>& rows) {
+  Json json = Json::array();
+  for (const ComparedError& row : rows) {
+    json.push_back({{"what", row.what}, {"error", to_json(row.error)}});
+    if (row.other) json.back()["other"] = to_json(*row.other);
+  }
+  return json;
+}
+
 Json to_json(const Measurement& m) {
   Json json;
   json["setting"] = m.setting;
@@ -129,6 +138,30 @@ std::string to_json(const BenchReport& report) {
                      {"sunny", to_json(row.sunny)}});
   }
   json["skies"] = std::move(skies);
+  json["patches"] = to_json(report.patches);
+  Json glow = Json::array();
+  for (const GlowRow& row : report.glow) {
+    glow.push_back({{"depth", row.depth}, {"share", row.share}});
+  }
+  json["glow"] = std::move(glow);
+  Json scales = Json::array();
+  for (const ScaleRow& row : report.scales) {
+    scales.push_back({{"name", row.scene},
+                      {"scale", row.scale},
+                      {"computed", row.computed},
+                      {"change", row.change}});
+  }
+  json["airlight_scale"] = std::move(scales);
+  Json noise_depths = Json::array();
+  for (const NoiseDepthRow& row : report.noise_depths) {
+    noise_depths.push_back(
+        {{"cells", row.cells}, {"afar", to_json(row.afar)}, {"near", to_json(row.near)}});
+  }
+  json["noise_depths"] = std::move(noise_depths);
+  json["noise"] = to_json(report.noise);
+  json["lamp_light"] = to_json(report.lamp_light);
+  json["arriving_light"] = to_json(report.arriving_light);
+  json["transfer"] = to_json(report.transfer);
   Json curves = Json::array();
   for (const CostCurve& curve : report.curves) {
     Json points = Json::array();

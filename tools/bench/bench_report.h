@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench/compared_error.h"
 #include "tools/bench/fog_errors.h"
 #include "tools/bench/frontier.h"
 #include "tools/bench/hard_cases.h"
 #include "tools/bench/kernel_limit.h"
 #include "tools/bench/measurement.h"
+#include "tools/bench/noise_errors.h"
 #include "tools/bench/peers.h"
 #include "tools/bench/plan_decisions.h"
 
@@ -71,6 +73,14 @@ struct BenchReport {
   std::vector<SceneReport> scenes;
   std::vector<ThicknessRow> thickness;
   std::vector<SkyRow> skies;
+  std::vector<ComparedError> patches;
+  std::vector<GlowRow> glow;
+  std::vector<ScaleRow> scales;
+  std::vector<ComparedError> lamp_light;      // on surfaces, as the next two
+  std::vector<ComparedError> arriving_light;  // of an environment
+  std::vector<ComparedError> transfer;
+  std::vector<NoiseDepthRow> noise_depths;
+  std::vector<ComparedError> noise;
   std::vector<CostCurve> curves;
   std::vector<ThreadRow> thread_rows;
   std::vector<PlanSaving> savings;

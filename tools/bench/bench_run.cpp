@@ -9,10 +9,13 @@
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
+#include "tools/bench/arriving_light_errors.h"
 #include "tools/bench/benchmark_scenes.h"
 #include "tools/bench/cost_curves.h"
+#include "tools/bench/lamp_light_errors.h"
 #include "tools/bench/scene_report.h"
 #include "tools/bench/table_one_scenes.h"
+#include "tools/bench/transfer_errors.h"
 
 namespace brume {
 namespace {
@@ -52,6 +55,24 @@ std::vector<BenchScene> chosen_scenes(const BenchOptions& options) {
     }
   }
   return scenes;
+}
+
+// For which two minutes are too short.
+void measure_errors(BenchReport& report, const std::function<void(const std::string&)>& tell) {
+  tell("errors under skies");
+  report.skies = measure_skies();
+  report.patches = measure_patches();
+  report.glow = measure_glow();
+  tell("errors where airlight is interpolated, and in noise");
+  report.scales = measure_scales();
+  report.noise_depths = measure_noise_depths();
+  report.noise = measure_noise_errors(400);
+  tell("light on surfaces: of lamps");
+  report.lamp_light = measure_lamp_light(40'000);
+  tell("light on surfaces: of an environment");
+  report.arriving_light = measure_arriving_light(2'000);
+  tell("light on surfaces: radiance transfer");
+  report.transfer = measure_transfer(2'000);
 }
 
 }  // namespace
@@ -96,9 +117,9 @@ BenchReport run_bench(const BenchOptions& options,
     report.scenes.push_back(measure_scene(scene, options, gl.get()));
   }
   if (!options.scenes.empty()) return report;
-  tell("errors over thickness, and under skies");
+  tell("errors over thickness");
   report.thickness = measure_thickness(options.quick ? 100 : 400);
-  if (!options.quick) report.skies = measure_skies();
+  if (!options.quick) measure_errors(report, tell);
   report.curves = measure_cost_curves(options, tell);
   tell("threads");
   report.thread_rows = measure_threads(options);

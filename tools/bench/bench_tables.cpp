@@ -18,13 +18,25 @@ std::string bench_lead(const BenchReport& report) {
 }
 
 std::vector<ReportTable> bench_tables(const BenchReport& report) {
-  std::vector<ReportTable> tables = {
-      fastest_table(report.scenes),      setting_table(report.scenes),
-      thickness_table(report.thickness), sky_table(report.skies),
-      peer_table(report.scenes),         gl_table(report),
-      table_one_table(report.table_one), curve_table(report.curves),
-      thread_table(report.thread_rows),  saving_table(report.savings),
-      hard_case_table(report.hard_cases)};
+  std::vector<ReportTable> tables = {fastest_table(report.scenes),
+                                     setting_table(report.scenes),
+                                     thickness_table(report.thickness),
+                                     sky_table(report.skies),
+                                     patch_table(report.patches),
+                                     glow_table(report.glow),
+                                     scale_table(report.scales),
+                                     noise_depth_table(report.noise_depths),
+                                     noise_table(report.noise),
+                                     lamp_light_table(report.lamp_light),
+                                     arriving_light_table(report.arriving_light),
+                                     transfer_table(report.transfer),
+                                     peer_table(report.scenes),
+                                     gl_table(report),
+                                     table_one_table(report.table_one),
+                                     curve_table(report.curves),
+                                     thread_table(report.thread_rows),
+                                     saving_table(report.savings),
+                                     hard_case_table(report.hard_cases)};
   std::erase_if(tables, [](const ReportTable& table) { return table.rows.empty(); });
   return tables;
 }

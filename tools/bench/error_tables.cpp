@@ -5,6 +5,24 @@
 #include "tools/bench/report_text.h"
 
 namespace brume {
+namespace {
+
+// The second error has a column where there is a head for it.
+void add_rows(const std::vector<ComparedError>& rows, ReportTable& table) {
+  for (const ComparedError& row : rows) {
+    auto& cells = table.rows.emplace_back();
+    cells = {row.what, with_interval(row.error)};
+    if (table.heads.size() > 2) cells.push_back(row.other ? with_interval(*row.other) : "");
+  }
+}
+
+// "+1.2% (-0.3 to +2.5)": changes.
+std::string with_signs(const Spread& change) {
+  return formatted("%+.2g%% (%+.2g to %+.2g)", 100.0 * change.median, 100.0 * change.least,
+                   100.0 * change.greatest);
+}
+
+}  // namespace
 
 ReportTable setting_table(const std::vector<SceneReport>& scenes) {
   struct Column {
@@ -63,6 +81,108 @@ ReportTable sky_table(const std::vector<SkyRow>& rows) {
                           formatted("%g", row.anisotropy), with_interval(row.even),
                           with_interval(row.sunny)});
   }
+  return table;
+}
+
+ReportTable patch_table(const std::vector<ComparedError>& rows) {
+  ReportTable table{"",
+                    "Where the grid of that light is at its worst: small Gaussians in patches over "
+                    "a landscape, the sample scene ground_fog, under a sun near the horizon.",
+                    {"`sliced`", "error"},
+                    {},
+                    ""};
+  add_rows(rows, table);
+  return table;
+}
+
+ReportTable glow_table(const std::vector<GlowRow>& rows) {
+  ReportTable table{"",
+                    "The glow of `paper` (eq. 28) before a white sky, in the middle of a Gaussian, "
+                    "over the light that single scattering gives there.",
+                    {"optical depth", "share"},
+                    {},
+                    ""};
+  for (const GlowRow& row : rows) {
+    table.rows.push_back({formatted("%g", row.depth), formatted("%.0f%%", 100.0 * row.share)});
+  }
+  return table;
+}
+
+ReportTable scale_table(const std::vector<ScaleRow>& rows) {
+  ReportTable table{"Fewer pixels",
+                    "`sliced` 24 at 800 x 600 with `--airlight-scale`: the share of the pixels "
+                    "that is computed, and the relative RMSE of the airlight against all of them.",
+                    {"scene", "scale", "computed", "change"},
+                    {},
+                    ""};
+  for (const ScaleRow& row : rows) {
+    table.rows.push_back({row.scene, formatted("%d", row.scale),
+                          formatted("%.1f%%", 100.0 * row.computed),
+                          formatted("%.2g%%", 100.0 * row.change)});
+  }
+  return table;
+}
+
+ReportTable noise_depth_table(const std::vector<NoiseDepthRow>& rows) {
+  ReportTable table{"Noise",
+                    "How the optical depth, averaged over a picture of a cloud of 30 Gaussians, "
+                    "changes by noise of the amplitude 0.5: medians over eight seeds, least and "
+                    "greatest in parentheses.",
+                    {"cells per u", "from afar", "from near"},
+                    {},
+                    ""};
+  for (const NoiseDepthRow& row : rows) {
+    table.rows.push_back({formatted("%g", row.cells), with_signs(row.afar), with_signs(row.near)});
+  }
+  return table;
+}
+
+ReportTable noise_table(const std::vector<ComparedError>& rows) {
+  ReportTable table{"",
+                    "The error of `sliced` 24 in noise, and in the same cloud without it.",
+                    {"cloud", "with noise", "without"},
+                    {},
+                    ""};
+  add_rows(rows, table);
+  return table;
+}
+
+ReportTable lamp_light_table(const std::vector<ComparedError>& rows) {
+  ReportTable table{
+      "Light on surfaces",
+      "What surfaces reflect, held against unbiased Monte Carlo: relative RMSE over pixels or "
+      "places, the noise of the Monte Carlo taken out, and its 95% interval. First the light of a "
+      "lamp that fog scatters onto a ball, relative to what is scattered unless all light is "
+      "named: in even fog, which scatters 60% of the blue light, with the lamp in it; and in three "
+      "clouds of 30 random Gaussians 3 deep. Beside it the paper's one point spread function.",
+      {"receiver", "here", "`--paper-spread`"},
+      {},
+      ""};
+  add_rows(rows, table);
+  return table;
+}
+
+ReportTable arriving_light_table(const std::vector<ComparedError>& rows) {
+  ReportTable table{
+      "",
+      "The light of an environment, straight and scattered, on a white surface that casts no "
+      "shadow: by the grid of `sliced` 24, and by the average optical depth (eq. 27) as `paper` "
+      "takes it. An even sky but where a sun is named, clouds of 30 Gaussians.",
+      {"receiver", "grid", "eq. 27"},
+      {},
+      ""};
+  add_rows(rows, table);
+  return table;
+}
+
+ReportTable transfer_table(const std::vector<ComparedError>& rows) {
+  ReportTable table{"",
+                    "Objects with radiance transfer and without. The last rows are of the light "
+                    "alone that is reflected once or twice before it is seen.",
+                    {"object", "with transfer", "without"},
+                    {},
+                    ""};
+  add_rows(rows, table);
   return table;
 }
 

@@ -14,6 +14,14 @@ ReportTable setting_table(const std::vector<SceneReport>& scenes);
 
 ReportTable thickness_table(const std::vector<ThicknessRow>& rows);
 ReportTable sky_table(const std::vector<SkyRow>& rows);
+ReportTable patch_table(const std::vector<ComparedError>& rows);
+ReportTable glow_table(const std::vector<GlowRow>& rows);
+ReportTable scale_table(const std::vector<ScaleRow>& rows);
+ReportTable noise_depth_table(const std::vector<NoiseDepthRow>& rows);
+ReportTable noise_table(const std::vector<ComparedError>& rows);
+ReportTable lamp_light_table(const std::vector<ComparedError>& rows);
+ReportTable arriving_light_table(const std::vector<ComparedError>& rows);
+ReportTable transfer_table(const std::vector<ComparedError>& rows);
 ReportTable hard_case_table(const std::vector<HardCaseRow>& rows);
 
 }  // namespace brume
