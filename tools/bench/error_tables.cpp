@@ -153,8 +153,9 @@ ReportTable lamp_light_table(const std::vector<ComparedError>& rows) {
       "What surfaces reflect, held against unbiased Monte Carlo: relative RMSE over pixels or "
       "places, the noise of the Monte Carlo taken out, and its 95% interval. First the light of a "
       "lamp that fog scatters onto a ball, relative to what is scattered unless all light is "
-      "named: in even fog, which scatters 60% of the blue light, with the lamp in it; and in three "
-      "clouds of 30 random Gaussians 3 deep. Beside it the paper's one point spread function.",
+      "named: in even fog, which scatters 60% of the blue light, with the lamp in it; and in "
+      "clouds of 30 random Gaussians 3 deep, the lamp outside behind more and more of it. Beside "
+      "it the paper's one point spread function.",
       {"receiver", "here", "`--paper-spread`"},
       {},
       ""};

@@ -61,8 +61,11 @@ std::string with_spread(const Spread& spread, int digits) {
 }
 
 std::string with_interval(const ErrorEstimate& error) {
-  return formatted("%.2g%% (%.2g to %.2g)", 100.0 * error.rel_rmse, 100.0 * error.low,
-                   100.0 * error.high);
+  // Two digits, and no exponent.
+  const auto percent = [](double x) {
+    return x < 0.995 ? formatted("%.2g", 100.0 * x) : formatted("%.0f", 100.0 * x);
+  };
+  return percent(error.rel_rmse) + "% (" + percent(error.low) + " to " + percent(error.high) + ')';
 }
 
 std::string stage_times(const Measurement& measurement) {
