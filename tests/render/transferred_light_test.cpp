@@ -192,7 +192,8 @@ TEST(TransferredLight, OfAMeasuredMaterialIsThatOfWhatWasMeasured) {
     measured.surfaces[0].material.type = Material::Type::measured;
     const Frame frame = with(measured, transfer);
     const double error = difference(frame.beauty, phong.beauty).relative_rmse;
-    EXPECT_LT(error, 0.01);
+    // Twice what was measured: it is interpolated between its cells.
+    EXPECT_LT(error, 2e-4);
   }
 }
 

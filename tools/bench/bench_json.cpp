@@ -126,6 +126,7 @@ std::string to_json(const BenchReport& report) {
     thickness.push_back({{"factor", row.factor},
                          {"greatest_depth", row.greatest_depth},
                          {"paper", to_json(row.paper)},
+                         {"energy", to_json(row.energy)},
                          {"sliced", to_json(row.sliced)}});
   }
   json["thickness"] = std::move(thickness);

@@ -57,14 +57,16 @@ ReportTable setting_table(const std::vector<SceneReport>& scenes) {
 }
 
 ReportTable thickness_table(const std::vector<ThicknessRow>& rows) {
-  ReportTable table{"Thin and thick fog",
-                    "The sample scene dense_cloud, all densities times a factor.",
-                    {"factor", "greatest optical depth", "`paper`", "`sliced` 24"},
-                    {},
-                    ""};
+  ReportTable table{
+      "Thin and thick fog",
+      "The sample scene dense_cloud, all densities times a factor.",
+      {"factor", "greatest optical depth", "`paper`", "`--paper-energy`", "`sliced` 24"},
+      {},
+      ""};
   for (const ThicknessRow& row : rows) {
     table.rows.push_back({formatted("%g", row.factor), formatted("%.2g", row.greatest_depth),
-                          with_interval(row.paper), with_interval(row.sliced)});
+                          with_interval(row.paper), with_interval(row.energy),
+                          with_interval(row.sliced)});
   }
   return table;
 }

@@ -8,12 +8,12 @@
 
 namespace brume {
 
-// How the errors of `paper`, and of `sliced` with 24 slices, go with the thickness of the fog:
-// resources/scenes/dense_cloud with all densities times a factor.
+// How the errors of `paper`, as published and conserving energy, and of `sliced` with 24 slices, go
+// with the thickness of the fog: resources/scenes/dense_cloud with all densities times a factor.
 struct ThicknessRow {
   double factor = 1.0;
   double greatest_depth = 0.0;
-  ErrorEstimate paper, sliced;
+  ErrorEstimate paper, energy, sliced;
 };
 std::vector<ThicknessRow> measure_thickness(std::size_t pixels);
 
