@@ -57,7 +57,7 @@ Scene cloud_under(std::shared_ptr<const RadianceMap> sky, double depth, double a
 }  // namespace
 
 std::vector<Receiver> receivers_around(const glm::dvec3& middle) {
-  Random random(5);
+  HashRandom random(5);
   std::vector<Receiver> receivers;
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 n = glm::normalize(random.in_ball());

@@ -32,7 +32,7 @@ Scene two_gaussians() {
 }
 
 Scene cloud(int count, double depth, std::uint64_t seed) {
-  Random random(seed);
+  HashRandom random(seed);
   std::vector<Gaussian> gaussians;
   for (int i = 0; i < count; ++i) {
     gaussians.push_back({random.in_ball(), 0.3, random.uniform(0.5, 1.5)});
@@ -59,7 +59,7 @@ Medium with_depth(std::span<const Gaussian> gaussians, double depth) {
 }
 
 Medium box_of(int count) {
-  Random random(1);
+  HashRandom random(1);
   const double radius = 0.05 * std::sqrt(1000.0 / count);
   const double depth = 3.0;
   Medium medium;

@@ -84,7 +84,7 @@ Scene statue_scene() {
   ground.sheet(78054 - stone.size(), level(6.0, 0.0));
   scene.surfaces = {surface(stone, {0.6, 0.57, 0.5}), surface(ground, {0.35, 0.37, 0.33})};
 
-  Random random(1);
+  HashRandom random(1);
   std::vector<Gaussian> fog;
   for (int i = 0; i < 34; ++i) {
     const double angle = 2 * pi * i / 34.0 + random.uniform(-0.1, 0.1);
@@ -115,7 +115,7 @@ Scene open_box_scene() {
   walls.sheet(8901 - things.size() - 3 * wall, level(0.8, 0.0));
   scene.surfaces = {surface(things, {0.7, 0.45, 0.3}), surface(walls, {0.55, 0.58, 0.6})};
 
-  Random random(2);
+  HashRandom random(2);
   std::vector<Gaussian> fog;
   for (int i = 0; i < 3008; ++i) {
     const double x = random.uniform(-0.8, 0.8);
@@ -144,7 +144,7 @@ Scene terrain_scene() {
   });
   scene.surfaces = {surface(ground, {0.22, 0.25, 0.15})};
 
-  Random random(3);
+  HashRandom random(3);
   std::vector<Gaussian> fog;
   // Patches in the valleys.
   for (const glm::dvec2& patch : {glm::dvec2(-2.6, 2.4), glm::dvec2(0.8, -0.8),
@@ -165,7 +165,7 @@ Scene terrain_scene() {
 Scene city_scene() {
   Scene scene;
   scene.camera = {{-5.5, 4.2, 7.5}, {0.0, 0.6, 0.0}, {0, 1, 0}, 40.0};
-  Random random(4);
+  HashRandom random(4);
   MeshBuilder blocks;
   for (int i = 0; i < 12; ++i) {
     for (int j = 0; j < 12; ++j) {
@@ -254,7 +254,7 @@ Scene machine_scene() {
   shiny.specular = glm::dvec3(0.45);
   shiny.exponent = 30.0;
 
-  Random random(5);
+  HashRandom random(5);
   std::vector<Gaussian> steam;
   for (int i = 0; i < 1223; ++i) {
     // Three outlets: the two pipes, whose steam is blown backwards, and the engine's.

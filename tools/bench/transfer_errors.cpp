@@ -53,7 +53,8 @@ double straight(const PointLight& lamp, const Visibility& visibility, const Surf
 }
 
 // One path from a point: what two others on it send of the lamp's light.
-double path(const Scene& scene, const Visibility& visibility, SurfacePoint point, Random& random) {
+double path(const Scene& scene, const Visibility& visibility, SurfacePoint point,
+            HashRandom& random) {
   double sum = 0.0;
   double weight = 1.0;
   for (int reflection = 0; reflection < 2; ++reflection) {
@@ -77,7 +78,7 @@ ComparedError lamp_in_bowl_error(double distance, std::size_t samples) {
   const SurfaceTruth truth(
       scene, {.samples = samples},
       [&](const Visibility& visibility, const SurfacePoint& point, const SurfaceSampling& s) {
-        Random random(s.seed);
+        HashRandom random(s.seed);
         double sum = 0.0;
         for (std::size_t i = 0; i < s.samples; ++i) sum += path(scene, visibility, point, random);
         return ReflectedLight{glm::dvec3(sum / static_cast<double>(s.samples)), {}, {}};

@@ -13,7 +13,7 @@ namespace {
 
 // 3,008 small Gaussians inside the open box, most of them where a noise is high.
 std::vector<Gaussian> box_of_gaussians() {
-  Random random(3008);
+  HashRandom random(3008);
   std::vector<Gaussian> gaussians;
   while (gaussians.size() < 3008) {
     const glm::dvec3 center(random.uniform(-1.85, 1.85), random.uniform(0.12, 1.85),
@@ -48,7 +48,7 @@ SampleScene dense_cloud() {
   const Lobe lobes[] = {{{-1.3, -0.35, 0.0}, 0.8},  {{-0.35, 0.25, 0.1}, 1.05},
                         {{0.65, 0.05, -0.1}, 0.95}, {{1.5, -0.4, 0.1}, 0.65},
                         {{0.1, -0.5, 0.35}, 0.8},   {{0.15, 0.95, -0.1}, 0.65}};
-  Random random(300);
+  HashRandom random(300);
   while (scene.gaussians.size() < 300) {
     const Lobe& lobe = lobes[scene.gaussians.size() % std::size(lobes)];
     glm::dvec3 center = lobe.center + lobe.radius * random.in_ball();

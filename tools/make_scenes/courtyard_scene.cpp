@@ -124,7 +124,7 @@ void write_courtyard_scene(const std::filesystem::path& folder) {
                     {"../meshes/bunny.obj", {0.0, 0.62, 0.0}, 0.075, {0.72, 0.7, 0.68}}};
   for (SampleSurface& surface : scene.surfaces) surface.transfer = "interreflection";
   // Mist in the court, thicker below the arcade.
-  Random random(57);
+  HashRandom random(57);
   while (scene.gaussians.size() < 57) {
     const glm::dvec3 center(random.uniform(-2.8, 2.8), random.uniform(0.05, 0.75),
                             random.uniform(-2.8, 2.6));

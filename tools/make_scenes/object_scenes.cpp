@@ -22,7 +22,7 @@ SampleScene bunny_fog() {
                   {{3.7, 2.4, 1.6}, {7.0, 26.0, 66.0}},
                   {{0.6, 3.6, -3.4}, {84.0, 18.0, 58.0}}};
   // Wisps: a few Gaussians each, strung along the wind, which blows along +x and a little up.
-  Random random(34);
+  HashRandom random(34);
   while (scene.gaussians.size() < 34) {
     glm::dvec3 at(random.uniform(-4.6, 2.4), random.uniform(0.2, 2.0), random.uniform(-3.4, 1.8));
     double radius = random.uniform(0.5, 0.9);
@@ -45,7 +45,7 @@ SampleScene teapot_steam() {
   scene.lights = {{{3.9, 4.2, -2.6}, {150.0, 132.0, 110.0}},
                   {{-3.2, 3.4, 3.4}, {48.0, 58.0, 78.0}}};
   // A plume from the spout's mouth: it widens and thins as it rises, and noise bends it.
-  Random random(7);
+  HashRandom random(7);
   const glm::dvec3 mouth(1.57, 1.27, 0.0);
   const int count = 72;
   for (int i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ SampleScene camera_inside() {
                     ground(16.0, {0.34, 0.36, 0.33})};
   scene.lights = {{{-2.8, 4.2, 2.6}, {110.0, 96.0, 76.0}}, {{3.6, 3.2, -2.8}, {50.0, 62.0, 84.0}}};
   // The first Gaussian holds the eye; the others lie around it and between it and the bunny.
-  Random random(11);
+  HashRandom random(11);
   scene.gaussians = {{{0.1, 1.3, 5.7}, 1.2, 0.08}};
   while (scene.gaussians.size() < 40) {
     const glm::dvec3 center =
@@ -97,7 +97,7 @@ SampleScene evening_mist() {
                     ground(6.0, {0.34, 0.35, 0.33})};
   scene.lights = {{{2.6, 3.6, 2.4}, {14.0, 10.0, 6.0}}};
   // Mist that lies on the ground and thins upwards.
-  Random random(23);
+  HashRandom random(23);
   while (scene.gaussians.size() < 48) {
     const glm::dvec3 center =
         glm::dvec3(0.0, 0.35, -0.8) + glm::dvec3(4.4, 0.5, 3.4) * random.in_ball();

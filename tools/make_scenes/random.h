@@ -21,9 +21,9 @@ inline double unit_from_hash(std::uint64_t hash) {
 
 // Random numbers that are the same with every compiler and library: the n-th is a hash of seed
 // and n, and only exactly rounded operations follow.
-class Random {
+class HashRandom {
  public:
-  explicit Random(std::uint64_t seed) : seed_(hash64(seed)) {}
+  explicit HashRandom(std::uint64_t seed) : seed_(hash64(seed)) {}
 
   double uniform() { return unit_from_hash(hash64(seed_ + counter_++)); }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }

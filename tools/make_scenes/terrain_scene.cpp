@@ -48,7 +48,7 @@ void write_terrain(const std::filesystem::path& file) {
 
 // Fog gathers where the ground is low: of random places, the lower half are kept.
 std::vector<Gaussian> ground_fog_gaussians() {
-  Random random(292);
+  HashRandom random(292);
   std::vector<Gaussian> gaussians;
   while (gaussians.size() < fog_count) {
     const double x = random.uniform(-10.0, 10.0);
