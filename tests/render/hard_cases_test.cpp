@@ -25,6 +25,8 @@ TEST_P(HardCases, ComeOutRight) {
   EXPECT_LE(errors.reference.airlight, hard_case_reference_bound);
   EXPECT_LE(errors.sliced.airlight, hard_case.bound);
   EXPECT_LE(errors.paper, hard_case_paper_bound);
+  EXPECT_TRUE(errors.automatic.airlight <= hard_case_max_error || errors.automatic.is_told)
+      << "auto is off by " << errors.automatic.airlight << " and does not tell";
   EXPECT_LE(errors.reference.transmittance, hard_case_transmittance_bound);
   EXPECT_LE(errors.sliced.transmittance, hard_case_transmittance_bound);
 }

@@ -21,6 +21,8 @@ Json to_json(const HardCaseRow& row) {
   Json json;
   json["name"] = row.hard_case.name;
   json["bound"] = row.hard_case.bound;
+  json["auto"] = {{"airlight", row.errors.automatic.airlight},
+                  {"is_told", row.errors.automatic.is_told}};
   json["reference"] = to_json(row.errors.reference);
   json["sliced"] = to_json(row.errors.sliced);
   if (row.errors.gl) json["gl"] = to_json(*row.errors.gl);

@@ -7,6 +7,7 @@
 
 #include "core/io/file_bytes.h"
 #include "core/io/scene_file.h"
+#include "render/auto_quality.h"
 #include "render/renderer.h"
 
 namespace brume {
@@ -37,6 +38,15 @@ double relative_rmse(const std::vector<float>& values, const std::vector<float>&
 Frame frame_of(const HardCase& hard_case, const Settings& settings) {
   const Scene& scene = hard_case.scene;
   return *Renderer().render(scene, scene.camera, scene.film, settings);
+}
+
+HardCaseAuto auto_error(FrameRenderer& renderer, const HardCase& hard_case) {
+  const Scene& scene = hard_case.scene;
+  Settings settings;
+  settings.airlight_scale = 4;
+  const MeasuredFrame result =
+      *render_auto(renderer, scene, scene.camera, scene.film, settings, hard_case_max_error);
+  return {error_of(result.frame, hard_case).airlight, result.error.high > hard_case_max_error};
 }
 
 }  // namespace
@@ -92,6 +102,7 @@ HardCaseErrors measure_hard_case(const HardCase& hard_case, FrameRenderer* gl) {
   const double brightest = *std::ranges::max_element(hard_case.airlight);
   errors.paper = relative_rmse(frame_of(hard_case, paper).airlight,
                                frame_of(hard_case, plain).airlight, 1e-6 * brightest);
+  errors.automatic = auto_error(cpu, hard_case);
   if (gl) errors.gl = sliced_error(*gl, hard_case);
   return errors;
 }
