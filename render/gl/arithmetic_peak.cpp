@@ -43,7 +43,7 @@ double rate(const Program& program, Buffer& results, int kind, double operations
 
 }  // namespace
 
-ArithmeticPeak measure_peak(EglContext& context, double milliseconds) {
+ArithmeticPeak measure_peak(Context& context, double milliseconds) {
   if (!context.make_current()) throw Error("the context cannot be made current");
   ArithmeticPeak peak;
   {

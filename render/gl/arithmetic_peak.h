@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/gl/egl_context.h"
+#include "render/gl/context.h"
 
 namespace brume::gl {
 
@@ -16,6 +16,6 @@ struct ArithmeticPeak {
 
 // Measured: each loop runs until it takes `milliseconds`, and its best time of five counts. Makes
 // the context current and lets it go again. Throws Error.
-ArithmeticPeak measure_peak(EglContext& context, double milliseconds);
+ArithmeticPeak measure_peak(Context& context, double milliseconds);
 
 }  // namespace brume::gl

@@ -50,7 +50,7 @@ std::unique_ptr<EglContext> EglContext::create(std::string* problem, bool debug,
     why = devices == Devices::gpu ? "EGL offers no GPU" : "EGL offers no display";
     for (EGLDisplay display : displays(devices)) {
       if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) continue;
-      result = create_on(display, debug, why);
+      result = create_on(display, EGL_NO_CONTEXT, debug, why);
       if (result) break;
     }
   }
@@ -58,7 +58,13 @@ std::unique_ptr<EglContext> EglContext::create(std::string* problem, bool debug,
   return result;
 }
 
-std::unique_ptr<EglContext> EglContext::create_on(void* display, bool debug, std::string& problem) {
+std::unique_ptr<EglContext> EglContext::create_sharing() const {
+  std::string problem;
+  return create_on(display_, context_, false, problem);
+}
+
+std::unique_ptr<EglContext> EglContext::create_on(void* display, void* shared, bool debug,
+                                                  std::string& problem) {
   const auto fail = [&problem](const char* why) {
     problem = why;
     return nullptr;
@@ -83,8 +89,8 @@ std::unique_ptr<EglContext> EglContext::create_on(void* display, bool debug, std
                                             debug ? EGL_CONTEXT_OPENGL_DEBUG : EGL_NONE,
                                             EGL_TRUE,
                                             EGL_NONE};
-    context = eglCreateContext(display, configs > 0 ? config : EGLConfig{}, EGL_NO_CONTEXT,
-                               attributes.data());
+    context =
+        eglCreateContext(display, configs > 0 ? config : EGLConfig{}, shared, attributes.data());
     if (context != EGL_NO_CONTEXT) break;
   }
   if (context == EGL_NO_CONTEXT) return fail("the driver has no OpenGL 4.5 core");

@@ -4,11 +4,13 @@
 #include <memory>
 #include <string>
 
+#include "render/gl/context.h"
+
 namespace brume {
 
 // An OpenGL 4.5 core context without any window or display server (EGL surfaceless). Of a GPU where
 // one answers, else of software.
-class EglContext {
+class EglContext final : public gl::Context {
  public:
   enum class Devices { any, gpu };
 
@@ -16,21 +18,23 @@ class EglContext {
   // `debug` context tells more of what is wrong, and may be slower.
   static std::unique_ptr<EglContext> create(std::string* problem = nullptr, bool debug = false,
                                             Devices devices = Devices::any);
-  ~EglContext();
-  EglContext(const EglContext&) = delete;
-  EglContext& operator=(const EglContext&) = delete;
+  // Another one of its device, made current in the calling thread, which may not be that of the
+  // first: each sees the buffers, textures and fences of the other. nullptr: there is none.
+  [[nodiscard]] std::unique_ptr<EglContext> create_sharing() const;
+  ~EglContext() override;
 
-  // In the calling thread; a context is current in one thread at a time.
-  bool make_current();
-  void done_current();
-  [[nodiscard]] bool is_current() const;
+  bool make_current() override;
+  void done_current() override;
+  [[nodiscard]] bool is_current() const override;
 
   // Reads the first colour attachment of a framebuffer: RGBA bytes, rows from the bottom.
   void read_rgba(unsigned framebuffer, int width, int height, std::uint8_t* pixels);
 
  private:
   EglContext(void* display, void* context) : display_(display), context_(context) {}
-  static std::unique_ptr<EglContext> create_on(void* display, bool debug, std::string& problem);
+  // `shared`: a context of that display, or null.
+  static std::unique_ptr<EglContext> create_on(void* display, void* shared, bool debug,
+                                               std::string& problem);
 
   void* display_;
   void* context_;

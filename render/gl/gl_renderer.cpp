@@ -49,7 +49,7 @@ void read_back(const FilmTextures& textures, Frame& frame) {
 // The context is current in this thread while one lives.
 class Current {
  public:
-  explicit Current(EglContext& context) : context_(context) {
+  explicit Current(Context& context) : context_(context) {
     if (!context.make_current()) throw Error("the context cannot be made current");
   }
   ~Current() { context_.done_current(); }
@@ -57,7 +57,7 @@ class Current {
   Current& operator=(const Current&) = delete;
 
  private:
-  EglContext& context_;
+  Context& context_;
 };
 
 }  // namespace
@@ -74,7 +74,7 @@ struct GlRenderer::Impl {
     SurfaceStage surfaces;
   };
 
-  std::unique_ptr<EglContext> context;
+  std::unique_ptr<Context> context;
   Device device;
   std::shared_ptr<TransferStore> own_transfers;  // null: those of another
   std::shared_ptr<const TransferStore> transfers;
@@ -120,7 +120,7 @@ std::unique_ptr<GlRenderer> GlRenderer::create(std::shared_ptr<const TransferSto
   return create(std::move(context), std::move(transfers), problem);
 }
 
-std::unique_ptr<GlRenderer> GlRenderer::create(std::unique_ptr<EglContext> context,
+std::unique_ptr<GlRenderer> GlRenderer::create(std::unique_ptr<Context> context,
                                                std::shared_ptr<const TransferStore> transfers,
                                                std::string& problem) {
   auto impl = std::make_unique<Impl>();
@@ -149,7 +149,7 @@ bool GlRenderer::is_software() const {
   return impl_->device.is_software;
 }
 
-EglContext& GlRenderer::context() {
+Context& GlRenderer::context() {
   return *impl_->context;
 }
 

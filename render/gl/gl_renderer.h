@@ -4,11 +4,10 @@
 #include <string>
 
 #include "render/frame_renderer.h"
+#include "render/gl/context.h"
 #include "render/transfer/transfer_store.h"
 
 namespace brume {
-
-class EglContext;
 
 // What renders: auto_ takes gl where a GPU answers. OpenGL in software is never taken unasked: cpu
 // is faster.
@@ -32,7 +31,7 @@ class GlRenderer final : public FrameRenderer {
   static std::unique_ptr<GlRenderer> create(std::shared_ptr<const TransferStore> transfers,
                                             std::string& problem, bool debug = false);
   // With a context that nobody else makes current.
-  static std::unique_ptr<GlRenderer> create(std::unique_ptr<EglContext> context,
+  static std::unique_ptr<GlRenderer> create(std::unique_ptr<gl::Context> context,
                                             std::shared_ptr<const TransferStore> transfers,
                                             std::string& problem);
   ~GlRenderer() override;
@@ -44,7 +43,7 @@ class GlRenderer final : public FrameRenderer {
   [[nodiscard]] const std::string& device_name() const;
   // Whether the device is the CPU in disguise, slower than Renderer.
   [[nodiscard]] bool is_software() const;
-  [[nodiscard]] EglContext& context();
+  [[nodiscard]] gl::Context& context();
 
  private:
   struct Impl;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <glm/vec4.hpp>
+#include <thread>
 #include <vector>
 
 #include "render/gl/resources.h"
@@ -37,22 +38,38 @@ TEST(Device, SaysWhatItLacks) {
   EXPECT_EQ(lack(device), "A GPU offers 16384 bytes shared by a work group; 32768 are needed");
 }
 
-using Context = GlTest;
+using InContext = GlTest;
 
-TEST_F(Context, RunsThePasses) {
+TEST_F(InContext, RunsThePasses) {
   const Device device = current_device();
   EXPECT_NE(device.name, "");
   EXPECT_EQ(lack(device), "");
 }
 
-TEST_F(Context, MessagesAreCollected) {
+TEST_F(InContext, ContextsThatShareSeeTheSameTextures) {
+  const std::vector<float> values{1.0f, 2.0f, 3.0f, 4.0f};
+  Texture texture;
+  texture.reserve(Texture::Format::rgba32f, {1, 1});
+  texture.upload(values);
+  glFinish();
+  std::vector<float> seen(4);
+  std::thread([&] {
+    const auto other = context_->create_sharing();
+    ASSERT_TRUE(other && other->is_current());
+    texture.download(seen);
+  }).join();
+  EXPECT_EQ(seen, values);
+  EXPECT_TRUE(context_->is_current());
+}
+
+TEST_F(InContext, MessagesAreCollected) {
   glEnable(GL_TEXTURE_BINDING_2D);  // not something to enable
   EXPECT_NE(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   EXPECT_EQ(messages_->take().size(), 1u);
   EXPECT_TRUE(messages_->take().empty());
 }
 
-TEST_F(Context, BuffersKeepWhatTheyTake) {
+TEST_F(InContext, BuffersKeepWhatTheyTake) {
   std::vector<float> values(1000);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
   Buffer buffer;
@@ -72,7 +89,7 @@ TEST_F(Context, BuffersKeepWhatTheyTake) {
   EXPECT_EQ(live_objects(), objects_ + 1);
 }
 
-TEST_F(Context, BuffersThatShadersCannotReachAreRefused) {
+TEST_F(InContext, BuffersThatShadersCannotReachAreRefused) {
   GLint64 most = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
   constexpr GLint64 affordable = 1 << 28;
@@ -82,7 +99,7 @@ TEST_F(Context, BuffersThatShadersCannotReachAreRefused) {
   EXPECT_THROW(buffer.bind(0), OutOfMemory);
 }
 
-TEST_F(Context, TexturesKeepWhatTheyTake) {
+TEST_F(InContext, TexturesKeepWhatTheyTake) {
   for (const glm::ivec2 size : {glm::ivec2(5, 3), glm::ivec2(64, 2)}) {
     std::vector<float> values(static_cast<std::size_t>(4 * size.x * size.y));
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.5f * static_cast<float>(i);
@@ -98,7 +115,7 @@ TEST_F(Context, TexturesKeepWhatTheyTake) {
   }
 }
 
-TEST_F(Context, ObjectsGoWithTheirOwners) {
+TEST_F(InContext, ObjectsGoWithTheirOwners) {
   const std::size_t before = live_objects();
   {
     Buffer buffer;
@@ -116,7 +133,7 @@ TEST_F(Context, ObjectsGoWithTheirOwners) {
   EXPECT_EQ(live_objects(), before);
 }
 
-TEST_F(Context, WhatFailsSaysSo) {
+TEST_F(InContext, WhatFailsSaysSo) {
   EXPECT_THROW(shader_source("none.glsl"), Error);
   failures().shader = true;
   EXPECT_THROW(Program("composite.glsl"), Error);
@@ -132,7 +149,7 @@ TEST_F(Context, WhatFailsSaysSo) {
   messages_->take();  // of the broken shader
 }
 
-TEST_F(Context, CompositePutsTheMediumBeforeWhatIsBehind) {
+TEST_F(InContext, CompositePutsTheMediumBeforeWhatIsBehind) {
   const glm::ivec2 size(19, 9);  // no multiple of the work groups'
   const auto pixels = static_cast<std::size_t>(size.x * size.y);
   std::vector<glm::vec4> medium(pixels);
