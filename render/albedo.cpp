@@ -35,7 +35,7 @@ Medium extinction_medium(const Medium& scattering, double albedo) {
 
 void take_channels(const AlbedoGroup& group, const Frame& part, Frame& frame) {
   const auto albedo = static_cast<float>(group.albedo);
-  for (std::size_t i = 0; i < part.depth.size(); ++i) {
+  for (std::size_t i = 0; i < part.airlight.size() / 3; ++i) {
     for (const std::size_t c : group.channels) {
       const float airlight = part.airlight[3 * i + c];
       const float surface = std::max(part.beauty[4 * i + c] - airlight, 0.0f);
@@ -66,7 +66,7 @@ std::optional<Frame> render_groups(const Scene& scene, const Job& job, const Ren
     }
     take_channels(groups[i], *part, *frame);
   }
-  for (std::size_t i = 0; i < frame->depth.size(); ++i) {
+  for (std::size_t i = 0; i < frame->beauty.size() / 4; ++i) {
     if (std::isfinite(frame->depth[i])) continue;  // a surface covers its pixel
     const float* transmittance = frame->transmittance.data() + 3 * i;
     frame->beauty[4 * i + 3] =

@@ -4,16 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "render/view_transform.h"
+
 namespace brume {
 namespace {
 
-// Khronos PBR Neutral (Khronos Group, 2024): colours below 0.8 are kept, brighter ones are
-// compressed towards white, so that hues of lit fog stay what the lights are.
+// See view_transform.h.
 std::array<float, 3> compress_highlights(std::array<float, 3> c) {
-  constexpr float start = 0.8f - 0.04f;
-  constexpr float desaturation = 0.15f;
+  using namespace highlight;
   const float low = std::min({c[0], c[1], c[2]});
-  const float offset = low < 0.08f ? low - 6.25f * low * low : 0.04f;
+  const float offset = low < knee ? low - slope * low * low : highlight::offset;
   for (float& x : c) x -= offset;
   const float peak = std::max({c[0], c[1], c[2]});
   if (peak < start) return c;
@@ -54,6 +54,11 @@ ImageLayers to_layers(const Frame& frame) {
   return image;
 }
 
+float exposure_gain(double stops) {
+  // Sixty stops make anything black or white; more would overflow, and NaN is no exposure.
+  return static_cast<float>(std::exp2(std::isfinite(stops) ? std::clamp(stops, -60.0, 60.0) : 0.0));
+}
+
 std::vector<std::uint8_t> to_display(const Frame& frame, double exposure) {
   // sRGB bytes of even steps of [0, 1], finer than a byte even in the darkest values, whose slope
   // is 12.92.
@@ -64,16 +69,13 @@ std::vector<std::uint8_t> to_display(const Frame& frame, double exposure) {
     }
     return bytes;
   }();
-  // Sixty stops make anything black or white; more would overflow, and NaN is no exposure.
-  const double stops = std::isfinite(exposure) ? std::clamp(exposure, -60.0, 60.0) : 0.0;
-  const float gain = static_cast<float>(std::exp2(stops));
+  const float gain = exposure_gain(exposure);
   const std::size_t pixels = frame.beauty.size() / 4;
   std::vector<std::uint8_t> rgb(3 * pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
-    // Clamped first: an exposure must not turn a bright light into infinity.
     std::array<float, 3> c;
     for (std::size_t k = 0; k < 3; ++k) {
-      c[k] = std::clamp(gain * frame.beauty[4 * i + k], 0.0f, 1e6f);
+      c[k] = std::clamp(gain * frame.beauty[4 * i + k], 0.0f, brightest_shown);
     }
     c = compress_highlights(c);
     for (std::size_t k = 0; k < 3; ++k) {

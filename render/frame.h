@@ -63,8 +63,11 @@ inline float finite(float x) {
 // The EXR layers of the contract: R G B A, airlight.R/G/B, transmittance.R/G/B, Z.
 ImageLayers to_layers(const Frame& frame);
 
+// What an exposure multiplies radiance with; none if it is NaN.
+float exposure_gain(double stops);
+
 // What the screen and PNG show of linear radiance: 8-bit sRGB, RGB per pixel. `exposure` is in
-// stops. See view_transform in frame.cpp for the curve; it is never baked into an EXR.
+// stops. See view_transform.h for the curve; it is never baked into an EXR.
 std::vector<std::uint8_t> to_display(const Frame& frame, double exposure);
 
 }  // namespace brume

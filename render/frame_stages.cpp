@@ -19,17 +19,20 @@ Settings::Arithmetic arithmetic_of(const Settings& settings) {
 
 }  // namespace
 
+void FrameWork::make_layers() {
+  const auto pixels =
+      static_cast<std::size_t>(frame.film.width) * static_cast<std::size_t>(frame.film.height);
+  frame.beauty.resize(4 * pixels);
+  frame.airlight.resize(3 * pixels);
+  frame.transmittance.assign(3 * pixels, 1.0f);
+  frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
+}
+
 bool FrameStages::begin(FrameWork& work, StageClock& clock) {
   if (!work.plan.transfers.empty()) {
     if (!find_transfers(work)) return false;
     clock.finish("transfer");
   }
-  const auto pixels = static_cast<std::size_t>(work.frame.film.width) *
-                      static_cast<std::size_t>(work.frame.film.height);
-  work.frame.beauty.resize(4 * pixels);
-  work.frame.airlight.resize(3 * pixels);
-  work.frame.transmittance.assign(3 * pixels, 1.0f);
-  work.frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
   prepared_.update(work.scene, work.plan.lights, work.settings);
   shading_.update(work.scene, work.plan, work.settings, work.transfers);
   clock.finish("prepare");

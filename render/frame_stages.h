@@ -66,6 +66,8 @@ struct FrameWork {
     frame.film = film;
     frame.time = by.time;
   }
+  // For every pixel of all of them.
+  void make_layers();
 };
 
 // The stages of a frame that come before and after its airlight, and what they keep from frame to

@@ -59,6 +59,7 @@ std::optional<Frame> Renderer::Impl::render(FrameWork& work) {
   statistics.skipped = work.plan.skipped;
   statistics.gaussians_total = work.scene.medium.size();
   StageClock clock(statistics.stages);
+  work.make_layers();
   if (!stages.begin(work, clock)) return std::nullopt;
   stages.find_hits(work, clock);
   if (!stages.prepare_source(work, clock)) return std::nullopt;

@@ -22,6 +22,15 @@ using namespace gl;
 
 namespace {
 
+void read_depth(const FilmTextures& textures, Frame& frame) {
+  const glm::ivec2& size = textures.depth.size();
+  frame.depth.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  textures.depth.download(frame.depth);
+  for (float& depth : frame.depth) {
+    if (depth < 0.0f) depth = std::numeric_limits<float>::infinity();
+  }
+}
+
 void read_back(const FilmTextures& textures, Frame& frame) {
   const std::size_t pixels = frame.depth.size();
   std::vector<float> values(4 * pixels);
@@ -34,10 +43,7 @@ void read_back(const FilmTextures& textures, Frame& frame) {
   }
   textures.beauty.download(frame.beauty);
   for (float& x : frame.beauty) x = finite(x);
-  textures.depth.download(frame.depth);
-  for (float& depth : frame.depth) {
-    if (depth < 0.0f) depth = std::numeric_limits<float>::infinity();
-  }
+  read_depth(textures, frame);
   std::vector<float>& pairs = frame.statistics.pixel_pairs;
   pairs.resize(pixels);
   textures.pairs.download(pairs);
@@ -78,13 +84,15 @@ struct GlRenderer::Impl {
   Device device;
   std::shared_ptr<TransferStore> own_transfers;  // null: those of another
   std::shared_ptr<const TransferStore> transfers;
-  std::string failure;  // why nothing more is tried; empty: nothing failed
+  std::shared_ptr<PicturePool> pictures;  // null: there is none
+  std::string failure;                    // why nothing more is tried; empty: nothing failed
 
   // From here on objects of the context.
   Programs programs;
   DeviceClock clock;
   FilmTextures textures;
   CompositeStage composite;
+  DisplayStage display;
   std::vector<std::unique_ptr<Group>> groups;
 
   std::unique_ptr<Renderer> cpu;  // made when it is needed
@@ -92,9 +100,21 @@ struct GlRenderer::Impl {
   ~Impl() { release(true); }
   // Gives all objects back; the shaders too if the context is not used any more.
   void release(bool all);
-  std::optional<Frame> render(FrameWork& work, tbb::task_arena& arena, Group& group);
+
+  // Where a frame goes.
+  struct Target {
+    const DisplayOptions* options = nullptr;  // null: to memory
+    std::shared_ptr<DevicePicture> picture;   // null: not to a display
+  };
+  std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
+                              const Settings& settings, const Job& job, Target& target);
+  std::optional<Frame> try_render(const Scene& scene, const Camera& camera, const Film& film,
+                                  const Settings& settings, const Job& job, Target& target);
+  std::optional<Frame> render(FrameWork& work, tbb::task_arena& arena, std::size_t which,
+                              const Target& target);
   void find_hits(FrameWork& work, Group& group);
   void find_airlight(FrameWork& work, Group& group, StageClock& clock, DeviceFrame& frame);
+  void show(FrameWork& work, std::size_t which, const Target& target, StageClock& clock);
 };
 
 std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
@@ -122,7 +142,8 @@ std::unique_ptr<GlRenderer> GlRenderer::create(std::shared_ptr<const TransferSto
 
 std::unique_ptr<GlRenderer> GlRenderer::create(std::unique_ptr<Context> context,
                                                std::shared_ptr<const TransferStore> transfers,
-                                               std::string& problem) {
+                                               std::string& problem,
+                                               std::shared_ptr<PicturePool> pictures) {
   auto impl = std::make_unique<Impl>();
   impl->context = std::move(context);
   if (!impl->context->make_current()) {
@@ -135,6 +156,7 @@ std::unique_ptr<GlRenderer> GlRenderer::create(std::unique_ptr<Context> context,
   if (!problem.empty()) return nullptr;
   if (!transfers) transfers = impl->own_transfers = std::make_shared<TransferStore>();
   impl->transfers = std::move(transfers);
+  impl->pictures = std::move(pictures);
   return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(impl)));
 }
 
@@ -158,7 +180,9 @@ void GlRenderer::Impl::release(bool all) {
   groups.clear();
   textures = {};
   composite = {};
+  display = {};
   clock = {};
+  if (pictures) pictures->trim();
   if (all) programs = {};
   context->done_current();
 }
@@ -166,44 +190,68 @@ void GlRenderer::Impl::release(bool all) {
 std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera, const Film& film,
                                         const Settings& settings, std::stop_token stop,
                                         const std::function<void(double)>& progress) {
-  Impl& impl = *impl_;
+  Impl::Target memory;
+  return impl_->render(scene, camera, film, settings, {std::move(stop), progress}, memory);
+}
+
+std::optional<GlRenderer::Shown> GlRenderer::show(const Scene& scene, const Camera& camera,
+                                                  const Film& film, const Settings& settings,
+                                                  const DisplayOptions& options,
+                                                  std::stop_token stop) {
+  Impl::Target target;
+  if (impl_->pictures) target.options = &options;
+  auto frame = impl_->render(scene, camera, film, settings, {std::move(stop), {}}, target);
+  if (!frame) return std::nullopt;
+  return Shown{std::move(*frame), std::move(target.picture)};
+}
+
+std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& camera,
+                                              const Film& film, const Settings& settings,
+                                              const Job& job, Target& target) {
   GlPlan plan(settings, RenderPlan(scene, settings.airlight));
-  std::string refusal = impl.failure.empty() ? plan.refusal : impl.failure;
+  std::string refusal = failure.empty() ? plan.refusal : failure;
   if (refusal.empty()) {
     try {
-      const Job job{stop, progress};
-      tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-      const FogEnd fog_end(scene);
-      const std::size_t groups = albedo_groups(scene.optics.albedo).size();
-      const Current current(*impl.context);
-      while (impl.groups.size() < groups) impl.groups.push_back(std::make_unique<Impl::Group>());
-      impl.groups.resize(groups);
-      std::optional<Frame> frame = render_groups(
-          scene, job, [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
-            FrameWork work(of, camera, film, settings, *impl.transfers, impl.own_transfers.get(),
-                           part, albedo, fog_end);
-            return impl.render(work, arena, *impl.groups[which]);
-          });
+      std::optional<Frame> frame = try_render(scene, camera, film, settings, job, target);
       if (!frame) return std::nullopt;
       frame->statistics.backend = "gl";
-      frame->statistics.device = impl.device.name;
+      frame->statistics.device = device.name;
       frame->statistics.on_cpu = std::move(plan.on_cpu);
       return frame;
     } catch (const OutOfMemory& error) {
       refusal = error.what();
-      impl.release(false);
+      target.picture.reset();
+      release(false);
     } catch (const Error& error) {
-      refusal = impl.failure = error.what();
-      impl.release(true);
+      refusal = failure = error.what();
+      target.picture.reset();
+      release(true);
     }
   }
-  if (!impl.cpu) {
-    impl.cpu = impl.own_transfers ? std::make_unique<Renderer>()
-                                  : std::make_unique<Renderer>(impl.transfers);
+  if (!cpu) {
+    cpu = own_transfers ? std::make_unique<Renderer>() : std::make_unique<Renderer>(transfers);
   }
-  std::optional<Frame> frame = impl.cpu->render(scene, camera, film, settings, stop, progress);
+  std::optional<Frame> frame = cpu->render(scene, camera, film, settings, job.stop, job.progress);
   if (frame) frame->statistics.on_cpu = {{"frame", refusal}};
   return frame;
+}
+
+std::optional<Frame> GlRenderer::Impl::try_render(const Scene& scene, const Camera& camera,
+                                                  const Film& film, const Settings& settings,
+                                                  const Job& job, Target& target) {
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  const FogEnd fog_end(scene);
+  const std::size_t count = albedo_groups(scene.optics.albedo).size();
+  const Current current(*context);
+  while (groups.size() < count) groups.push_back(std::make_unique<Group>());
+  groups.resize(count);
+  if (target.options) target.picture = pictures->take({film.width, film.height});
+  return render_groups(scene, job,
+                       [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
+                         FrameWork work(of, camera, film, settings, *transfers, own_transfers.get(),
+                                        part, albedo, fog_end);
+                         return render(work, arena, which, target);
+                       });
 }
 
 // Where view rays end: the depth texture, and the hits of the mesh.
@@ -221,7 +269,10 @@ void GlRenderer::Impl::find_hits(FrameWork& work, Group& group) {
 void GlRenderer::Impl::find_airlight(FrameWork& work, Group& group, StageClock& cpu_clock,
                                      DeviceFrame& frame) {
   if (!work.plan.gaussians && !work.plan.homogeneous) {
-    const std::vector<glm::vec4> clear(work.frame.depth.size(), {0.0f, 0.0f, 0.0f, 1.0f});
+    const glm::ivec2& size = textures.airlight.size();
+    const std::vector<glm::vec4> clear(
+        static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
+        {0.0f, 0.0f, 0.0f, 1.0f});
     textures.airlight.upload({&clear[0].x, 4 * clear.size()});
     textures.pairs.fill(0.0f);
     return;
@@ -240,8 +291,26 @@ void GlRenderer::Impl::find_airlight(FrameWork& work, Group& group, StageClock& 
   cpu_clock.finish("submit");
 }
 
+// The picture of the last group is there when this returns, for all contexts.
+void GlRenderer::Impl::show(FrameWork& work, std::size_t which, const Target& target,
+                            StageClock& cpu_clock) {
+  clock.time("display", [&] {
+    display.run(programs, textures, *target.options, albedo_groups(work.scene.optics.albedo), which,
+                target.picture->texture());
+  });
+  cpu_clock.finish("submit");
+  work.frame.statistics.view_pairs += display.sum_pairs(programs, textures);
+  finish();
+  cpu_clock.finish("wait");
+  if (which == 0 && target.options->depth && work.plan.surfaces) {
+    read_depth(textures, work.frame);
+    cpu_clock.finish("read_depth");
+  }
+}
+
 std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& arena,
-                                              Group& group) {
+                                              std::size_t which, const Target& target) {
+  Group& group = *groups[which];
   const auto start = std::chrono::steady_clock::now();
   FrameStatistics& statistics = work.frame.statistics;
   statistics.skipped = work.plan.skipped;
@@ -280,10 +349,15 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
   }
   if (work.job.stop.stop_requested()) return std::nullopt;
   clock.time("composite", [&] { composite.run(programs, work, textures); });
-  cpu_clock.finish("submit");
-  read_back(textures, work.frame);
-  check("reading a frame back");
-  cpu_clock.finish("read_back");
+  if (target.picture) {
+    show(work, which, target, cpu_clock);
+  } else {
+    cpu_clock.finish("submit");
+    work.make_layers();
+    read_back(textures, work.frame);
+    cpu_clock.finish("read_back");
+  }
+  check("finishing a frame");
   clock.take(statistics.stages);
   if (work.job.progress) work.job.progress(1.0);
   statistics.frame_milliseconds =

@@ -5,6 +5,8 @@
 
 #include "render/frame_renderer.h"
 #include "render/gl/context.h"
+#include "render/gl/display_stage.h"
+#include "render/gl/picture_pool.h"
 #include "render/transfer/transfer_store.h"
 
 namespace brume {
@@ -30,15 +32,28 @@ class GlRenderer final : public FrameRenderer {
   // passes; `problem` then says why. `debug` as of EglContext.
   static std::unique_ptr<GlRenderer> create(std::shared_ptr<const TransferStore> transfers,
                                             std::string& problem, bool debug = false);
-  // With a context that nobody else makes current.
+  // With a context that nobody else makes current. `pictures`: for show(), of contexts that share
+  // their objects with it; null: there are none.
   static std::unique_ptr<GlRenderer> create(std::unique_ptr<gl::Context> context,
                                             std::shared_ptr<const TransferStore> transfers,
-                                            std::string& problem);
+                                            std::string& problem,
+                                            std::shared_ptr<gl::PicturePool> pictures = nullptr);
   ~GlRenderer() override;
 
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
                               const Settings& settings, std::stop_token stop = {},
                               const std::function<void(double)>& progress = {}) override;
+
+  // A frame whose picture stays on the device. It has no layers then, but for the depth where that
+  // is asked for and there are surfaces. Without a picture it is what render() makes: it was not
+  // made on the device, or there is no pool.
+  struct Shown {
+    Frame frame;
+    std::shared_ptr<gl::DevicePicture> picture;
+  };
+  std::optional<Shown> show(const Scene& scene, const Camera& camera, const Film& film,
+                            const Settings& settings, const gl::DisplayOptions& options,
+                            std::stop_token stop = {});
 
   [[nodiscard]] const std::string& device_name() const;
   // Whether the device is the CPU in disguise, slower than Renderer.

@@ -25,6 +25,8 @@ FormatNames names_of(Texture::Format format) {
       return {GL_R32F, GL_RED};
     case Texture::Format::rgba32f:
       return {GL_RGBA32F, GL_RGBA};
+    case Texture::Format::rgba8:
+      return {GL_RGBA8, GL_RGBA};
   }
   return {};
 }
@@ -75,6 +77,12 @@ void Object::reset() {
       glDeleteQueries(1, &name_);
       break;
   }
+  name_ = 0;
+  --live;
+}
+
+void Object::abandon() {
+  if (name_ == 0) return;
   name_ = 0;
   --live;
 }
@@ -264,6 +272,40 @@ double Timer::milliseconds() const {
   glGetQueryObjectui64v(first_.name(), GL_QUERY_RESULT, &first);
   glGetQueryObjectui64v(last_.name(), GL_QUERY_RESULT, &last);
   return 1e-6 * static_cast<double>(last - first);
+}
+
+void Fence::set() {
+  reset();
+  sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (!sync_) return;  // the context is lost, and there is nothing to wait for
+  ++live;
+  glFlush();  // or else another context would wait for ever
+}
+
+void Fence::wait() {
+  if (!sync_) return;
+  constexpr GLuint64 patience = 10'000'000'000;  // nanoseconds
+  const GLenum answer = glClientWaitSync(static_cast<GLsync>(sync_), 0, patience);
+  reset();
+  if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED) {
+    throw Error("the device does not answer");
+  }
+}
+
+void Fence::reset() {
+  if (!sync_) return;
+  glDeleteSync(static_cast<GLsync>(sync_));
+  abandon();
+}
+
+void Fence::abandon() {
+  if (!sync_) return;
+  sync_ = nullptr;
+  --live;
+}
+
+void finish() {
+  glFinish();
 }
 
 void check(const char* what) {

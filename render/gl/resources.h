@@ -25,7 +25,8 @@ class OutOfMemory : public Error {
   using Error::Error;
 };
 
-// Objects of the current context, each owned by one value: buffers, textures, programs and queries.
+// Objects of the current context, each owned by one value: buffers, textures, programs, queries and
+// fences.
 // Everything here needs the context that made it to be current, destructors too.
 
 // How many of them live: what leaks is seen there.
@@ -46,6 +47,8 @@ class Object {
   }
 
   void reset();
+  // Its contexts are gone, and it with them.
+  void abandon();
   [[nodiscard]] unsigned name() const { return name_; }
   explicit operator bool() const { return name_ != 0; }
 
@@ -94,7 +97,7 @@ class Buffer {
 // for it.
 class Texture {
  public:
-  enum class Format { r32f, rgba32f };
+  enum class Format { r32f, rgba32f, rgba8 };
 
   [[nodiscard]] const glm::ivec2& size() const { return size_; }
   [[nodiscard]] unsigned name() const { return object_.name(); }
@@ -108,6 +111,7 @@ class Texture {
     object_.reset();
     size_ = glm::ivec2(0);
   }
+  void abandon() { object_.abandon(); }
   // All channels of all texels.
   void fill(float value);
   void bind_image(unsigned unit) const;  // to read and to write
@@ -158,6 +162,28 @@ class Timer {
  private:
   Object first_, last_;
 };
+
+// A point in what a context sends to the device, known to all contexts that share its objects.
+class Fence {
+ public:
+  Fence() = default;
+  ~Fence() { reset(); }
+  Fence(const Fence&) = delete;
+  Fence& operator=(const Fence&) = delete;
+
+  // Here, instead of where it was.
+  void set();
+  // Until the device is there; then it is nowhere. Throws Error where the device does not answer.
+  void wait();
+  void abandon();  // as Object
+
+ private:
+  void reset();
+  void* sync_ = nullptr;  // null: nowhere
+};
+
+// Until the device has done all that was sent.
+void finish();
 
 // Throws Error where the context is lost or OpenGL has reported an error since the last call.
 void check(const char* what);

@@ -21,6 +21,7 @@
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
 #include "render/triangle_hierarchy.h"
+#include "render/view_transform.h"
 
 namespace brume::gl {
 namespace {
@@ -98,6 +99,12 @@ std::string shader_constants() {
   constants.add("most_boundaries", most_boundaries);
   constants.add("most_levels", TriangleHierarchy::most_levels);
   constants.add("peak_slices", peak_slices);
+  constants.add("highlight_start", highlight::start);
+  constants.add("highlight_desaturation", highlight::desaturation);
+  constants.add("highlight_offset", highlight::offset);
+  constants.add("highlight_knee", highlight::knee);
+  constants.add("highlight_slope", highlight::slope);
+  constants.add("brightest_shown", brightest_shown);
   return constants.text();
 }
 

@@ -1,0 +1,44 @@
+#include "render/gl/display_stage.h"
+
+#include <cmath>
+
+#include "render/frame.h"
+
+namespace brume::gl {
+
+void DisplayStage::run(Programs& programs, const FilmTextures& film, const DisplayOptions& options,
+                       const std::vector<AlbedoGroup>& groups, std::size_t which,
+                       const Texture& picture) {
+  glm::vec3 channels(0.0f);
+  for (const std::size_t c : groups[which].channels) channels[static_cast<int>(c)] = 1.0f;
+  if (groups.size() > 1) channels_.reserve(Texture::Format::rgba32f, picture.size());
+  const Program& program = programs["display"];
+  program.set("albedo", static_cast<float>(groups[which].albedo));
+  program.set("channels", channels);
+  program.set("airlight_only", options.layer == DisplayOptions::Layer::airlight ? 1 : 0);
+  program.set("is_first", which == 0 ? 1 : 0);
+  program.set("is_last", which + 1 == groups.size() ? 1 : 0);
+  program.set("gain", exposure_gain(options.exposure));
+  film.airlight.bind_image(0);
+  film.beauty.bind_image(1);
+  channels_.bind_image(2);
+  picture.bind_image(3);
+  const auto across = [](int pixels, int size) {
+    return static_cast<std::size_t>((pixels + size - 1) / size);
+  };
+  program.dispatch(across(picture.size().x, 16), across(picture.size().y, 8));
+}
+
+std::uint64_t DisplayStage::sum_pairs(Programs& programs, const FilmTextures& film) {
+  std::vector<float> rows(static_cast<std::size_t>(film.pairs.size().y));
+  rows_.reserve(rows.size() * sizeof(float));
+  film.pairs.bind_image(0);
+  rows_.bind(0);
+  programs["sum_pairs"].dispatch(rows.size());
+  rows_.download(std::span<float>(rows));
+  double sum = 0.0;
+  for (const float row : rows) sum += static_cast<double>(row);
+  return static_cast<std::uint64_t>(sum);
+}
+
+}  // namespace brume::gl

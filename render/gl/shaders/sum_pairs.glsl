@@ -1,0 +1,20 @@
+// How many pairs each row of pixels took.
+layout(local_size_x = 64) in;
+
+layout(r32f, binding = 0) readonly uniform image2D pairs;
+layout(std430, binding = 0) writeonly buffer Rows { float rows[]; };
+
+shared float sums[64];
+
+void main() {
+  const int id = int(gl_LocalInvocationID.x);
+  const int y = int(gl_WorkGroupID.x);
+  float sum = 0.0;
+  for (int x = id; x < imageSize(pairs).x; x += 64) sum += imageLoad(pairs, ivec2(x, y)).r;
+  sums[id] = sum;
+  for (int half_ = 32; half_ > 0; half_ /= 2) {
+    barrier();
+    if (id < half_) sums[id] += sums[id + half_];
+  }
+  if (id == 0) rows[y] = sums[0];
+}
