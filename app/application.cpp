@@ -49,6 +49,10 @@ QColor accent_color() {
   return {240, 160, 48};
 }
 
+void prepare_application() {
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
 void set_up_application(QApplication& application) {
   QApplication::setOrganizationName("Brume");
   QApplication::setApplicationName("Brume");

@@ -20,6 +20,7 @@ QSize parse_size(const QString& text) {
 
 int main(int argc, char* argv[]) {
   brume::keep_frame_memory();
+  brume::prepare_application();
   QApplication application(argc, argv);
   brume::set_up_application(application);
 

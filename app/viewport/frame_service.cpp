@@ -1,8 +1,12 @@
 #include "app/viewport/frame_service.h"
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <algorithm>
 #include <exception>
+#include <utility>
+
+#include "render/gl/egl_context.h"
 
 namespace brume {
 namespace {
@@ -15,15 +19,78 @@ Film divided(const Film& film, int divisor) {
   return {std::max(1, film.width / divisor), std::max(1, film.height / divisor)};
 }
 
+// What renders, and what of it leaves pictures on the device.
+class ChosenRenderer {
+ public:
+  ChosenRenderer() = default;
+  ChosenRenderer(Backend backend, const std::shared_ptr<const TransferStore>& transfers,
+                 const FrameService::MakeContext& make_context,
+                 const std::shared_ptr<gl::PicturePool>& pictures) {
+    auto sharing = sharing_renderer(backend, transfers, make_context, pictures);
+    sharing_ = sharing.get();
+    renderer_ = std::move(sharing);
+    if (!renderer_) renderer_ = make_renderer(backend, transfers, problem_);
+  }
+
+  // Null if stopped.
+  std::shared_ptr<RenderedFrame> render(const FrameRequest& request, const Film& film,
+                                        const std::stop_token& stop) {
+    auto rendered = std::make_shared<RenderedFrame>();
+    auto options =
+        sharing_ && request.moving ? display_options(request.exposure, request.mode) : std::nullopt;
+    const Scene& scene = *request.scene;
+    if (options) {
+      options->depth = request.depth;
+      auto shown = sharing_->show(scene, request.camera, film, request.settings, *options, stop);
+      if (!shown) return nullptr;
+      rendered->frame = std::move(shown->frame);
+      rendered->on_device = std::move(shown->picture);
+    } else {
+      auto frame = renderer_->render(scene, request.camera, film, request.settings, stop);
+      if (!frame) return nullptr;
+      rendered->frame = std::move(*frame);
+    }
+    if (!problem_.empty()) rendered->frame.statistics.on_cpu = {{"frame", problem_}};
+    if (!rendered->on_device) {
+      rendered->picture = to_picture(rendered->frame, request.exposure, request.mode);
+    }
+    return rendered;
+  }
+
+ private:
+  // Null where another is better: OpenGL in software is not taken unasked, and not where there is a
+  // GPU that the views do not use.
+  static std::unique_ptr<GlRenderer> sharing_renderer(
+      Backend backend, const std::shared_ptr<const TransferStore>& transfers,
+      const FrameService::MakeContext& make_context,
+      const std::shared_ptr<gl::PicturePool>& pictures) {
+    if (backend == Backend::cpu || !make_context) return nullptr;
+    auto context = make_context();
+    if (!context) return nullptr;
+    std::string problem;
+    auto renderer = GlRenderer::create(std::move(context), transfers, problem, pictures);
+    if (!renderer || !renderer->is_software()) return renderer;
+    const bool better =
+        backend == Backend::auto_ || EglContext::create(nullptr, false, EglContext::Devices::gpu);
+    return better ? nullptr : std::move(renderer);
+  }
+
+  std::unique_ptr<FrameRenderer> renderer_;
+  GlRenderer* sharing_ = nullptr;  // the same, where its pictures are for the views
+  std::string problem_;            // why it is not what was asked for
+};
+
 }  // namespace
 
-FrameService::FrameService(std::shared_ptr<const TransferStore> transfers, QObject* parent)
+FrameService::FrameService(std::shared_ptr<const TransferStore> transfers, MakeContext make_context,
+                           QObject* parent)
     : QObject(parent),
-      thread_([this, transfers = std::move(transfers)](const std::stop_token& quit) {
-        work(quit, transfers);
-      }) {}
+      thread_([this, transfers = std::move(transfers), make_context = std::move(make_context)](
+                  const std::stop_token& quit) { work(quit, transfers, make_context); }) {}
 
 FrameService::~FrameService() {
+  // Frames that nobody will take: their pictures go back while there is a context.
+  QCoreApplication::removePostedEvents(this);
   thread_.request_stop();
   {
     const std::scoped_lock lock(mutex_);
@@ -36,9 +103,9 @@ void FrameService::request(FrameRequest request) {
   const std::scoped_lock lock(mutex_);
   const int view = request.view;
   if (running_) {
-    const FrameRequest& now = running_->request;
+    const FrameRequest& now = *running_;
     // The same state at full quality is already on its way.
-    if (now.view == view && now.serial == request.serial && running_->divisor == 1 &&
+    if (now.view == view && now.serial == request.serial && !now.moving &&
         now.settings == request.settings && !stop_frame_.stop_requested()) {
       pending_.erase(view);
       return;
@@ -55,7 +122,7 @@ void FrameService::request(FrameRequest request) {
 void FrameService::forget(int view) {
   const std::scoped_lock lock(mutex_);
   pending_.erase(view);
-  if (running_ && running_->request.view == view) stop_frame_.request_stop();
+  if (running_ && running_->view == view) stop_frame_.request_stop();
 }
 
 void FrameService::set_active(int view) {
@@ -82,9 +149,10 @@ int FrameService::motion_divisor(const Film& film) const {
 }
 
 void FrameService::work(const std::stop_token& quit,
-                        const std::shared_ptr<const TransferStore>& transfers) {
-  std::unique_ptr<FrameRenderer> renderer;
-  std::string problem;  // why it is not what was asked for
+                        const std::shared_ptr<const TransferStore>& transfers,
+                        const MakeContext& make_context) {
+  const auto pictures = gl::PicturePool::create();
+  ChosenRenderer renderer;
   std::uint64_t made_for = 0;
   while (true) {
     FrameRequest request;
@@ -101,7 +169,7 @@ void FrameService::work(const std::stop_token& quit,
       request = std::move(next->second);
       pending_.erase(next);
       if (request.moving) divisor = motion_divisor(request.film);
-      running_ = Running{request, divisor};
+      running_ = request;
       stop_frame_ = std::stop_source();
       if (quit.stop_requested()) return;
       stop = stop_frame_.get_token();
@@ -110,23 +178,18 @@ void FrameService::work(const std::stop_token& quit,
     }
     try {
       if (made_for != choice) {
-        renderer.reset();
-        problem.clear();
-        renderer = make_renderer(backend, transfers, problem);
+        renderer = {};  // first, or there would be two of them
+        renderer = ChosenRenderer(backend, transfers, make_context, pictures);
         made_for = choice;
         milliseconds_per_pixel_ = 0.0;
       }
       QElapsedTimer timer;
       timer.start();
       const Film film = divided(request.film, divisor);
-      auto frame = renderer->render(*request.scene, request.camera, film, request.settings, stop);
-      if (!frame) continue;
-      if (!problem.empty()) frame->statistics.on_cpu = {{"frame", problem}};
-      auto rendered = std::make_shared<RenderedFrame>();
-      rendered->picture = to_picture(*frame, request.exposure, request.mode);
+      const std::shared_ptr<RenderedFrame> rendered = renderer.render(request, film, stop);
+      if (!rendered) continue;
       rendered->milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
       rendered->divisor = divisor;
-      rendered->frame = std::move(*frame);
       rendered->request = std::move(request);
       if (rendered->request.moving) {  // at rest pixels may cost more
         milliseconds_per_pixel_ = rendered->milliseconds / (film.width * film.height);

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -29,13 +30,15 @@ struct FrameRequest {
   ViewMode mode = ViewMode::final;
   int view = 0;              // whose it is
   std::uint64_t serial = 0;  // names the state of scene, camera and film that this shows
-  bool moving = false;       // may take a lower resolution to stay fluid
+  bool moving = false;       // may take a lower resolution to stay fluid, and leave out layers
+  bool depth = true;         // a layer that is wanted even so
 };
 
 struct RenderedFrame {
   FrameRequest request;
-  Frame frame;
-  QImage picture;  // as the mode wants it
+  Frame frame;  // of one in motion only the depth may be there, and not even that without surfaces
+  QImage picture;  // as the mode wants it; null where it is on the device
+  std::shared_ptr<gl::DevicePicture> on_device;  // null: picture is there, and all of the frame
   int divisor = 1;
   double milliseconds = 0.0;
 };
@@ -47,8 +50,13 @@ struct RenderedFrame {
 class FrameService : public QObject {
   Q_OBJECT
  public:
+  // Makes a context that shares its objects with those of the views, in the service's thread. May
+  // be null, and may say so.
+  using MakeContext = std::function<std::unique_ptr<gl::Context>()>;
+
   // `transfers` as of Renderer.
-  explicit FrameService(std::shared_ptr<const TransferStore> transfers, QObject* parent = nullptr);
+  explicit FrameService(std::shared_ptr<const TransferStore> transfers,
+                        MakeContext make_context = {}, QObject* parent = nullptr);
   ~FrameService() override;  // gives up the frame in flight
 
   void request(FrameRequest request);
@@ -66,18 +74,15 @@ class FrameService : public QObject {
   void failed(const QString& message);
 
  private:
-  void work(const std::stop_token& quit, const std::shared_ptr<const TransferStore>& transfers);
+  void work(const std::stop_token& quit, const std::shared_ptr<const TransferStore>& transfers,
+            const MakeContext& make_context);
   int motion_divisor(const Film& film) const;
 
   std::mutex mutex_;
   std::condition_variable_any wake_;
   int active_ = 0;
   std::map<int, FrameRequest> pending_;  // by view
-  struct Running {
-    FrameRequest request;
-    int divisor = 1;
-  };
-  std::optional<Running> running_;
+  std::optional<FrameRequest> running_;
   std::stop_source stop_frame_;
   double milliseconds_per_pixel_ = 0.0;  // of the last frame in motion; 0 before the first
   Backend backend_ = Backend::auto_;

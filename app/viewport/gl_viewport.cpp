@@ -31,6 +31,11 @@ void GlViewport::show_picture(const QImage& picture) {
   update();
 }
 
+void GlViewport::show_picture(std::shared_ptr<gl::DevicePicture> picture) {
+  host_.show_picture(std::move(picture));
+  update();
+}
+
 void GlViewport::show_overlay(const Overlay& overlay) {
   host_.show_overlay(overlay);
   update();

@@ -19,6 +19,7 @@ class GlViewport : public QOpenGLWidget, public ViewportSurface {
 
   QWidget* widget() override { return this; }
   void show_picture(const QImage& picture) override;
+  void show_picture(std::shared_ptr<gl::DevicePicture> picture) override;
   void show_overlay(const Overlay& overlay) override;
 
  protected:

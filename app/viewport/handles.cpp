@@ -39,6 +39,7 @@ void Handles::project(const Medium& medium, const CameraRays& rays,
 
 void Handles::judge_depth(const Medium& medium, const CameraRays& rays, const Frame& frame) {
   behind_.assign(medium.size(), false);
+  if (frame.depth.empty()) return;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const glm::dvec3& center = medium.centers()[i];
     const glm::dvec3 at = rays.project(center);

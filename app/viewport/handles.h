@@ -23,7 +23,8 @@ class Handles {
   void project(const Medium& medium, const CameraRays& rays, std::span<const GaussianId> hidden,
                std::span<const GaussianId> locked);
 
-  // Which Gaussians lie behind a surface, judged by a frame and the camera it was made with.
+  // Which Gaussians lie behind a surface, judged by a frame and the camera it was made with: none
+  // if it has no depths.
   void judge_depth(const Medium& medium, const CameraRays& rays, const Frame& frame);
 
   // Indices of Gaussians: the one under the mouse (the front one of those equally near), and all

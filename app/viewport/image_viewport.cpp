@@ -23,6 +23,11 @@ void ImageViewport::show_picture(const QImage& picture) {
   update();
 }
 
+void ImageViewport::show_picture(std::shared_ptr<gl::DevicePicture> picture) {
+  host_.show_picture(std::move(picture));
+  update();
+}
+
 void ImageViewport::show_overlay(const Overlay& overlay) {
   host_.show_overlay(overlay);
   update();

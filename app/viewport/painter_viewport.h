@@ -14,6 +14,7 @@ class PainterViewport : public QWidget, public ViewportSurface {
 
   QWidget* widget() override { return this; }
   void show_picture(const QImage& picture) override;
+  void show_picture(std::shared_ptr<gl::DevicePicture> /*picture*/) override {}  // there are none
   void show_overlay(const Overlay& overlay) override;
   [[nodiscard]] QString gl_problem() const override { return gl_problem_; }
 

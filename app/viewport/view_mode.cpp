@@ -143,6 +143,21 @@ QImage to_picture(const Frame& frame, double exposure, ViewMode mode) {
   }
 }
 
+std::optional<gl::DisplayOptions> display_options(double exposure, ViewMode mode) {
+  using Layer = gl::DisplayOptions::Layer;
+  switch (mode) {
+    case ViewMode::final:
+      return {{.layer = Layer::beauty, .exposure = exposure}};
+    case ViewMode::outlines:
+    case ViewMode::error:
+      return {{.layer = Layer::beauty, .exposure = exposure + behind_outlines}};
+    case ViewMode::airlight:
+      return {{.layer = Layer::airlight, .exposure = exposure}};
+    default:
+      return std::nullopt;
+  }
+}
+
 QImage error_picture(const ErrorMap& map) {
   QImage image(map.film.width, map.film.height, QImage::Format_RGB32);
   const float* error = map.error.data();

@@ -3,6 +3,9 @@
 #include <QImage>
 #include <QStringList>
 #include <array>
+#include <optional>
+
+#include "render/gl/display_stage.h"
 
 namespace brume {
 
@@ -29,6 +32,8 @@ ViewMode next_view_mode(ViewMode mode);
 // Exposure in stops; it does not count for false colours. The error has its own, error_picture():
 // until that is there, the picture is shown darker.
 QImage to_picture(const Frame& frame, double exposure, ViewMode mode);
+// The same of a frame that stays on the device; nullopt where that cannot be.
+std::optional<gl::DisplayOptions> display_options(double exposure, ViewMode mode);
 QImage error_picture(const ErrorMap& map);
 
 // What false colours mean: the ends of the scale and what lies evenly between.

@@ -4,6 +4,7 @@
 #include "app/viewport/error_map.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/surface_picker.h"
+#include "app/viewport/viewport_surface.h"
 
 namespace brume {
 
@@ -12,10 +13,11 @@ struct ViewServices {
   ViewServices(const Document& document, QWidget* parent)
       : transfer_job(new TransferJob(parent)),
         surfaces(document),
-        frames(transfer_job->transfers()) {}
+        frames(transfer_job->transfers(), [this] { return screens.create_context(); }) {}
 
   TransferJob* transfer_job;  // makes the radiance transfer of frames; shown in the status bar
   SurfacePicker surfaces;
+  ViewportSurfaces screens;
   FrameService frames;
   ErrorMapper error_mapper;  // of the active pane
 };

@@ -44,7 +44,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
       document_(document),
       services_(services),
       projection_(projection),
-      surface_(create_viewport_surface(this)),
+      surface_(services.screens.create(this)),
       band_(QRubberBand::Rectangle, this),
       legend_(new Legend(this)),
       camera_(document.scene().camera) {
@@ -243,16 +243,18 @@ void Viewport::set_mode(ViewMode mode) {
 // The frame on screen, as it is to be seen now.
 void Viewport::show_picture() {
   if (!shown_) return;
+  const FrameRequest& request = shown_->request;
+  const bool as_made = request.exposure == exposure_ && request.mode == mode_;
+  if (shown_->on_device && !as_made) return;  // the one at rest, which is to come, will be as asked
   legend_->show_scale(color_scale(shown_->frame, mode_, error_map_.get()));
   place_legend();
-  const FrameRequest& request = shown_->request;
   if (error_map_) {
     surface_->show_picture(error_picture(*error_map_));
-    return;
+  } else if (shown_->on_device) {
+    surface_->show_picture(shown_->on_device);
+  } else {
+    surface_->show_picture(as_made ? shown_->picture : to_picture(shown_->frame, exposure_, mode_));
   }
-  surface_->show_picture(request.exposure == exposure_ && request.mode == mode_
-                             ? shown_->picture
-                             : to_picture(shown_->frame, exposure_, mode_));
 }
 
 Film Viewport::film() const {
@@ -272,7 +274,7 @@ void Viewport::show_band(const QRect& rectangle) {
 
 bool Viewport::is_settled() const {
   return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
-         shown_->request.settings == quality_.settings();
+         !shown_->on_device && shown_->request.settings == quality_.settings();
 }
 
 void Viewport::set_time(double time) {
@@ -324,7 +326,8 @@ FrameRequest Viewport::frame_request(bool moving) const {
           .mode = mode_,
           .view = static_cast<int>(projection_),
           .serial = serial_,
-          .moving = moving};
+          .moving = moving,
+          .depth = !document_.selection().empty() || !tool_ || tool_->shows_handles()};
 }
 
 // Everything that changes the picture comes here: something soon, the full frame once it rests.

@@ -86,7 +86,7 @@ class Viewport : public QWidget {
   [[nodiscard]] std::optional<GaussianId> most_visible(QPointF position);
   [[nodiscard]] SurfacePicker& surfaces() { return services_.surfaces; }
 
-  // The frame on screen; nullptr before the first.
+  // The frame on screen; nullptr before the first. In motion it may have no layers.
   [[nodiscard]] const RenderedFrame* shown() const { return shown_.get(); }
   // Whether it shows the present state at full resolution.
   [[nodiscard]] bool is_settled() const;

@@ -1,6 +1,7 @@
 #include "app/viewport/viewport_surface.h"
 
 #include <QGuiApplication>
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QStringList>
 #include <QWidget>
@@ -8,6 +9,7 @@
 #include "app/viewport/gl_viewport.h"
 #include "app/viewport/image_viewport.h"
 #include "app/viewport/painter_viewport.h"
+#include "app/viewport/qt_context.h"
 #include "render/gl/egl_context.h"
 
 namespace brume {
@@ -25,13 +27,31 @@ bool platform_has_gl_widgets() {
 
 }  // namespace
 
-ViewportSurface* create_viewport_surface(QWidget* parent) {
-  if (platform_has_gl_widgets()) return new GlViewport(parent);
-  std::string problem;
-  if (auto context = EglContext::create(&problem)) {
+ViewportSurfaces::ViewportSurfaces() {
+  if (platform_has_gl_widgets()) {
+    offscreen_ = std::make_unique<QOffscreenSurface>();
+    offscreen_->setFormat(GlViewport::surface_format());
+    offscreen_->create();
+    return;
+  }
+  egl_ = EglContext::create(&gl_problem_);
+  if (egl_) egl_->done_current();
+}
+
+ViewportSurfaces::~ViewportSurfaces() = default;
+
+ViewportSurface* ViewportSurfaces::create(QWidget* parent) const {
+  if (offscreen_) return new GlViewport(parent);
+  std::string problem = gl_problem_;
+  if (auto context = egl_ ? egl_->create_sharing(&problem) : nullptr) {
     return new ImageViewport(std::move(context), parent);
   }
   return new PainterViewport(QString::fromStdString(problem), parent);
+}
+
+std::unique_ptr<gl::Context> ViewportSurfaces::create_context() const {
+  if (offscreen_) return QtContext::create(*offscreen_);
+  return egl_ ? egl_->create_sharing() : nullptr;
 }
 
 }  // namespace brume

@@ -9,6 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <vtkOpenGLTexture.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -16,6 +17,7 @@
 #include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkTexture.h>
+#include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cstring>
@@ -106,6 +108,13 @@ VtkHost::VtkHost(Context context) : context_(std::move(context)) {
   renderer_->SetBackground(0.0, 0.0, 0.0);
   renderer_->SetBackgroundAlpha(1.0);
   window_->AddRenderer(renderer_);
+  uploaded_->InterpolateOn();
+  uploaded_->SetWrap(vtkTexture::ClampToEdge);
+  shared_object_->SetMinificationFilter(vtkTextureObject::Linear);
+  shared_object_->SetMagnificationFilter(vtkTextureObject::Linear);
+  shared_object_->SetWrapS(vtkTextureObject::ClampToEdge);
+  shared_object_->SetWrapT(vtkTextureObject::ClampToEdge);
+  shared_->SetTextureObject(shared_object_);
   shapes_.push_back(std::make_unique<Shapes>(*renderer_, 2));
   shapes_.push_back(std::make_unique<Shapes>(*renderer_, 1));
   shapes_.push_back(std::make_unique<Shapes>(*renderer_, 1));
@@ -137,6 +146,8 @@ void VtkHost::gl_gone() {
   if (!ready_) return;
   ready_ = false;
   context_.make_current();
+  uploaded_->ReleaseGraphicsResources(window_);
+  shared_->ReleaseGraphicsResources(window_);
   window_->Finalize();
   window_->SetReadyForRendering(false);
 }
@@ -162,15 +173,16 @@ void VtkHost::show_picture(const QImage& picture) {
   for (int y = 0; y < rgb.height(); ++y) {
     std::memcpy(bytes + row * static_cast<std::size_t>(rgb.height() - 1 - y), rgb.scanLine(y), row);
   }
-  vtkTexture* texture = renderer_->GetBackgroundTexture();
-  if (!texture) {
-    vtkNew<vtkTexture> made;
-    made->InterpolateOn();
-    renderer_->SetBackgroundTexture(made);
-    renderer_->TexturedBackgroundOn();
-    texture = made;
-  }
-  texture->SetInputData(image);
+  uploaded_->SetInputData(image);
+  renderer_->SetBackgroundTexture(uploaded_);
+  renderer_->TexturedBackgroundOn();
+  picture_.reset();
+}
+
+void VtkHost::show_picture(std::shared_ptr<gl::DevicePicture> picture) {
+  picture_ = std::move(picture);
+  renderer_->SetBackgroundTexture(shared_);
+  renderer_->TexturedBackgroundOn();
 }
 
 void VtkHost::show_overlay(const Overlay& overlay) {
@@ -194,7 +206,13 @@ unsigned VtkHost::render() {
   state->Reset();
   state->Push();
   state->vtkglDepthFunc(GL_LEQUAL);
+  if (picture_) {
+    shared_object_->SetContext(window_);
+    shared_object_->AssignToExistingTexture(picture_->texture().name(), GL_TEXTURE_2D);
+    shared_object_->Modified();  // sets its filters, which another texture of that name had
+  }
   window_->Render();
+  if (picture_) picture_->drawn();
   state->Pop();
   vtkOpenGLFramebufferObject* result = window_->GetDisplayFramebuffer();
   return result ? result->GetFBOIndex() : 0;

@@ -10,8 +10,12 @@
 
 #include "app/viewport/hosted_render_window.h"
 #include "app/viewport/overlay.h"
+#include "render/gl/picture_pool.h"
 
+class vtkOpenGLTexture;
 class vtkRenderer;
+class vtkTexture;
+class vtkTextureObject;
 
 namespace brume {
 
@@ -37,6 +41,8 @@ class VtkHost {
   [[nodiscard]] QSize size() const;
 
   void show_picture(const QImage& picture);
+  // Of a context that shares its objects with this one.
+  void show_picture(std::shared_ptr<gl::DevicePicture> picture);
   void show_overlay(const Overlay& overlay);
 
   // Draws; answers the framebuffer that holds the result in its first colour attachment.
@@ -51,6 +57,10 @@ class VtkHost {
   std::vector<std::unique_ptr<std::function<void(void*)>>> reactions_;
   vtkNew<HostedRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkTexture> uploaded_;
+  vtkNew<vtkOpenGLTexture> shared_;  // of picture_
+  vtkNew<vtkTextureObject> shared_object_;
+  std::shared_ptr<gl::DevicePicture> picture_;   // null: it is uploaded_ that is shown
   std::vector<std::unique_ptr<Shapes>> shapes_;  // lines, dots, marks
   Overlay overlay_;
   double scale_ = 1.0;

@@ -58,9 +58,11 @@ std::unique_ptr<EglContext> EglContext::create(std::string* problem, bool debug,
   return result;
 }
 
-std::unique_ptr<EglContext> EglContext::create_sharing() const {
-  std::string problem;
-  return create_on(display_, context_, false, problem);
+std::unique_ptr<EglContext> EglContext::create_sharing(std::string* problem) const {
+  std::string why;
+  auto result = create_on(display_, context_, false, why);
+  if (!result && problem) *problem = why;
+  return result;
 }
 
 std::unique_ptr<EglContext> EglContext::create_on(void* display, void* shared, bool debug,

@@ -19,8 +19,9 @@ class EglContext final : public gl::Context {
   static std::unique_ptr<EglContext> create(std::string* problem = nullptr, bool debug = false,
                                             Devices devices = Devices::any);
   // Another one of its device, made current in the calling thread, which may not be that of the
-  // first: each sees the buffers, textures and fences of the other. nullptr: there is none.
-  [[nodiscard]] std::unique_ptr<EglContext> create_sharing() const;
+  // first: each sees the buffers, textures and fences of the other. nullptr and `problem` as in
+  // create().
+  [[nodiscard]] std::unique_ptr<EglContext> create_sharing(std::string* problem = nullptr) const;
   ~EglContext() override;
 
   bool make_current() override;

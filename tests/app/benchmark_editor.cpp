@@ -202,6 +202,7 @@ int main(int argc, char** argv) {
   for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
     qputenv(name, settings.path().toUtf8());
   }
+  prepare_application();
   MeteredApplication application(argc, argv);
   set_up_application(application);
   std::printf("CPU time of the main thread [ms]\n");

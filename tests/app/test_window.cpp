@@ -89,6 +89,7 @@ int start_test(int argc, char** argv, int (*run)(int, char**)) {
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
   qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
   qputenv("XDG_DATA_HOME", settings.path().toUtf8());
+  prepare_application();
   QApplication application(argc, argv);
   set_up_application(application);
   return run(argc, argv);

@@ -1,0 +1,281 @@
+// Frames of OpenGL in motion are shown without leaving the device. On a machine without a GPU this
+// runs on OpenGL in software, which shares objects between contexts and threads just as well.
+
+#include <QAction>
+#include <QLabel>
+#include <QTreeWidget>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "app/message_bar.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/view_grid.h"
+#include "app/viewport/viewport_surface.h"
+#include "render/gl/failures.h"
+#include "render/gl/gl_renderer.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+// The small scene before a floor and with something of it below.
+Scene scene_with_floor(const std::filesystem::path& mesh) {
+  QFile file(mesh);
+  if (!file.open(QIODevice::WriteOnly)) qFatal("no file");
+  file.write("OFF\n4 1 0\n-5 -0.7 -5\n5 -0.7 -5\n5 -0.7 5\n-5 -0.7 5\n4 3 2 1 0\n");
+  Scene scene = small_scene();
+  scene.surfaces.emplace_back().mesh_file = mesh;
+  return scene;
+}
+
+bool has_stage(const RenderedFrame& frame, const char* name) {
+  return std::ranges::any_of(frame.frame.statistics.stages,
+                             [&](const StageTime& stage) { return stage.name == name; });
+}
+
+int furthest(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 256;
+  int most = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      most = std::max({most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                       std::abs(qBlue(p) - qBlue(q))});
+    }
+  }
+  return most;
+}
+
+void turn(Viewport& view) {
+  Camera camera = view.camera();
+  camera.eye.x += 0.1;
+  view.set_camera(camera);
+}
+
+// A window whose frames are OpenGL's.
+class GlWindow : public TestWindow {
+ public:
+  explicit GlWindow(const Scene& scene = small_scene()) : TestWindow(scene) {
+    choose("backend_gl");
+    if (!settle() || view().shown()->frame.statistics.backend != "gl") qFatal("no OpenGL");
+  }
+  ~GlWindow() { choose("backend_auto"); }
+
+  Viewport& view() { return (*this)->viewport(); }
+  void choose(const char* backend) { (*this)->findChild<QAction*>(backend)->trigger(); }
+  // Moves a camera until `look` has seen a frame in motion.
+  static bool see_motion(Viewport& view, const std::function<void(const RenderedFrame&)>& look) {
+    bool seen = false;
+    const auto connection = QObject::connect(&view, &Viewport::frame_shown, [&] {
+      if (!view.shown()->request.moving || seen) return;
+      seen = true;
+      look(*view.shown());
+    });
+    // Again and again: a frame that comes too late would be one at rest.
+    for (int k = 0; k < 600; ++k) {
+      turn(view);
+      if (QTest::qWaitFor([&] { return seen; }, 100)) break;
+    }
+    QObject::disconnect(connection);
+    return seen;
+  }
+  bool see_motion(const std::function<void(const RenderedFrame&)>& look) {
+    return see_motion(view(), look);
+  }
+};
+
+}  // namespace
+
+class DisplayTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_frame_in_motion_stays_on_the_device() {
+    GlWindow window;
+    const auto* stages = window->findChild<QTreeWidget*>("stages");
+    QVERIFY(window.see_motion([&](const RenderedFrame& frame) {
+      QCOMPARE(frame.frame.statistics.backend, "gl");
+      QVERIFY(frame.on_device && frame.picture.isNull());
+      QVERIFY(frame.frame.beauty.empty());
+      QVERIFY(frame.frame.statistics.view_pairs > 0);
+      QVERIFY(has_stage(frame, "display") && !has_stage(frame, "read_back"));
+      QVERIFY(stages->findItems("display", Qt::MatchExactly).size() == 1);
+      QVERIFY(stages->findItems("read_back", Qt::MatchExactly).isEmpty());
+    }));
+    QVERIFY(window.settle());
+    const RenderedFrame& rest = *window.view().shown();
+    QVERIFY(!rest.on_device && !rest.picture.isNull());
+    QVERIFY(has_stage(rest, "read_back"));
+    QVERIFY(!rest.frame.beauty.empty());
+  }
+
+  void what_is_seen_is_what_would_have_been_read_back() {
+    QWidget parent;
+    parent.resize(230, 170);
+    const ViewportSurfaces surfaces;
+    ViewportSurface* surface = surfaces.create(&parent);
+    surface->widget()->resize(parent.size());
+    parent.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&parent));
+    const auto seen = [&] { return surface->widget()->grab().toImage(); };
+
+    const auto pool = gl::PicturePool::create();
+    const Scene scene = small_scene();
+    const Settings settings = sliced_settings({}, 6);
+    // Of the surface's size, and stretched over it.
+    for (const Film film : {Film{230, 170}, Film{57, 42}}) {
+      std::shared_ptr<gl::DevicePicture> picture;
+      std::optional<Frame> frame;
+      // As in the editor, in a thread of its own.
+      std::thread([&] {
+        std::string problem;
+        const auto gl = GlRenderer::create(surfaces.create_context(), nullptr, problem, pool);
+        if (!gl) return;
+        const gl::DisplayOptions options{.exposure = 1.0};
+        picture = gl->show(scene, scene.camera, film, settings, options)->picture;
+        frame = gl->render(scene, scene.camera, film, settings);
+      }).join();
+      QVERIFY(picture && frame);
+      surface->show_picture(to_picture(*frame, 1.0, ViewMode::final));
+      const QImage uploaded = seen();
+      surface->show_picture(QImage(1, 1, QImage::Format_RGB888));
+      QVERIFY(furthest(seen(), uploaded) > 20);
+      surface->show_picture(picture);
+      QVERIFY2(furthest(seen(), uploaded) <= 1,
+               qPrintable(QString::number(furthest(seen(), uploaded))));
+      // And again, as when only the handles change.
+      surface->show_overlay({});
+      QVERIFY(furthest(seen(), uploaded) <= 1);
+      surface->show_picture(to_picture(*frame, 1.0, ViewMode::final));
+      QCOMPARE(seen(), uploaded);
+    }
+  }
+
+  void handles_behind_surfaces_are_known_in_motion() {
+    QTemporaryDir folder;
+    GlWindow window(scene_with_floor(folder.filePath("floor.off").toStdString()));
+    QVERIFY(window.see_motion([&](const RenderedFrame& frame) {
+      QVERIFY(frame.on_device);
+      const Film film = frame.frame.film;
+      QCOMPARE(frame.frame.depth.size(), std::size_t(film.width) * std::size_t(film.height));
+      QVERIFY(has_stage(frame, "read_depth") && !has_stage(frame, "read_back"));
+      QVERIFY(std::ranges::any_of(frame.frame.depth, [](float z) { return std::isfinite(z); }));
+    }));
+    QVERIFY(window.settle());
+    // Nobody asks for it where no handles are to be seen.
+    ToolBox& tools = window->tools();
+    for (std::size_t k = 0; k < tools.entries().size(); ++k) {
+      if (tools.entries()[k].name == "paintbrush") tools.activate(k);
+    }
+    QVERIFY(window.see_motion([&](const RenderedFrame& frame) {
+      QVERIFY(frame.on_device && frame.frame.depth.empty());
+      QVERIFY(!has_stage(frame, "read_depth"));
+    }));
+    QVERIFY(window.settle());
+    tools.activate(0);
+  }
+
+  void exposure_and_mode_can_change_in_motion() {
+    GlWindow window;
+    Viewport& view = window.view();
+    QVERIFY(window.see_motion([&](const RenderedFrame&) { view.set_exposure(1.5); }));
+    QTRY_VERIFY_WITH_TIMEOUT(view.shown()->request.exposure == 1.5, 30000);
+    QVERIFY(window.settle());
+    QVERIFY(window.see_motion([&](const RenderedFrame&) { view.set_mode(ViewMode::cost); }));
+    QTRY_VERIFY_WITH_TIMEOUT(view.shown()->request.mode == ViewMode::cost, 30000);
+    QVERIFY(!view.shown()->on_device);  // its picture is the processor's
+    QVERIFY(window.settle());
+    for (const ViewMode mode : {ViewMode::airlight, ViewMode::outlines, ViewMode::error}) {
+      view.set_mode(mode);
+      QVERIFY(window.see_motion([&](const RenderedFrame& frame) {
+        QVERIFY(frame.on_device);
+        QCOMPARE(frame.request.mode, mode);
+      }));
+    }
+    view.set_mode(ViewMode::final);
+    QVERIFY(window.settle());
+  }
+
+  void the_backend_can_change_while_frames_are_under_way() {
+    const std::size_t objects = gl::live_objects();
+    {
+      GlWindow window;
+      for (int k = 0; k < 6; ++k) {
+        window.choose(k % 2 == 0 ? "backend_cpu" : "backend_gl");
+        turn(window.view());
+        QTest::qWait(20 * k);
+        turn(window.view());
+      }
+      QVERIFY(window.settle());
+      QCOMPARE(window.view().shown()->frame.statistics.backend, "gl");
+      window.choose("backend_cpu");
+      QVERIFY(window.see_motion([](const RenderedFrame& frame) {
+        QVERIFY(!frame.on_device && !frame.picture.isNull());
+      }));
+      QVERIFY(window.settle());
+      QCOMPARE(window.view().shown()->frame.statistics.backend, "cpu");
+    }
+    QCOMPARE(gl::live_objects(), objects);
+  }
+
+  void views_come_and_go_and_change_their_size() {
+    const std::size_t objects = gl::live_objects();
+    {
+      GlWindow window;
+      auto* grid = window->findChild<ViewGrid*>();
+      grid->show_four(true);
+      for (int k = 0; k < 4; ++k) {
+        window->resize(700 + 60 * k, 500 + 30 * k);
+        for (Viewport* pane : grid->panes()) pane->set_exposure(0.1 * k);
+        turn(window.view());
+        QTest::qWait(60);
+      }
+      for (Viewport* pane : grid->panes()) {
+        pane->setFocus();
+        QVERIFY(GlWindow::see_motion(*pane,
+                                     [](const RenderedFrame& frame) { QVERIFY(frame.on_device); }));
+      }
+      window.view().setFocus();
+      grid->show_four(false);
+      QVERIFY(window.settle());
+    }
+    QCOMPARE(gl::live_objects(), objects);
+  }
+
+  void a_window_can_close_in_motion() {
+    const std::size_t objects = gl::live_objects();
+    for (int k = 0; k < 5; ++k) {
+      GlWindow window;
+      if (k % 2 == 0) QVERIFY(window.see_motion([](const RenderedFrame&) {}));
+      turn(window.view());
+      std::this_thread::sleep_for(std::chrono::milliseconds(15 * k));
+    }
+    QCOMPARE(gl::live_objects(), objects);
+  }
+
+  void a_context_that_is_lost_in_motion_is_made_up_for() {
+    const std::size_t objects = gl::live_objects();
+    {
+      GlWindow window;
+      gl::failures().context = true;
+      QVERIFY(window.see_motion([](const RenderedFrame& frame) {
+        QCOMPARE(frame.frame.statistics.backend, "cpu");
+        QVERIFY(!frame.on_device && !frame.frame.beauty.empty());
+      }));
+      gl::failures() = {};
+      QVERIFY(window.settle());
+      QVERIFY(window->findChild<MessageBar*>()->message().contains("lost"));
+      window.choose("backend_gl");
+      QVERIFY(window.settle());
+      QVERIFY(window.see_motion([](const RenderedFrame& frame) { QVERIFY(frame.on_device); }));
+    }
+    QCOMPARE(gl::live_objects(), objects);
+  }
+};
+
+BRUME_TEST_MAIN(DisplayTest)
+#include "display_test.moc"
