@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "render/gl/display_stage.h"
+#include "render/gl/display_options.h"
 
 namespace brume {
 

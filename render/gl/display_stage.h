@@ -1,19 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "render/albedo.h"
+#include "render/gl/display_options.h"
 #include "render/gl/film_airlight.h"
 
 namespace brume::gl {
-
-// What a display shows of a frame.
-struct DisplayOptions {
-  enum class Layer { beauty, airlight };
-  Layer layer = Layer::beauty;
-  double exposure = 0.0;  // [stops]
-  bool depth = false;     // wanted in memory as well, where there are surfaces
-};
 
 // to_display() on the device.
 class DisplayStage {

@@ -5,7 +5,7 @@
 
 #include "render/frame_renderer.h"
 #include "render/gl/context.h"
-#include "render/gl/display_stage.h"
+#include "render/gl/display_options.h"
 #include "render/gl/picture_pool.h"
 #include "render/transfer/transfer_store.h"
 
