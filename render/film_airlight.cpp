@@ -10,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+#include "render/cpu/interpolation_kernels.h"
 #include "render/tiles.h"
 
 namespace brume {
@@ -92,6 +93,7 @@ class Samples {
         bends_(values_.size()) {}
 
   [[nodiscard]] const Film& film() const { return film_; }
+  [[nodiscard]] const Frame& frame() const { return frame_; }
   [[nodiscard]] int x(int column) const { return std::min(column * scale_, frame_.film.width - 1); }
   [[nodiscard]] int y(int row) const { return std::min(row * scale_, frame_.film.height - 1); }
   [[nodiscard]] std::size_t index(int column, int row) const {
@@ -166,61 +168,139 @@ float depth_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> 
   return static_cast<float>(least);
 }
 
+// A cell between four samples, and its pixels [x0, x1) x [y0, y1).
+struct Cell {
+  int x0, y0, x1, y1;
+  CellRow::Kind kind;
+  std::array<float, 4> distances;  // of the samples, row by row
+  std::array<glm::vec4, 4> values;
+
+  // Where a pixel stands between the samples; those of the last row and column are its own.
+  [[nodiscard]] float share_right(int x, const Film& film) const {
+    return share(x - x0, std::min(x1, film.width - 1) - x0);
+  }
+  [[nodiscard]] float share_down(int y, const Film& film) const {
+    return share(y - y0, std::min(y1, film.height - 1) - y0);
+  }
+
+ private:
+  static float share(int part, int whole) {
+    return static_cast<float>(part) / static_cast<float>(std::max(whole, 1));
+  }
+};
+
+Cell cell_at(const Samples& samples, int column, int row) {
+  const Film& film = samples.frame().film;
+  const int beside = std::min(column + 1, samples.film().width - 1);
+  const int below = std::min(row + 1, samples.film().height - 1);
+  Cell cell{samples.x(column),
+            samples.y(row),
+            column + 2 >= samples.film().width ? film.width : samples.x(beside),
+            row + 2 >= samples.film().height ? film.height : samples.y(below),
+            CellRow::Kind::uneven,
+            {samples.distance(column, row), samples.distance(beside, row),
+             samples.distance(column, below), samples.distance(beside, below)},
+            {samples.value(column, row), samples.value(beside, row), samples.value(column, below),
+             samples.value(beside, below)}};
+  const bool straight =
+      std::max({samples.bend(column, row), samples.bend(beside, row), samples.bend(column, below),
+                samples.bend(beside, below)}) <= 1.0f;
+  const auto finite =
+      std::ranges::count_if(cell.distances, [](float t) { return std::isfinite(t); });
+  if (straight && finite == 0) cell.kind = CellRow::Kind::open;
+  if (straight && finite == 4) cell.kind = CellRow::Kind::solid;
+  return cell;
+}
+
+// Interpolates row y of a cell's pixels; calls exact(x, y) for those that this is not good enough
+// for.
+template <class Exact>
+void interpolate_row(const Cell& cell, int y, float tolerance, Frame& frame, Exact exact) {
+  const float fy = cell.share_down(y, frame.film);
+  const auto& [v00, v10, v01, v11] = cell.values;
+  const auto& t = cell.distances;
+  const glm::vec4 left = v00 + fy * (v01 - v00);
+  const glm::vec4 right = v10 + fy * (v11 - v10);
+  const float near = t[0] + fy * (t[2] - t[0]);
+  const float far = t[1] + fy * (t[3] - t[1]);
+  for (int x = cell.x0; x < cell.x1; ++x) {
+    const float fx = cell.share_right(x, frame.film);
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
+        static_cast<std::size_t>(x);
+    const bool on_sample = (fx == 0.0f || fx == 1.0f) && (fy == 0.0f || fy == 1.0f);
+    const float distance = frame.depth[pixel];
+    const bool level = cell.kind == CellRow::Kind::solid
+                           ? std::abs(distance - (near + fx * (far - near))) <= tolerance
+                           : cell.kind == CellRow::Kind::open && !std::isfinite(distance);
+    if (on_sample || level) {
+      store(frame, pixel, left + fx * (right - left));
+    } else {
+      exact(x, y);
+    }
+  }
+}
+
+// The cells between two rows of a tile's samples.
+class Cells {
+ public:
+  Cells(const Samples& samples, int begin, int end, int row) {
+    for (int column = begin; column < end; ++column) {
+      const Cell& cell = cells_[count_] = cell_at(samples, column, row);
+      kinds_[count_] = cell.kind;
+      above_[count_] = cell.distances[0];
+      below_[count_] = cell.distances[2];
+      ++count_;
+      above_[count_] = cell.distances[1];
+      below_[count_] = cell.distances[3];
+      if (cell.x1 - cell.x0 == 4) wide_ = count_;
+    }
+    in_vectors_ = {std::span(kinds_).first(wide_), &samples.value(begin, row),
+                   &samples.value(begin, std::min(row + 1, samples.film().height - 1)),
+                   above_.data(), below_.data()};
+  }
+
+  // Fills what can be interpolated; calls exact(x, y) for the other pixels, cell by cell.
+  template <class Exact>
+  void interpolate(float tolerance, Frame& frame, Exact exact) const {
+    if (count_ == 0) return;
+    const Cell& first = cells_[0];
+    std::array<std::uint32_t, 4> done{};
+    for (int y = first.y0; y < first.y1 && wide_ > 0; ++y) {
+      const std::size_t pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
+          static_cast<std::size_t>(first.x0);
+      done[static_cast<std::size_t>(y - first.y0)] = interpolate_cells(
+          in_vectors_, first.share_down(y, frame.film), tolerance, &frame.depth[pixel],
+          &frame.airlight[3 * pixel], &frame.transmittance[3 * pixel]);
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+      for (int y = first.y0; y < first.y1; ++y) {
+        if ((done[static_cast<std::size_t>(y - first.y0)] >> i & 1) != 0) continue;
+        interpolate_row(cells_[i], y, tolerance, frame, exact);
+      }
+    }
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::size_t wide_ = 0;  // so many are four pixels wide, all but the last of a film
+  std::array<Cell, Tiles::width> cells_;
+  std::array<CellRow::Kind, Tiles::width> kinds_;
+  std::array<float, Tiles::width + 1> above_, below_;
+  CellRow in_vectors_;
+};
+
 // Interpolates the cells right of and below the samples of one tile; calls exact(x, y) for pixels
 // that this is not good enough for.
 template <class Exact>
 void interpolate(const Samples& samples, const CameraRays::PixelRectangle& tile, float tolerance,
                  Frame& frame, Exact exact) {
-  const auto width = static_cast<std::size_t>(frame.film.width);
   const int last_column = std::max(samples.film().width - 1, 1);
   const int last_row = std::max(samples.film().height - 1, 1);
   for (int row = tile.y0; row < std::min(tile.y1, last_row); ++row) {
-    const int below = std::min(row + 1, samples.film().height - 1);
-    const int y0 = samples.y(row);
-    const int y1 = row + 1 == last_row ? frame.film.height : samples.y(below);
-    const float per_y = 1.0f / static_cast<float>(std::max(samples.y(below) - y0, 1));
-    for (int column = tile.x0; column < std::min(tile.x1, last_column); ++column) {
-      const int beside = std::min(column + 1, samples.film().width - 1);
-      const int x0 = samples.x(column);
-      const int x1 = column + 1 == last_column ? frame.film.width : samples.x(beside);
-      const float per_x = 1.0f / static_cast<float>(std::max(samples.x(beside) - x0, 1));
-      const std::array<float, 4> t{samples.distance(column, row), samples.distance(beside, row),
-                                   samples.distance(column, below),
-                                   samples.distance(beside, below)};
-      const bool open = std::none_of(t.begin(), t.end(), [](float x) { return std::isfinite(x); });
-      const bool solid = std::all_of(t.begin(), t.end(), [](float x) { return std::isfinite(x); });
-      const bool straight =
-          (open || solid) &&
-          std::max({samples.bend(column, row), samples.bend(beside, row),
-                    samples.bend(column, below), samples.bend(beside, below)}) <= 1.0f;
-      const glm::vec4& v00 = samples.value(column, row);
-      const glm::vec4& v10 = samples.value(beside, row);
-      const glm::vec4& v01 = samples.value(column, below);
-      const glm::vec4& v11 = samples.value(beside, below);
-      for (int y = y0; y < y1; ++y) {
-        const float fy = static_cast<float>(y - y0) * per_y;
-        const glm::vec4 left = v00 + fy * (v01 - v00);
-        const glm::vec4 right = v10 + fy * (v11 - v10);
-        const float near = t[0] + fy * (t[2] - t[0]);
-        const float far = t[1] + fy * (t[3] - t[1]);
-        for (int x = x0; x < x1; ++x) {
-          const float fx = static_cast<float>(x - x0) * per_x;
-          const std::size_t pixel =
-              static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-          const bool on_sample = (fx == 0.0f || fx == 1.0f) && (fy == 0.0f || fy == 1.0f);
-          if (!on_sample) {
-            const bool level =
-                solid ? std::abs(frame.depth[pixel] - (near + fx * (far - near))) <= tolerance
-                      : open && !std::isfinite(frame.depth[pixel]);
-            if (!straight || !level) {
-              exact(x, y);
-              continue;
-            }
-          }
-          store(frame, pixel, left + fx * (right - left));
-        }
-      }
-    }
+    Cells(samples, tile.x0, std::min(tile.x1, last_column), row)
+        .interpolate(tolerance, frame, exact);
   }
 }
 
