@@ -198,11 +198,11 @@ ReportTable hard_case_table(const std::vector<HardCaseRow>& rows) {
           "%zu scenes that break careless arithmetic (resources/hard_cases), against what their "
           "pixels are, computed elsewhere to eleven digits: the relative RMSE of the airlight of "
           "the reference, in double, and of `sliced` with 24 slices, in float; the last number is "
-          "that of `paper` in float against the same in double. `auto` is to keep %g%%, and tells "
-          "its "
-          "user where it does not. A test holds all to these bounds: "
-          "reference %g%%, paper %g%%, transmittance everywhere %g, `sliced` 1%% or what is "
-          "stated.",
+          "that of `paper` in float against the same in double. `auto` is to keep %g%%; told: it "
+          "says "
+          "that its error may be larger, by the upper end of what it measured. A test holds all to "
+          "these bounds: reference %g%%, paper %g%%, transmittance everywhere %g, `sliced` 1%% or "
+          "what is stated, `auto` within its own or told.",
           rows.size(), 100.0 * hard_case_max_error, 100.0 * hard_case_reference_bound,
           100.0 * hard_case_paper_bound, hard_case_transmittance_bound),
       {"case", "what breaks", "what Brume does", "reference", "sliced"},
