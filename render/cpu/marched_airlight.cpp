@@ -122,6 +122,7 @@ void add_environment(const EnvironmentSource& environment, const MediumIndex& me
     const float share = s.weights[k] * std::exp(-s.depths[k]);
     s.environment[k] += source(glm::vec3(rays.directions[k]), std::span(&s.t[k], 1),
                                std::span(&share, 1), s.source_weights[k]);
+    if (!environment.has_peak()) continue;
     const float fog = b0 * s.t[k];
     s.along_rays[k] +=
         s.weights[k] * std::exp(medium.anisotropy() > 0.0 ? -fog : fog - 2.0f * s.depths[k]);

@@ -79,10 +79,12 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     if (environment->has_peak()) {
       s.along_rays.resize(stride);
       shares.along_rays = s.along_rays.data();
-      s.lines = s.rays;
-      s.lines.end_nowhere();
       s.line_depths.assign(stride, 0.0f);
-      accumulate_path_depths(s.batch, s.lines, s.line_depths.data());
+      if (medium.anisotropy() > 0.0) {
+        s.lines = s.rays;
+        s.lines.end_nowhere();
+        accumulate_path_depths(s.batch, s.lines, s.line_depths.data());
+      }
     }
   }
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
