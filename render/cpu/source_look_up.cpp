@@ -1,7 +1,6 @@
 #include "render/cpu/source_look_up.h"
 
 #include <algorithm>
-#include <glm/vector_relational.hpp>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -100,12 +99,17 @@ HWY_INLINE glm::vec3 Sum(std::span<const SourceLookUp::Level> levels, const glm:
   return result;
 }
 
-void FamiliesAtOrigin(std::span<const SourceLookUp::Level> levels, float* values) {
+void FamiliesAtOrigin(std::span<const SourceLookUp::Level> levels, SourceLookUp::Families& passes) {
+  const SourceLookUp::Level& coarsest = levels.back();
+  if (!Holds(coarsest, -coarsest.per_unit * coarsest.first)) {
+    passes.fill(1.0f);
+    return;
+  }
   constexpr std::size_t size = SourceGrid::node_size(PhaseBands::most);
   const hn::CappedTag<float, 16> d;
   const Cell cell = CellAt(levels, &SourceLookUp::Level::values, glm::vec3(0.0f), size);
   for (std::size_t i = 0; i < source_families; i += hn::Lanes(d)) {
-    hn::StoreU(Mixed<size>(cell, d, size - source_families + i), d, values + i);
+    hn::StoreU(Mixed<size>(cell, d, size - source_families + i), d, passes.data() + i);
   }
 }
 
@@ -154,15 +158,7 @@ glm::vec3 SourceLookUp::operator()(const glm::vec3& w, std::span<const float> t,
 
 SourceLookUp::Families SourceLookUp::families_at_origin() const {
   Families passes;
-  const Level& coarsest = levels_[count_ - 1];
-  const glm::vec3 at = -coarsest.per_unit * coarsest.first;
-  const bool is_inside = glm::all(glm::greaterThanEqual(at, glm::vec3(0.0f))) &&
-                         glm::all(glm::lessThanEqual(at, glm::vec3(coarsest.count - 1)));
-  if (is_inside) {
-    HWY_DYNAMIC_DISPATCH(FamiliesAtOrigin)(std::span(levels_).first(count_), passes.data());
-  } else {
-    passes.fill(1.0f);
-  }
+  HWY_DYNAMIC_DISPATCH(FamiliesAtOrigin)(std::span(levels_).first(count_), passes);
   return passes;
 }
 

@@ -193,7 +193,7 @@ TEST(EnvironmentAirlight, IsTheReferenceInPatchesUnderALowSun) {
 }
 
 // Light that turns little comes from behind, or is the sun's. With the peak of the phase function
-// dimmed like the mean of 16 parts of the sky these were 4 to 10% off, with that of all light 11%.
+// dimmed like the mean of 16 parts of the sky these were 2 to 14% off.
 TEST(EnvironmentAirlight, IsTheReferenceWhereLightTurnsLittleOrBack) {
   Scene scene = patches_under_low_sun();
   for (const double g : {0.8, 0.9, -0.8, -0.9}) {
