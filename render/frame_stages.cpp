@@ -263,7 +263,13 @@ std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClo
   if (!work.plan.lit_surfaces) return {};
   surface_radiance_.resize(hits_.size());
   take_light(work);
-  const SurfaceLighting lighting = tabled_lighting(work);
+  SurfaceLighting lighting = tabled_lighting(work);
+  // Where triangles are smaller than pixels, it is rays that are few.
+  if (prepared_.visibility().size() <= hits_.size()) {
+    for (SurfaceLight& light : lighting.lights) {
+      light.sights = prepared_.lamp_sights(light.light.position);
+    }
+  }
   const FilmSurfaces film{
       work.scene.surfaces, prepared_.medium(), prepared_.visibility(),      shading_, lighting,
       work.rays,           work.frame.film,    arithmetic_of(work.settings)};

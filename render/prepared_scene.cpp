@@ -55,6 +55,8 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
   }
   index_->set_noise(RayNoise(scene.optics.noise, settings.time));
   if (!visibility_ || !visibility_->shows(scene.surfaces)) {
+    lamps_.clear();
+    beams_.reset();
     visibility_.reset();
     occluders_.reset();
     shadows_.clear();
@@ -72,6 +74,7 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     return gone(known->table.light()) || !(known->size == settings.light_table);
   });
   std::erase_if(shadows_, [&](const auto& known) { return gone(known->light()); });
+  std::erase_if(lamps_, [&](const SightedLamp& known) { return gone(known.light); });
 }
 
 const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
@@ -105,6 +108,21 @@ const LightTable& PreparedScene::light_table(const glm::dvec3& light, const Ligh
   tables_.push_back(std::make_unique<Table>(size, LightTable(*index_, light, size)));
   pairs += tables_.back()->table.pairs;
   return tables_.back()->table;
+}
+
+const LampSights* PreparedScene::lamp_sights(const glm::dvec3& light) {
+  const auto known =
+      std::ranges::find_if(lamps_, [&](const SightedLamp& s) { return s.light == light; });
+  if (known == lamps_.end()) {
+    lamps_.push_back({light});
+    return nullptr;
+  }
+  if (!known->sights) {
+    if (!beams_) beams_ = std::make_unique<TriangleBeams>(*visibility_);
+    known->sights = std::make_unique<LampSights>(*beams_, light - visibility_->middle());
+  }
+  known->sights->begin_frame();
+  return known->sights.get();
 }
 
 const ShadowMap& PreparedScene::shadow_map(const glm::dvec3& light, const DirectionMap& map) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "render/cpu/lamp_sights.h"
 #include "render/cpu/light_table.h"
 #include "render/cpu/path_depths.h"
 #include "render/cpu/shadow_map.h"
@@ -42,6 +43,8 @@ class PreparedScene {
                                    std::uint64_t& pairs);
   const LightTable& light_table(const glm::dvec3& light, const LightTableSize& size,
                                 std::uint64_t& pairs);
+  // Once per frame. Null in the first frame of a light or of surfaces.
+  const LampSights* lamp_sights(const glm::dvec3& light);
   const ShadowMap& shadow_map(const glm::dvec3& light, const DirectionMap& map);
 
  private:
@@ -69,6 +72,13 @@ class PreparedScene {
   std::vector<std::unique_ptr<Depths>> depths_;
   std::vector<std::unique_ptr<Table>> tables_;
   std::vector<std::unique_ptr<ShadowMap>> shadows_;
+
+  struct SightedLamp {
+    glm::dvec3 light;
+    std::unique_ptr<LampSights> sights = nullptr;  // from the second frame on
+  };
+  std::unique_ptr<TriangleBeams> beams_;  // for lamps_
+  std::vector<SightedLamp> lamps_;
 };
 
 }  // namespace brume

@@ -31,8 +31,9 @@ struct PointVectors {
 struct SurfacePoints {
   const Surface* surface = nullptr;
   std::size_t count = 0;
-  glm::dvec3 origin{0.0};      // what positions are relative to
-  PointVectors position;       // [u]
+  std::array<std::uint32_t, Tiles::pixels> triangle;  // index in Visibility::triangles()
+  glm::dvec3 origin{0.0};                             // what positions are relative to
+  PointVectors position;                              // [u]
   PointVectors normal;         // unit, or 0 where neither triangle nor mesh has one
   PointVectors to_eye;         // unit
   PointVectors shadow_origin;  // [u]

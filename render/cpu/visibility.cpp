@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/scene/mesh.h"
+#include "render/cpu/lamp_sights.h"
 #include "render/cpu/surface_kernels.h"
 
 namespace brume {
@@ -223,8 +224,16 @@ std::vector<PlacedTriangle> Visibility::triangles() const {
   return result;
 }
 
+std::uint32_t Visibility::index_of(const SurfaceHit& hit) const {
+  return impl_->first_triangles[static_cast<std::size_t>(hit.surface)] + hit.triangle;
+}
+
 bool Visibility::empty() const {
   return impl_->placements.empty();
+}
+
+std::size_t Visibility::size() const {
+  return impl_->raster.corners.size();
 }
 
 bool Visibility::shows(std::span<const Surface> surfaces) const {
@@ -274,8 +283,7 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
 bool Visibility::suits_raster(const CameraRays& rays, const Film& film) const {
   const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
   // Products of three lengths must stay in the range of float, small triangles' too.
-  return impl_->raster.corners.size() <= pixels && is_near(rays.eye()) && impl_->radius > 1e-6 &&
-         impl_->radius < 1e6;
+  return size() <= pixels && is_near(rays.eye()) && impl_->radius > 1e-6 && impl_->radius < 1e6;
 }
 
 Raster Visibility::raster(const CameraRays& rays, const Film& film, const Job& job) const {
@@ -348,6 +356,7 @@ void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::v
   for (std::size_t i = 0; i < points.padded_size(); ++i) {
     const std::size_t from = std::min(i, hits.size() - 1);
     const SurfaceHit& hit = hits[from];
+    points.triangle[i] = index_of(hit);
     const glm::uvec3& corners = all_corners[hit.triangle];
     for (std::size_t c = 0; c < 3; ++c) {
       const Vertex& vertex = vertices[corners[static_cast<int>(c)]];
@@ -362,40 +371,55 @@ void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::v
 }
 
 void Visibility::find_lit(const SurfacePoints& points, const glm::vec3& position,
-                          LightAtPoints& light) const {
+                          const LampSights* sights, LightAtPoints& light) const {
+  std::array<std::uint8_t, Tiles::pixels> asked;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.padded_size(); ++i) {
+    const bool faces = i < points.count && light.cosine[i] > 0.0f;
+    const TriangleSight sight =
+        faces && sights ? sights->of(points.triangle[i], points.side[i]) : TriangleSight::unknown;
+    light.lit[i] = sight == TriangleSight::whole ? 1.0f : 0.0f;
+    const bool is_known = sight == TriangleSight::whole || sight == TriangleSight::none;
+    if (faces && !is_known) asked[count++] = static_cast<std::uint8_t>(i);
+  }
+  for (std::size_t first = 0; first < count; first += packet) {
+    cast_shadow_rays(points, position, std::span(asked).first(count).subspan(first), light);
+  }
+}
+
+// From the first points of `asked`, as many as fit a packet.
+void Visibility::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
+                                  std::span<const std::uint8_t> asked, LightAtPoints& light) const {
   RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
   const auto margin = static_cast<float>(self_hit_margin);
   const float most = margin * 2.0f * static_cast<float>(impl_->radius);
-  for (std::size_t first = 0; first < points.count; first += packet) {
-    alignas(64) std::array<int, packet> valid;
-    RTCRay16 query;
-    int any = 0;
-    for (std::size_t k = 0; k < packet; ++k) {
-      const std::size_t i = first + k;
-      const float x = points.shadow_origin.x[i];
-      const float y = points.shadow_origin.y[i];
-      const float z = points.shadow_origin.z[i];
-      query.org_x[k] = x;
-      query.org_y[k] = y;
-      query.org_z[k] = z;
-      // The whole way is 1.
-      query.dir_x[k] = position.x - x;
-      query.dir_y[k] = position.y - y;
-      query.dir_z[k] = position.z - z;
-      const float away = std::min(margin, most / light.paths.length[i]);
-      query.tnear[k] = away;
-      query.tfar[k] = 1.0f - away;
-      query.time[k] = 0.0f;
-      query.mask[k] = ~0u;
-      query.id[k] = 0u;
-      query.flags[k] = 0u;
-      valid[k] = i < points.count && light.cosine[i] > 0.0f ? -1 : 0;
-      any |= valid[k];
-    }
-    if (any != 0) rtcOccluded16(valid.data(), impl_->scene, &context, &query);
-    for (std::size_t k = 0; k < packet; ++k) {
-      light.lit[first + k] = valid[k] != 0 && query.tfar[k] >= 0.0f ? 1.0f : 0.0f;
-    }
+  const std::size_t count = std::min(packet, asked.size());
+  alignas(64) std::array<int, packet> valid;
+  RTCRay16 query;
+  for (std::size_t k = 0; k < packet; ++k) {
+    const std::size_t i = asked[std::min(k, count - 1)];
+    const float x = points.shadow_origin.x[i];
+    const float y = points.shadow_origin.y[i];
+    const float z = points.shadow_origin.z[i];
+    query.org_x[k] = x;
+    query.org_y[k] = y;
+    query.org_z[k] = z;
+    // The whole way is 1.
+    query.dir_x[k] = position.x - x;
+    query.dir_y[k] = position.y - y;
+    query.dir_z[k] = position.z - z;
+    const float away = std::min(margin, most / light.paths.length[i]);
+    query.tnear[k] = away;
+    query.tfar[k] = 1.0f - away;
+    query.time[k] = 0.0f;
+    query.mask[k] = ~0u;
+    query.id[k] = 0u;
+    query.flags[k] = 0u;
+    valid[k] = k < count ? -1 : 0;
+  }
+  rtcOccluded16(valid.data(), impl_->scene, &context, &query);
+  for (std::size_t k = 0; k < count; ++k) {
+    light.lit[asked[k]] = query.tfar[k] >= 0.0f ? 1.0f : 0.0f;
   }
 }
 

@@ -16,6 +16,8 @@
 
 namespace brume {
 
+class LampSights;
+
 // The nearest surface on a ray, as little as is kept per pixel.
 struct SurfaceHit {
   double distance = std::numeric_limits<double>::infinity();
@@ -57,6 +59,7 @@ class Visibility {
   Visibility& operator=(const Visibility&) = delete;
 
   [[nodiscard]] bool empty() const;
+  [[nodiscard]] std::size_t size() const;  // triangles
   // Around all surfaces.
   [[nodiscard]] const Box& bounds() const;
 
@@ -65,6 +68,7 @@ class Visibility {
   [[nodiscard]] const glm::dvec3& middle() const;
   [[nodiscard]] double radius() const;
   [[nodiscard]] std::vector<PlacedTriangle> triangles() const;
+  [[nodiscard]] std::uint32_t index_of(const SurfaceHit& hit) const;  // in triangles()
   // Whether rays may start at this point, so close that rounding a direction moves a hit by a few
   // roundings of float only; those from farther away start near the ball.
   [[nodiscard]] bool is_near(const glm::dvec3& origin) const;
@@ -104,13 +108,18 @@ class Visibility {
   void points(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
               std::span<const Surface> surfaces, SurfacePoints& points) const;
 
-  // Sets `lit` of a light at `position` relative to points.origin that see_light() has seen.
-  void find_lit(const SurfacePoints& points, const glm::vec3& position, LightAtPoints& light) const;
+  // Sets `lit` of a light at `position` relative to points.origin that see_light() has seen. Where
+  // its `sights` tell, points need no ray; null: all do.
+  void find_lit(const SurfacePoints& points, const glm::vec3& position, const LampSights* sights,
+                LightAtPoints& light) const;
 
   // Whether a surface stands between two points, ends excluded. Thread-safe.
   [[nodiscard]] bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
+  void cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
+                        std::span<const std::uint8_t> asked, LightAtPoints& light) const;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

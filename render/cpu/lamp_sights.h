@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/cpu/triangle_beams.h"
+
+namespace brume {
+
+// How much a lamp sees of each triangle. While lamp and surfaces stay, every frame finds out about
+// some of the triangles that it shows: one frame for itself does nothing, and a few frames pay for
+// the shadow rays that those after them save.
+class LampSights {
+ public:
+  // `lamp` as in TriangleBeams::sight(). Refers to `beams`.
+  LampSights(const TriangleBeams& beams, const glm::dvec3& lamp);
+
+  // Before the points of a frame are asked about.
+  void begin_frame() { ++frame_; }
+  // Of the points of a triangle that are seen from this side, as SurfacePoints::side. Thread-safe.
+  [[nodiscard]] TriangleSight of(std::uint32_t triangle, float side) const {
+    SideSight sight = sights_[triangle].load(std::memory_order_relaxed);
+    if (sight.of_points == TriangleSight::unknown) sight = find(triangle);
+    return static_cast<float>(sight.side) == side ? sight.of_points : TriangleSight::in_part;
+  }
+
+  static constexpr std::uint32_t rounds = 8;  // frames after which all is known
+
+ private:
+  SideSight find(std::uint32_t triangle) const;
+
+  const TriangleBeams& beams_;
+  glm::dvec3 lamp_;
+  std::uint32_t frame_ = 0;
+  mutable std::vector<std::atomic<SideSight>> sights_;
+};
+
+}  // namespace brume
