@@ -33,16 +33,16 @@ Settings sliced_settings(Settings settings, int slices) {
   settings.airlight = AirlightMethod::sliced;
   settings.slices = slices;
   settings.light_table = slices < 12   ? LightTableSize{64, 32}
+                         : slices < 24 ? LightTableSize{96, 48}
                          : slices < 48 ? LightTableSize{128, 64}
                                        : LightTableSize{256, 128};
-  settings.upsampling_tolerance = slices < 16   ? 0.02
+  settings.upsampling_tolerance = slices < 16   ? 0.03
                                   : slices < 32 ? 0.01
                                   : slices < 64 ? 0.005
                                                 : 0.002;
-  settings.depth_error = slices < 48 ? 1e-3 : 1e-4;
+  settings.depth_error = slices < 24 ? 3e-3 : slices < 48 ? 1e-3 : 1e-4;
   settings.shadow_cells = std::clamp(16 * slices, 256, 1024);
-  settings.source_grid = slices < 12   ? SourceGridSize{8'000, 48}
-                         : slices < 24 ? SourceGridSize{20'000, 64}
+  settings.source_grid = slices < 8    ? SourceGridSize{20'000, 64}
                          : slices < 48 ? SourceGridSize{40'000, 96}
                                        : SourceGridSize{120'000, 128};
   return settings;
