@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace brume {
 
 ShadowMap::ShadowMap(const Visibility& visibility, const glm::dvec3& light, const DirectionMap& map)
@@ -18,6 +20,12 @@ ShadowMap::ShadowMap(const Visibility& visibility, const glm::dvec3& light, cons
     float* const row = distances_.data() + static_cast<std::size_t>(y) * stride;
     for (std::size_t x = 0; x < stride; ++x) row[x] = static_cast<float>(hits[x].distance);
   });
+  ranges_.resize(map.cells());
+  for (std::size_t i = 0; i + stride + 1 < distances_.size(); ++i) {
+    const auto [least, greatest] = std::minmax(
+        {distances_[i], distances_[i + 1], distances_[i + stride], distances_[i + stride + 1]});
+    ranges_[i] = {least, greatest};
+  }
 }
 
 }  // namespace brume

@@ -19,11 +19,18 @@ class ShadowMap {
   [[nodiscard]] bool empty() const { return distances_.empty(); }
   // Rows of map().row() distances [u], +inf where nothing is hit.
   [[nodiscard]] const float* distances() const { return distances_.data(); }
+  // The least and the greatest distance of each cell, the one right of it and the two below: what
+  // is mixed for a direction between them.
+  struct Range {
+    float least, greatest;
+  };
+  [[nodiscard]] const Range* ranges() const { return ranges_.data(); }
 
  private:
   glm::dvec3 light_;
   DirectionMap map_;
   std::vector<float> distances_;
+  std::vector<Range> ranges_;
 };
 
 }  // namespace brume

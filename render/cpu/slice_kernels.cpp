@@ -189,6 +189,13 @@ HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
   // the cells' width: so much behind the surface is still lit, or all surfaces would be darkened.
   const V near =
       hn::Mul(distance, set(1.0f - 2.0f * static_cast<float>(shadows.map().cell_angle())));
+  // Mostly all four cells agree.
+  const float* const ranges = &shadows.ranges()->least;
+  const auto range = hn::ShiftLeft<1>(position.cell);
+  const auto lit = hn::Le(near, hn::GatherIndex(d, ranges, range));
+  if (hn::AllTrue(d, lit)) return set(1.0f);
+  const auto dark = hn::Gt(near, hn::GatherIndex(d, ranges, hn::Add(range, hn::Set(di, 1))));
+  if (hn::AllTrue(d, hn::Or(lit, dark))) return hn::IfThenElseZero(lit, set(1.0f));
   return position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
     const V reach =
         hn::GatherIndex(d, shadows.distances(), hn::Add(position.cell, hn::Set(di, cell)));
