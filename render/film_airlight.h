@@ -28,10 +28,9 @@ struct FilmAirlight {
 // pixel where the rays end, and is empty where none does.
 //
 // With settings.airlight_scale 2 or 4 the method is asked at every so-many-th pixel of each row and
-// column, and what lies between is interpolated (section 5.4 of the paper). Where that would not
-// do, the method is asked after all, so there are no halos and no thin objects lost: pixels whose
-// distance is not the one interpolated, and cells whose corners are not nearly linear in their
-// airlight or transmittance (to settings.upsampling_tolerance of the film's rms, and of 1).
+// column, and what lies between is upsampled from there to settings.upsampling_tolerance of the
+// film's rms airlight, and of a transmittance of 1; pixels that upsample() cannot tell are asked
+// too.
 FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
                            const Settings& settings, const TileMethod& method,
                            std::span<const SurfaceHit> hits, const Job& job, Frame& frame);

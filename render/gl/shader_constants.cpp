@@ -21,6 +21,7 @@
 #include "render/simd/coefficients.h"
 #include "render/tiles.h"
 #include "render/triangle_hierarchy.h"
+#include "render/upsampling.h"
 #include "render/view_transform.h"
 
 namespace brume::gl {
@@ -97,6 +98,8 @@ std::string shader_constants() {
   constants.add("chunk", slice_chunk);
   constants.add("most_bins", 4 * most_slices);
   constants.add("most_boundaries", most_boundaries);
+  constants.add("most_bend_of_surroundings", most_bend_of_surroundings);
+  constants.add("least_surface_share", least_surface_share);
   constants.add("most_levels", TriangleHierarchy::most_levels);
   constants.add("peak_slices", peak_slices);
   constants.add("highlight_start", highlight::start);

@@ -86,6 +86,34 @@ TEST(AirlightScale, SmoothFogIsAlmostAllInterpolated) {
   EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels / 8);
 }
 
+// Steps of a stair, each seen beside the next one farther away, and a ball: pixels beside an edge
+// are told from samples on their side of it.
+TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
+  Scene scene = cloud_scene(10, 1.0);
+  scene.film = {480, 360};
+  for (int k = 0; k < 12; ++k) {
+    Surface step = wall(1.2, 0.1, 0.8 - 0.15 * k);
+    step.translate = {0.0, 0.2 * k - 1.1, 0.0};
+    scene.surfaces.push_back(step);
+  }
+  Surface& ball = scene.surfaces.emplace_back();
+  ball.mesh = ball_mesh(48);
+  ball.scale = 0.35;
+  ball.translate = {0.6, 0.1, 1.2};
+  scene.lights[0].position = {-2.0, 3.0, 4.0};
+  Settings settings = at_scale(4);
+  settings.upsampling_tolerance = 0.03;
+  const Frame full = render_frame(scene, at_scale(1));
+  const Frame frame = render_frame(scene, settings);
+  const Errors light = errors(frame.airlight, full.airlight);
+  const Errors taken = errors(frame.transmittance, full.transmittance);
+  EXPECT_LT(light.relative_rmse, 0.008);
+  EXPECT_LT(light.greatest, 0.03);
+  EXPECT_LT(taken.greatest, 0.005);
+  // 15,599 pixels without what surroundings tell, 11,521 with it; 10,920 are samples.
+  EXPECT_LT(frame.statistics.exact_pixels, 12'500U);
+}
+
 // The last column and row are samples too, wherever they fall.
 TEST(AirlightScale, AnyFilmIsCovered) {
   Scene scene = posts_before_fog();

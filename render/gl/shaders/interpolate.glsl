@@ -1,6 +1,5 @@
-// Depth-aware upsampling: film_airlight() of render/film_airlight.h. Interpolates the cells right of
-// and below the samples of one tile, and lists the pixels that this is not good enough for, in
-// batches for the method to take again.
+// Depth-aware upsampling: AirlightSamples and upsample() of render/upsampling.h, for one tile. Lists
+// the pixels that this is not good enough for, in batches for the method to take again.
 #include "constants.glsl"
 #include "linear.glsl"
 
@@ -43,38 +42,106 @@ float sample_distance(ivec2 at) { return distance_at(min(at * scale, film - 1));
 // Whether two distances may belong to one surface.
 bool continuous(float a, float b) { return a == b || abs(a - b) < 0.05 * min(a, b); }
 
-// An eighth of the second difference is how far the middle between two samples is from the line
-// between them; in units of what is tolerated.
-float second_difference(ivec2 at, ivec2 step_, vec4 unit) {
+vec4 tolerated() {  // 1 / what is tolerated
+  return vec4(vec3(1.0 / max(tolerance * sqrt(mean_square), 1e-30)), 1.0 / tolerance);
+}
+
+// How far the middle between two samples is from the line between them, from three in a row: an
+// eighth of the second difference; in units of what is tolerated.
+float bend_of(vec4 a, vec4 b, vec4 c) {
+  const vec4 d = abs(a + c - 2.0 * b) * tolerated() * 0.125;
+  return max(max(d.x, d.y), max(d.z, d.w));
+}
+
+float bend_along(ivec2 at, ivec2 step_) {
   // Across the edge of an object, distances tell.
   const float t = sample_distance(at);
   if (!continuous(sample_distance(at - step_), t) || !continuous(t, sample_distance(at + step_))) {
     return 0.0;
   }
-  const vec4 d = abs(imageLoad(samples, at - step_) + imageLoad(samples, at + step_) -
-                     2.0 * imageLoad(samples, at)) *
-                 unit * 0.125;
-  return max(max(d.x, d.y), max(d.z, d.w));
+  return bend_of(imageLoad(samples, at - step_), imageLoad(samples, at),
+                 imageLoad(samples, at + step_));
 }
 
 // How wrong linear interpolation beside a sample is.
-float bend(ivec2 at, vec4 unit) {
+float bend(ivec2 at) {
   // With fewer than three in a row nothing tells.
   float most = sample_film.x < 3 || sample_film.y < 3 ? 2.0 : 0.0;
-  if (at.x > 0 && at.x + 1 < sample_film.x) {
-    most = max(most, second_difference(at, ivec2(1, 0), unit));
-  }
-  if (at.y > 0 && at.y + 1 < sample_film.y) {
-    most = max(most, second_difference(at, ivec2(0, 1), unit));
-  }
+  if (at.x > 0 && at.x + 1 < sample_film.x) most = max(most, bend_along(at, ivec2(1, 0)));
+  if (at.y > 0 && at.y + 1 < sample_film.y) most = max(most, bend_along(at, ivec2(0, 1)));
   return most;
 }
 
-// How much nearer or farther a surface may be than interpolated without the airlight telling.
+// AirlightSamples::Surroundings.
+struct Surroundings {
+  bool known;
+  ivec2 pixel;  // the sample's
+  vec4 value, per_x, per_y;
+  float t;
+  vec2 t_per_pixel;
+};
+
+bool goes_on(ivec2 from, ivec2 to) {
+  return all(greaterThanEqual(to, ivec2(0))) && all(lessThan(to, sample_film)) &&
+         continuous(sample_distance(from), sample_distance(to));
+}
+
+// Of value and distance per pixel. False: not known.
+bool slope(ivec2 at, ivec2 step_, out vec4 value, out float distance_) {
+  value = vec4(0.0);
+  distance_ = 0.0;
+  const bool before = goes_on(at, at - step_);
+  const bool after = goes_on(at, at + step_);
+  if (!before && !after) return false;
+  const int middle = before && after ? 0 : before ? -1 : 1;
+  if (middle != 0 && !goes_on(at + middle * step_, at + 2 * middle * step_)) return false;
+  // The last ones may be nearer.
+  if (any(greaterThan((at + (middle + 1) * step_) * scale, film - 1))) return false;
+  const ivec2 places[3] = ivec2[3](at + (middle - 1) * step_, at + middle * step_,
+                                   at + (middle + 1) * step_);
+  const vec4 a = imageLoad(samples, places[0]);
+  const vec4 b = imageLoad(samples, places[1]);
+  const vec4 c = imageLoad(samples, places[2]);
+  if (!(bend_of(a, b, c) <= most_bend_of_surroundings)) return false;
+  // Of the parabola through all three, at this one.
+  const float each = 1.0 / float(scale);
+  const float from_middle = float(-middle);
+  value = each * (0.5 * (c - a) + from_middle * (a + c - 2.0 * b));
+  if (sample_distance(at) < endless) {
+    const float ta = sample_distance(places[0]);
+    const float tb = sample_distance(places[1]);
+    const float tc = sample_distance(places[2]);
+    distance_ = each * (0.5 * (tc - ta) + from_middle * (ta + tc - 2.0 * tb));
+  }
+  return true;
+}
+
+Surroundings surroundings(ivec2 at) {
+  Surroundings s;
+  s.pixel = min(at * scale, film - 1);
+  s.value = imageLoad(samples, at);
+  s.t = sample_distance(at);
+  s.known = slope(at, ivec2(1, 0), s.per_x, s.t_per_pixel.x);
+  s.known = s.known && slope(at, ivec2(0, 1), s.per_y, s.t_per_pixel.y);
+  return s;
+}
+
+bool shows(Surroundings s, ivec2 pixel, float t, float near) {
+  if (s.t >= endless) return t >= endless;
+  return abs(t - (s.t + dot(vec2(pixel - s.pixel), s.t_per_pixel))) <= near;
+}
+
+vec4 value_at(Surroundings s, ivec2 pixel) {
+  const vec2 away = vec2(pixel - s.pixel);
+  const vec4 v = s.value + away.x * s.per_x + away.y * s.per_y;
+  return max(vec4(v.xyz, min(v.w, 1.0)), 0.0);
+}
+
+// How much nearer or farther a surface may be than expected without the airlight telling.
 float depth_tolerance(int tile) {
-  float least = b0 > 0.0 ? 0.02 / b0 : endless;
+  float least = b0 > 0.0 ? 2.0 * tolerance / b0 : endless;
   for (uint k = offsets[tile]; k < offsets[tile + 1]; ++k) {
-    least = min(least, 0.05 / seen[2 * list[k]].w);
+    least = min(least, 5.0 * tolerance / seen[2 * list[k]].w);
   }
   return least;
 }
@@ -90,7 +157,6 @@ struct Cell {
 Cell cell_at(ivec2 at, ivec2 last) {
   Cell cell;
   const ivec2 beside = min(at + 1, sample_film - 1);
-  const vec4 unit = vec4(vec3(1.0 / max(tolerance * sqrt(mean_square), 1e-30)), 1.0 / tolerance);
   cell.begin = min(at * scale, film - 1);
   const ivec2 next = min(beside * scale, film - 1);
   cell.end = ivec2(at.x + 1 == last.x ? film.x : next.x, at.y + 1 == last.y ? film.y : next.y);
@@ -107,22 +173,73 @@ Cell cell_at(ivec2 at, ivec2 last) {
   cell.open = all(none);
   cell.solid = !any(none);
   cell.straight = (cell.open || cell.solid) &&
-                  max(max(bend(at, unit), bend(right, unit)),
-                      max(bend(below, unit), bend(beside, unit))) <= 1.0;
+                  max(max(bend(at), bend(right)), max(bend(below), bend(beside))) <= 1.0;
   return cell;
 }
 
-// Whether a pixel must be asked for; otherwise `value` is what is there, if `is_new`.
-bool must_ask(Cell cell, ivec2 pixel, float near, out vec4 value, out bool is_new) {
-  const vec2 f = vec2(pixel - cell.begin) * cell.per_pixel;
-  is_new = !((f.x == 0.0 || f.x == 1.0) && (f.y == 0.0 || f.y == 1.0));
-  value = mix(mix(cell.v00, cell.v01, f.y), mix(cell.v10, cell.v11, f.y), f.x);
-  if (!is_new) return false;
+vec2 shares_at(Cell cell, ivec2 pixel) { return vec2(pixel - cell.begin) * cell.per_pixel; }
+
+bool on_sample(vec2 f) { return (f.x == 0.0 || f.x == 1.0) && (f.y == 0.0 || f.y == 1.0); }
+
+// Whether a pixel is where linear interpolation has it.
+bool is_level(Cell cell, ivec2 pixel, float near) {
+  if (!cell.straight) return false;
+  const vec2 f = shares_at(cell, pixel);
   const float t = distance_at(pixel);
   const float expected = mix(mix(cell.t.x, cell.t.z, f.y), mix(cell.t.y, cell.t.w, f.y), f.x);
-  const bool level =
-      cell.solid ? abs(t - expected) <= near : cell.open && t >= endless;
-  return !cell.straight || !level;
+  return cell.solid ? abs(t - expected) <= near : cell.open && t >= endless;
+}
+
+// From the corners whose surface a pixel is on. False: they do not tell.
+bool of_surface(Surroundings corners[4], Cell cell, ivec2 pixel, float near, out vec4 value) {
+  const vec2 f = shares_at(cell, pixel);
+  const vec4 shares =
+      vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+  const float t = distance_at(pixel);
+  float share = 0.0;
+  value = vec4(0.0);
+  for (int k = 0; k < 4; ++k) {
+    if (!corners[k].known || !shows(corners[k], pixel, t, near)) continue;
+    share += shares[k];
+    value += shares[k] * value_at(corners[k], pixel);
+  }
+  if (share < least_surface_share) return false;
+  value /= share;
+  return true;
+}
+
+// Fills a cell's pixels. Returns those that must be asked for, a bit for each, row by row.
+uint fill(Cell cell, ivec2 at, float near) {
+  const ivec2 size = cell.end - cell.begin;
+  uint uneven = 0u;
+  for (int k = 0; k < size.x * size.y; ++k) {
+    const ivec2 pixel = cell.begin + ivec2(k % size.x, k / size.x);
+    const vec2 f = shares_at(cell, pixel);
+    if (on_sample(f)) continue;
+    if (is_level(cell, pixel, near)) {
+      imageStore(airlight_image, pixel,
+                 mix(mix(cell.v00, cell.v01, f.y), mix(cell.v10, cell.v11, f.y), f.x));
+    } else {
+      uneven |= 1u << k;
+    }
+  }
+  if (uneven == 0u) return 0u;
+  Surroundings corners[4];
+  for (int k = 0; k < 4; ++k) {
+    corners[k] = surroundings(min(at + ivec2(k % 2, k / 2), sample_film - 1));
+  }
+  uint left = 0u;
+  for (uint bits = uneven; bits != 0u; bits &= bits - 1u) {
+    const int k = findLSB(bits);
+    const ivec2 pixel = cell.begin + ivec2(k % size.x, k / size.x);
+    vec4 value;
+    if (of_surface(corners, cell, pixel, near, value)) {
+      imageStore(airlight_image, pixel, value);
+    } else {
+      left |= 1u << k;
+    }
+  }
+  return left;
 }
 
 void main() {
@@ -135,20 +252,8 @@ void main() {
   const bool live = all(lessThan(at, last));
   const float near = depth_tolerance(tile);
   const Cell cell = cell_at(min(at, sample_film - 1), last);
-  uint own = 0u;
-  if (live) {
-    for (int y = cell.begin.y; y < cell.end.y; ++y) {
-      for (int x = cell.begin.x; x < cell.end.x; ++x) {
-        vec4 value;
-        bool is_new;
-        if (must_ask(cell, ivec2(x, y), near, value, is_new)) {
-          ++own;
-        } else if (is_new) {
-          imageStore(airlight_image, ivec2(x, y), value);
-        }
-      }
-    }
-  }
+  const uint left = live ? fill(cell, at, near) : 0u;
+  const uint own = uint(bitCount(left));
   // Pixels are listed cell by cell, so that neighbours share their slices.
   sums[id] = own;
   for (int step_ = 1; step_ < 128; step_ *= 2) {
@@ -161,14 +266,11 @@ void main() {
   const uint all_ = sums[127];
   const uint begin = uint(tile * capacity);
   uint place = begin + sums[id] - own;
-  if (own > 0u) {
-    for (int y = cell.begin.y; y < cell.end.y; ++y) {
-      for (int x = cell.begin.x; x < cell.end.x; ++x) {
-        vec4 value;
-        bool is_new;
-        if (must_ask(cell, ivec2(x, y), near, value, is_new)) asked[place++] = uint(x | y << 16);
-      }
-    }
+  const int columns = cell.end.x - cell.begin.x;
+  for (uint bits = left; bits != 0u; bits &= bits - 1u) {
+    const int k = findLSB(bits);
+    const ivec2 pixel = cell.begin + ivec2(k % columns, k / columns);
+    asked[place++] = uint(pixel.x | pixel.y << 16);
   }
   const uint groups = (all_ + 127u) / 128u;
   if (id == 0 && all_ > 0u) {

@@ -131,9 +131,10 @@ TEST_F(GlFrames, SampleScenes) {
       const Frame gl = render_on_device(scene, settings, name);
       const Frame cpu = on_cpu(scene, settings);
       expect_within({gl, cpu}, bound, name);
-      // The same pixels are interpolated, but for some at the limit.
+      // The same pixels are upsampled, but where a sample is at the limit, which is decisive for
+      // four cells of 16 pixels: in one of these frames two such cells differ.
       EXPECT_NEAR(static_cast<double>(gl.statistics.exact_pixels),
-                  static_cast<double>(cpu.statistics.exact_pixels), 20.0)
+                  static_cast<double>(cpu.statistics.exact_pixels), 64.0)
           << name;
       EXPECT_EQ(gl.statistics.gaussians_used, cpu.statistics.gaussians_used) << name;
     }
