@@ -1,6 +1,5 @@
 #include "render/film_surfaces.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 
@@ -10,35 +9,31 @@
 namespace brume {
 namespace {
 
+// Points of one surface.
 struct Seen {
-  SurfaceHit hit;
-  glm::vec3 direction;
-  std::size_t pixel;
-};
-
-// Of one surface; sets the radiance of their pixels.
-std::uint64_t shade_points(const FilmSurfaces& film, std::span<const Seen> seen,
-                           std::span<glm::vec3> radiance) {
   std::array<SurfaceHit, Tiles::pixels> hits;
   std::array<glm::vec3, Tiles::pixels> directions;
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    hits[k] = seen[k].hit;
-    directions[k] = seen[k].direction;
-  }
-  const auto own_hits = std::span(hits).first(seen.size());
+  std::array<std::size_t, Tiles::pixels> pixels;
+  std::size_t count = 0;
+};
+
+// Sets the radiance of their pixels.
+std::uint64_t shade_points(const FilmSurfaces& film, const Seen& seen,
+                           std::span<glm::vec3> radiance) {
+  const auto hits = std::span(seen.hits).first(seen.count);
   SurfacePoints points;
-  film.visibility.points(own_hits, std::span(directions).first(seen.size()), film.surfaces, points);
+  film.visibility.points(hits, std::span(seen.directions).first(seen.count), film.surfaces, points);
   const SurfaceShading& shading =
-      film.shading.surfaces()[static_cast<std::size_t>(seen[0].hit.surface)];
+      film.shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // What transfer does not hold.
   const SurfaceLighting straight{.lights = film.lighting.lights};
   PointRadiance sent;
   const std::uint64_t pairs =
       surface_radiance(film.medium, film.visibility, shading.transferred ? straight : film.lighting,
                        shading, points, film.arithmetic, sent);
-  if (shading.transferred) shading.transferred->add(own_hits, points, sent);
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    radiance[seen[k].pixel] = {sent.r[k], sent.g[k], sent.b[k]};
+  if (shading.transferred) shading.transferred->add(hits, points, sent);
+  for (std::size_t k = 0; k < seen.count; ++k) {
+    radiance[seen.pixels[k]] = {sent.r[k], sent.g[k], sent.b[k]};
   }
   return pairs;
 }
@@ -54,24 +49,35 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const Job& j
     const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
     PointVectors directions;
     find_view_directions(rays, rectangle, directions);
-    std::array<Seen, Tiles::pixels> seen;
+    // What is not shaded yet: places in the tile, and their pixels.
+    struct Left {
+      std::size_t place, pixel;
+    };
+    std::array<Left, Tiles::pixels> left;
     std::size_t count = 0;
-    std::size_t k = 0;
+    std::size_t place = 0;
     Tiles::each_pixel(rectangle, [&](int x, int y) {
       const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
       radiance[i] = glm::vec3(0.0f);
-      if (hits[i]) {
-        seen[count++] = {hits[i], {directions.x[k], directions.y[k], directions.z[k]}, i};
-      }
-      ++k;
+      if (hits[i]) left[count++] = {place, i};
+      ++place;
     });
-    for (auto first = seen.begin(), last = first + static_cast<std::ptrdiff_t>(count);
-         first != last;) {
-      const auto after = std::stable_partition(
-          first, last,
-          [surface = first->hit.surface](const Seen& s) { return s.hit.surface == surface; });
-      pairs += shade_points(*this, std::span(first, after), radiance);
-      first = after;
+    while (count > 0) {
+      const std::int32_t surface = hits[left[0].pixel].surface;
+      Seen seen;
+      std::size_t others = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto [at, pixel] = left[k];
+        if (hits[pixel].surface != surface) {
+          left[others++] = left[k];
+          continue;
+        }
+        seen.hits[seen.count] = hits[pixel];
+        seen.directions[seen.count] = {directions.x[at], directions.y[at], directions.z[at]};
+        seen.pixels[seen.count++] = pixel;
+      }
+      pairs += shade_points(*this, seen, radiance);
+      count = others;
     }
   });
   return pairs;
