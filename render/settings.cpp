@@ -43,7 +43,8 @@ Settings sliced_settings(Settings settings, int slices) {
   settings.depth_error = slices < 24 ? 3e-3 : slices < 48 ? 1e-3 : 1e-4;
   settings.shadow_cells = std::clamp(16 * slices, 256, 1024);
   settings.source_grid = slices < 8    ? SourceGridSize{20'000, 64}
-                         : slices < 48 ? SourceGridSize{40'000, 96}
+                         : slices < 24 ? SourceGridSize{60'000, 64}
+                         : slices < 48 ? SourceGridSize{80'000, 96}
                                        : SourceGridSize{120'000, 128};
   return settings;
 }

@@ -21,7 +21,7 @@ struct LightTableSize {
 
 // How fine the grid of an environment's light in the medium is; see SourceGrid.
 struct SourceGridSize {
-  int nodes = 40'000;   // at most, > 8
+  int nodes = 80'000;   // at most, > 8
   int directions = 96;  // that light comes from, at most
 
   bool operator==(const SourceGridSize&) const = default;

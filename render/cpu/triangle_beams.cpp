@@ -144,8 +144,9 @@ class TriangleBeams::Beam {
            std::ranges::any_of(sides_, [&](const HalfSpace& s) { return s.holds_none_of(box); });
   }
 
-  // Whether all rays that go through this triangle or beyond it meet it on their way.
-  [[nodiscard]] bool is_crossed_by(const Corners& corners) const {
+  // Whether what the sides enclose of a triangle is between the light and where rays start, away
+  // from both.
+  [[nodiscard]] bool has_between_ends(const Corners& corners) const {
     const Clipped part = between_sides(corners);
     return std::ranges::all_of(part.points(), [&](const glm::dvec3& p) {
       return ceiling_.beyond(p) > 0.0 && glm::length(p - light()) > margins_.ends;
@@ -322,7 +323,7 @@ bool TriangleBeams::is_covered(const Beam& beam, std::uint32_t triangle) const {
   patch[count++] = triangle;
   for (std::size_t at = 0; at < count; ++at) {
     const Corners corners = corners_of(triangles_[patch[at]]);
-    if (!beam.is_crossed_by(corners)) return false;
+    if (!beam.has_between_ends(corners)) return false;
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3& a = corners[k];
       const glm::dvec3& b = corners[(k + 1) % 3];

@@ -189,5 +189,26 @@ TEST(LampSights, ChangeNoFrame) {
   EXPECT_GT(seen, 30);
 }
 
+// What was known before something moved is not believed after it.
+TEST(LampSights, GoWithLampsAndSurfaces) {
+  Random random(2);
+  Scene scene;
+  scene.surfaces = shapes(random, glm::dvec3(0.0), 1.0);
+  scene.lights = {{{0.5, 3.0, 1.0}, {30, 30, 30}, {}}};
+  scene.camera.eye = {0.0, 2.5, 4.0};
+  scene.film = {160, 120};
+  Settings settings;
+  Renderer renderer;
+  Frame last;
+  for (int step = 0; step < 3; ++step) {
+    for (std::uint32_t frame = 0; frame < LampSights::rounds + 2; ++frame) {
+      last = *renderer.render(scene, scene.camera, scene.film, settings);
+    }
+    EXPECT_EQ(last.beauty, render_frame(scene, settings).beauty) << step;
+    if (step == 0) scene.surfaces[2].translate += glm::dvec3(0.3, 0.2, 0.0);
+    if (step == 1) scene.lights[0].position = {-1.5, 2.0, 0.5};
+  }
+}
+
 }  // namespace
 }  // namespace brume
