@@ -75,6 +75,10 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
   });
   std::erase_if(shadows_, [&](const auto& known) { return gone(known->light()); });
   std::erase_if(lamps_, [&](const SightedLamp& known) { return gone(known.light); });
+  for (SightedLamp& lamp : lamps_) {
+    lamp.stayed = true;
+    if (lamp.sights) lamp.sights->begin_frame();
+  }
 }
 
 const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
@@ -117,11 +121,11 @@ const LampSights* PreparedScene::lamp_sights(const glm::dvec3& light) {
     lamps_.push_back({light});
     return nullptr;
   }
+  if (!known->stayed) return nullptr;
   if (!known->sights) {
     if (!beams_) beams_ = std::make_unique<TriangleBeams>(*visibility_);
     known->sights = std::make_unique<LampSights>(*beams_, light - visibility_->middle());
   }
-  known->sights->begin_frame();
   return known->sights.get();
 }
 

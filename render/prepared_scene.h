@@ -43,7 +43,7 @@ class PreparedScene {
                                    std::uint64_t& pairs);
   const LightTable& light_table(const glm::dvec3& light, const LightTableSize& size,
                                 std::uint64_t& pairs);
-  // Once per frame. Null in the first frame of a light or of surfaces.
+  // Null until an update() has found the light and the surfaces as they were when first asked.
   const LampSights* lamp_sights(const glm::dvec3& light);
   const ShadowMap& shadow_map(const glm::dvec3& light, const DirectionMap& map);
 
@@ -75,7 +75,8 @@ class PreparedScene {
 
   struct SightedLamp {
     glm::dvec3 light;
-    std::unique_ptr<LampSights> sights = nullptr;  // from the second frame on
+    bool stayed = false;  // since the update() before
+    std::unique_ptr<LampSights> sights = nullptr;
   };
   std::unique_ptr<TriangleBeams> beams_;  // for lamps_
   std::vector<SightedLamp> lamps_;
