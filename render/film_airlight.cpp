@@ -73,10 +73,10 @@ float depth_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> 
                       double tolerance) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t i : gaussians) {
-    least = std::min(least, 5.0 * tolerance / medium.gaussians()[i].a);
+    least = std::min(least, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
   }
   const double b0 = medium.homogeneous_density();
-  if (b0 > 0.0) least = std::min(least, 2.0 * tolerance / b0);
+  if (b0 > 0.0) least = std::min(least, double{free_paths_per_tolerance} * tolerance / b0);
   return static_cast<float>(least);
 }
 

@@ -18,6 +18,11 @@ inline constexpr float most_bend_of_surroundings = 0.125f;
 // The least share in the linear interpolation of a pixel that samples of its surface must have.
 inline constexpr float least_surface_share = 0.25f;
 
+// How far off in depth a pixel may be, for each unit of tolerance: in radii of the smallest
+// Gaussian that matters to it, and in mean free paths of b0.
+inline constexpr float radii_per_tolerance = 5.0f;
+inline constexpr float free_paths_per_tolerance = 2.0f;
+
 // Airlight RGB and transmittance of a frame at every scale-th pixel of each row and column, the
 // last ones included, and what they tell of the pixels between them (section 5.4 of the paper).
 // Distances are those of the frame's depth layer, which must be there; refers to the frame.

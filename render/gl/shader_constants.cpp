@@ -100,6 +100,8 @@ std::string shader_constants() {
   constants.add("most_boundaries", most_boundaries);
   constants.add("most_bend_of_surroundings", most_bend_of_surroundings);
   constants.add("least_surface_share", least_surface_share);
+  constants.add("radii_per_tolerance", radii_per_tolerance);
+  constants.add("free_paths_per_tolerance", free_paths_per_tolerance);
   constants.add("most_levels", TriangleHierarchy::most_levels);
   constants.add("peak_slices", peak_slices);
   constants.add("highlight_start", highlight::start);

@@ -139,9 +139,9 @@ vec4 value_at(Surroundings s, ivec2 pixel) {
 
 // How much nearer or farther a surface may be than expected without the airlight telling.
 float depth_tolerance(int tile) {
-  float least = b0 > 0.0 ? 2.0 * tolerance / b0 : endless;
+  float least = b0 > 0.0 ? free_paths_per_tolerance * tolerance / b0 : endless;
   for (uint k = offsets[tile]; k < offsets[tile + 1]; ++k) {
-    least = min(least, 5.0 * tolerance / seen[2 * list[k]].w);
+    least = min(least, radii_per_tolerance * tolerance / seen[2 * list[k]].w);
   }
   return least;
 }
