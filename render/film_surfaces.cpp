@@ -1,7 +1,11 @@
 #include "render/film_surfaces.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <glm/ext/vector_int2.hpp>
+#include <mutex>
+#include <utility>
 
 #include "render/cpu/surface_kernels.h"
 #include "render/tiles.h"
@@ -9,76 +13,145 @@
 namespace brume {
 namespace {
 
+// So many neighbours are looked at by one thread, and their points shaded together.
+constexpr std::size_t tiles_together = 25;
+
 // Points of one surface.
 struct Seen {
   std::array<SurfaceHit, Tiles::pixels> hits;
   std::array<glm::vec3, Tiles::pixels> directions;
-  std::array<std::size_t, Tiles::pixels> pixels;
   std::size_t count = 0;
 };
 
-// Sets the radiance of their pixels.
-std::uint64_t shade_points(const FilmSurfaces& film, const Seen& seen,
-                           std::span<glm::vec3> radiance) {
+// Sets the radiance that they send.
+std::uint64_t shade_points(const FilmSurfaces& film, const Seen& seen, SurfacePoints& points,
+                           PointRadiance& sent) {
   const auto hits = std::span(seen.hits).first(seen.count);
-  SurfacePoints points;
   film.visibility.points(hits, std::span(seen.directions).first(seen.count), film.surfaces, points);
   const SurfaceShading& shading =
       film.shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
   // What transfer does not hold.
   const SurfaceLighting straight{.lights = film.lighting.lights};
-  PointRadiance sent;
   const std::uint64_t pairs =
       surface_radiance(film.medium, film.visibility, shading.transferred ? straight : film.lighting,
                        shading, points, film.arithmetic, sent);
   if (shading.transferred) shading.transferred->add(hits, points, sent);
-  for (std::size_t k = 0; k < seen.count; ++k) {
-    radiance[seen.pixels[k]] = {sent.r[k], sent.g[k], sent.b[k]};
-  }
   return pairs;
 }
+
+// Pixels that see one surface and wait until they fill a batch.
+struct Waiting {
+  std::array<glm::ivec2, Tiles::pixels> pixels;
+  std::size_t count = 0;
+};
 
 }  // namespace
 
 std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const Job& job,
                                   std::span<glm::vec3> radiance) const {
   const Tiles tiles(film);
-  const auto width = static_cast<std::size_t>(film.width);
+  const glm::vec3 eye(rays.eye() - visibility.middle());
+  const auto index_of = [width = film.width](const glm::ivec2& pixel) {
+    return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(pixel.x);
+  };
   std::atomic<std::uint64_t> pairs = 0;
-  job.each(tiles.count(), [&](std::size_t tile) {
-    const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
-    PointVectors directions;
-    find_view_directions(rays, rectangle, directions);
-    // What is not shaded yet: places in the tile, and their pixels.
-    struct Left {
-      std::size_t place, pixel;
-    };
-    std::array<Left, Tiles::pixels> left;
-    std::size_t count = 0;
-    std::size_t place = 0;
-    Tiles::each_pixel(rectangle, [&](int x, int y) {
-      const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-      radiance[i] = glm::vec3(0.0f);
-      if (hits[i]) left[count++] = {place, i};
-      ++place;
-    });
-    while (count > 0) {
-      const std::int32_t surface = hits[left[0].pixel].surface;
+  std::mutex mutex;
+  std::vector<Asked> asked;
+  job.each((tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t part) {
+    std::vector<Asked> unknown;
+    const auto shade_all = [&](Waiting& waiting) {
+      if (waiting.count == 0) return;
       Seen seen;
-      std::size_t others = 0;
+      seen.count = waiting.count;
+      PointVectors directions;
+      find_view_directions(rays, std::span(waiting.pixels).first(waiting.count), directions);
+      for (std::size_t k = 0; k < seen.count; ++k) {
+        seen.hits[k] = hits[index_of(waiting.pixels[k])];
+        seen.directions[k] = {directions.x[k], directions.y[k], directions.z[k]};
+      }
+      SurfacePoints points;
+      PointRadiance sent;
+      pairs += shade_points(*this, seen, points, sent);
+      const bool keeps = kept && is_same_from_everywhere(seen.hits[0].surface);
+      for (std::size_t k = 0; k < seen.count; ++k) {
+        radiance[index_of(waiting.pixels[k])] = {sent.r[k], sent.g[k], sent.b[k]};
+        if (keeps && kept->is_due(points.triangle[k], eye)) {
+          unknown.push_back({points.triangle[k], seen.directions[k]});
+        }
+      }
+      waiting.count = 0;
+    };
+    std::vector<Waiting> waiting(surfaces.size());
+    const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
+    for (std::size_t tile = part * tiles_together; tile < end; ++tile) {
+      std::array<glm::ivec2, Tiles::pixels> pixels;
+      std::array<std::uint32_t, Tiles::pixels> triangles;
+      std::size_t count = 0;
+      Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
+        const SurfaceHit& hit = hits[index_of({x, y})];
+        pixels[count] = {x, y};
+        triangles[count] = hit ? visibility.index_of(hit) : TriangleRadiance::none;
+        // Asked for all of a tile before the first is read.
+        if (kept && hit) kept->prefetch(triangles[count]);
+        ++count;
+      });
       for (std::size_t k = 0; k < count; ++k) {
-        const auto [at, pixel] = left[k];
-        if (hits[pixel].surface != surface) {
-          left[others++] = left[k];
+        glm::vec3& sent = radiance[index_of(pixels[k])];
+        if (triangles[k] == TriangleRadiance::none) {
+          sent = glm::vec3(0.0f);
           continue;
         }
-        seen.hits[seen.count] = hits[pixel];
-        seen.directions[seen.count] = {directions.x[at], directions.y[at], directions.z[at]};
-        seen.pixels[seen.count++] = pixel;
+        const SurfaceHit& hit = hits[index_of(pixels[k])];
+        if (const auto* patch = kept ? kept->of(triangles[k], eye) : nullptr) {
+          sent = patch->at(hit.u, hit.v);
+          continue;
+        }
+        Waiting& of = waiting[static_cast<std::size_t>(hit.surface)];
+        of.pixels[of.count++] = pixels[k];
+        if (of.count == of.pixels.size()) shade_all(of);
       }
-      pairs += shade_points(*this, seen, radiance);
-      count = others;
     }
+    for (Waiting& of : waiting) shade_all(of);
+    const std::lock_guard lock(mutex);
+    asked.insert(asked.end(), unknown.begin(), unknown.end());
+  });
+  if (!asked.empty()) pairs += find_out(std::move(asked), job);
+  return pairs;
+}
+
+bool FilmSurfaces::is_same_from_everywhere(std::int32_t surface) const {
+  const auto s = static_cast<std::size_t>(surface);
+  const ShMaterial* material = shading.surfaces()[s].material;
+  return surfaces[s].material.type == Material::Type::diffuse && (!material || material->is_diffuse());
+}
+
+std::uint64_t FilmSurfaces::find_out(std::vector<Asked> asked, const Job& job) const {
+  std::ranges::sort(asked, {}, &Asked::triangle);
+  const auto again = std::ranges::unique(asked, {}, &Asked::triangle);
+  asked.erase(again.begin(), again.end());
+  // As many triangles of one surface as fill a tile with their probes, of one surface each.
+  constexpr std::size_t most = Tiles::pixels / TriangleRadiance::probes;
+  std::vector<Seen> batches;
+  for (const Asked& of : asked) {
+    const auto hit_at = [&](const glm::vec2& place) {
+      return visibility.hit_of({0.0f, of.triangle, place.x, place.y});
+    };
+    const bool fits = !batches.empty() && batches.back().count < most * TriangleRadiance::probes &&
+                      batches.back().hits[0].surface == hit_at({}).surface;
+    if (!fits) batches.emplace_back();
+    Seen& seen = batches.back();
+    for (const glm::vec2& place : TriangleRadiance::probe_places) {
+      seen.hits[seen.count] = hit_at(place);
+      seen.directions[seen.count++] = of.direction;
+    }
+  }
+  std::atomic<std::uint64_t> pairs = 0;
+  job.each(batches.size(), [&](std::size_t b) {
+    SurfacePoints points;
+    PointRadiance sent;
+    pairs += shade_points(*this, batches[b], points, sent);
+    kept->keep(points, lighting.lights, sent);
   });
   return pairs;
 }

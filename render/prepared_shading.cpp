@@ -87,27 +87,34 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
   }
 }
 
+PreparedShading::LitBy PreparedShading::lit_by(const Scene& scene, const SurfaceLighting& lighting,
+                                               const Settings& settings,
+                                               Settings::Arithmetic arithmetic) {
+  LitBy by{scene.medium,
+           scene.lights,
+           scene.environment,
+           scene.optics.anisotropy,
+           lighting.fog_depth,
+           lighting.albedo,
+           {}};
+  by.settings.airlight = settings.airlight;
+  by.settings.light_table = settings.light_table;
+  by.settings.source_grid = settings.source_grid;
+  by.settings.depth_error = settings.depth_error;
+  by.settings.paper_spread = settings.paper_spread;
+  by.settings.arithmetic = arithmetic;
+  return by;
+}
+
 void PreparedShading::take_light(const Scene& scene, const MediumIndex& medium,
                                  const SurfaceLighting& lighting, const Settings& settings,
                                  Settings::Arithmetic arithmetic, const Job& job,
                                  std::uint64_t& pairs) {
   if (vertex_lights_.empty()) return;
-  LitBy lit_by{scene.medium,
-               scene.lights,
-               scene.environment,
-               scene.optics.anisotropy,
-               lighting.fog_depth,
-               lighting.albedo,
-               {}};
-  lit_by.settings.airlight = settings.airlight;
-  lit_by.settings.light_table = settings.light_table;
-  lit_by.settings.source_grid = settings.source_grid;
-  lit_by.settings.depth_error = settings.depth_error;
-  lit_by.settings.paper_spread = settings.paper_spread;
-  lit_by.settings.arithmetic = arithmetic;
-  if (!(lit_by == lit_by_)) {
+  LitBy by = lit_by(scene, lighting, settings, arithmetic);
+  if (!(by == lit_by_)) {
     for (VertexLight& known : vertex_lights_) known.light.reset();
-    lit_by_ = std::move(lit_by);
+    lit_by_ = std::move(by);
   }
   for (std::size_t i = 0; i < shading_.size(); ++i) {
     if (!shading_[i].transfer) continue;
@@ -122,6 +129,22 @@ void PreparedShading::take_light(const Scene& scene, const MediumIndex& medium,
     }
     shading_[i].transferred = light.get();
   }
+}
+
+TriangleRadiance* PreparedShading::kept_radiance(const Scene& scene,
+                                                 const SurfaceLighting& lighting,
+                                                 const Settings& settings,
+                                                 Settings::Arithmetic arithmetic,
+                                                 std::size_t triangles) {
+  Lit lit{lit_by(scene, lighting, settings, arithmetic), scene.surfaces, light_revision_};
+  if (!(lit == lit_)) {
+    lit_ = std::move(lit);
+    radiance_.reset();
+    return nullptr;
+  }
+  if (!radiance_) radiance_ = std::make_unique<TriangleRadiance>(triangles);
+  radiance_->begin_frame();
+  return radiance_.get();
 }
 
 const ShMaterial& PreparedShading::sh_material_of(const Material& material) {

@@ -23,7 +23,9 @@ class LampSights {
   [[nodiscard]] TriangleSight of(std::uint32_t triangle, float side) const {
     SideSight sight = sights_[triangle].load(std::memory_order_relaxed);
     if (sight.of_points == TriangleSight::unknown) sight = find(triangle);
-    return static_cast<float>(sight.side) == side ? sight.of_points : TriangleSight::in_part;
+    const bool is_of_side = static_cast<float>(sight.side) == side;
+    return is_of_side || sight.of_points == TriangleSight::unknown ? sight.of_points
+                                                                   : TriangleSight::in_part;
   }
 
   static constexpr std::uint32_t rounds = 8;  // frames after which all is known

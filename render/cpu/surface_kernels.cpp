@@ -1,5 +1,7 @@
 #include "render/cpu/surface_kernels.h"
 
+#include <algorithm>
+
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/cpu/surface_kernels.cpp"
@@ -222,22 +224,21 @@ HWY_EXPORT(AddDirectLight);
 HWY_EXPORT(FindSpread);
 HWY_EXPORT(AddScatteredLight);
 
-void find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
+void find_view_directions(const CameraRays& rays, std::span<const glm::ivec2> pixels,
                           PointVectors& directions) {
-  std::size_t count = 0;
-  Tiles::each_pixel(pixels, [&](int x, int y) {
-    directions.x[count] = static_cast<float>(x - pixels.x0);
-    directions.y[count++] = static_cast<float>(y - pixels.y0);
-  });
-  for (std::size_t k = count; k < padded(count); ++k) {
-    directions.x[k] = directions.x[count - 1];
-    directions.y[k] = directions.y[count - 1];
+  // From one of them: no digits are lost on large films.
+  const glm::ivec2 origin = pixels[0];
+  for (std::size_t k = 0; k < padded(pixels.size()); ++k) {
+    const glm::ivec2 from_origin = pixels[std::min(k, pixels.size() - 1)] - origin;
+    directions.x[k] = static_cast<float>(from_origin.x);
+    directions.y[k] = static_cast<float>(from_origin.y);
   }
   const CameraRays::FilmPlane plane = rays.plane();
   const glm::dvec3 first =
-      plane.corner + (pixels.x0 + 0.5) * plane.per_x + (pixels.y0 + 0.5) * plane.per_y;
+      plane.corner + (origin.x + 0.5) * plane.per_x + (origin.y + 0.5) * plane.per_y;
   HWY_DYNAMIC_DISPATCH(WalkAndNormalize)
-  (glm::vec3(first), glm::vec3(plane.per_x), glm::vec3(plane.per_y), padded(count), directions);
+  (glm::vec3(first), glm::vec3(plane.per_x), glm::vec3(plane.per_y), padded(pixels.size()),
+   directions);
 }
 
 void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <glm/ext/vector_int2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/scene/camera.h"
 #include "render/cpu/scatter_table.h"
@@ -12,10 +14,10 @@ namespace brume {
 // The inner loops of surfaces in single precision (Highway). Plain double counterparts, for single
 // points: Visibility::point(), brdf(), incident_point_light().
 
-// The unit directions of the view rays through the pixels of a rectangle as large as a tile at
-// most, in the order of Tiles::each_pixel(); those from their count to padded(count) repeat the
-// last. The plain double counterpart is CameraRays::direction().
-void find_view_directions(const CameraRays& rays, const CameraRays::PixelRectangle& pixels,
+// The unit directions of the view rays through pixels of a film, as many as a tile has at most;
+// those from their count to padded(count) repeat the last. The plain double counterpart is
+// CameraRays::direction().
+void find_view_directions(const CameraRays& rays, std::span<const glm::ivec2> pixels,
                           PointVectors& directions);
 
 // The triangles that points are on: their corners' positions and normals, and the points'
