@@ -142,8 +142,11 @@ TriangleRadiance* PreparedShading::kept_radiance(const Scene& scene,
     radiance_.reset();
     return nullptr;
   }
-  if (!radiance_) radiance_ = std::make_unique<TriangleRadiance>(triangles);
-  radiance_->begin_frame();
+  if (radiance_) {
+    radiance_->begin_frame();
+  } else {
+    radiance_ = std::make_unique<TriangleRadiance>(triangles);
+  }
   return radiance_.get();
 }
 

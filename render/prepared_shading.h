@@ -41,7 +41,7 @@ class PreparedShading {
                   std::uint64_t& pairs);
 
   // What surfaces of as many triangles send, if they and `lighting` have stayed since this was
-  // last asked for; null: they have not. Begins a frame of it.
+  // last asked for; null: they have not. Asked for once a frame.
   TriangleRadiance* kept_radiance(const Scene& scene, const SurfaceLighting& lighting,
                                   const Settings& settings, Settings::Arithmetic arithmetic,
                                   std::size_t triangles);

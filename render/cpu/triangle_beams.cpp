@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -22,23 +23,53 @@ Corners corners_of(const PlacedTriangle& triangle) {
   return {a, b, c};
 }
 
+// Numbers where corners are: the same for corners at the same place, whichever vertices they are,
+// so that seams of a mesh are none.
+std::vector<glm::uvec3> places_of(std::span<const PlacedTriangle> triangles) {
+  std::vector<glm::uvec3> places(triangles.size());  // first of all, vertices of all surfaces
+  std::vector<glm::vec3> positions;
+  std::size_t first = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const PlacedTriangle& triangle = triangles[t];
+    if (t > 0 && triangle.surface != triangles[t - 1].surface) first = positions.size();
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t vertex = first + triangle.vertices[k];
+      positions.resize(std::max(positions.size(), vertex + 1));
+      positions[vertex] = triangle.positions[static_cast<std::size_t>(k)];
+      places[t][k] = static_cast<std::uint32_t>(vertex);
+    }
+  }
+  std::vector<std::uint32_t> order(positions.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {}, [&](std::uint32_t i) {
+    return std::tie(positions[i].x, positions[i].y, positions[i].z);
+  });
+  std::vector<std::uint32_t> place_of(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_there_already = i > 0 && positions[order[i]] == positions[order[i - 1]];
+    place_of[order[i]] = is_there_already ? place_of[order[i - 1]] : static_cast<std::uint32_t>(i);
+  }
+  for (glm::uvec3& of : places) of = {place_of[of.x], place_of[of.y], place_of[of.z]};
+  return places;
+}
+
 // Across the edges from each corner to the next; no_triangle where there is none or more than one.
 std::vector<std::array<std::uint32_t, 3>> neighbours_of(std::span<const PlacedTriangle> triangles) {
   struct Side {
-    std::uint32_t surface, low, high;  // vertices
+    std::uint32_t low, high;  // places
     std::uint32_t triangle, edge;
   };
+  const std::vector<glm::uvec3> places = places_of(triangles);
   std::vector<Side> sides;
   sides.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const PlacedTriangle& triangle = triangles[t];
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax({triangle.vertices[static_cast<int>(k)],
-                                            triangle.vertices[static_cast<int>((k + 1) % 3)]});
-      sides.push_back({triangle.surface, low, high, t, k});
+      const auto [low, high] =
+          std::minmax({places[t][static_cast<int>(k)], places[t][static_cast<int>((k + 1) % 3)]});
+      sides.push_back({low, high, t, k});
     }
   }
-  const auto edge = [](const Side& s) { return std::tie(s.surface, s.low, s.high); };
+  const auto edge = [](const Side& s) { return std::tie(s.low, s.high); };
   std::ranges::sort(sides, {}, edge);
   std::vector<std::array<std::uint32_t, 3>> result(triangles.size());
   for (std::array<std::uint32_t, 3>& none : result) none.fill(no_triangle);
@@ -318,7 +349,7 @@ bool TriangleBeams::is_covered(const Beam& beam, const PlacedTriangle& triangle)
 // patch has, seen from the light, no fold and no end within the beam, it covers all of it.
 bool TriangleBeams::is_covered(const Beam& beam, std::uint32_t triangle) const {
   const glm::dvec3& light = beam.light();
-  std::array<std::uint32_t, 32> patch;
+  std::array<std::uint32_t, 256> patch;
   std::size_t count = 0;
   patch[count++] = triangle;
   for (std::size_t at = 0; at < count; ++at) {

@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "render/cpu/lamp_sights.h"
 #include "render/cpu/surface_kernels.h"
 #include "render/cpu/surfaces.h"
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "render/cpu/lamp_sights.h"
 #include "render/cpu/surface_points.h"
 #include "render/cpu/visibility.h"
 
@@ -24,7 +25,7 @@ class TriangleRadiance {
   // How far a patch may be off, as a share of the greatest radiance at a triangle's corners: below
   // half of a step of an 8-bit picture.
   static constexpr float tolerance = 1.0f / 512.0f;
-  static constexpr std::uint32_t rounds = 8;  // frames after which all has been found out about
+  static constexpr std::uint32_t rounds = LampSights::rounds;
 
   // The radiance of a triangle, RGB, by barycentric coordinates of the second and third corner.
   class Patch {
@@ -61,9 +62,9 @@ class TriangleRadiance {
   // Before of() is asked for many.
   void prefetch(std::uint32_t triangle) const { __builtin_prefetch(&triangles_[triangle]); }
 
-  // Before the points of a frame are asked about.
+  // Before the points of every frame after the first are asked about.
   void begin_frame() { ++frame_; }
-  // Whether this frame is to find out about the side of a triangle that the eye sees.
+  // In the order of LampSights, which have to be known first: whether this frame is to find out about the side of a triangle that the eye sees.
   [[nodiscard]] bool is_due(std::uint32_t triangle, const glm::vec3& eye) const {
     if (triangle % rounds != frame_ % rounds) return false;
     const Triangle& t = triangles_[triangle];
