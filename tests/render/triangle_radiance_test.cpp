@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "core/scene/mesh.h"
+#include "render/render_plan.h"
 #include "render/renderer.h"
+#include "render/transfer/transfer_store.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
 #include "tools/bench/benchmark_meshes.h"
@@ -21,8 +23,20 @@ namespace {
 
 constexpr int enough = 2 * static_cast<int>(TriangleRadiance::rounds) + 2;  // frames
 
-// A hilly ground, a ball above it and a sheet that hangs beside it, which is seen from below; in
-// fog, under two lamps and a sky.
+// Strips above the ground, so thin that their shadows fall between the probes of its triangles.
+std::shared_ptr<const TriangleMesh> wires() {
+  MeshBuilder mesh;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 from(-1.6 + 0.4 * i, 0.5, -1.0);
+    mesh.grid(2, 2, false, [&](double u, double v) {
+      return from + u * glm::dvec3(0.0, 0.0, 2.5) + v * glm::dvec3(0.006, 0.0, 0.0);
+    });
+  }
+  return mesh.finish();
+}
+
+// A hilly ground, a ball above it, wires and a sheet that hangs beside it; in fog, under two lamps
+// and a sky.
 Scene hills() {
   Scene scene;
   MeshBuilder ground;
@@ -44,7 +58,9 @@ Scene hills() {
   Surface sheet;
   sheet.mesh = hanging.finish();
   sheet.material.reflectance = {0.7, 0.3, 0.2};
-  scene.surfaces = {hilly, ball, sheet};
+  Surface wiry;
+  wiry.mesh = wires();
+  scene.surfaces = {hilly, ball, sheet, wiry};
   scene.medium.append({{0.2, 0.3, 0.5}, 0.8, 0.6});
   scene.medium.append({{-0.9, 0.4, -0.3}, 0.5, 0.8});
   scene.lights = {{{1.5, 3.0, 1.0}, {20, 18, 15}, {}}, {{-2.5, 2.0, 1.5}, {3, 5, 9}, {}}};
@@ -94,6 +110,27 @@ TEST(TriangleRadiance, PatchesAreQuadratic) {
   EXPECT_EQ(TriangleRadiance::Patch().at(0.3f, 0.3f), glm::vec3(0.0f));
 }
 
+// Expects the next frame of a renderer to be close to one that shades every point. Returns the
+// share of pixels with a surface that differ at all.
+double looked_up(Renderer& renderer, const Scene& scene, const Settings& settings) {
+  const Frame kept = last_of(renderer, scene, settings, 1);
+  const Frame shaded = render_frame(scene, settings);
+  int differ = 0;
+  int pixels = 0;
+  for (std::size_t i = 0; i < kept.depth.size(); ++i) {
+    if (!std::isfinite(kept.depth[i])) continue;
+    const auto* a = &kept.beauty[4 * i];
+    const auto* b = &shaded.beauty[4 * i];
+    float off = 0.0f;
+    for (int c = 0; c < 3; ++c) off = std::max(off, std::abs(a[c] - b[c]));
+    ++pixels;
+    differ += off > 0.0f ? 1 : 0;
+    // The tolerance is of the brightest corner of a triangle, which is more than a pixel is.
+    EXPECT_LT(off, 3.0f * TriangleRadiance::tolerance * std::max({b[0], b[1], b[2]})) << i;
+  }
+  return static_cast<double>(differ) / pixels;
+}
+
 TEST(TriangleRadiance, IsCloseToShading) {
   for (const bool is_lit_by_sky_only : {false, true}) {
     Scene scene = hills();
@@ -101,25 +138,27 @@ TEST(TriangleRadiance, IsCloseToShading) {
     const Settings settings;
     Renderer renderer;
     last_of(renderer, scene, settings, enough);
+    // Most of it is looked up, but not where shadows end.
     scene.camera.eye += glm::dvec3(0.05, 0.02, -0.03);
-    const Frame kept = last_of(renderer, scene, settings, 1);
-    const Frame shaded = render_frame(scene, settings);
-    int looked_up = 0;
-    int pixels = 0;
-    for (std::size_t i = 0; i < kept.depth.size(); ++i) {
-      if (!std::isfinite(kept.depth[i])) continue;
-      const auto* a = &kept.beauty[4 * i];
-      const auto* b = &shaded.beauty[4 * i];
-      float off = 0.0f;
-      for (int c = 0; c < 3; ++c) off = std::max(off, std::abs(a[c] - b[c]));
-      ++pixels;
-      looked_up += off > 0.0f ? 1 : 0;
-      // The tolerance is of the brightest corner of a triangle, which is more than a pixel is.
-      EXPECT_LT(off, 2.0f * TriangleRadiance::tolerance * std::max({b[0], b[1], b[2]})) << i;
-    }
-    // Most of them, but not where shadows end.
-    EXPECT_GT(looked_up, pixels / 2);
+    EXPECT_GT(looked_up(renderer, scene, settings), 0.5);
+    // The hanging sheet's other side, and what was hidden.
+    scene.camera.eye = {-1.5, 3.0, -2.0};
+    EXPECT_GT(looked_up(renderer, scene, settings), 0.1);
+    last_of(renderer, scene, settings, enough);
+    EXPECT_GT(looked_up(renderer, scene, settings), 0.5);
   }
+}
+
+TEST(TriangleRadiance, GoesWhenTransferComes) {
+  Scene scene = hills();
+  scene.surfaces[1].transfer = Surface::Transfer::shadow;
+  const Settings settings;
+  const auto transfers = std::make_shared<TransferStore>();
+  Renderer renderer(transfers);
+  last_of(renderer, scene, settings, enough);
+  const std::vector<TransferRequest> requests = RenderPlan(scene, settings.airlight).transfers;
+  ASSERT_TRUE(transfers->make(requests, {}));
+  EXPECT_EQ(last_of(renderer, scene, settings, 1).beauty, render_frame(scene, settings).beauty);
 }
 
 TEST(TriangleRadiance, IsTheSameWithAnyThreads) {
