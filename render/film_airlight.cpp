@@ -17,18 +17,16 @@ namespace {
 // The pixels of a frame that one call of a method evaluates.
 class Batch {
  public:
-  // Adds to `pixel_pairs`.
-  Batch(const CameraRays& rays, std::span<const SurfaceHit> hits, const Film& film,
-        std::span<float> pixel_pairs)
-      : rays_(rays), hits_(hits), film_(film), pixel_pairs_(pixel_pairs) {}
+  // Adds to the pairs of the frame's pixels.
+  Batch(const CameraRays& rays, const RayEnds& ends, Frame& frame)
+      : rays_(rays), ends_(ends), frame_(frame) {}
 
   [[nodiscard]] bool full() const { return count_ == Tiles::pixels; }
 
   void add(int x, int y) {
-    pixels_[count_] = static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width) +
+    pixels_[count_] = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.film.width) +
                       static_cast<std::size_t>(x);
-    lengths_[count_] =
-        hits_.empty() ? std::numeric_limits<double>::infinity() : hits_[pixels_[count_]].distance;
+    lengths_[count_] = ends_.of(frame_, pixels_[count_]);
     directions_[count_++] = rays_.direction(x + 0.5, y + 0.5);
   }
 
@@ -45,7 +43,7 @@ class Batch {
     // A tile's rays share their Gaussians.
     const float each = static_cast<float>(pairs) / static_cast<float>(count_);
     for (std::size_t k = 0; k < count_; ++k) {
-      pixel_pairs_[pixels_[k]] += each;
+      frame_.statistics.pixel_pairs[pixels_[k]] += each;
       const glm::vec3& l = airlight_[k];
       store(pixels_[k], glm::vec4(finite(l.x), finite(l.y), finite(l.z),
                                   finite(static_cast<float>(std::exp(-depths_[k])))));
@@ -56,9 +54,8 @@ class Batch {
 
  private:
   const CameraRays& rays_;
-  std::span<const SurfaceHit> hits_;
-  Film film_;
-  std::span<float> pixel_pairs_;
+  const RayEnds& ends_;
+  Frame& frame_;
   std::size_t count_ = 0;
   std::array<std::size_t, Tiles::pixels> pixels_;
   std::array<glm::dvec3, Tiles::pixels> directions_;
@@ -84,19 +81,18 @@ float depth_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> 
 
 FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
                            const Settings& settings, const TileMethod& method,
-                           std::span<const SurfaceHit> hits, const Job& job, Frame& frame) {
+                           const RayEnds& ends, const Job& job, Frame& frame) {
   const int scale = settings.airlight_scale;
   AirlightSamples samples(frame, scale);
   const Tiles tiles(samples.film());
   const Tiles::Lists lists = tiles.lists(medium, rays, scale);
   FilmAirlight result;
-  std::vector<float>& pixel_pairs = frame.statistics.pixel_pairs;
-  pixel_pairs.assign(frame.depth.size(), 0.0f);
+  frame.statistics.pixel_pairs.assign(frame.depth.size(), 0.0f);
   result.gaussians_used = lists.used;
   std::atomic<std::uint64_t> pairs = 0;
   std::atomic<std::size_t> exact = 0;
   job.each_reported(tiles.count(), [&](std::size_t tile) {
-    Batch batch(rays, hits, frame.film, pixel_pairs);
+    Batch batch(rays, ends, frame);
     std::array<std::size_t, Tiles::pixels> order;
     std::size_t count = 0;
     Tiles::each_pixel(tiles.rectangle(tile), [&](int column, int row) {
@@ -113,7 +109,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
   if (scale > 1 && !job.stop.stop_requested()) {
     samples.measure_bends(settings.upsampling_tolerance, job);
     job.each(tiles.count(), [&](std::size_t tile) {
-      Batch batch(rays, hits, frame.film, pixel_pairs);
+      Batch batch(rays, ends, frame);
       const auto evaluate = [&] {
         pairs +=
             batch.evaluate(lists.of(tile), method, [&](std::size_t pixel, const glm::vec4& value) {

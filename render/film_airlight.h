@@ -1,11 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 
 #include "render/cpu/tile_rays.h"
-#include "render/cpu/visibility.h"
 #include "render/frame.h"
 #include "render/job.h"
 #include "render/medium_index.h"
@@ -24,8 +25,22 @@ struct FilmAirlight {
   std::size_t exact_pixels = 0;    // where the method itself was asked
 };
 
-// Fills frame.airlight, frame.transmittance and the pairs of pixels, tile by tile; `hits` says per
-// pixel where the rays end, and is empty where none does.
+// Where view rays end.
+struct RayEnds {
+  // Of rays that meet no surface [u].
+  double open = std::numeric_limits<double>::infinity();
+  // Per pixel, +inf where there is none [u]; empty: as the depth layer has them.
+  std::span<const double> surfaces;
+
+  [[nodiscard]] double of(const Frame& frame, std::size_t pixel) const {
+    const double surface =
+        surfaces.empty() ? static_cast<double>(frame.depth[pixel]) : surfaces[pixel];
+    return std::min(surface, open);
+  }
+};
+
+// Fills frame.airlight, frame.transmittance and the pairs of pixels, tile by tile; the
+// depth layer has to be there.
 //
 // With settings.airlight_scale 2 or 4 the method is asked at every so-many-th pixel of each row and
 // column, and what lies between is upsampled from there to settings.upsampling_tolerance of the
@@ -33,6 +48,6 @@ struct FilmAirlight {
 // too.
 FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
                            const Settings& settings, const TileMethod& method,
-                           std::span<const SurfaceHit> hits, const Job& job, Frame& frame);
+                           const RayEnds& ends, const Job& job, Frame& frame);
 
 }  // namespace brume

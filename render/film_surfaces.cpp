@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <glm/ext/vector_int2.hpp>
 #include <mutex>
 #include <utility>
@@ -47,7 +48,7 @@ struct Waiting {
 
 }  // namespace
 
-std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const Job& job,
+std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
                                   std::span<glm::vec3> radiance) const {
   const Tiles tiles(film);
   const glm::vec3 eye(rays.eye() - visibility.middle());
@@ -67,7 +68,7 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const Job& j
       PointVectors directions;
       find_view_directions(rays, std::span(waiting.pixels).first(waiting.count), directions);
       for (std::size_t k = 0; k < seen.count; ++k) {
-        seen.hits[k] = hits[index_of(waiting.pixels[k])];
+        seen.hits[k] = visibility.hit_of(hits[index_of(waiting.pixels[k])]);
         seen.directions[k] = {directions.x[k], directions.y[k], directions.z[k]};
       }
       SurfacePoints points;
@@ -86,28 +87,23 @@ std::uint64_t FilmSurfaces::shade(std::span<const SurfaceHit> hits, const Job& j
     const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
     for (std::size_t tile = part * tiles_together; tile < end; ++tile) {
       std::array<glm::ivec2, Tiles::pixels> pixels;
-      std::array<std::uint32_t, Tiles::pixels> triangles;
       std::size_t count = 0;
       Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
-        const SurfaceHit& hit = hits[index_of({x, y})];
-        pixels[count] = {x, y};
-        triangles[count] = hit ? visibility.index_of(hit) : TriangleRadiance::none;
+        const std::size_t i = index_of({x, y});
+        radiance[i] = glm::vec3(0.0f);
+        if (!std::isfinite(hits[i].distance)) return;
+        pixels[count++] = {x, y};
         // Asked for all of a tile before the first is read.
-        if (kept && hit) kept->prefetch(triangles[count]);
-        ++count;
+        if (kept) kept->prefetch(hits[i].triangle);
       });
       for (std::size_t k = 0; k < count; ++k) {
-        glm::vec3& sent = radiance[index_of(pixels[k])];
-        if (triangles[k] == TriangleRadiance::none) {
-          sent = glm::vec3(0.0f);
+        const std::size_t i = index_of(pixels[k]);
+        const RasterPixel& hit = hits[i];
+        if (const auto* patch = kept ? kept->of(hit.triangle, eye) : nullptr) {
+          radiance[i] = patch->at(hit.u, hit.v);
           continue;
         }
-        const SurfaceHit& hit = hits[index_of(pixels[k])];
-        if (const auto* patch = kept ? kept->of(triangles[k], eye) : nullptr) {
-          sent = patch->at(hit.u, hit.v);
-          continue;
-        }
-        Waiting& of = waiting[static_cast<std::size_t>(hit.surface)];
+        Waiting& of = waiting[static_cast<std::size_t>(visibility.hit_of(hit).surface)];
         of.pixels[of.count++] = pixels[k];
         if (of.count == of.pixels.size()) shade_all(of);
       }

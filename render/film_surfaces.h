@@ -30,7 +30,7 @@ struct FilmSurfaces {
   // Sets the radiance that each pixel's hit sends to the eye, black where there is none; tile by
   // tile, and within a tile surface by surface. Returns the Gaussian x path pairs evaluated.
   // Finds out about some of the triangles that are not kept.
-  std::uint64_t shade(std::span<const SurfaceHit> hits, const Job& job,
+  std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
                       std::span<glm::vec3> radiance) const;
 
  private:

@@ -52,18 +52,14 @@ bool FrameStages::find_transfers(FrameWork& work) {
 
 namespace {
 
-// Calls keep(x, y, hit) for all pixels.
+// Calls keep(x, y, pixel) for all pixels.
 template <class Keep>
 void draw_hits(const Visibility& visibility, const FrameWork& work, Keep keep) {
   const Raster raster = visibility.raster(work.rays, work.frame.film, work.job);
-  work.job.each(raster.bands(), [&](std::size_t band) {
-    raster.draw(band, [&](int x, int y, const RasterPixel& pixel) {
-      keep(x, y, visibility.hit_of(pixel));
-    });
-  });
+  work.job.each(raster.bands(), [&](std::size_t band) { raster.draw(band, keep); });
 }
 
-// The same by rays.
+// Calls keep(x, y, hit) for all pixels.
 template <class Keep>
 void trace_hits(const Visibility& visibility, const FrameWork& work, Keep keep) {
   const Tiles tiles(work.frame.film);
@@ -84,25 +80,29 @@ void trace_hits(const Visibility& visibility, const FrameWork& work, Keep keep) 
 
 }  // namespace
 
-// Rays that hit nothing end where the fog does.
 void FrameStages::find_hits(FrameWork& work, StageClock& clock) {
-  const double ray_end = work.fog_end.of_rays(work.rays.eye());
-  if (!work.plan.surfaces) {
-    hits_.assign(std::isfinite(ray_end) ? work.frame.depth.size() : 0, {ray_end});
-    return;
-  }
+  distances_.clear();
+  hits_.clear();
+  if (!work.plan.surfaces) return;
   hits_.resize(work.frame.depth.size());
   const auto width = static_cast<std::size_t>(work.frame.film.width);
-  const Visibility& visibility = prepared_.visibility();
-  const auto keep = [&](int x, int y, const SurfaceHit& hit) {
-    const std::size_t i = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-    hits_[i] = hit ? hit : SurfaceHit{ray_end};
-    work.frame.depth[i] = static_cast<float>(hit.distance);
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
   };
+  const Visibility& visibility = prepared_.visibility();
   if (visibility.suits_raster(work.rays, work.frame.film)) {
-    draw_hits(visibility, work, keep);
+    draw_hits(visibility, work, [&](int x, int y, const RasterPixel& pixel) {
+      hits_[index(x, y)] = pixel;
+      work.frame.depth[index(x, y)] = pixel.distance;
+    });
   } else {
-    trace_hits(visibility, work, keep);
+    distances_.resize(hits_.size());
+    trace_hits(visibility, work, [&](int x, int y, const SurfaceHit& hit) {
+      const std::size_t i = index(x, y);
+      distances_[i] = hit.distance;
+      hits_[i] = visibility.pixel_of(hit);
+      work.frame.depth[i] = hits_[i].distance;
+    });
   }
   clock.finish("visibility");
 }

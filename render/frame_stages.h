@@ -10,6 +10,7 @@
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/surfaces.h"
 #include "render/environment_source.h"
+#include "render/film_airlight.h"
 #include "render/fog_end.h"
 #include "render/frame.h"
 #include "render/job.h"
@@ -77,7 +78,7 @@ class FrameStages {
   // What comes before the airlight, in this order. First what does not depend on the view; false if
   // the job was stopped.
   bool begin(FrameWork& work, StageClock& clock);
-  // Where view rays end, by Embree; fills the depth layer.
+  // What view rays meet; fills the depth layer.
   void find_hits(FrameWork& work, StageClock& clock);
   // The light of an environment in the medium. False if the job was stopped.
   bool prepare_source(const FrameWork& work, StageClock& clock);
@@ -85,8 +86,10 @@ class FrameStages {
   // From here on, of the frame that has begun.
   [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
   [[nodiscard]] const PreparedShading& shading() const { return shading_; }
-  // Per pixel, where its view ray ends; empty where none does.
-  [[nodiscard]] std::span<const SurfaceHit> hits() const { return hits_; }
+  // After find_hits().
+  [[nodiscard]] RayEnds ray_ends(const FrameWork& work) const {
+    return {work.fog_end.of_rays(work.rays.eye()), distances_};
+  }
   // What the medium scatters of an environment's light; null: there is none.
   [[nodiscard]] const EnvironmentSource* scattered_environment(const FrameWork& work) const {
     return work.plan.environment ? &source_ : nullptr;
@@ -121,7 +124,8 @@ class FrameStages {
   PreparedShading shading_;
   EnvironmentSource source_;
   // Kept for their memory only.
-  std::vector<SurfaceHit> hits_;
+  std::vector<RasterPixel> hits_;
+  std::vector<double> distances_;  // of hits_, where float lacks digits; else empty
   std::vector<glm::vec3> surface_radiance_;
 };
 

@@ -66,7 +66,7 @@ std::optional<Frame> Renderer::Impl::render(FrameWork& work) {
   if (work.plan.gaussians || work.plan.homogeneous) {
     const TileMethod method = airlight_method(work, clock);
     const FilmAirlight film = film_airlight(stages.prepared().medium(), work.rays, work.settings,
-                                            method, stages.hits(), work.job, work.frame);
+                                            method, stages.ray_ends(work), work.job, work.frame);
     statistics.gaussians_used = film.gaussians_used;
     statistics.exact_pixels = film.exact_pixels;
     statistics.view_pairs += film.pairs;

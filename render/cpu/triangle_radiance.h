@@ -58,7 +58,6 @@ class TriangleRadiance {
     return t.state == State::kept && t.faces(eye) ? &t.patch : nullptr;
   }
 
-  static constexpr std::uint32_t none = 0xffffffff;  // no triangle's index
   // Before of() is asked for many.
   void prefetch(std::uint32_t triangle) const { __builtin_prefetch(&triangles_[triangle]); }
 

@@ -298,6 +298,11 @@ SurfaceHit Visibility::hit_of(const RasterPixel& pixel) const {
           pixel.triangle - first[static_cast<std::size_t>(surface)], pixel.u, pixel.v};
 }
 
+RasterPixel Visibility::pixel_of(const SurfaceHit& hit) const {
+  if (!hit) return {std::numeric_limits<float>::infinity()};
+  return {static_cast<float>(hit.distance), index_of(hit), hit.u, hit.v};
+}
+
 double Visibility::least_gap() const {
   return 1e-6 * impl_->radius;
 }

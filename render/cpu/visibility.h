@@ -97,6 +97,7 @@ class Visibility {
   [[nodiscard]] bool suits_raster(const CameraRays& rays, const Film& film) const;
   [[nodiscard]] Raster raster(const CameraRays& rays, const Film& film, const Job& job) const;
   [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel) const;
+  [[nodiscard]] RasterPixel pixel_of(const SurfaceHit& hit) const;
 
   // The point where that ray hit. Thread-safe.
   [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,
