@@ -52,13 +52,6 @@ bool FrameStages::find_transfers(FrameWork& work) {
 
 namespace {
 
-// Calls keep(x, y, pixel) for all pixels.
-template <class Keep>
-void draw_hits(const Visibility& visibility, const FrameWork& work, Keep keep) {
-  const Raster raster = visibility.raster(work.rays, work.frame.film, work.job);
-  work.job.each(raster.bands(), [&](std::size_t band) { raster.draw(band, keep); });
-}
-
 // Calls keep(x, y, hit) for all pixels.
 template <class Keep>
 void trace_hits(const Visibility& visibility, const FrameWork& work, Keep keep) {
@@ -91,10 +84,9 @@ void FrameStages::find_hits(FrameWork& work, StageClock& clock) {
   };
   const Visibility& visibility = prepared_.visibility();
   if (visibility.suits_raster(work.rays, work.frame.film)) {
-    draw_hits(visibility, work, [&](int x, int y, const RasterPixel& pixel) {
-      hits_[index(x, y)] = pixel;
-      work.frame.depth[index(x, y)] = pixel.distance;
-    });
+    const Raster raster = visibility.raster(work.rays, work.frame.film, work.job);
+    work.job.each(raster.bands(),
+                  [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
   } else {
     distances_.resize(hits_.size());
     trace_hits(visibility, work, [&](int x, int y, const SurfaceHit& hit) {

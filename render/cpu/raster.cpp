@@ -1,6 +1,7 @@
 #include "render/cpu/raster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -57,27 +58,26 @@ struct Extent {
   }
 };
 
-HWY_INLINE Raster::Bounds BoundsOf(const RasterTriangles& triangles, const Raster::View& view,
-                                   const Raster::Projected& projected, const glm::uvec3& corners) {
+HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
+                                   const Raster::View& view) {
   Extent extent;
   int seen = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::uint32_t i = corners[k];
-    if (!(projected.z[i] > 0.0f)) continue;
+  for (const Raster::Vertex& v : corners) {
+    if (!(v.inverse > 0.0f)) continue;
     ++seen;
-    extent.add({projected.x[i], projected.y[i]});
+    extent.add({v.x * v.inverse, v.y * v.inverse});
   }
   if (seen == 0) return {};
-  for (int k = 0; seen < 3 && k < 3; ++k) {
-    for (const int l : {(k + 1) % 3, (k + 2) % 3}) {
-      const std::uint32_t from = corners[k];
-      const std::uint32_t to = corners[l];
-      if (!(projected.z[from] > 0.0f) || projected.z[to] > 0.0f) continue;
-      const glm::vec3 crossing = -projected.z[to] * triangles.relative(from, view.eye) +
-                                 projected.z[from] * triangles.relative(to, view.eye);
-      const glm::vec3 size = glm::abs(crossing);
-      extent.add_beyond({glm::dot(crossing, view.to_x), glm::dot(crossing, view.to_y)},
-                        1e-4f * (size.x + size.y + size.z) * glm::length(view.to_x));
+  for (std::size_t k = 0; seen < 3 && k < 3; ++k) {
+    for (const std::size_t l : {(k + 1) % 3, (k + 2) % 3}) {
+      const Raster::Vertex& from = corners[k];
+      const Raster::Vertex& to = corners[l];
+      if (!(from.inverse > 0.0f) || to.inverse > 0.0f) continue;
+      const glm::vec2 a(from.x, from.y);
+      const glm::vec2 b(to.x, to.y);
+      const float behind = std::min(to.z, 0.0f);
+      const glm::vec2 size = glm::abs(behind * a) + glm::abs(from.z * b);
+      extent.add_beyond(from.z * b - behind * a, 1e-4f * (size.x + size.y));
     }
   }
   const auto width = static_cast<float>(view.width);
@@ -92,19 +92,37 @@ HWY_INLINE Raster::Bounds BoundsOf(const RasterTriangles& triangles, const Raste
           last(extent.high.y, height)};
 }
 
-void FindBounds(const RasterTriangles& triangles, const Raster::View& view,
-                const Raster::Projected& projected, std::size_t first, std::size_t last,
-                Raster::Bounds* bounds) {
-  for (std::size_t i = first; i < last; ++i) {
-    bounds[i] = BoundsOf(triangles, view, projected, triangles.corners[i]);
-  }
+HWY_INLINE Raster::Turn TurnOf(const std::array<Raster::Vertex, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  if (!(std::min({a.inverse, b.inverse, c.inverse}) > 0.0f)) return Raster::Turn::one;
+  const auto at = [](const Raster::Vertex& v) { return glm::vec2(v.x, v.y) * v.inverse; };
+  const glm::vec2 along = at(b) - at(a);
+  const glm::vec2 across = at(c) - at(a);
+  return along.x * across.y > along.y * across.x ? Raster::Turn::one : Raster::Turn::other;
 }
 
-// Vertices [first, last) of whole vectors. What is behind the eye, or as good as beside it, has
-// z <= 0.
+Raster::TurnDepths FindBounds(const RasterTriangles& triangles, const Raster::View& view,
+                              std::span<const Raster::Vertex> vertices, std::size_t first,
+                              std::size_t last, Raster::Bounds* bounds, Raster::Turn* turns) {
+  Raster::TurnDepths depths;
+  for (std::size_t i = first; i < last; ++i) {
+    const glm::uvec3& c = triangles.corners[i];
+    const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
+    bounds[i] = BoundsOf(corners, view);
+    if (bounds[i].empty()) continue;
+    turns[i] = TurnOf(corners);
+    depths.sum[static_cast<std::size_t>(turns[i])] += static_cast<double>(corners[0].z);
+    ++depths.count[static_cast<std::size_t>(turns[i])];
+  }
+  return depths;
+}
+
+// Vertices [first, last) of whole vectors.
 void Project(const RasterTriangles& triangles, const Raster::View& view, std::size_t first,
-             std::size_t last, Raster::Projected& projected) {
+             std::size_t last, Raster::Vertex* vertices) {
   const D d;
+  const V3<V> to_x = set(view.to_x - glm::dot(view.corner, view.to_x) * view.forward);
+  const V3<V> to_y = set(view.to_y - glm::dot(view.corner, view.to_y) * view.forward);
   for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
     const V3<V> p{hn::Sub(hn::LoadU(d, triangles.x.data() + i), set(view.eye.x)),
                   hn::Sub(hn::LoadU(d, triangles.y.data() + i), set(view.eye.y)),
@@ -112,12 +130,8 @@ void Project(const RasterTriangles& triangles, const Raster::View& view, std::si
     const V z = dot(p, set(view.forward));
     const V size = hn::Add(hn::Abs(p.x), hn::Add(hn::Abs(p.y), hn::Abs(p.z)));
     const auto ahead = hn::Gt(z, hn::Mul(set(1e-5f), size));
-    const V inverse = hn::IfThenElseZero(ahead, hn::Div(set(1.0f), z));
-    hn::StoreU(hn::MulSub(dot(p, set(view.to_x)), inverse, set(glm::dot(view.corner, view.to_x))),
-               d, projected.x.data() + i);
-    hn::StoreU(hn::MulSub(dot(p, set(view.to_y)), inverse, set(glm::dot(view.corner, view.to_y))),
-               d, projected.y.data() + i);
-    hn::StoreU(hn::IfThenElse(ahead, z, hn::Min(z, hn::Zero(d))), d, projected.z.data() + i);
+    hn::StoreInterleaved4(dot(p, to_x), dot(p, to_y), z,
+                          hn::IfThenElseZero(ahead, hn::Div(set(1.0f), z)), d, &vertices[i].x);
   }
 }
 
@@ -127,75 +141,96 @@ void Project(const RasterTriangles& triangles, const Raster::View& view, std::si
 struct EdgePlane {
   float value, per_x, per_y;
 
-  HWY_INLINE EdgePlane(const glm::vec3& from, const glm::vec3& to, const Raster::View& view) {
+  HWY_INLINE EdgePlane(const Raster::Vertex& from, const Raster::Vertex& to) {
     const hn::CappedTag<float, 1> d;
     using V1 = hn::Vec<decltype(d)>;
-    const auto vector = [&](const glm::vec3& v) HWY_ATTR {
-      return V3<V1>{hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
-    };
-    const V3<V1> edge = vector(to - from);
-    const V3<V1> sum = vector(to + from);
-    const V3<V1> n{hn::MulSub(edge.y, sum.z, hn::Mul(edge.z, sum.y)),
-                   hn::MulSub(edge.z, sum.x, hn::Mul(edge.x, sum.z)),
-                   hn::MulSub(edge.x, sum.y, hn::Mul(edge.y, sum.x))};
-    value = hn::GetLane(dot(n, vector(view.corner)));
-    per_x = hn::GetLane(dot(n, vector(view.per_x)));
-    per_y = hn::GetLane(dot(n, vector(view.per_y)));
+    const auto set1 = [&](float x) HWY_ATTR { return hn::Set(d, x); };
+    const V3<V1> edge{set1(to.x - from.x), set1(to.y - from.y), set1(to.z - from.z)};
+    const V3<V1> sum{set1(to.x + from.x), set1(to.y + from.y), set1(to.z + from.z)};
+    per_x = hn::GetLane(hn::MulSub(edge.y, sum.z, hn::Mul(edge.z, sum.y)));
+    per_y = hn::GetLane(hn::MulSub(edge.z, sum.x, hn::Mul(edge.x, sum.z)));
+    value = hn::GetLane(hn::MulSub(edge.x, sum.y, hn::Mul(edge.y, sum.x)));
   }
 };
 
-// The same in the pixels of a vector.
+// The same for whole vectors of pixels.
 struct EdgeLanes {
-  V first, per_x, per_y;
+  V value, per_x, per_y;
 
-  HWY_INLINE EdgeLanes(const EdgePlane& plane, V column, V row)
-      : per_x(set(plane.per_x)), per_y(set(plane.per_y)) {
-    first = hn::MulAdd(per_x, column, hn::MulAdd(per_y, row, set(plane.value)));
-  }
-  // Of the block that starts at a pixel.
-  HWY_INLINE V at(V x, V y) const { return hn::MulAdd(per_x, x, hn::MulAdd(per_y, y, first)); }
+  HWY_INLINE explicit EdgeLanes(const EdgePlane& plane)
+      : value(set(plane.value)), per_x(set(plane.per_x)), per_y(set(plane.per_y)) {}
+  HWY_INLINE V at(V x, V y) const { return hn::MulAdd(per_x, x, hn::MulAdd(per_y, y, value)); }
 };
 
-// `part` numbers the vectors of a block.
-HWY_INLINE void DrawTriangle(const RasterTriangles& triangles, const Raster::View& view,
-                             std::uint32_t index, const Raster::Bounds& bounds, int first_row,
-                             std::size_t part, Raster::Buffer& buffer) {
+// The blocks of a band that a triangle may reach.
+struct Blocks {
+  int x0, x1, y0, y1;
+
+  HWY_INLINE Blocks(const Raster::Bounds& bounds, int first_row)
+      : x0(bounds.x0 / Raster::block),
+        x1(bounds.x1 / Raster::block),
+        y0(std::max(bounds.y0 - first_row, 0) / Raster::block),
+        y1(std::min(bounds.y1 - first_row, Raster::band_rows - 1) / Raster::block) {}
+};
+
+constexpr std::size_t block_pixels = Raster::block * Raster::block;
+
+// Where the pixels of a vector are in their block.
+struct LanePlaces {
+  V column, row;
+
+  HWY_INLINE explicit LanePlaces(std::size_t part) {
+    const V lane = hn::Iota(D(), static_cast<float>(part * hn::Lanes(D())));
+    row = hn::Floor(hn::Mul(lane, set(1.0f / Raster::block)));
+    column = hn::NegMulAdd(set(Raster::block), row, lane);
+  }
+};
+
+// Draws into the vectors `part` of blocks; where `passes_over`, not into those that are nearer.
+template <bool passes_over>
+HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::uint32_t index,
+                             const Blocks& on, int width, int first_row, std::size_t part,
+                             Raster::Buffer& buffer) {
   const D d;
   const hn::RebindToUnsigned<D> du;
   constexpr int side = Raster::block;
-  const glm::uvec3& corners = triangles.corners[index];
-  const glm::vec3 a = triangles.relative(corners.x, view.eye);
-  const glm::vec3 b = triangles.relative(corners.y, view.eye);
-  const glm::vec3 c = triangles.relative(corners.z, view.eye);
-  const V lane = hn::Iota(d, static_cast<float>(part * hn::Lanes(d)));
-  const V row = hn::Floor(hn::Mul(lane, set(1.0f / side)));
-  const V column = hn::NegMulAdd(set(side), row, lane);
-  const EdgeLanes of_a({b, c, view}, column, row);
-  const EdgeLanes of_b({c, a, view}, column, row);
-  const EdgeLanes of_c({a, b, view}, column, row);
-  const V za = set(glm::dot(a, view.forward));
-  const V zb = set(glm::dot(b, view.forward));
-  const V zc = set(glm::dot(c, view.forward));
+  const auto& [a, b, c] = corners;
+  // Interpolation rounds.
+  const float least = 0.99999f * std::min({a.z, b.z, c.z});
+  const int blocks = (width + side - 1) / side;
+  const auto place = [&](int x, int y) HWY_ATTR {
+    return static_cast<std::size_t>(y * blocks + x) * block_pixels + part * hn::Lanes(d);
+  };
+  if (passes_over) {
+    bool is_behind = true;
+    for (int y = on.y0; y <= on.y1; ++y) {
+      for (int x = on.x0; x <= on.x1; ++x) {
+        is_behind = is_behind && buffer.farthest[place(x, y) / hn::Lanes(d)] <= least;
+      }
+    }
+    if (is_behind) return;
+  }
+  const LanePlaces lanes(part);
+  const EdgeLanes of_a(EdgePlane(b, c));
+  const EdgeLanes of_b(EdgePlane(c, a));
+  const EdgeLanes of_c(EdgePlane(a, b));
   const V zero = hn::Zero(d);
-  const int blocks = (view.width + side - 1) / side;
-  const int y0 = std::max(bounds.y0 - first_row, 0) / side;
-  const int y1 = std::min(bounds.y1 - first_row, Raster::band_rows - 1) / side;
-  for (int y = y0; y <= y1; ++y) {
-    for (int x = bounds.x0 / side; x <= bounds.x1 / side; ++x) {
-      const V left = set(static_cast<float>(x * side));
-      const V top = set(static_cast<float>(first_row + y * side));
-      const V ea = of_a.at(left, top);
-      const V eb = of_b.at(left, top);
-      const V ec = of_c.at(left, top);
+  for (int y = on.y0; y <= on.y1; ++y) {
+    const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y * side)));
+    for (int x = on.x0; x <= on.x1; ++x) {
+      const V px = hn::Add(lanes.column, set(static_cast<float>(x * side)));
+      const V ea = of_a.at(px, py);
+      const V eb = of_b.at(px, py);
+      const V ec = of_c.at(px, py);
       const V sum = hn::Add(ea, hn::Add(eb, ec));
       const auto inside = hn::Or(hn::Ge(hn::Min(ea, hn::Min(eb, ec)), zero),
                                  hn::Le(hn::Max(ea, hn::Max(eb, ec)), zero));
       const auto there = hn::And(inside, hn::Ne(sum, zero));
       if (hn::AllFalse(d, there)) continue;
       const V inverse = hn::Div(set(1.0f), sum);
-      const V depth = hn::Mul(inverse, hn::MulAdd(ea, za, hn::MulAdd(eb, zb, hn::Mul(ec, zc))));
-      const std::size_t k =
-          static_cast<std::size_t>(y * blocks + x) * (side * side) + part * hn::Lanes(d);
+      const V depth = hn::Mul(
+          inverse, hn::MulAdd(ea, set(a.z), hn::MulAdd(eb, set(b.z), hn::Mul(ec, set(c.z)))));
+      const std::size_t k = place(x, y);
       const V known = hn::LoadU(d, buffer.distance.data() + k);
       const auto nearer = hn::And(there, hn::And(hn::Gt(depth, zero), hn::Lt(depth, known)));
       if (hn::AllFalse(d, nearer)) continue;
@@ -208,6 +243,30 @@ HWY_INLINE void DrawTriangle(const RasterTriangles& triangles, const Raster::Vie
   }
 }
 
+template <bool passes_over>
+HWY_INLINE void DrawTriangles(const RasterTriangles& triangles, const Raster::View& view,
+                              std::span<const Raster::Vertex> vertices,
+                              std::span<const Raster::Bounds> bounds,
+                              std::span<const std::uint32_t> drawn, int first_row,
+                              Raster::Buffer& buffer) {
+  for (const std::uint32_t index : drawn) {
+    const glm::uvec3& c = triangles.corners[index];
+    const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
+    const Blocks on(bounds[index], first_row);
+    for (std::size_t part = 0; part < block_pixels / hn::Lanes(D()); ++part) {
+      DrawTriangle<passes_over>(corners, index, on, view.width, first_row, part, buffer);
+    }
+  }
+}
+
+HWY_INLINE void FindFarthest(Raster::Buffer& buffer) {
+  const D d;
+  for (std::size_t i = 0; i < buffer.farthest.size(); ++i) {
+    const V depth = hn::LoadU(d, buffer.distance.data() + i * hn::Lanes(d));
+    buffer.farthest[i] = hn::GetLane(hn::MaxOfLanes(d, depth));
+  }
+}
+
 // Depths along forward become distances.
 HWY_INLINE void Lengthen(const Raster::View& view, int first_row, Raster::Buffer& buffer) {
   const D d;
@@ -215,12 +274,10 @@ HWY_INLINE void Lengthen(const Raster::View& view, int first_row, Raster::Buffer
   std::size_t k = 0;
   for (int y = 0; y < Raster::band_rows; y += side) {
     for (int x = 0; x < view.width; x += side) {
-      for (std::size_t part = 0; part < side * side; part += hn::Lanes(d), k += hn::Lanes(d)) {
-        const V lane = hn::Iota(d, static_cast<float>(part));
-        const V row = hn::Floor(hn::Mul(lane, set(1.0f / side)));
-        const V column = hn::NegMulAdd(set(side), row, lane);
-        const V px = hn::Add(column, set(static_cast<float>(x)));
-        const V py = hn::Add(row, set(static_cast<float>(first_row + y)));
+      for (std::size_t part = 0; part < block_pixels / hn::Lanes(d); ++part, k += hn::Lanes(d)) {
+        const LanePlaces lanes(part);
+        const V px = hn::Add(lanes.column, set(static_cast<float>(x)));
+        const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y)));
         const auto along = [&](float from, float per_x, float per_y) HWY_ATTR {
           return hn::MulAdd(px, set(per_x), hn::MulAdd(py, set(per_y), set(from)));
         };
@@ -234,15 +291,62 @@ HWY_INLINE void Lengthen(const Raster::View& view, int first_row, Raster::Buffer
   }
 }
 
-void DrawBand(const RasterTriangles& triangles, const Raster::View& view,
-              std::span<const Raster::Bounds> bounds, std::span<const std::uint32_t> drawn,
-              int first_row, Raster::Buffer& buffer) {
-  for (const std::uint32_t index : drawn) {
-    for (std::size_t part = 0; part < Raster::block * Raster::block / hn::Lanes(D()); ++part) {
-      DrawTriangle(triangles, view, index, bounds[index], first_row, part, buffer);
+// Four pixels of a block side by side.
+HWY_INLINE void StoreFour(const Raster::Buffer& buffer, std::size_t k, RasterPixel* hits,
+                          float* distances) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t i = 0; i < 4; ++i) {
+    hits[i] = {buffer.distance[k + i], buffer.triangle[k + i], buffer.u[k + i], buffer.v[k + i]};
+    distances[i] = buffer.distance[k + i];
+  }
+#else
+  static_assert(sizeof(RasterPixel) == 4 * sizeof(float));
+  const hn::FixedTag<float, 4> d;
+  const hn::FixedTag<std::uint32_t, 4> du;
+  const auto distance = hn::LoadU(d, buffer.distance.data() + k);
+  const auto triangle = hn::BitCast(d, hn::LoadU(du, buffer.triangle.data() + k));
+  hn::StoreInterleaved4(distance, triangle, hn::LoadU(d, buffer.u.data() + k),
+                        hn::LoadU(d, buffer.v.data() + k), d, &hits->distance);
+  hn::StoreU(distance, d, distances);
+#endif
+}
+
+// From blocks to rows of the film.
+HWY_INLINE void StoreRows(const Raster::View& view, int first_row, const Raster::Buffer& buffer,
+                          RasterPixel* hits, float* distances) {
+  constexpr int side = Raster::block;
+  std::size_t k = 0;
+  for (int y0 = 0; y0 < Raster::band_rows; y0 += side) {
+    for (int x = 0; x < view.width; x += side, k += block_pixels) {
+      for (int y = y0; y < std::min(y0 + side, view.height - first_row); ++y) {
+        const auto from = k + static_cast<std::size_t>((y - y0) * side);
+        const auto to = static_cast<std::size_t>(first_row + y) *
+                            static_cast<std::size_t>(view.width) +
+                        static_cast<std::size_t>(x);
+        if (x + side <= view.width) {
+          StoreFour(buffer, from, hits + to, distances + to);
+          continue;
+        }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(view.width - x); ++i) {
+          hits[to + i] = {buffer.distance[from + i], buffer.triangle[from + i], buffer.u[from + i],
+                          buffer.v[from + i]};
+          distances[to + i] = buffer.distance[from + i];
+        }
+      }
     }
   }
+}
+
+void DrawBand(const RasterTriangles& triangles, const Raster::View& view,
+              std::span<const Raster::Vertex> vertices, std::span<const Raster::Bounds> bounds,
+              std::span<const std::uint32_t> nearer, std::span<const std::uint32_t> others,
+              int first_row, Raster::Buffer& buffer, RasterPixel* hits, float* distances) {
+  DrawTriangles<false>(triangles, view, vertices, bounds, nearer, first_row, buffer);
+  buffer.farthest.resize(buffer.distance.size() / hn::Lanes(D()));
+  FindFarthest(buffer);
+  DrawTriangles<true>(triangles, view, vertices, bounds, others, first_row, buffer);
   Lengthen(view, first_row, buffer);
+  StoreRows(view, first_row, buffer, hits, distances);
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -286,10 +390,10 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            film.width,
            film.height};
   const std::size_t vertices = triangles.x.size();
-  for (std::vector<float>* of : {&projected_.x, &projected_.y, &projected_.z}) of->resize(vertices);
+  vertices_.resize(vertices);
   job.each((vertices + chunk - 1) / chunk, [&](std::size_t i) {
     HWY_DYNAMIC_DISPATCH(Project)
-    (triangles, view_, i * chunk, std::min((i + 1) * chunk, vertices), projected_);
+    (triangles, view_, i * chunk, std::min((i + 1) * chunk, vertices), vertices_.data());
   });
   sort(job);
 }
@@ -298,38 +402,59 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
 void Raster::sort(const Job& job) {
   const std::size_t count = triangles_.corners.size();
   const std::size_t chunks = (count + chunk - 1) / chunk;
-  // Calls visit(triangle, band) for all of a chunk.
+  const std::size_t lists = 2 * bands_;
+  // Calls visit(triangle, list) for all of a chunk: two lists for each band, by turns.
   const auto each = [&](std::size_t c, auto visit) {
     for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i) {
       const Bounds& b = bounds_[i];
       if (b.empty()) continue;
       for (int y = b.y0 / band_rows; y <= b.y1 / band_rows; ++y) {
-        visit(static_cast<std::uint32_t>(i), static_cast<std::size_t>(y));
+        visit(static_cast<std::uint32_t>(i),
+              2 * static_cast<std::size_t>(y) + static_cast<std::size_t>(turns_[i]));
       }
     }
   };
   bounds_.resize(count);
-  std::vector<std::size_t> next(chunks * bands_, 0);
+  turns_.resize(count);
+  std::vector<TurnDepths> depths(chunks);
+  std::vector<std::size_t> next(chunks * lists, 0);
   job.each(chunks, [&](std::size_t c) {
-    HWY_DYNAMIC_DISPATCH(FindBounds)
-    (triangles_, view_, projected_, c * chunk, std::min((c + 1) * chunk, count), bounds_.data());
-    each(c, [&](std::uint32_t, std::size_t band) { ++next[c * bands_ + band]; });
+    depths[c] = HWY_DYNAMIC_DISPATCH(FindBounds)(triangles_, view_, vertices_, c * chunk,
+                                                 std::min((c + 1) * chunk, count), bounds_.data(),
+                                                 turns_.data());
+    each(c, [&](std::uint32_t, std::size_t list) { ++next[c * lists + list]; });
   });
+  nearer_ = nearer_turn(depths);
   std::size_t sum = 0;
-  for (std::size_t band = 0; band < bands_; ++band) {
+  for (std::size_t list = 0; list < lists; ++list) {
     offsets_.push_back(sum);
     for (std::size_t c = 0; c < chunks; ++c) {
-      sum += std::exchange(next[c * bands_ + band], sum);
+      sum += std::exchange(next[c * lists + list], sum);
     }
   }
   offsets_.push_back(sum);
   sorted_.resize(sum);
   job.each(chunks, [&](std::size_t c) {
-    each(c, [&](std::uint32_t i, std::size_t band) { sorted_[next[c * bands_ + band]++] = i; });
+    each(c, [&](std::uint32_t i, std::size_t list) { sorted_[next[c * lists + list]++] = i; });
   });
 }
 
-const Raster::Buffer& Raster::draw_band(std::size_t band) const {
+Raster::Turn Raster::nearer_turn(std::span<const TurnDepths> depths) {
+  TurnDepths all;
+  for (const TurnDepths& of : depths) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      all.sum[k] += of.sum[k];
+      all.count[k] += of.count[k];
+    }
+  }
+  // Each mean times both counts.
+  const double one = all.sum[0] * static_cast<double>(all.count[1]);
+  const double other = all.sum[1] * static_cast<double>(all.count[0]);
+  return one <= other ? Turn::one : Turn::other;
+}
+
+void Raster::draw(std::size_t band, std::span<RasterPixel> hits,
+                  std::span<float> distances) const {
   thread_local Buffer buffer;
   const auto blocks = static_cast<std::size_t>((film_.width + block - 1) / block);
   const std::size_t pixels = blocks * block * band_rows;
@@ -337,11 +462,14 @@ const Raster::Buffer& Raster::draw_band(std::size_t band) const {
   buffer.u.resize(pixels);
   buffer.v.resize(pixels);
   buffer.triangle.resize(pixels);
+  const auto of_turn = [&](Turn turn) {
+    const std::size_t list = 2 * band + static_cast<std::size_t>(turn);
+    return std::span(sorted_).subspan(offsets_[list], offsets_[list + 1] - offsets_[list]);
+  };
   HWY_DYNAMIC_DISPATCH(DrawBand)
-  (triangles_, view_, bounds_,
-   std::span(sorted_).subspan(offsets_[band], offsets_[band + 1] - offsets_[band]),
-   static_cast<int>(band) * band_rows, buffer);
-  return buffer;
+  (triangles_, view_, vertices_, bounds_, of_turn(nearer_),
+   of_turn(nearer_ == Turn::one ? Turn::other : Turn::one), static_cast<int>(band) * band_rows,
+   buffer, hits.data(), distances.data());
 }
 
 }  // namespace brume

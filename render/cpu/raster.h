@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -36,7 +37,8 @@ struct RasterPixel {
 // triangles of an edge, so there are no gaps, and none of the triangles needs clipping.
 //
 // The film is cut in bands of rows. In parallel, triangles are sorted into the bands that they may
-// reach; a band is drawn by one thread.
+// reach, in each those first whose side is seen that most nearly faces the eye: what is behind them
+// is mostly the other side of closed meshes, and passed over. A band is drawn by one thread.
 class Raster {
  public:
   static constexpr int band_rows = 8;
@@ -47,28 +49,14 @@ class Raster {
          const Film& film, const Job& job);
 
   [[nodiscard]] std::size_t bands() const { return bands_; }
-  // Calls visit(x, y, RasterPixel) for all pixels of a band. Thread-safe.
-  template <class Visit>
-  void draw(std::size_t band, Visit visit) const {
-    const Buffer& buffer = draw_band(band);
-    std::size_t k = 0;
-    for (int y0 = 0; y0 < band_rows; y0 += block) {
-      for (int x0 = 0; x0 < film_.width; x0 += block) {
-        for (int i = 0; i < block * block; ++i, ++k) {
-          const int x = x0 + i % block;
-          const int y = static_cast<int>(band) * band_rows + y0 + i / block;
-          if (x >= film_.width || y >= film_.height) continue;
-          visit(x, y,
-                RasterPixel{buffer.distance[k], buffer.triangle[k], buffer.u[k], buffer.v[k]});
-        }
-      }
-    }
-  }
+  // Sets the hits and distances of a band, in arrays of the whole film. Thread-safe.
+  void draw(std::size_t band, std::span<RasterPixel> hits, std::span<float> distances) const;
 
   // Pixels of a band, in blocks of 4 x 4 row by row.
   struct Buffer {
     std::vector<float> distance, u, v;
     std::vector<std::uint32_t> triangle;
+    std::vector<float> farthest;  // per vector of pixels: at most so deep along forward
   };
   static constexpr int block = 4;
 
@@ -82,10 +70,11 @@ class Raster {
     int width = 0;
     int height = 0;
   };
-  // Vertices on the film, in pixels from the middle of the first one, and their depth along
-  // forward.
-  struct Projected {
-    std::vector<float> x, y, z;
+  // A vertex on the film: (x, y) / z is its place in pixels from the middle of the first one, z its
+  // depth along forward. What is behind the eye, or as good as beside it, has inverse 0.
+  struct alignas(16) Vertex {
+    float x = 0.0f, y = 0.0f, z = 0.0f;
+    float inverse = 0.0f;  // 1 / z
   };
   // The pixels [x0, x1] x [y0, y1] whose middles a triangle may hold, cut to the film.
   struct Bounds {
@@ -93,18 +82,29 @@ class Raster {
 
     [[nodiscard]] bool empty() const { return x0 > x1 || y0 > y1; }
   };
+  // Which way round a triangle's corners stand on the film; one that reaches behind the eye counts
+  // as of the first kind.
+  enum class Turn : std::uint8_t { one, other };
+  // How deep the triangles of each kind are.
+  struct TurnDepths {
+    std::array<double, 2> sum{};
+    std::array<std::size_t, 2> count{};
+  };
 
  private:
-  const Buffer& draw_band(std::size_t band) const;
   void sort(const Job& job);
+  static Turn nearer_turn(std::span<const TurnDepths> depths);
 
   const RasterTriangles& triangles_;
   Film film_;
   std::size_t bands_;
   View view_;
-  Projected projected_;
-  std::vector<Bounds> bounds_;  // of all triangles
-  // The triangles of each band, ascending.
+  std::vector<Vertex> vertices_;
+  // Of all triangles.
+  std::vector<Bounds> bounds_;
+  std::vector<Turn> turns_;
+  Turn nearer_ = Turn::one;
+  // The triangles of each band, ascending: those of one turn, then those of the other.
   std::vector<std::size_t> offsets_;
   std::vector<std::uint32_t> sorted_;
 };

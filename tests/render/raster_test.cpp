@@ -55,6 +55,18 @@ std::vector<Surface> mixed_surfaces(Random& random) {
   return surfaces;
 }
 
+// Of all pixels, row by row; what no band sets has a negative distance.
+std::vector<RasterPixel> drawn(const Visibility& visibility, const CameraRays& rays,
+                               const Film& film) {
+  const Raster raster = visibility.raster(rays, film, {});
+  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  std::vector<RasterPixel> hits(pixels, RasterPixel{-1.0f});
+  std::vector<float> distances(pixels, -2.0f);
+  for (std::size_t band = 0; band < raster.bands(); ++band) raster.draw(band, hits, distances);
+  for (std::size_t i = 0; i < pixels; ++i) EXPECT_EQ(distances[i], hits[i].distance);
+  return hits;
+}
+
 struct Differences {
   int others = 0;  // pixels of another triangle at another distance
   int hits = 0;
@@ -64,28 +76,26 @@ struct Differences {
 
 Differences differences(const Visibility& visibility, const CameraRays& rays, const Film& film) {
   Differences result;
-  const Raster raster = visibility.raster(rays, film, {});
-  int count = 0;
-  for (std::size_t band = 0; band < raster.bands(); ++band) {
-    raster.draw(band, [&](int x, int y, const RasterPixel& pixel) {
-      ++count;
-      const SurfaceHit hit = visibility.hit_of(pixel);
-      const SurfaceHit ray = visibility.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
-      if (ray) ++result.hits;
-      if (!hit && !ray) return;
-      if (hit.surface == ray.surface && hit.triangle == ray.triangle) {
-        result.distance =
-            std::max(result.distance, std::abs(hit.distance - ray.distance) / ray.distance);
-        if (hit.surface == 0) {
-          result.weights = std::max({result.weights, std::abs(static_cast<double>(hit.u - ray.u)),
-                                     std::abs(static_cast<double>(hit.v - ray.v))});
-        }
-      } else if (!(std::abs(hit.distance - ray.distance) < 1e-4 * ray.distance)) {
-        ++result.others;
+  const std::vector<RasterPixel> hits = drawn(visibility, rays, film);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const auto x = static_cast<double>(i % static_cast<std::size_t>(film.width));
+    const auto y = static_cast<double>(i / static_cast<std::size_t>(film.width));
+    EXPECT_GE(hits[i].distance, 0.0f);
+    const SurfaceHit hit = visibility.hit_of(hits[i]);
+    const SurfaceHit ray = visibility.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
+    if (ray) ++result.hits;
+    if (!hit && !ray) continue;
+    if (hit.surface == ray.surface && hit.triangle == ray.triangle) {
+      result.distance =
+          std::max(result.distance, std::abs(hit.distance - ray.distance) / ray.distance);
+      if (hit.surface == 0) {
+        result.weights = std::max({result.weights, std::abs(static_cast<double>(hit.u - ray.u)),
+                                   std::abs(static_cast<double>(hit.v - ray.v))});
       }
-    });
+    } else if (!(std::abs(hit.distance - ray.distance) < 1e-4 * ray.distance)) {
+      ++result.others;
+    }
   }
-  EXPECT_EQ(count, film.width * film.height);
   return result;
 }
 
@@ -127,12 +137,9 @@ TEST(Raster, HasNoGaps) {
     for (int n = 0; n < 4; ++n) {
       const Film film{333, 111};
       const CameraRays rays({random.point(0.3), random.point(0.5), {0, 1, 0}, 60.0}, film);
-      const Raster raster = visibility.raster(rays, film, {});
       int open = 0;
-      for (std::size_t band = 0; band < raster.bands(); ++band) {
-        raster.draw(band, [&](int, int, const RasterPixel& pixel) {
-          if (!std::isfinite(pixel.distance)) ++open;
-        });
+      for (const RasterPixel& pixel : drawn(visibility, rays, film)) {
+        if (!std::isfinite(pixel.distance)) ++open;
       }
       EXPECT_EQ(open, 0) << segments;
     }
