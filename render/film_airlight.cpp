@@ -87,7 +87,6 @@ FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
   const Tiles tiles(samples.film());
   const Tiles::Lists lists = tiles.lists(medium, rays, scale);
   FilmAirlight result;
-  frame.statistics.pixel_pairs.assign(frame.depth.size(), 0.0f);
   result.gaussians_used = lists.used;
   std::atomic<std::uint64_t> pairs = 0;
   std::atomic<std::size_t> exact = 0;

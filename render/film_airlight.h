@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -35,12 +35,12 @@ struct RayEnds {
   [[nodiscard]] double of(const Frame& frame, std::size_t pixel) const {
     const double surface =
         surfaces.empty() ? static_cast<double>(frame.depth[pixel]) : surfaces[pixel];
-    return std::min(surface, open);
+    return std::isfinite(surface) ? surface : open;
   }
 };
 
-// Fills frame.airlight, frame.transmittance and the pairs of pixels, tile by tile; the
-// depth layer has to be there.
+// Fills frame.airlight, frame.transmittance and the pairs of pixels, tile by tile. All layers have
+// their size, and the depth layer is there.
 //
 // With settings.airlight_scale 2 or 4 the method is asked at every so-many-th pixel of each row and
 // column, and what lies between is upsampled from there to settings.upsampling_tolerance of the

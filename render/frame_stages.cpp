@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -22,10 +23,16 @@ Settings::Arithmetic arithmetic_of(const Settings& settings) {
 void FrameWork::make_layers() {
   const auto pixels =
       static_cast<std::size_t>(frame.film.width) * static_cast<std::size_t>(frame.film.height);
-  frame.beauty.resize(4 * pixels);
-  frame.airlight.resize(3 * pixels);
-  frame.transmittance.assign(3 * pixels, 1.0f);
-  frame.depth.assign(pixels, std::numeric_limits<float>::infinity());
+  // To fill memory takes time. Not part of the job: the stages after a stop count on it.
+  const std::array<std::function<void()>, 5> layers{
+      [&] { frame.beauty.resize(4 * pixels); },
+      [&] { frame.airlight.resize(3 * pixels); },
+      [&] { frame.transmittance.assign(3 * pixels, 1.0f); },
+      [&] { frame.depth.assign(pixels, std::numeric_limits<float>::infinity()); },
+      [&] {
+        if (plan.gaussians || plan.homogeneous) frame.statistics.pixel_pairs.resize(pixels);
+      }};
+  Job().each(layers.size(), [&](std::size_t i) { layers[i](); });
 }
 
 bool FrameStages::begin(FrameWork& work, StageClock& clock) {
