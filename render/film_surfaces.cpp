@@ -46,6 +46,40 @@ struct Waiting {
   std::size_t count = 0;
 };
 
+// Pixels of a tile whose triangles are kept.
+class Known {
+ public:
+  void add(std::size_t pixel, const RadiancePatch& patch, const glm::vec2& uv) {
+    pixels_[count_] = pixel;
+    patches_[count_] = &patch;
+    uv_[count_++] = uv;
+  }
+
+  void look_up(std::span<glm::vec3> radiance) const {
+    std::array<glm::vec3, Tiles::pixels> sent;
+    evaluate_patches(std::span(patches_).first(count_), std::span(uv_).first(count_), sent);
+    for (std::size_t k = 0; k < count_; ++k) radiance[pixels_[k]] = sent[k];
+  }
+
+ private:
+  std::array<std::size_t, Tiles::pixels> pixels_;
+  std::array<const RadiancePatch*, Tiles::pixels> patches_;
+  std::array<glm::vec2, Tiles::pixels> uv_;
+  std::size_t count_ = 0;
+};
+
+// Rows of a tile are far apart in memory.
+void prefetch(std::span<const RasterPixel> hits, const CameraRays::PixelRectangle& tile,
+              int width) {
+  constexpr int per_line = 64 / sizeof(RasterPixel);
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; x += per_line) {
+      __builtin_prefetch(&hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(x)]);
+    }
+  }
+}
+
 }  // namespace
 
 std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
@@ -86,6 +120,10 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& 
     std::vector<Waiting> waiting(surfaces.size());
     const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
     for (std::size_t tile = part * tiles_together; tile < end; ++tile) {
+      if (tile + 1 < end) {
+        const auto next = tiles.rectangle(tile + 1);
+        for (int y = next.y0; y < next.y1; ++y) for (int x = next.x0; x < next.x1; x += 4) __builtin_prefetch(&hits[index_of({x, y})]);
+      }
       std::array<glm::ivec2, Tiles::pixels> pixels;
       std::size_t count = 0;
       Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
@@ -96,17 +134,20 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& 
         // Asked for all of a tile before the first is read.
         if (kept) kept->prefetch(hits[i].triangle);
       });
+      Known known;
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t i = index_of(pixels[k]);
         const RasterPixel& hit = hits[i];
-        if (const auto* patch = kept ? kept->of(hit.triangle, eye) : nullptr) {
-          radiance[i] = patch->at(hit.u, hit.v);
+        if (const RadiancePatch* patch = kept ? kept->of(hit.triangle, eye) : nullptr) {
+          known.add(i, *patch, {hit.u, hit.v});
           continue;
         }
         Waiting& of = waiting[static_cast<std::size_t>(visibility.hit_of(hit).surface)];
         of.pixels[of.count++] = pixels[k];
         if (of.count == of.pixels.size()) shade_all(of);
       }
+      known.look_up(radiance);
+      if (tile + 1 < end) prefetch(hits, tiles.rectangle(tile + 1), film.width);
     }
     for (Waiting& of : waiting) shade_all(of);
     const std::lock_guard lock(mutex);

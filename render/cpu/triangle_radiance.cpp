@@ -32,13 +32,13 @@ TriangleSight sight_of(const SurfacePoints& points, const SurfaceLight& light,
   return light.sights->of(points.triangle[first], points.side[first]);
 }
 
-TriangleRadiance::Patch patch_of(const PointRadiance& sent, std::size_t first) {
+RadiancePatch patch_of(const PointRadiance& sent, std::size_t first) {
   std::array<glm::vec3, 6> values;
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = sent_from(sent, first + k);
-  return TriangleRadiance::Patch(values);
+  return RadiancePatch(values);
 }
 
-bool is_close(const TriangleRadiance::Patch& patch, const SurfacePoints& points,
+bool is_close(const RadiancePatch& patch, const SurfacePoints& points,
               const PointRadiance& sent, std::size_t first) {
   float most = 0.0f;
   for (std::size_t k = 0; k < 3; ++k) most = std::max(most, greatest(sent_from(sent, first + k)));
@@ -54,31 +54,11 @@ bool is_close(const TriangleRadiance::Patch& patch, const SurfacePoints& points,
 
 }  // namespace
 
-TriangleRadiance::Patch::Patch(const std::array<glm::vec3, 6>& values) {
-  const auto& [a, b, c, ab, bc, ca] = values;
-  const std::array<glm::vec3, 6> exact{a,
-                                       4.0f * ab - 3.0f * a - b,
-                                       4.0f * ca - 3.0f * a - c,
-                                       2.0f * (a + b) - 4.0f * ab,
-                                       4.0f * (a + bc - ab - ca),
-                                       2.0f * (a + c) - 4.0f * ca};
-  float most = 0.0f;
-  for (const glm::vec3& v : exact) most = std::max(most, greatest(glm::abs(v)));
-  unit_ = most / 32767.0f;
-  if (!(unit_ > 0.0f) || !std::isfinite(unit_)) return;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    for (int k = 0; k < 3; ++k) {
-      coefficients_[i][static_cast<std::size_t>(k)] =
-          static_cast<std::int16_t>(std::lround(exact[i][k] / unit_));
-    }
-  }
-}
-
 void TriangleRadiance::keep(const SurfacePoints& points, std::span<const SurfaceLight> lights,
                             const PointRadiance& radiance) {
   const std::size_t count = points.count / probes;
   std::array<State, Tiles::pixels / probes> states;
-  std::array<Patch, Tiles::pixels / probes> patches;
+  std::array<RadiancePatch, Tiles::pixels / probes> patches;
   for (std::size_t i = 0; i < count; ++i) {
     patches[i] = patch_of(radiance, i * probes);
     states[i] =

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "render/cpu/lamp_sights.h"
+#include "render/cpu/radiance_patch.h"
 #include "render/cpu/surface_points.h"
 #include "render/cpu/visibility.h"
 
@@ -27,33 +27,11 @@ class TriangleRadiance {
   static constexpr float tolerance = 1.0f / 512.0f;
   static constexpr std::uint32_t rounds = LampSights::rounds;
 
-  // The radiance of a triangle, RGB, by barycentric coordinates of the second and third corner.
-  class Patch {
-   public:
-    Patch() = default;
-    // Through the values at the first six of probe_places.
-    explicit Patch(const std::array<glm::vec3, 6>& values);
-
-    [[nodiscard]] glm::vec3 at(float u, float v) const {
-      const std::array<float, 6> powers{1.0f, u, v, u * u, u * v, v * v};
-      glm::vec3 sum(0.0f);
-      for (std::size_t i = 0; i < powers.size(); ++i) {
-        const std::array<std::int16_t, 3>& c = coefficients_[i];
-        sum += powers[i] * glm::vec3(c[0], c[1], c[2]);
-      }
-      return glm::max(unit_ * sum, 0.0f);
-    }
-
-   private:
-    float unit_ = 0.0f;
-    std::array<std::array<std::int16_t, 3>, 6> coefficients_{};  // in units
-  };
-
   explicit TriangleRadiance(std::size_t triangles) : triangles_(triangles) {}
 
   // `eye` is relative to Visibility::middle(), `triangle` an index in Visibility::triangles().
   // Null: it has to be shaded.
-  [[nodiscard]] const Patch* of(std::uint32_t triangle, const glm::vec3& eye) const {
+  [[nodiscard]] const RadiancePatch* of(std::uint32_t triangle, const glm::vec3& eye) const {
     const Triangle& t = triangles_[triangle];
     return t.state == State::kept && t.faces(eye) ? &t.patch : nullptr;
   }
@@ -91,7 +69,7 @@ class TriangleRadiance {
  private:
   enum class State : std::uint8_t { unknown, kept, not_kept };
   struct alignas(64) Triangle {
-    Patch patch;
+    RadiancePatch patch;
     // Seen is the side where dot(normal, eye) > offset.
     glm::vec3 normal{0.0f};
     float offset = 0.0f;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -84,7 +85,7 @@ Scene all_phong(Scene scene) {
   return scene;
 }
 
-TEST(TriangleRadiance, PatchesAreQuadratic) {
+TEST(RadiancePatch, IsQuadratic) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     const double size = random.power(-12.0, 12.0);
@@ -99,7 +100,7 @@ TEST(TriangleRadiance, PatchesAreQuadratic) {
       const glm::vec2& place = TriangleRadiance::probe_places[k];
       values[k] = glm::vec3(exact(static_cast<double>(place.x), static_cast<double>(place.y)));
     }
-    const TriangleRadiance::Patch patch(values);
+    const RadiancePatch patch(values);
     for (const glm::vec2& place : TriangleRadiance::probe_places) {
       const glm::dvec3 expected = exact(static_cast<double>(place.x), static_cast<double>(place.y));
       const glm::dvec3 got(patch.at(place.x, place.y));
@@ -107,7 +108,32 @@ TEST(TriangleRadiance, PatchesAreQuadratic) {
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[k], expected[k], 1e-3 * size) << i;
     }
   }
-  EXPECT_EQ(TriangleRadiance::Patch().at(0.3f, 0.3f), glm::vec3(0.0f));
+  EXPECT_EQ(RadiancePatch().at(0.3f, 0.3f), glm::vec3(0.0f));
+}
+
+// On every instruction set of the machine.
+TEST(RadiancePatch, ManyAreThoseOfThePlainVersion) {
+  Random random(2);
+  std::vector<RadiancePatch> patches;
+  std::vector<glm::vec2> uv;
+  for (int i = 0; i < 37; ++i) {
+    std::array<glm::vec3, 6> values;
+    for (glm::vec3& v : values) v = glm::vec3(random.point(1.0)) + glm::vec3(0.5f);
+    patches.emplace_back(values);
+    uv.emplace_back(random.uniform(0.0, 0.5), random.uniform(0.0, 0.5));
+  }
+  std::vector<const RadiancePatch*> all;
+  for (const RadiancePatch& patch : patches) all.push_back(&patch);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    std::vector<glm::vec3> radiance(all.size());
+    evaluate_patches(all, uv, radiance);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const glm::vec3 plain = patches[k].at(uv[k].x, uv[k].y);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(radiance[k][c], plain[c], 1e-5f) << k;
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 // Expects the next frame of a renderer to be close to one that shades every point. Returns the
