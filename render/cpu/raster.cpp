@@ -65,7 +65,7 @@ HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
   for (const Raster::Vertex& v : corners) {
     if (!(v.inverse > 0.0f)) continue;
     ++seen;
-    extent.add({v.x * v.inverse, v.y * v.inverse});
+    extent.add(view.center + glm::vec2(v.x, v.y) * v.inverse);
   }
   if (seen == 0) return {};
   for (std::size_t k = 0; seen < 3 && k < 3; ++k) {
@@ -121,8 +121,6 @@ Raster::TurnDepths FindBounds(const RasterTriangles& triangles, const Raster::Vi
 void Project(const RasterTriangles& triangles, const Raster::View& view, std::size_t first,
              std::size_t last, Raster::Vertex* vertices) {
   const D d;
-  const V3<V> to_x = set(view.to_x - glm::dot(view.corner, view.to_x) * view.forward);
-  const V3<V> to_y = set(view.to_y - glm::dot(view.corner, view.to_y) * view.forward);
   for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
     const V3<V> p{hn::Sub(hn::LoadU(d, triangles.x.data() + i), set(view.eye.x)),
                   hn::Sub(hn::LoadU(d, triangles.y.data() + i), set(view.eye.y)),
@@ -130,13 +128,13 @@ void Project(const RasterTriangles& triangles, const Raster::View& view, std::si
     const V z = dot(p, set(view.forward));
     const V size = hn::Add(hn::Abs(p.x), hn::Add(hn::Abs(p.y), hn::Abs(p.z)));
     const auto ahead = hn::Gt(z, hn::Mul(set(1e-5f), size));
-    hn::StoreInterleaved4(dot(p, to_x), dot(p, to_y), z,
+    hn::StoreInterleaved4(dot(p, set(view.to_x)), dot(p, set(view.to_y)), z,
                           hn::IfThenElseZero(ahead, hn::Div(set(1.0f), z)), d, &vertices[i].x);
   }
 }
 
-// The plane through the eye and an edge from p to q, as a function of the pixel: value + x per_x +
-// y per_y. Of the edge from q to p it is exactly the negative, as no compiler chooses which
+// The plane through the eye and an edge from p to q, as a function of the pixel from the film's
+// center: value + x per_x + y per_y. Of the edge from q to p it is exactly the negative, as no compiler chooses which
 // products to round.
 struct EdgePlane {
   float value, per_x, per_y;
@@ -189,15 +187,15 @@ struct LanePlaces {
 // Draws into the vectors `part` of blocks; where `passes_over`, not into those that are nearer.
 template <bool passes_over>
 HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::uint32_t index,
-                             const Blocks& on, int width, int first_row, std::size_t part,
-                             Raster::Buffer& buffer) {
+                             const Blocks& on, const Raster::View& view, int first_row,
+                             std::size_t part, Raster::Buffer& buffer) {
   const D d;
   const hn::RebindToUnsigned<D> du;
   constexpr int side = Raster::block;
   const auto& [a, b, c] = corners;
   // Interpolation rounds.
   const float least = 0.99999f * std::min({a.z, b.z, c.z});
-  const int blocks = (width + side - 1) / side;
+  const int blocks = (view.width + side - 1) / side;
   const auto place = [&](int x, int y) HWY_ATTR {
     return static_cast<std::size_t>(y * blocks + x) * block_pixels + part * hn::Lanes(d);
   };
@@ -216,9 +214,9 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
   const EdgeLanes of_c(EdgePlane(a, b));
   const V zero = hn::Zero(d);
   for (int y = on.y0; y <= on.y1; ++y) {
-    const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y * side)));
+    const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y * side) - view.center.y));
     for (int x = on.x0; x <= on.x1; ++x) {
-      const V px = hn::Add(lanes.column, set(static_cast<float>(x * side)));
+      const V px = hn::Add(lanes.column, set(static_cast<float>(x * side) - view.center.x));
       const V ea = of_a.at(px, py);
       const V eb = of_b.at(px, py);
       const V ec = of_c.at(px, py);
@@ -254,7 +252,7 @@ HWY_INLINE void DrawTriangles(const RasterTriangles& triangles, const Raster::Vi
     const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
     const Blocks on(bounds[index], first_row);
     for (std::size_t part = 0; part < block_pixels / hn::Lanes(D()); ++part) {
-      DrawTriangle<passes_over>(corners, index, on, view.width, first_row, part, buffer);
+      DrawTriangle<passes_over>(corners, index, on, view, first_row, part, buffer);
     }
   }
 }
@@ -387,6 +385,7 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            glm::vec3(plane.per_y),
            glm::vec3(plane.per_x / glm::dot(plane.per_x, plane.per_x)),
            glm::vec3(plane.per_y / glm::dot(plane.per_y, plane.per_y)),
+           0.5f * glm::vec2(film.width - 1, film.height - 1),
            film.width,
            film.height};
   const std::size_t vertices = triangles.x.size();

@@ -67,11 +67,12 @@ class Raster {
     glm::vec3 forward{0.0f};
     glm::vec3 corner{0.0f}, per_x{0.0f}, per_y{0.0f};
     glm::vec3 to_x{0.0f}, to_y{0.0f};  // per_x and per_y over the squares of their lengths
+    glm::vec2 center{0.0f};  // of the film, where forward meets it, in pixels from the first one's
     int width = 0;
     int height = 0;
   };
-  // A vertex on the film: (x, y) / z is its place in pixels from the middle of the first one, z its
-  // depth along forward. What is behind the eye, or as good as beside it, has inverse 0.
+  // A vertex on the film: (x, y) / z is its place in pixels from the film's center (where a wide
+  // view has most to lose), z its depth along forward. What is behind the eye, or as good as beside it, has inverse 0.
   struct alignas(16) Vertex {
     float x = 0.0f, y = 0.0f, z = 0.0f;
     float inverse = 0.0f;  // 1 / z

@@ -111,12 +111,15 @@ TEST(Raster, HitsAreThoseOfRays) {
     const Film film{120 + 3 * n, 67 + n};
     glm::dvec3 eye = random.point(4.0);
     eye.y = std::abs(eye.y);
-    const Camera camera{eye, random.point(2.0), {0.2, 1, 0.1}, random.uniform(2.0, 150.0)};
+    // The widest view puts all but the horizon into the pixels at its center.
+    const double fov = n % 5 == 4 ? 179.9 : random.uniform(2.0, 150.0);
+    const Camera camera{eye, random.point(2.0), {0.2, 1, 0.1}, fov};
     const CameraRays rays(camera, film);
     ASSERT_TRUE(visibility.suits_raster(rays, film));
     hwy::SetSupportedTargetsForTest(targets[static_cast<std::size_t>(n) % targets.size()]);
     const Differences d = differences(visibility, rays, film);
-    EXPECT_LT(d.distance, 1e-4) << n;
+    // At its rim depths along forward are 1/1,000 of distances: so much more do roundings count.
+    EXPECT_LT(d.distance, fov > 179.0 ? 5e-3 : 1e-4) << n;
     EXPECT_LT(d.weights, 1e-4) << n;
     hits += d.hits;
     others += d.others;
