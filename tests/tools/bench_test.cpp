@@ -129,7 +129,7 @@ TEST(BenchTables, AreAllOnThePageAndInHtml) {
   report.thread_rows.push_back({1, {4.0, 3.0, 5.0}});
   report.savings.push_back({"noise", "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
   report.hard_cases.emplace_back().hard_case.breaks = "x < y";
-  report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}});
+  report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}, {}, {}});
   const std::vector<ReportTable> tables = bench_tables(report);
   EXPECT_EQ(tables.size(), 16u);
   const std::string page = to_markdown(report);
