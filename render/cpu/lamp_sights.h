@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// How much a lamp sees of each triangle. While lamp and surfaces stay, every frame finds out about
+// How much a lamp sees of each triangle, and of the parts of those that it sees in part. While lamp and surfaces stay, every frame finds out about
 // some of the triangles that it shows: one frame for itself does nothing, and a few frames pay for
 // the shadow rays that those after them save.
 class LampSights {
@@ -27,16 +27,32 @@ class LampSights {
     return is_of_side || sight.of_points == TriangleSight::unknown ? sight.of_points
                                                                    : TriangleSight::in_part;
   }
+  // The same of one point's surroundings, by its barycentric coordinates.
+  [[nodiscard]] TriangleSight of(std::uint32_t triangle, float side, float u, float v) const {
+    const TriangleSight sight = of(triangle, side);
+    if (sight != TriangleSight::in_part) return sight;
+    // Turned the other way, it is in part for good.
+    if (static_cast<float>(sights_[triangle].load(std::memory_order_relaxed).side) != side)
+      return sight;
+    const std::uint32_t part = TrianglePart::at(u, v);
+    const auto known = static_cast<TriangleSight>(
+        parts_[triangle].load(std::memory_order_relaxed) >> 2 * part & 3);
+    return known == TriangleSight::unknown ? find_part(triangle, part) : known;
+  }
 
   static constexpr std::uint32_t rounds = 8;  // frames after which all is known
 
  private:
   SideSight find(std::uint32_t triangle) const;
+  TriangleSight find_part(std::uint32_t triangle, std::uint32_t part) const;
 
   const TriangleBeams& beams_;
   glm::dvec3 lamp_;
   std::uint32_t frame_ = 0;
   mutable std::vector<std::atomic<SideSight>> sights_;
+  // Two bits for each part: its TriangleSight.
+  mutable std::vector<std::atomic<std::uint64_t>> parts_;
+  static_assert(2 * TrianglePart::count <= 64);
 };
 
 }  // namespace brume

@@ -74,8 +74,8 @@ void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoi
   const D d;
   const V zero = hn::Zero(d);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
-    const V u = load(triangles.u, i);
-    const V v = load(triangles.v, i);
+    const V u = load(points.u, i);
+    const V v = load(points.v, i);
     const V weights[] = {hn::Sub(set(1.0f), hn::Add(u, v)), u, v};
     const Vector corners[] = {load(triangles.position[0], i), load(triangles.position[1], i),
                               load(triangles.position[2], i)};

@@ -20,16 +20,14 @@ namespace brume {
 void find_view_directions(const CameraRays& rays, std::span<const glm::ivec2> pixels,
                           PointVectors& directions);
 
-// The triangles that points are on: their corners' positions and normals, and the points'
-// barycentric coordinates of the second and third corner.
+// The corners of the triangles that points are on.
 struct PointTriangles {
   std::array<PointVectors, 3> position;
   std::array<PointVectors, 3> normal;  // any length
-  PointArray u, v;
 };
 
-// Sets position, normal, shadow_origin and side of points.padded_size() points from triangles and
-// `to_eye`; `offset` [u] is how far shadow rays start off the triangle.
+// Sets position, normal, shadow_origin and side of points.padded_size() points from triangles, `u`,
+// `v` and `to_eye`; `offset` [u] is how far shadow rays start off the triangle.
 void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points);
 
 // Sets all but depths and lit of a light at `position` relative to points.origin.

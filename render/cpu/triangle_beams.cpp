@@ -97,6 +97,20 @@ struct HalfSpace {
   }
 };
 
+// A part of a triangle: the weights of the triangle's corners at the part's.
+using PartCorners = std::array<glm::dvec3, 3>;
+
+PartCorners part_corners(std::uint32_t part) {
+  constexpr double step = 1.0 / TrianglePart::along;
+  const double u = step * static_cast<double>(part / 2 / TrianglePart::along);
+  const double v = step * static_cast<double>(part / 2 % TrianglePart::along);
+  const auto at = [](double x, double y) { return glm::dvec3(1.0 - x - y, x, y); };
+  if (part % 2 == 0) return {at(u, v), at(u + step, v), at(u, v + step)};
+  return {at(u + step, v + step), at(u, v + step), at(u + step, v)};
+}
+
+constexpr PartCorners all_of_it{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
 // A triangle of which half-spaces have cut off what they do not hold.
 class Clipped {
  public:
@@ -135,8 +149,8 @@ class Clipped {
 class TriangleBeams::Beam {
  public:
   // None where normals do not tell the triangle's sides apart.
-  static std::optional<Beam> of(const PlacedTriangle& triangle, const glm::dvec3& light,
-                                const Margins& margins) {
+  static std::optional<Beam> of(const PlacedTriangle& triangle, const PartCorners& part,
+                                const glm::dvec3& light, const Margins& margins) {
     const Corners corners = corners_of(triangle);
     const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double length = glm::length(across);
@@ -151,13 +165,18 @@ class TriangleBeams::Beam {
     }
     Beam beam(light, margins);
     beam.side_ = side;
-    beam.add_origins(corners, normals, margins.offset * geometric);
-    beam.enclose(corners, geometric);
+    for (std::size_t i = 0; i < 3; ++i) {
+      beam.target_[i] = mix(part[i], corners);
+    }
+    beam.add_origins(part, corners, normals, margins.offset * geometric);
+    beam.enclose(geometric);
     return beam;
   }
 
   [[nodiscard]] const glm::dvec3& light() const { return points_[0]; }
   [[nodiscard]] std::int8_t side() const { return side_; }
+  // The corners of what it goes to.
+  [[nodiscard]] const Corners& target() const { return target_; }
 
   // Whether no ray meets this.
   [[nodiscard]] bool misses(const PlacedTriangle& triangle) const {
@@ -178,10 +197,13 @@ class TriangleBeams::Beam {
   // Whether what the sides enclose of a triangle is between the light and where rays start, away
   // from both.
   [[nodiscard]] bool has_between_ends(const Corners& corners) const {
+    const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    // Sides bulge, so that a triangle on which the light is may reach around it.
+    const double height = std::abs(glm::dot(across, light() - corners[0]));
+    if (!(height > margins_.ends * glm::length(across))) return false;
     const Clipped part = between_sides(corners);
-    return std::ranges::all_of(part.points(), [&](const glm::dvec3& p) {
-      return ceiling_.beyond(p) > 0.0 && glm::length(p - light()) > margins_.ends;
-    });
+    return std::ranges::all_of(part.points(),
+                               [&](const glm::dvec3& p) { return ceiling_.beyond(p) > 0.0; });
   }
 
   // Whether the beam, made endless, holds any of the edge between two points.
@@ -211,28 +233,50 @@ class TriangleBeams::Beam {
   // Origins leave the triangle by
   //   lift + sum_k w_k max(0, sum_j w_j rise_kj) n_k,  rise_kj = dot(p_k - p_j, n_k),
   // w the barycentric coordinates. The maximum is between 0 and sum_j w_j max(0, rise_kj), so that
-  // they are in the hull of the control points of quadratic Bezier triangles.
-  void add_origins(const Corners& corners, const Corners& normals, const glm::dvec3& lift) {
-    for (const glm::dvec3& p : corners) add(p + lift);
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t k = (j + 1) % 3;
-      const glm::dvec3 edge = corners[k] - corners[j];
-      const glm::dvec3 middle = 0.5 * (corners[j] + corners[k]) + lift;
-      const glm::dvec3 one = 0.5 * std::max(glm::dot(edge, normals[k]), 0.0) * normals[k];
-      const glm::dvec3 other = 0.5 * std::max(-glm::dot(edge, normals[j]), 0.0) * normals[j];
-      const bool rises = one != glm::dvec3(0.0);
-      const bool falls = other != glm::dvec3(0.0);
-      if (rises) add(middle + one);
-      if (falls) add(middle + other);
-      if (rises && falls) add(middle + one + other);
+  // they are in the hull of the control points of quadratic Bezier triangles: each with any of the
+  // three normals left out.
+  void add_origins(const PartCorners& part, const Corners& corners, const Corners& normals,
+                   const glm::dvec3& lift) {
+    std::array<glm::dvec3, 3> rise;  // of n_k, by the weights of the corners
+    for (int k = 0; k < 3; ++k) {
+      const auto c = static_cast<std::size_t>(k);
+      for (int j = 0; j < 3; ++j) {
+        const auto from = static_cast<std::size_t>(j);
+        rise[c][j] = std::max(glm::dot(corners[c] - corners[from], normals[c]), 0.0);
+      }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t l = i; l < 3; ++l) {
+        const glm::dvec3& a = part[i];
+        const glm::dvec3& b = part[l];
+        const glm::dvec3 middle = 0.5 * (mix(a, corners) + mix(b, corners)) + lift;
+        std::array<glm::dvec3, 3> steps;
+        std::size_t count = 0;
+        for (int k = 0; k < 3; ++k) {
+          const auto c = static_cast<std::size_t>(k);
+          const double height = 0.5 * (a[k] * glm::dot(rise[c], b) + b[k] * glm::dot(rise[c], a));
+          if (height > 0.0) steps[count++] = height * normals[c];
+        }
+        for (std::size_t some = 0; some < std::size_t{1} << count; ++some) {
+          glm::dvec3 point = middle;
+          for (std::size_t k = 0; k < count; ++k) {
+            if ((some >> k & 1) != 0) point += steps[k];
+          }
+          add(point);
+        }
+      }
     }
   }
 
-  void enclose(const Corners& corners, const glm::dvec3& geometric) {
+  static glm::dvec3 mix(const glm::dvec3& weights, const Corners& of) {
+    return weights.x * of[0] + weights.y * of[1] + weights.z * of[2];
+  }
+
+  void enclose(const glm::dvec3& geometric) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec3& a = corners[k];
-      glm::dvec3 out = glm::cross(a - light(), corners[(k + 1) % 3] - light());
-      if (glm::dot(out, corners[(k + 2) % 3] - a) > 0.0) out *= -1.0;
+      const glm::dvec3& a = target_[k];
+      glm::dvec3 out = glm::cross(a - light(), target_[(k + 1) % 3] - light());
+      if (glm::dot(out, target_[(k + 2) % 3] - a) > 0.0) out *= -1.0;
       sides_[k] = around(out, points());
     }
     floor_ = around(-geometric, points());
@@ -278,8 +322,9 @@ class TriangleBeams::Beam {
 
   Margins margins_;
   std::int8_t side_ = 1;
-  // Whose hull the beam is: the light, then corners, and three at most for every edge.
-  std::array<glm::dvec3, 1 + 3 + 3 * 3> points_;
+  Corners target_;
+  // Whose hull the beam is: the light, then up to eight for each control point.
+  std::array<glm::dvec3, 1 + 6 * 8> points_;
   std::size_t count_ = 0;
   glm::dvec3 low_{std::numeric_limits<double>::infinity()};
   glm::dvec3 high_{-std::numeric_limits<double>::infinity()};
@@ -300,11 +345,22 @@ TriangleBeams::TriangleBeams(const Visibility& visibility)
 }
 
 SideSight TriangleBeams::sight(const glm::dvec3& light, std::uint32_t triangle) const {
-  const std::optional<Beam> beam = Beam::of(triangles_[triangle], light, margins_);
-  if (!beam || hierarchy_.nodes.empty()) return {TriangleSight::in_part};
-  if (is_clear(*beam)) return {TriangleSight::whole, beam->side()};
-  const bool is_dark = is_covered(*beam, triangles_[triangle]);
-  return {is_dark ? TriangleSight::none : TriangleSight::in_part, beam->side()};
+  const std::optional<Beam> beam = Beam::of(triangles_[triangle], all_of_it, light, margins_);
+  if (!beam) return {TriangleSight::in_part};
+  return {sight(*beam), beam->side()};
+}
+
+TriangleSight TriangleBeams::sight_of_part(const glm::dvec3& light, std::uint32_t triangle,
+                                           std::uint32_t part) const {
+  const std::optional<Beam> beam =
+      Beam::of(triangles_[triangle], part_corners(part), light, margins_);
+  return beam ? sight(*beam) : TriangleSight::in_part;
+}
+
+TriangleSight TriangleBeams::sight(const Beam& beam) const {
+  if (hierarchy_.nodes.empty()) return TriangleSight::in_part;
+  if (is_clear(beam)) return TriangleSight::whole;
+  return is_covered(beam) ? TriangleSight::none : TriangleSight::in_part;
 }
 
 bool TriangleBeams::is_clear(const Beam& beam) const {
@@ -329,8 +385,8 @@ bool TriangleBeams::is_clear(const Beam& beam) const {
 }
 
 // By any of the first surfaces that a ray down its middle meets.
-bool TriangleBeams::is_covered(const Beam& beam, const PlacedTriangle& triangle) const {
-  const Corners target = corners_of(triangle);
+bool TriangleBeams::is_covered(const Beam& beam) const {
+  const Corners& target = beam.target();
   const glm::dvec3 way = (target[0] + target[1] + target[2]) / 3.0 - beam.light();
   const double length = glm::length(way);
   const glm::dvec3 direction = way / length;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -25,6 +26,20 @@ struct SideSight {
   std::int8_t side = 1;  // as SurfacePoints::side
 };
 
+// A triangle cut into equal ones, so many times along each edge.
+struct TrianglePart {
+  static constexpr int along = 4;
+  static constexpr std::uint32_t count = 2 * along * along;  // numbers; half of them are none
+
+  // The number of the part that holds a point, by its barycentric coordinates.
+  static std::uint32_t at(float u, float v) {
+    const int i = std::clamp(static_cast<int>(u * along), 0, along - 1);
+    const int j = std::clamp(static_cast<int>(v * along), 0, along - 1 - i);
+    const bool is_upper = i + j < along - 1 && (u + v) * along > static_cast<float>(i + j + 1);
+    return static_cast<std::uint32_t>(2 * (i * along + j) + (is_upper ? 1 : 0));
+  }
+};
+
 // All shadow rays between one triangle and one light at once, which fill a beam: the convex hull of
 // the light and of where the rays start (SurfacePoint::shadow_origin).
 class TriangleBeams {
@@ -38,6 +53,9 @@ class TriangleBeams {
   // Visibility::find_lit() finds by rays. `light` is relative to Visibility::middle(), `triangle`
   // an index in Visibility::triangles(). Thread-safe.
   [[nodiscard]] SideSight sight(const glm::dvec3& light, std::uint32_t triangle) const;
+  // The same of a part of it.
+  [[nodiscard]] TriangleSight sight_of_part(const glm::dvec3& light, std::uint32_t triangle,
+                                            std::uint32_t part) const;
 
  private:
   class Beam;
@@ -47,8 +65,9 @@ class TriangleBeams {
     double ends = 0.0;       // that surfaces keep to count, from where a ray starts or ends [u]
   };
 
+  [[nodiscard]] TriangleSight sight(const Beam& beam) const;
   [[nodiscard]] bool is_clear(const Beam& beam) const;
-  [[nodiscard]] bool is_covered(const Beam& beam, const PlacedTriangle& triangle) const;
+  [[nodiscard]] bool is_covered(const Beam& beam) const;
   [[nodiscard]] bool is_covered(const Beam& beam, std::uint32_t triangle) const;
 
   const Visibility& visibility_;

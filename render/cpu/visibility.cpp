@@ -368,8 +368,8 @@ void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::v
       triangles.position[c].set(i, vertex.position);
       triangles.normal[c].set(i, vertex.normal);
     }
-    triangles.u[i] = hit.u;
-    triangles.v[i] = hit.v;
+    points.u[i] = hit.u;
+    points.v[i] = hit.v;
     points.to_eye.set(i, -directions[from]);
   }
   interpolate_points(triangles, static_cast<float>(self_hit_margin * impl_->radius), points);
@@ -382,7 +382,9 @@ void Visibility::find_lit(const SurfacePoints& points, const glm::vec3& position
   for (std::size_t i = 0; i < points.padded_size(); ++i) {
     const bool faces = i < points.count && light.cosine[i] > 0.0f;
     const TriangleSight sight =
-        faces && sights ? sights->of(points.triangle[i], points.side[i]) : TriangleSight::unknown;
+        faces && sights
+            ? sights->of(points.triangle[i], points.side[i], points.u[i], points.v[i])
+            : TriangleSight::unknown;
     light.lit[i] = sight == TriangleSight::whole ? 1.0f : 0.0f;
     const bool is_known = sight == TriangleSight::whole || sight == TriangleSight::none;
     if (faces && !is_known) asked[count++] = static_cast<std::uint8_t>(i);

@@ -108,7 +108,8 @@ Counts check(const Visibility& visibility, std::span<const Surface> surfaces,
   visibility.find_lit(points, position, &sights, by_sights);
   for (std::size_t k = 0; k < points.count; ++k) {
     if (!(by_rays.cosine[k] > 0.0f)) continue;
-    const TriangleSight sight = sights.of(points.triangle[k], points.side[k]);
+    const TriangleSight sight =
+        sights.of(points.triangle[k], points.side[k], points.u[k], points.v[k]);
     ++counts.asked;
     counts.whole += sight == TriangleSight::whole ? 1 : 0;
     counts.none += sight == TriangleSight::none ? 1 : 0;
