@@ -9,9 +9,9 @@
 
 namespace brume {
 
-// How much a lamp sees of each triangle, and of the parts of those that it sees in part. While lamp and surfaces stay, every frame finds out about
-// some of the triangles that it shows: one frame for itself does nothing, and a few frames pay for
-// the shadow rays that those after them save.
+// How much a lamp sees of each triangle, and of the parts of those that it sees in part. While lamp
+// and surfaces stay, every frame finds out about some of the triangles that it shows: one frame for
+// itself does nothing, and a few frames pay for the shadow rays that those after them save.
 class LampSights {
  public:
   // `lamp` as in TriangleBeams::sight(). Refers to `beams`.
@@ -40,7 +40,10 @@ class LampSights {
     return known == TriangleSight::unknown ? find_part(triangle, part) : known;
   }
 
-  static constexpr std::uint32_t rounds = 8;  // frames after which all is known
+  static constexpr std::uint32_t rounds = 8;  // frames after which all triangles are known
+  // What finding out about a part costs. It is done when as many rays have been cast for a triangle
+  // since the last one, so that parts never cost more than what they may save.
+  static constexpr std::uint32_t rays_per_part = 32;
 
  private:
   SideSight find(std::uint32_t triangle) const;
@@ -53,6 +56,8 @@ class LampSights {
   // Two bits for each part: its TriangleSight.
   mutable std::vector<std::atomic<std::uint64_t>> parts_;
   static_assert(2 * TrianglePart::count <= 64);
+  mutable std::vector<std::atomic<std::uint16_t>> asked_;  // for points of unknown parts
+  static_assert((1 << 16) % rays_per_part == 0);
 };
 
 }  // namespace brume

@@ -105,6 +105,12 @@ Counts check(const Visibility& visibility, std::span<const Surface> surfaces,
   see_light(points, position, by_rays);
   LightAtPoints by_sights = by_rays;
   visibility.find_lit(points, position, nullptr, by_rays);
+  // Often enough that the points' parts are found out about.
+  for (std::size_t k = 0; k < points.count; ++k) {
+    for (std::uint32_t i = 0; i < LampSights::rays_per_part; ++i) {
+      static_cast<void>(sights.of(points.triangle[k], points.side[k], points.u[k], points.v[k]));
+    }
+  }
   visibility.find_lit(points, position, &sights, by_sights);
   for (std::size_t k = 0; k < points.count; ++k) {
     if (!(by_rays.cosine[k] > 0.0f)) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <map>
 
 #include "render/renderer.h"
@@ -15,6 +17,18 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+Camera moved(Camera camera, const CameraStep& step, int steps) {
+  const glm::dvec3 from_target = camera.eye - camera.target;
+  if (step.turn == 0.0) {
+    camera.eye -= steps * 1e-6 * from_target;
+  } else {
+    const glm::dquat turn =
+        glm::angleAxis(glm::radians(steps * step.turn), glm::normalize(camera.up));
+    camera.eye = camera.target + turn * from_target;
+  }
+  return camera;
 }
 
 }  // namespace
@@ -43,7 +57,7 @@ Truth find_truth(const Scene& scene, std::size_t pixels, double tolerance) {
 }
 
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                         int least, double seconds) {
+                         int least, double seconds, const CameraStep& step) {
   constexpr int most = 15;
   std::vector<double> times;
   std::vector<double> cpu_times;
@@ -52,9 +66,8 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
   const Clock::time_point begin = Clock::now();
   for (int i = 1; i <= std::max(least, most); ++i) {
     if (i > least && milliseconds_since(begin) > 1e3 * seconds) break;
-    // A step so small that it changes no cost, but nothing of the last view can be used again.
-    Camera camera = scene.camera;
-    camera.eye += i * 1e-6 * (camera.target - camera.eye);
+    // Nothing of the last view can be used again.
+    const Camera camera = moved(scene.camera, step, step.first + i - 1);
     const Clock::time_point start = Clock::now();
     const double cpu_start = cpu_seconds();
     const Frame frame = *renderer.render(scene, camera, scene.film, settings);
@@ -73,7 +86,7 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
 }
 
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                    const ErrorSample& truth, double seconds) {
+                    const ErrorSample& truth, double seconds, const CameraStep& step) {
   Measurement result;
   result.setting = setting_name(settings);
   result.settings = settings;
@@ -84,7 +97,7 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
   result.first_cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
   result.error = truth.measure(first);
   result.pairs = first.statistics.view_pairs;
-  static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds);
+  static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds, step);
   return result;
 }
 

@@ -25,10 +25,17 @@ struct MovedFrames {
   std::vector<StageTime> stages;  // medians
 };
 
+// How the camera moves from frame to frame.
+struct CameraStep {
+  // Around its target [degrees]. 0: towards it, so little that no cost changes.
+  double turn = 0.0;
+  int first = 1;  // steps that the first frame has taken
+};
+
 // Renders so many frames; more for at most `seconds`, up to 15. What `renderer` has kept is not
 // made again; what a first frame makes it must have made.
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                         int least, double seconds = 0.0);
+                         int least, double seconds = 0.0, const CameraStep& step = {});
 
 // What one setting costs on one view, and how wrong it is: of the same frames.
 struct Measurement : MovedFrames {
@@ -51,6 +58,6 @@ Truth find_truth(const Scene& scene, std::size_t pixels, double tolerance = 1e-4
 
 // A first frame, of which the error is, and moved ones: 3 to 15 in `seconds`.
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                    const ErrorSample& truth, double seconds);
+                    const ErrorSample& truth, double seconds, const CameraStep& step = {});
 
 }  // namespace brume
