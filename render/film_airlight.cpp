@@ -80,8 +80,8 @@ float depth_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> 
 }  // namespace
 
 FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
-                           const Settings& settings, const TileMethod& method,
-                           const RayEnds& ends, const Job& job, Frame& frame) {
+                           const Settings& settings, const TileMethod& method, const RayEnds& ends,
+                           const Job& job, Frame& frame) {
   const int scale = settings.airlight_scale;
   AirlightSamples samples(frame, scale);
   const Tiles tiles(samples.film());

@@ -47,7 +47,7 @@ struct RayEnds {
 // film's rms airlight, and of a transmittance of 1; pixels that upsample() cannot tell are asked
 // too.
 FilmAirlight film_airlight(const MediumIndex& medium, const CameraRays& rays,
-                           const Settings& settings, const TileMethod& method,
-                           const RayEnds& ends, const Job& job, Frame& frame);
+                           const Settings& settings, const TileMethod& method, const RayEnds& ends,
+                           const Job& job, Frame& frame);
 
 }  // namespace brume

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/ext/vector_int2.hpp>
 #include <mutex>
-#include <utility>
+#include <vector>
 
 #include "render/cpu/surface_kernels.h"
 #include "render/tiles.h"
@@ -40,11 +40,12 @@ std::uint64_t shade_points(const FilmSurfaces& film, const Seen& seen, SurfacePo
   return pairs;
 }
 
-// Pixels that see one surface and wait until they fill a batch.
-struct Waiting {
-  std::array<glm::ivec2, Tiles::pixels> pixels;
-  std::size_t count = 0;
-};
+bool is_same_from_everywhere(const FilmSurfaces& film, std::int32_t surface) {
+  const auto s = static_cast<std::size_t>(surface);
+  const ShMaterial* material = film.shading.surfaces()[s].material;
+  return film.surfaces[s].material.type == Material::Type::diffuse &&
+         (!material || material->is_diffuse());
+}
 
 // Pixels of a tile whose triangles are kept.
 class Known {
@@ -68,113 +69,122 @@ class Known {
   std::size_t count_ = 0;
 };
 
-// Rows of a tile are far apart in memory.
-void prefetch(std::span<const RasterPixel> hits, const CameraRays::PixelRectangle& tile,
-              int width) {
-  constexpr int per_line = 64 / sizeof(RasterPixel);
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0; x < tile.x1; x += per_line) {
-      __builtin_prefetch(&hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                               static_cast<std::size_t>(x)]);
+// A triangle that is to be kept, and a direction in which it is seen.
+struct Asked {
+  std::uint32_t triangle;
+  glm::vec3 direction;
+};
+
+// What one thread does.
+class Shader {
+ public:
+  Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits, std::span<glm::vec3> radiance)
+      : film_(film),
+        hits_(hits),
+        radiance_(radiance),
+        eye_(film.rays.eye() - film.visibility.middle()),
+        waiting_(film.surfaces.size()) {}
+
+  void shade(const CameraRays::PixelRectangle& tile) {
+    std::array<glm::ivec2, Tiles::pixels> pixels;
+    std::size_t count = 0;
+    Tiles::each_pixel(tile, [&](int x, int y) {
+      const std::size_t i = index_of({x, y});
+      radiance_[i] = glm::vec3(0.0f);
+      if (!std::isfinite(hits_[i].distance)) return;
+      pixels[count++] = {x, y};
+      // Asked for all of a tile before the first is read.
+      if (film_.kept) film_.kept->prefetch(hits_[i].triangle);
+    });
+    Known known;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = index_of(pixels[k]);
+      const RasterPixel& hit = hits_[i];
+      const RadiancePatch* patch = film_.kept ? film_.kept->of(hit.triangle, eye_) : nullptr;
+      if (patch) {
+        known.add(i, *patch, {hit.u, hit.v});
+      } else {
+        shade_later(pixels[k]);
+      }
+    }
+    known.look_up(radiance_);
+  }
+
+  // Before the tile is shaded: its rows are far apart in memory.
+  void prefetch(const CameraRays::PixelRectangle& tile) const {
+    constexpr int per_line = 64 / sizeof(RasterPixel);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; x += per_line) {
+        __builtin_prefetch(&hits_[index_of({x, y})]);
+      }
     }
   }
-}
 
-}  // namespace
+  // Shades what has waited until now.
+  void finish() {
+    for (std::vector<glm::ivec2>& pixels : waiting_) shade_now(pixels);
+  }
 
-std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
-                                  std::span<glm::vec3> radiance) const {
-  const Tiles tiles(film);
-  const glm::vec3 eye(rays.eye() - visibility.middle());
-  const auto index_of = [width = film.width](const glm::ivec2& pixel) {
-    return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width) +
+  [[nodiscard]] std::uint64_t pairs() const { return pairs_; }
+  [[nodiscard]] const std::vector<Asked>& asked() const { return asked_; }
+
+ private:
+  [[nodiscard]] std::size_t index_of(const glm::ivec2& pixel) const {
+    return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(film_.film.width) +
            static_cast<std::size_t>(pixel.x);
-  };
-  std::atomic<std::uint64_t> pairs = 0;
-  std::mutex mutex;
-  std::vector<Asked> asked;
-  job.each((tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t part) {
-    std::vector<Asked> unknown;
-    const auto shade_all = [&](Waiting& waiting) {
-      if (waiting.count == 0) return;
-      Seen seen;
-      seen.count = waiting.count;
-      PointVectors directions;
-      find_view_directions(rays, std::span(waiting.pixels).first(waiting.count), directions);
-      for (std::size_t k = 0; k < seen.count; ++k) {
-        seen.hits[k] = visibility.hit_of(hits[index_of(waiting.pixels[k])]);
-        seen.directions[k] = {directions.x[k], directions.y[k], directions.z[k]};
-      }
-      SurfacePoints points;
-      PointRadiance sent;
-      pairs += shade_points(*this, seen, points, sent);
-      const bool keeps = kept && is_same_from_everywhere(seen.hits[0].surface);
-      for (std::size_t k = 0; k < seen.count; ++k) {
-        radiance[index_of(waiting.pixels[k])] = {sent.r[k], sent.g[k], sent.b[k]};
-        if (keeps && kept->is_due(points.triangle[k], eye)) {
-          unknown.push_back({points.triangle[k], seen.directions[k]});
-        }
-      }
-      waiting.count = 0;
-    };
-    std::vector<Waiting> waiting(surfaces.size());
-    const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
-    for (std::size_t tile = part * tiles_together; tile < end; ++tile) {
-      if (tile + 1 < end) {
-        const auto next = tiles.rectangle(tile + 1);
-        for (int y = next.y0; y < next.y1; ++y) for (int x = next.x0; x < next.x1; x += 4) __builtin_prefetch(&hits[index_of({x, y})]);
-      }
-      std::array<glm::ivec2, Tiles::pixels> pixels;
-      std::size_t count = 0;
-      Tiles::each_pixel(tiles.rectangle(tile), [&](int x, int y) {
-        const std::size_t i = index_of({x, y});
-        radiance[i] = glm::vec3(0.0f);
-        if (!std::isfinite(hits[i].distance)) return;
-        pixels[count++] = {x, y};
-        // Asked for all of a tile before the first is read.
-        if (kept) kept->prefetch(hits[i].triangle);
-      });
-      Known known;
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t i = index_of(pixels[k]);
-        const RasterPixel& hit = hits[i];
-        if (const RadiancePatch* patch = kept ? kept->of(hit.triangle, eye) : nullptr) {
-          known.add(i, *patch, {hit.u, hit.v});
-          continue;
-        }
-        Waiting& of = waiting[static_cast<std::size_t>(visibility.hit_of(hit).surface)];
-        of.pixels[of.count++] = pixels[k];
-        if (of.count == of.pixels.size()) shade_all(of);
-      }
-      known.look_up(radiance);
-      if (tile + 1 < end) prefetch(hits, tiles.rectangle(tile + 1), film.width);
+  }
+
+  void shade_later(const glm::ivec2& pixel) {
+    const SurfaceHit hit = film_.visibility.hit_of(hits_[index_of(pixel)]);
+    std::vector<glm::ivec2>& pixels = waiting_[static_cast<std::size_t>(hit.surface)];
+    pixels.push_back(pixel);
+    if (pixels.size() == Tiles::pixels) shade_now(pixels);
+  }
+
+  // Pixels that see one surface.
+  void shade_now(std::vector<glm::ivec2>& pixels) {
+    if (pixels.empty()) return;
+    Seen seen;
+    PointVectors directions;
+    find_view_directions(film_.rays, pixels, directions);
+    for (const glm::ivec2& pixel : pixels) {
+      const std::size_t k = seen.count++;
+      seen.hits[k] = film_.visibility.hit_of(hits_[index_of(pixel)]);
+      seen.directions[k] = {directions.x[k], directions.y[k], directions.z[k]};
     }
-    for (Waiting& of : waiting) shade_all(of);
-    const std::lock_guard lock(mutex);
-    asked.insert(asked.end(), unknown.begin(), unknown.end());
-  });
-  if (!asked.empty()) pairs += find_out(std::move(asked), job);
-  return pairs;
-}
+    SurfacePoints points;
+    PointRadiance sent;
+    pairs_ += shade_points(film_, seen, points, sent);
+    for (std::size_t k = 0; k < seen.count; ++k) {
+      radiance_[index_of(pixels[k])] = {sent.r[k], sent.g[k], sent.b[k]};
+    }
+    pixels.clear();
+    if (!film_.kept || !is_same_from_everywhere(film_, seen.hits[0].surface)) return;
+    for (std::size_t k = 0; k < seen.count; ++k) {
+      if (film_.kept->is_due(points.triangle[k], eye_)) {
+        asked_.push_back({points.triangle[k], seen.directions[k]});
+      }
+    }
+  }
 
-bool FilmSurfaces::is_same_from_everywhere(std::int32_t surface) const {
-  const auto s = static_cast<std::size_t>(surface);
-  const ShMaterial* material = shading.surfaces()[s].material;
-  return surfaces[s].material.type == Material::Type::diffuse && (!material || material->is_diffuse());
-}
+  const FilmSurfaces& film_;
+  std::span<const RasterPixel> hits_;
+  std::span<glm::vec3> radiance_;
+  glm::vec3 eye_;
+  std::vector<std::vector<glm::ivec2>> waiting_;  // per surface
+  std::uint64_t pairs_ = 0;
+  std::vector<Asked> asked_;
+};
 
-std::uint64_t FilmSurfaces::find_out(std::vector<Asked> asked, const Job& job) const {
-  std::ranges::sort(asked, {}, &Asked::triangle);
-  const auto again = std::ranges::unique(asked, {}, &Asked::triangle);
-  asked.erase(again.begin(), again.end());
-  // As many triangles of one surface as fill a tile with their probes, of one surface each.
-  constexpr std::size_t most = Tiles::pixels / TriangleRadiance::probes;
+// The probes of as many triangles as fill a tile, of one surface each.
+std::vector<Seen> probes_of(const std::vector<Asked>& asked, const Visibility& visibility) {
+  constexpr std::size_t probes = TriangleRadiance::probes;
   std::vector<Seen> batches;
   for (const Asked& of : asked) {
     const auto hit_at = [&](const glm::vec2& place) {
       return visibility.hit_of({0.0f, of.triangle, place.x, place.y});
     };
-    const bool fits = !batches.empty() && batches.back().count < most * TriangleRadiance::probes &&
+    const bool fits = !batches.empty() && batches.back().count + probes <= Tiles::pixels &&
                       batches.back().hits[0].surface == hit_at({}).surface;
     if (!fits) batches.emplace_back();
     Seen& seen = batches.back();
@@ -183,7 +193,33 @@ std::uint64_t FilmSurfaces::find_out(std::vector<Asked> asked, const Job& job) c
       seen.directions[seen.count++] = of.direction;
     }
   }
+  return batches;
+}
+
+}  // namespace
+
+std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
+                                  std::span<glm::vec3> radiance) const {
+  const Tiles tiles(film);
   std::atomic<std::uint64_t> pairs = 0;
+  std::mutex mutex;
+  std::vector<Asked> asked;
+  job.each((tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t part) {
+    Shader shader(*this, hits, radiance);
+    const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
+    for (std::size_t tile = part * tiles_together; tile < end; ++tile) {
+      shader.shade(tiles.rectangle(tile));
+      if (tile + 1 < end) shader.prefetch(tiles.rectangle(tile + 1));
+    }
+    shader.finish();
+    pairs += shader.pairs();
+    const std::lock_guard lock(mutex);
+    asked.insert(asked.end(), shader.asked().begin(), shader.asked().end());
+  });
+  std::ranges::sort(asked, {}, &Asked::triangle);
+  const auto again = std::ranges::unique(asked, {}, &Asked::triangle);
+  asked.erase(again.begin(), again.end());
+  const std::vector<Seen> batches = probes_of(asked, visibility);
   job.each(batches.size(), [&](std::size_t b) {
     SurfacePoints points;
     PointRadiance sent;

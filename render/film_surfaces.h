@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
 
 #include "render/cpu/surfaces.h"
 #include "render/cpu/triangle_radiance.h"
@@ -27,20 +26,11 @@ struct FilmSurfaces {
   Settings::Arithmetic arithmetic;
   TriangleRadiance* kept;  // null: everything is shaded
 
-  // Sets the radiance that each pixel's hit sends to the eye, black where there is none; tile by
-  // tile, and within a tile surface by surface. Returns the Gaussian x path pairs evaluated.
-  // Finds out about some of the triangles that are not kept.
+  // Sets the radiance that each pixel's hit sends to the eye, black where there is none: looks up
+  // what is kept, shades the others surface by surface, and finds out about some of their triangles
+  // for frames to come. Returns the Gaussian x path pairs evaluated.
   std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
                       std::span<glm::vec3> radiance) const;
-
- private:
-  // Of a triangle that a pixel sees.
-  struct Asked {
-    std::uint32_t triangle;
-    glm::vec3 direction;
-  };
-  [[nodiscard]] bool is_same_from_everywhere(std::int32_t surface) const;
-  std::uint64_t find_out(std::vector<Asked> asked, const Job& job) const;
 };
 
 }  // namespace brume

@@ -25,8 +25,7 @@ void FrameWork::make_layers() {
       static_cast<std::size_t>(frame.film.width) * static_cast<std::size_t>(frame.film.height);
   // To fill memory takes time. Not part of the job: the stages after a stop count on it.
   const std::array<std::function<void()>, 5> layers{
-      [&] { frame.beauty.resize(4 * pixels); },
-      [&] { frame.airlight.resize(3 * pixels); },
+      [&] { frame.beauty.resize(4 * pixels); }, [&] { frame.airlight.resize(3 * pixels); },
       [&] { frame.transmittance.assign(3 * pixels, 1.0f); },
       [&] { frame.depth.assign(pixels, std::numeric_limits<float>::infinity()); },
       [&] {

@@ -3,7 +3,11 @@
 namespace brume {
 
 LampSights::LampSights(const TriangleBeams& beams, const glm::dvec3& lamp)
-    : beams_(beams), lamp_(lamp), sights_(beams.size()), parts_(beams.size()), asked_(beams.size()) {}
+    : beams_(beams),
+      lamp_(lamp),
+      sights_(beams.size()),
+      parts_(beams.size()),
+      asked_(beams.size()) {}
 
 SideSight LampSights::find(std::uint32_t triangle) const {
   if (triangle % rounds != frame_ % rounds) return {};

@@ -33,8 +33,8 @@ void EvaluatePatches(std::span<const RadiancePatch* const> patches, std::span<co
     const auto along_u = hn::Set(d, u);
     const auto along_v = hn::Set(d, v);
     // c0 + u (c1 + u c3 + v c4) + v (c2 + v c5)
-    const auto of_u = hn::MulAdd(along_u, coefficient(3),
-                                 hn::MulAdd(along_v, coefficient(4), coefficient(1)));
+    const auto of_u =
+        hn::MulAdd(along_u, coefficient(3), hn::MulAdd(along_v, coefficient(4), coefficient(1)));
     const auto of_v = hn::MulAdd(along_v, coefficient(5), coefficient(2));
     const auto sum = hn::MulAdd(along_u, of_u, hn::MulAdd(along_v, of_v, coefficient(0)));
     alignas(16) std::array<float, 4> sent;

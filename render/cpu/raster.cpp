@@ -134,8 +134,8 @@ void Project(const RasterTriangles& triangles, const Raster::View& view, std::si
 }
 
 // The plane through the eye and an edge from p to q, as a function of the pixel from the film's
-// center: value + x per_x + y per_y. Of the edge from q to p it is exactly the negative, as no compiler chooses which
-// products to round.
+// center: value + x per_x + y per_y. Of the edge from q to p it is exactly the negative, as no
+// compiler chooses which products to round.
 struct EdgePlane {
   float value, per_x, per_y;
 
@@ -318,9 +318,9 @@ HWY_INLINE void StoreRows(const Raster::View& view, int first_row, const Raster:
     for (int x = 0; x < view.width; x += side, k += block_pixels) {
       for (int y = y0; y < std::min(y0 + side, view.height - first_row); ++y) {
         const auto from = k + static_cast<std::size_t>((y - y0) * side);
-        const auto to = static_cast<std::size_t>(first_row + y) *
-                            static_cast<std::size_t>(view.width) +
-                        static_cast<std::size_t>(x);
+        const auto to =
+            static_cast<std::size_t>(first_row + y) * static_cast<std::size_t>(view.width) +
+            static_cast<std::size_t>(x);
         if (x + side <= view.width) {
           StoreFour(buffer, from, hits + to, distances + to);
           continue;
@@ -452,8 +452,7 @@ Raster::Turn Raster::nearer_turn(std::span<const TurnDepths> depths) {
   return one <= other ? Turn::one : Turn::other;
 }
 
-void Raster::draw(std::size_t band, std::span<RasterPixel> hits,
-                  std::span<float> distances) const {
+void Raster::draw(std::size_t band, std::span<RasterPixel> hits, std::span<float> distances) const {
   thread_local Buffer buffer;
   const auto blocks = static_cast<std::size_t>((film_.width + block - 1) / block);
   const std::size_t pixels = blocks * block * band_rows;

@@ -72,7 +72,8 @@ class Raster {
     int height = 0;
   };
   // A vertex on the film: (x, y) / z is its place in pixels from the film's center (where a wide
-  // view has most to lose), z its depth along forward. What is behind the eye, or as good as beside it, has inverse 0.
+  // view has most to lose), z its depth along forward. What is behind the eye, or as good as beside
+  // it, has inverse 0.
   struct alignas(16) Vertex {
     float x = 0.0f, y = 0.0f, z = 0.0f;
     float inverse = 0.0f;  // 1 / z

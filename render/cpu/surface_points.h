@@ -32,9 +32,9 @@ struct SurfacePoints {
   const Surface* surface = nullptr;
   std::size_t count = 0;
   std::array<std::uint32_t, Tiles::pixels> triangle;  // index in Visibility::triangles()
-  PointArray u, v;  // barycentric, of the triangle's second and third corner
-  glm::dvec3 origin{0.0};                             // what positions are relative to
-  PointVectors position;                              // [u]
+  PointArray u, v;             // barycentric, of the triangle's second and third corner
+  glm::dvec3 origin{0.0};      // what positions are relative to
+  PointVectors position;       // [u]
   PointVectors normal;         // unit, or 0 where neither triangle nor mesh has one
   PointVectors to_eye;         // unit
   PointVectors shadow_origin;  // [u]

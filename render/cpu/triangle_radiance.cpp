@@ -38,8 +38,8 @@ RadiancePatch patch_of(const PointRadiance& sent, std::size_t first) {
   return RadiancePatch(values);
 }
 
-bool is_close(const RadiancePatch& patch, const SurfacePoints& points,
-              const PointRadiance& sent, std::size_t first) {
+bool is_close(const RadiancePatch& patch, const SurfacePoints& points, const PointRadiance& sent,
+              std::size_t first) {
   float most = 0.0f;
   for (std::size_t k = 0; k < 3; ++k) most = std::max(most, greatest(sent_from(sent, first + k)));
   for (std::size_t k = 0; k < probes; ++k) {
@@ -61,8 +61,7 @@ void TriangleRadiance::keep(const SurfacePoints& points, std::span<const Surface
   std::array<RadiancePatch, Tiles::pixels / probes> patches;
   for (std::size_t i = 0; i < count; ++i) {
     patches[i] = patch_of(radiance, i * probes);
-    states[i] =
-        is_close(patches[i], points, radiance, i * probes) ? State::kept : State::not_kept;
+    states[i] = is_close(patches[i], points, radiance, i * probes) ? State::kept : State::not_kept;
   }
   thread_local LightAtPoints at;
   for (const SurfaceLight& light : lights) {

@@ -41,7 +41,8 @@ class TriangleRadiance {
 
   // Before the points of every frame after the first are asked about.
   void begin_frame() { ++frame_; }
-  // In the order of LampSights, which have to be known first: whether this frame is to find out about the side of a triangle that the eye sees.
+  // In the order of LampSights, which have to be known first: whether this frame is to find out
+  // about the side of a triangle that the eye sees.
   [[nodiscard]] bool is_due(std::uint32_t triangle, const glm::vec3& eye) const {
     if (triangle % rounds != frame_ % rounds) return false;
     const Triangle& t = triangles_[triangle];

@@ -382,9 +382,8 @@ void Visibility::find_lit(const SurfacePoints& points, const glm::vec3& position
   for (std::size_t i = 0; i < points.padded_size(); ++i) {
     const bool faces = i < points.count && light.cosine[i] > 0.0f;
     const TriangleSight sight =
-        faces && sights
-            ? sights->of(points.triangle[i], points.side[i], points.u[i], points.v[i])
-            : TriangleSight::unknown;
+        faces && sights ? sights->of(points.triangle[i], points.side[i], points.u[i], points.v[i])
+                        : TriangleSight::unknown;
     light.lit[i] = sight == TriangleSight::whole ? 1.0f : 0.0f;
     const bool is_known = sight == TriangleSight::whole || sight == TriangleSight::none;
     if (faces && !is_known) asked[count++] = static_cast<std::uint8_t>(i);

@@ -209,7 +209,10 @@ TEST(TriangleRadiance, GoesWithSurfacesAndLight) {
       {"intensity", [](Scene& s) { s.lights[0].intensity *= 1.5; }},
       {"lamp moved", [](Scene& s) { s.lights[1].position.x += 0.1; }},
       {"lamp off", [](Scene& s) { s.lights[1].on = false; }},
-      {"Gaussian", [](Scene& s) { s.medium.append({{0.0, 0.2, 0.0}, 0.5, 0.3}); }},
+      {"Gaussian",
+       [](Scene& s) {
+         s.medium.append({{0.0, 0.2, 0.0}, 0.5, 0.3});
+       }},
       {"fog", [](Scene& s) { s.medium.set_homogeneous_density(0.05); }},
       {"albedo", [](Scene& s) { s.optics.albedo = glm::dvec3(0.5); }},
       {"anisotropy", [](Scene& s) { s.optics.anisotropy = 0.4; }},

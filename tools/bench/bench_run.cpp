@@ -64,8 +64,7 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   constexpr int learning = LampSights::rounds + 1;
   row.learning_milliseconds =
       moved_frames(renderer, scene, settings, learning, 0.0, {turn}).milliseconds;
-  row.measurement =
-      measure(renderer, scene, settings, truth.sample, 2.0, {turn, learning + 1});
+  row.measurement = measure(renderer, scene, settings, truth.sample, 2.0, {turn, learning + 1});
   Renderer anew(transfers);
   row.kept = kept_light_error(look(renderer), look(anew));
   row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);

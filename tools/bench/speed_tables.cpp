@@ -133,15 +133,13 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
     const Measurement& m = row.measurement;
     const Spread& ms = m.milliseconds;
     const Spread& reached = row.share.of_limit_with_pairs;
-    table.rows.push_back({row.name,
-                          with_spread({1e3 / ms.median, 1e3 / ms.greatest, 1e3 / ms.least}, 1),
-                          formatted("%.0f", row.paper_fps), m.setting,
-                          formatted("%.2f%%", 100.0 * m.error.rel_rmse), stage_times(m),
-                          with_spread(row.learning_milliseconds, 1),
-                          formatted("%.2g%%, %.2g%%", 100.0 * row.kept.rms,
-                                    100.0 * row.kept.greatest),
-                          formatted("%.0f%% (%.0f to %.0f)", 100.0 * reached.median,
-                                    100.0 * reached.least, 100.0 * reached.greatest)});
+    table.rows.push_back(
+        {row.name, with_spread({1e3 / ms.median, 1e3 / ms.greatest, 1e3 / ms.least}, 1),
+         formatted("%.0f", row.paper_fps), m.setting, formatted("%.2f%%", 100.0 * m.error.rel_rmse),
+         stage_times(m), with_spread(row.learning_milliseconds, 1),
+         formatted("%.2g%%, %.2g%%", 100.0 * row.kept.rms, 100.0 * row.kept.greatest),
+         formatted("%.0f%% (%.0f to %.0f)", 100.0 * reached.median, 100.0 * reached.least,
+                   100.0 * reached.greatest)});
   }
   return table;
 }
