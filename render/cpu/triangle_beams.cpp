@@ -347,7 +347,21 @@ TriangleBeams::TriangleBeams(const Visibility& visibility)
 SideSight TriangleBeams::sight(const glm::dvec3& light, std::uint32_t triangle) const {
   const std::optional<Beam> beam = Beam::of(triangles_[triangle], all_of_it, light, margins_);
   if (!beam) return {TriangleSight::in_part};
-  return {sight(*beam), beam->side()};
+  const TriangleSight whole = sight(*beam);
+  return {whole == TriangleSight::in_part ? sight_of_parts(light, triangle) : whole, beam->side()};
+}
+
+// What parts agree on: their beams are thinner.
+TriangleSight TriangleBeams::sight_of_parts(const glm::dvec3& light, std::uint32_t triangle) const {
+  TriangleSight all = TriangleSight::unknown;
+  for (std::uint32_t part = 0; part < TrianglePart::count; ++part) {
+    if (!TrianglePart::exists(part)) continue;
+    const TriangleSight sight = sight_of_part(light, triangle, part);
+    if (sight == TriangleSight::in_part) return sight;
+    if (all != TriangleSight::unknown && sight != all) return TriangleSight::in_part;
+    all = sight;
+  }
+  return all;
 }
 
 TriangleSight TriangleBeams::sight_of_part(const glm::dvec3& light, std::uint32_t triangle,

@@ -31,6 +31,9 @@ struct TrianglePart {
   static constexpr int along = 4;
   static constexpr std::uint32_t count = 2 * along * along;  // numbers; half of them are none
 
+  static bool exists(std::uint32_t part) {
+    return part / 2 / along + part / 2 % along + part % 2 < along;
+  }
   // The number of the part that holds a point, by its barycentric coordinates.
   static std::uint32_t at(float u, float v) {
     const int i = std::clamp(static_cast<int>(u * along), 0, along - 1);
@@ -66,6 +69,7 @@ class TriangleBeams {
   };
 
   [[nodiscard]] TriangleSight sight(const Beam& beam) const;
+  [[nodiscard]] TriangleSight sight_of_parts(const glm::dvec3& light, std::uint32_t triangle) const;
   [[nodiscard]] bool is_clear(const Beam& beam) const;
   [[nodiscard]] bool is_covered(const Beam& beam) const;
   [[nodiscard]] bool is_covered(const Beam& beam, std::uint32_t triangle) const;

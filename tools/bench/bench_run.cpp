@@ -61,7 +61,7 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   look(renderer);
   // As one turns a scene in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
-  constexpr int learning = LampSights::rounds + 1;
+  constexpr int learning = 5 * LampSights::rounds;
   row.learning_milliseconds =
       moved_frames(renderer, scene, settings, learning, 0.0, {turn}).milliseconds;
   row.measurement = measure(renderer, scene, settings, truth.sample, 2.0, {turn, learning + 1});

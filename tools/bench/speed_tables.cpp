@@ -119,10 +119,11 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
       "The scenes of the paper's Table 1",
       "Of its kinds and sizes, at 800 x 600, the airlight at every fourth pixel, the fewest slices "
       "that keep 2%; from frame to frame the camera turns around the scene by half a degree. The "
-      "paper's frames per second are those of a GPU of 2007. The first frames of a light also find "
-      "out what lamps see of surfaces and what these send, for those after them to look up: how "
-      "long these first ones take, and how far light so looked up is from light that is not, rms "
-      "and at most, of the brightest channel of a pixel. What the kernel reaches is the least time "
+      "paper's frames per second are those of a GPU of 2007. The first 40 frames of a light also "
+      "find out what lamps see of surfaces and what these send, for those after them to look up: "
+      "how long these first ones take, and how far light so looked up is from light that is not, "
+      "rms and at most, of the brightest channel of a pixel. What the kernel reaches is the least "
+      "time "
       "of the view pass's arithmetic, on data in registers, over the view pass's time, on one "
       "thread.",
       {"scene", "frames per second", "the paper's", "setting", "error", "stages, ms",
