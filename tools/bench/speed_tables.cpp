@@ -123,8 +123,7 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
       "find out what lamps see of surfaces and what these send, for those after them to look up: "
       "how long these first ones take, and how far light so looked up is from light that is not, "
       "rms and at most, of the brightest channel of a pixel. What the kernel reaches is the least "
-      "time "
-      "of the view pass's arithmetic, on data in registers, over the view pass's time, on one "
+      "time of the view pass's arithmetic, on data in registers, over the view pass's time, on one "
       "thread.",
       {"scene", "frames per second", "the paper's", "setting", "error", "stages, ms",
        "first frames, ms", "looked up", "the kernel reaches"},
