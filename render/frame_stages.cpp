@@ -81,9 +81,8 @@ void trace_hits(const Visibility& visibility, const FrameWork& work, Keep keep) 
 
 void FrameStages::find_hits(FrameWork& work, StageClock& clock) {
   distances_.clear();
-  hits_.clear();
   if (!work.plan.surfaces) return;
-  hits_.resize(work.frame.depth.size());
+  hits_.resize(work.frame.depth.size());  // all are set
   const auto width = static_cast<std::size_t>(work.frame.film.width);
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
