@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/io/temporary_files.h"
 #include "render/frame_memory.h"
 #include "tools/brume/command.h"
 #include "tools/brume/suggestion.h"
@@ -113,6 +114,7 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 int main(int argc, char** argv) {
   brume::keep_frame_memory();
+  brume::remove_temporary_files_on_signals();
   try {
     return brume::run(argc, argv);
   } catch (const std::bad_alloc&) {
