@@ -17,6 +17,7 @@
 #include "app/document/document.h"
 #include "app/icons.h"
 #include "app/panels/key_strip.h"
+#include "app/plain_text.h"
 #include "app/timeline.h"
 #include "core/io/limits.h"
 
@@ -59,7 +60,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   auto* slider = new QSlider(Qt::Horizontal, this);
   slider->setObjectName("frame_slider");
   auto* frame = new_number(this, "frame", tr("Frame"));
-  auto* seconds = new QLabel(this);
+  auto* seconds = new PlainLabel(this);
   auto* first = new_number(this, "first_frame_of_range", tr("First frame"));
   auto* last = new_number(this, "last_frame_of_range", tr("Last frame"));
   auto* loop = new QCheckBox(tr("Loop"), this);
