@@ -240,6 +240,10 @@ void MainWindow::connect_document() {
         {{tr("Reload"), "reload", [this] { files_->reload(); }},
          {tr("Keep Mine"), "keep_mine", [this] { files_->keep_mine(); }}});
   });
+  // Saved, or another scene.
+  connect(&document_, &Document::file_changed, message_bar_, [this] {
+    if (message_bar_->findChild<QWidget*>("reload")) message_bar_->hide();
+  });
   const auto tell_missing = [this](const QStringList& missing, const QString& warnings) {
     const QString text =
         tr("Missing: %1. The scene is shown without; saving it keeps the references.")

@@ -146,8 +146,11 @@ class FilesTest : public QObject {
   void what_another_window_saved_can_be_overwritten() {
     TestWindow window;
     change_on_disk(window);
+    come_back(window);
+    QTRY_VERIFY(has_offer(window, "reload"));
     answer(QMessageBox::Save);
     QVERIFY(window->files().save());
+    QVERIFY(!bar_of(window).isVisible());
     QCOMPARE(count_on_disk(window), std::size_t{5});
     QVERIFY(window->files().save());
     QCOMPARE(count_on_disk(window), std::size_t{5});
