@@ -58,7 +58,8 @@ void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   }
 }
 
-void SelectTool::move(QPointF position) {
+void SelectTool::move(std::span<const QPointF> path) {
+  const QPointF position = path.back();
   if (lights_.is_dragging()) {
     lights_.move(view().rays(), position);
     return;

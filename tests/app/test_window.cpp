@@ -63,6 +63,7 @@ void TestWindow::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers 
   Viewport& view = window_->viewport();
   QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, button, modifiers);
   QApplication::sendEvent(&view, &event);
+  view.finish_input();
 }
 
 void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,

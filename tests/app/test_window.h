@@ -27,7 +27,7 @@ class TestWindow {
   bool settle();
   // Where a Gaussian's handle is in the viewport.
   QPoint handle(std::size_t index);
-  // A mouse move with a button down: QTest::mouseMove knows of none.
+  // A mouse move with a button down, worked off at once: QTest::mouseMove knows of none.
   void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
