@@ -5,6 +5,8 @@
 #include <QSettings>
 #include <QStyleFactory>
 
+#include "app/panels/field_filter.h"
+
 namespace brume {
 namespace {
 
@@ -59,6 +61,7 @@ void set_up_application(QApplication& application) {
   QApplication::setApplicationVersion(BRUME_VERSION);
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   application.setPalette(palette_of(theme()));
+  application.installEventFilter(new FieldFilter(&application));
 }
 
 Theme theme() {

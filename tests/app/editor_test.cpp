@@ -139,9 +139,9 @@ class EditorTest : public QObject {
     QCOMPARE(document.medium().radii()[4], 0.3);
     QCOMPARE(radius->text(), QString("0.3"));
     QTest::keyClicks(radius, "-4");  // over what is selected
+    radius->setFocus();
     QTest::keyClick(radius, Qt::Key_Return);
     QVERIFY(window->statusBar()->currentMessage().contains("Radius"));
-    window->viewport().setFocus();
     QCOMPARE(radius->text(), QString("0.3"));
     QCOMPARE(document.undo_stack().count(), 1);
   }
