@@ -154,6 +154,7 @@ class EditorTest : public QObject {
     QCOMPARE(document.medium().size(), std::size_t{6});
     QCOMPARE(document.selection().size(), std::size_t{1});
     window.drag(window.handle(0), window.handle(0) + QPoint(20, 20));
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, window.handle(0));
     window.key(Qt::Key_A, Qt::ControlModifier);
     window.key(Qt::Key_I, Qt::ControlModifier);
     QVERIFY(document.selection().empty());

@@ -71,6 +71,26 @@ class ViewportTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
+  void a_drag_from_a_handle_that_is_not_selected_moves_nothing() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    document.select({3});
+    const QPoint aside(2, 2);  // so that the handle is inside, whatever it is rounded to
+    const QPoint from = window.handle(1) - aside;
+    QVERIFY(window->viewport().handles().pick(from));
+    window.drag(from, from + QPoint(40, 25));
+    QVERIFY(document.scene() == before);
+    // It is a rectangle, as from anywhere else.
+    QCOMPARE(document.selection(), std::vector<GaussianId>{2});
+    window.drag(window.handle(1), window.handle(1) + QPoint(40, 25));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
+    // With Shift it adds what is inside.
+    window.drag(window.handle(0) - aside, window.handle(3) + 3 * aside, Qt::LeftButton,
+                Qt::ShiftModifier);
+    QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2, 4}));
+  }
+
   void a_drag_that_returns_or_is_cancelled_leaves_nothing() {
     TestWindow window;
     Document& document = window->document();
@@ -101,6 +121,7 @@ class ViewportTest : public QObject {
     Viewport& view = window->viewport();
     const QPoint from = window.handle(1);
     for (const int steps_before : {0, 1}) {
+      document.select({2});
       QTest::mousePress(&view, Qt::LeftButton, {}, from);
       for (int k = 0; k < steps_before; ++k) window.move(from + QPoint(30, 0));
       document.open(load_scene(document.file()), document.file());  // as when one was read
