@@ -6,6 +6,8 @@
 
 #include "app/editor_style.h"
 
+#include "app/panels/field_filter.h"
+
 namespace brume {
 namespace {
 
@@ -60,6 +62,7 @@ void prepare_application() {
 void set_up_application(QApplication& application) {
   QApplication::setStyle(new EditorStyle);
   application.setPalette(palette_of(theme()));
+  application.installEventFilter(new FieldFilter(&application));
 }
 
 Theme theme() {

@@ -95,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
   layout->addWidget(message_bar_);
   layout->addWidget(new ToolOptions(*tools_, this));
   layout->addWidget(views_, 1);
+  center->setFocusProxy(views_);
   setCentralWidget(center);
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,6 +15,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/icons.h"
+#include "app/panels/frame_slider.h"
 #include "app/panels/key_strip.h"
 #include "app/plain_text.h"
 #include "app/timeline.h"
@@ -57,7 +57,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   auto* back = button("step_back", tr("One frame back (,)"));
   auto* play = button("play", tr("Play (Space)"));
   auto* forward = button("step_forward", tr("One frame forward (.)"));
-  auto* slider = new QSlider(Qt::Horizontal, this);
+  auto* slider = new FrameSlider(this);
   slider->setObjectName("frame_slider");
   auto* frame = new_number(this, "frame", tr("Frame"));
   auto* seconds = new PlainLabel(this);
@@ -104,6 +104,11 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   connect(play, &QToolButton::clicked, &timeline,
           [&timeline] { timeline.is_playing() ? timeline.stop() : timeline.play(); });
   connect(slider, &QSlider::valueChanged, &timeline, &Timeline::set_frame);
+  // Keys stand below the frames of the slider.
+  connect(slider, &FrameSlider::moved, keys_, [this, slider] {
+    const int left = slider->x() - key_area_->x();
+    keys_->set_ends(left + slider->x_of(slider->minimum()), left + slider->x_of(slider->maximum()));
+  });
   connect(frame, &QSpinBox::valueChanged, &timeline, &Timeline::set_frame);
   connect(first, &QSpinBox::valueChanged, &timeline, [this, &timeline](int value) {
     set_playback({value, std::max(value, timeline.last()), timeline.loops()});

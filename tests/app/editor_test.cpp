@@ -39,7 +39,8 @@ void type(QTableView* table, const QString& text) {
   editor->selectAll();
   QTest::keyClicks(editor, text);
   QTest::keyClick(editor, Qt::Key_Return);
-  QCoreApplication::processEvents();  // Qt commits a cell a little later
+  // Qt commits a cell a little later.
+  QTRY_VERIFY(!table->viewport()->findChild<QLineEdit*>());
 }
 
 Scene fog_of(int count) {
@@ -116,7 +117,7 @@ class EditorTest : public QObject {
     auto* editor = table->viewport()->findChild<QLineEdit*>();
     QVERIFY(editor);
     QTest::keyClick(editor, Qt::Key_Return);
-    QCoreApplication::processEvents();
+    QTRY_VERIFY(!table->viewport()->findChild<QLineEdit*>());
     QVERIFY(!window->document().is_modified());
   }
 
@@ -149,10 +150,10 @@ class EditorTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 1);
     QCOMPARE(document.medium().radii()[4], 0.3);
     QCOMPARE(radius->text(), QString("0.3"));
+    radius->setFocus();
     QTest::keyClicks(radius, "-4");  // over what is selected
     QTest::keyClick(radius, Qt::Key_Return);
     QVERIFY(window->statusBar()->currentMessage().contains("Radius"));
-    window->viewport().setFocus();
     QCOMPARE(radius->text(), QString("0.3"));
     QCOMPARE(document.undo_stack().count(), 1);
   }
@@ -164,6 +165,7 @@ class EditorTest : public QObject {
     window.key(Qt::Key_A, Qt::ShiftModifier);
     QCOMPARE(document.medium().size(), std::size_t{6});
     QCOMPARE(document.selection().size(), std::size_t{1});
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, window.handle(0));
     window.drag(window.handle(0), window.handle(0) + QPoint(20, 20));
     window.key(Qt::Key_A, Qt::ControlModifier);
     window.key(Qt::Key_I, Qt::ControlModifier);

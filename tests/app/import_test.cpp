@@ -247,7 +247,7 @@ class ImportTest : public QObject {
     window->import().import_volume(smoke, how);
     auto* job = window->findChild<BackgroundJob*>();
     QSignalSpy cancelled(job, &BackgroundJob::cancelled);
-    QTest::qWait(100);
+    QVERIFY(job->is_running());
     job->cancel();
     QVERIFY(cancelled.wait(60000));
     QVERIFY(!window->document().is_modified());
