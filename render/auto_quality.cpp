@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/job.h"
+
 namespace brume {
 namespace {
 
@@ -47,15 +49,21 @@ std::vector<Settings> quality_ladder(const Settings& settings) {
 
 std::optional<ErrorSample> take_error_sample(const Scene& scene, const Camera& camera,
                                              const Frame& guide, std::uint64_t seed,
-                                             std::stop_token stop) {
-  return ErrorSample::take(scene, camera, guide, sample_pixels(scene), seed, sample_tolerance,
-                           stop);
+                                             std::stop_token stop,
+                                             const std::function<void(double)>& progress) {
+  return ErrorSample::take(scene, camera, guide, sample_pixels(scene), seed, sample_tolerance, stop,
+                           progress);
 }
 
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, double max_error,
-                                        std::stop_token stop) {
+                                        std::stop_token stop,
+                                        const std::function<void(double)>& progress) {
+  // The sample takes most of the time, then each trial about as much as all before it.
+  const Job job{stop, progress};
+  const Job measuring = job.part(0.0, 0.6);
+  double begin = 0.6;
   const Film small = small_film(film);
   const std::vector<Settings> ladder = quality_ladder(settings);
   std::optional<ErrorSample> sample;
@@ -63,19 +71,22 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     const std::optional<Frame> frame = renderer.render(scene, camera, small, tried, stop);
     if (!frame) return std::nullopt;
     if (!sample) {
-      sample = take_error_sample(scene, camera, *frame, 1, stop);
+      sample = take_error_sample(scene, camera, *frame, 1, stop, measuring.progress);
       if (!sample) return std::nullopt;
     }
+    begin += 0.5 * (1.0 - begin);
+    if (progress) progress(begin);
     if (sample->measure(*frame).high <= max_error) return tried;
   }
   return ladder.back();
 }
 
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
-                                           const Frame& frame, std::stop_token stop) {
+                                           const Frame& frame, std::stop_token stop,
+                                           const std::function<void(double)>& progress) {
   // Another seed than that of the choice: settings chosen to do well on some pixels must not be
   // judged by the same ones.
-  const auto sample = take_error_sample(scene, camera, frame, 2, stop);
+  const auto sample = take_error_sample(scene, camera, frame, 2, stop, progress);
   if (!sample) return std::nullopt;
   return sample->measure(frame);
 }
@@ -85,17 +96,25 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
                                          const Settings& settings, double max_error,
                                          std::stop_token stop,
                                          const std::function<void(double)>& progress) {
-  std::optional<Settings> tried =
-      choose_settings(renderer, scene, camera, film, settings, max_error, stop);
+  const Job job{stop, progress};
+  double begin = 0.4;
+  std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings,
+                                                  max_error, stop, job.part(0.0, begin).progress);
   std::optional<MeasuredFrame> result;
   while (tried) {
-    std::optional<Frame> frame = renderer.render(scene, camera, film, *tried, stop, progress);
+    // Seldom is more than one frame needed.
+    const double end = begin + 0.8 * (1.0 - begin);
+    const double middle = 0.5 * (begin + end);
+    std::optional<Frame> frame =
+        renderer.render(scene, camera, film, *tried, stop, job.part(begin, middle).progress);
     if (!frame) return std::nullopt;
-    const std::optional<ErrorEstimate> error = measure_error(scene, camera, *frame, stop);
+    const std::optional<ErrorEstimate> error =
+        measure_error(scene, camera, *frame, stop, job.part(middle, end).progress);
     if (!error) return std::nullopt;
     result = MeasuredFrame{std::move(*frame), *tried, *error};
     if (error->high <= max_error) break;
     tried = better_settings(*tried);
+    begin = end;
   }
   return result;
 }

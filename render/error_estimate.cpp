@@ -11,7 +11,8 @@ namespace brume {
 std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& camera,
                                              const Frame& guide, std::size_t count,
                                              std::uint64_t seed, double tolerance,
-                                             std::stop_token stop) {
+                                             std::stop_token stop,
+                                             const std::function<void(double)>& progress) {
   const std::size_t total = guide.depth.size();
   std::vector<double> square(total);
   double sum = 0.0;
@@ -46,7 +47,7 @@ std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& c
   std::vector<std::size_t> indices;
   for (const Pixel& pixel : sample.pixels_) indices.push_back(pixel.index);
   const ReferencePixels reference(scene, camera, guide.film, guide.time, tolerance);
-  const std::vector<glm::dvec3> airlight = reference.airlight(indices, stop);
+  const std::vector<glm::dvec3> airlight = reference.airlight(indices, stop, progress);
   if (airlight.size() != indices.size()) return std::nullopt;
   for (std::size_t k = 0; k < airlight.size(); ++k) sample.pixels_[k].airlight = airlight[k];
   return sample;

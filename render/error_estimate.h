@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -26,10 +27,12 @@ struct ErrorEstimate {
 class ErrorSample {
  public:
   // Evaluates the reference at `count` pixels of the guide's film, in parallel: milliseconds a
-  // pixel. nullopt if `stop` was requested. The same for the same seed.
+  // pixel. nullopt if `stop` was requested. The same for the same seed. `progress` as of
+  // FrameRenderer.
   static std::optional<ErrorSample> take(const Scene& scene, const Camera& camera,
                                          const Frame& guide, std::size_t count, std::uint64_t seed,
-                                         double tolerance, std::stop_token stop = {});
+                                         double tolerance, std::stop_token stop = {},
+                                         const std::function<void(double)>& progress = {});
 
   // The error of a frame of the same view and film as the guide.
   [[nodiscard]] ErrorEstimate measure(const Frame& frame) const;

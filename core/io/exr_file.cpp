@@ -1,7 +1,9 @@
+#include <IexBaseExc.h>
 #include <ImfArray.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
@@ -105,6 +107,43 @@ void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
   part.readPixels(window.max.y);
 }
 
+// OpenEXR writes its table of lines when a file is destroyed, where it can tell of no error: the
+// stream does.
+class ExrOutput final : public Imf::OStream {
+ public:
+  ExrOutput(const fs::path& file, std::ostream& out) : OStream(file.c_str()), out_(out) {}
+  void write(const char* bytes, int count) override { out_.write(bytes, count); }
+  // Asked in the destructor too, which no exception may leave.
+  std::uint64_t tellp() override {
+    return out_ ? static_cast<std::uint64_t>(out_.tellp()) : std::uint64_t{0};
+  }
+  void seekp(std::uint64_t place) override { out_.seekp(static_cast<std::streamoff>(place)); }
+
+ private:
+  std::ostream& out_;
+};
+
+void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer frame;
+  const auto width = static_cast<std::size_t>(image.width);
+  for (const auto& [name, values] : image.channels) {
+    assert(values.size() == width * static_cast<std::size_t>(image.height));
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    // The slice is only read from when a file is written.
+    frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(),
+                                        sizeof(float), sizeof(float) * width));
+  }
+  for (const auto& [name, text] : image.metadata) {
+    header.insert(name, Imf::StringAttribute(text));
+  }
+  ExrOutput stream(file, out);
+  Imf::OutputFile output(stream, header);
+  output.setFrameBuffer(frame);
+  output.writePixels(image.height);
+}
+
 }  // namespace
 
 bool is_exr(const fs::path& file) {
@@ -146,26 +185,12 @@ ImageLayers read_exr(const fs::path& file) {
 }
 
 void write_exr(const fs::path& file, const ImageLayers& image) {
-  write_atomically(file, [&](const fs::path& temporary) {
-    guarded(file, [&] {
-      Imf::Header header(image.width, image.height);
-      header.compression() = Imf::ZIP_COMPRESSION;
-      Imf::FrameBuffer frame;
-      const auto width = static_cast<std::size_t>(image.width);
-      for (const auto& [name, values] : image.channels) {
-        assert(values.size() == width * static_cast<std::size_t>(image.height));
-        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-        // The slice is only read from when a file is written.
-        frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(),
-                                            sizeof(float), sizeof(float) * width));
-      }
-      for (const auto& [name, text] : image.metadata) {
-        header.insert(name, Imf::StringAttribute(text));
-      }
-      Imf::OutputFile output(temporary.c_str(), header);
-      output.setFrameBuffer(frame);
-      output.writePixels(image.height);
-    });
+  write_atomically(file, [&](std::ostream& out) {
+    try {
+      write_layers(file, out, image);
+    } catch (const Iex::BaseExc& error) {
+      throw InputError(file, "", std::string("cannot be written: ") + error.what());
+    }
   });
 }
 

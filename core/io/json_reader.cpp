@@ -35,7 +35,15 @@ void JsonContext::fail(const JsonPlace& place, const std::string& message) const
 
 void JsonContext::warn(const JsonPlace& place, const std::string& message) {
   if (warnings_ == nullptr || !warned_.insert(place.kind()).second) return;
+  if (warned_.size() > max_warnings) return;
   warnings_->push_back(InputError(file_, place.kind(), message).what());
+}
+
+void JsonContext::finish_warnings() {
+  if (warned_.size() <= max_warnings) return;
+  const std::size_t more = warned_.size() - max_warnings;
+  warnings_->push_back(
+      InputError(file_, "", "and " + std::to_string(more) + " more warnings like these").what());
 }
 
 JsonObject::JsonObject(JsonContext& context, const Json& value, const JsonPlace& place)

@@ -47,8 +47,12 @@ class JsonContext {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[noreturn]] void fail(const JsonPlace& place, const std::string& message) const;
   void warn(const JsonPlace& place, const std::string& message);  // once for each kind of place
+  // Of many warnings only the first are kept; after all this adds how many more there were.
+  void finish_warnings();
 
  private:
+  static constexpr std::size_t max_warnings = 20;
+
   std::filesystem::path file_;
   std::vector<std::string>* warnings_;
   std::set<std::string> warned_;

@@ -37,6 +37,7 @@ class SceneLoader {
     if (const Json* value = object.find("timeline"))
       load_timeline(*value, object.place("timeline"));
     scene_.unknown = object.unknown();
+    context_.finish_warnings();
     return std::move(scene_);
   }
 
