@@ -59,10 +59,13 @@ fs::path SceneReferences::resolve_pattern(const JsonContext& context, const Json
 }
 
 std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
-                                                     const JsonPlace& place, const fs::path& file,
-                                                     int first, int last) {
-  return at_place(context, place,
-                  [&] { return read_sequence(*FramePattern::parse(file.string()), first, last); });
+                                                     const JsonPlace& place,
+                                                     const MediumSequence& sequence,
+                                                     std::size_t max_gaussians) {
+  return at_place(context, place, [&] {
+    return read_sequence(*FramePattern::parse(sequence.file.string()), sequence.first,
+                         sequence.last, read_gaussians, max_gaussians);
+  });
 }
 
 fs::path SceneReferences::resolve(const JsonContext& context, const JsonPlace& place,
@@ -85,8 +88,8 @@ std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& con
 }
 
 std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPlace& place,
-                                                 const fs::path& file) {
-  return at_place(context, place, [&] { return read_gaussians(file); });
+                                                 const fs::path& file, std::size_t max_gaussians) {
+  return at_place(context, place, [&] { return read_gaussians(file, nullptr, max_gaussians); });
 }
 
 std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonContext& context,
