@@ -139,13 +139,17 @@ const Json::array_t& JsonObject::array(std::string_view key, std::size_t longest
 }
 
 std::string JsonObject::unknown() {
-  Json rest = Json::object();
+  std::string rest;
   for (const auto& [key, value] : value_.items()) {
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    rest[key] = value;
+    rest += rest.empty() ? '{' : ',';
+    rest += Json(key).dump();
+    rest += ':';
+    rest += value.dump();
     context_.warn(place(key), "unknown key; it is kept when the scene is saved");
   }
-  return rest.empty() ? std::string() : rest.dump();
+  if (!rest.empty()) rest += '}';
+  return rest;
 }
 
 std::vector<double> read_numbers(const JsonContext& context, const Json& value,

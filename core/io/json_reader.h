@@ -17,8 +17,8 @@ namespace brume {
 using Json = nlohmann::ordered_json;  // keeps the order of keys
 
 // Parses a JSON text strictly. Throws InputError naming line and column, or the JSON path where
-// there is one: bad syntax, a key twice in one object, numbers beyond double, nesting, keys or
-// array lengths beyond limits.
+// there is one: bad syntax, a key twice in one object, numbers beyond double; nesting, keys, array
+// lengths or memory beyond limits.
 Json parse_json(const std::filesystem::path& file, std::string_view text);
 
 // Where a value stands in the file, as a chain from the value up to the root; becomes text like

@@ -107,16 +107,19 @@ fs::path SceneReferences::resolve_pattern(const JsonContext& context, const Json
 }
 
 std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
-                                                     const JsonPlace& place, const fs::path& file,
-                                                     int first, int last) {
-  const FramePattern files = *FramePattern::parse(file.string());
+                                                     const JsonPlace& place,
+                                                     const MediumSequence& sequence,
+                                                     std::size_t max_gaussians) {
+  const FramePattern files = *FramePattern::parse(sequence.file.string());
   std::error_code error;
-  for (int frame = first; missing_ != nullptr && frame <= last; ++frame) {
+  for (int frame = sequence.first; missing_ != nullptr && frame <= sequence.last; ++frame) {
     if (fs::exists(files.of(frame), error)) continue;
-    note_missing(file);
-    return std::vector<SequenceFrame>(static_cast<std::size_t>(last - first) + 1);
+    note_missing(sequence.file);
+    return std::vector<SequenceFrame>(static_cast<std::size_t>(sequence.last - sequence.first) + 1);
   }
-  return at_place(context, place, [&] { return read_sequence(files, first, last); });
+  return at_place(context, place, [&] {
+    return read_sequence(files, sequence.first, sequence.last, read_gaussians, max_gaussians);
+  });
 }
 
 fs::path SceneReferences::resolve(const JsonContext& context, const JsonPlace& place,
@@ -142,9 +145,9 @@ std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& con
 }
 
 std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPlace& place,
-                                                 const fs::path& file) {
+                                                 const fs::path& file, std::size_t max_gaussians) {
   if (is_missing(file)) return {};
-  return at_place(context, place, [&] { return read_gaussians(file); });
+  return at_place(context, place, [&] { return read_gaussians(file, nullptr, max_gaussians); });
 }
 
 std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonContext& context,

@@ -27,8 +27,9 @@ class SceneReferences {
   // looked at.
   std::filesystem::path resolve_pattern(const JsonContext& context, const JsonPlace& place,
                                         const std::string& text) const;
+  // The frames of a sequence whose file, first and last are known; at most `max_gaussians` in all.
   std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPlace& place,
-                                      const std::filesystem::path& file, int first, int last);
+                                      const MediumSequence& sequence, std::size_t max_gaussians);
 
   // Meshes and measured BRDFs are read once and shared.
   std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPlace& place,
@@ -37,7 +38,7 @@ class SceneReferences {
                                                     const JsonPlace& place,
                                                     const std::filesystem::path& file);
   std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPlace& place,
-                                  const std::filesystem::path& file);
+                                  const std::filesystem::path& file, std::size_t max_gaussians);
   std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context,
                                                   const JsonPlace& place,
                                                   const std::filesystem::path& file);
