@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/io/temporary_files.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -25,11 +26,12 @@ fs::path folder_of(const fs::path& file) {
 }
 
 // A new empty file beside `target`, with the permissions a new file gets from the umask.
-fs::path create_temporary(const fs::path& file, const fs::path& target) {
+fs::path create_temporary(const fs::path& file, const fs::path& target, TemporaryName& name) {
   static std::atomic<unsigned> counter = 0;
   for (;;) {
     fs::path temporary = folder_of(target) / (".brume-" + std::to_string(::getpid()) + "-" +
                                               std::to_string(counter++) + ".tmp");
+    name = TemporaryName(temporary);
     const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd >= 0) {
       ::close(fd);
@@ -90,7 +92,8 @@ void check_writable(const fs::path& file) {
 void write_atomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
   check_writable(file);
   const fs::path target = link_target(file);
-  const fs::path temporary = create_temporary(file, target);
+  TemporaryName name;
+  const fs::path temporary = create_temporary(file, target, name);
   try {
     write(temporary);
     struct stat old {};

@@ -17,6 +17,7 @@
 #include "core/io/frame_pattern.h"
 #include "core/io/scene_file.h"
 #include "core/io/scene_files.h"
+#include "core/io/temporary_files.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -104,6 +105,7 @@ class TemporaryTarget {
       path_ = fs::weakly_canonical(parent, error) /
               (".brume-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
     } while (!error && fs::exists(path_));
+    name_ = TemporaryName(path_);
     if (!error) fs::create_directory(path_, error);
     if (error) throw InputError(folder, "", "cannot be made: " + error.message());
   }
@@ -130,6 +132,7 @@ class TemporaryTarget {
 
  private:
   fs::path path_;
+  TemporaryName name_;
 };
 
 // A name without a slash at its end.

@@ -20,8 +20,8 @@ namespace {
 
 class SceneLoader {
  public:
-  SceneLoader(const fs::path& file, std::vector<std::string>* warnings)
-      : context_(file, warnings), references_(file) {}
+  SceneLoader(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing)
+      : context_(file, warnings), references_(file, missing) {}
 
   Scene load(const Json& root) {
     JsonObject object(context_, root, root_);
@@ -150,7 +150,7 @@ class SceneLoader {
     const JsonPlace place = object.place("file");
     auto loaded = std::make_shared<MediumFile>();
     loaded->file = references_.resolve(context_, place, object.text("file", {}));
-    loaded->gaussians = SceneReferences::gaussians(context_, place, loaded->file);
+    loaded->gaussians = references_.gaussians(context_, place, loaded->file);
     Medium& medium = scene_.medium;
     const std::size_t total = medium.size() + loaded->gaussians.size();
     if (total > limits::gaussians) {
@@ -206,7 +206,7 @@ class SceneLoader {
         object.number("frames_per_second", domain::rate, sequence.frames_per_second);
     sequence.start = object.number("start", domain::seconds, sequence.start);
     sequence.frames = std::make_shared<std::vector<SequenceFrame>>(
-        SceneReferences::sequence(context_, file, sequence.file, sequence.first, sequence.last));
+        references_.sequence(context_, file, sequence.file, sequence.first, sequence.last));
     sequence.unknown = object.unknown();
     scene_.sequences.push_back(std::move(sequence));
   }
@@ -239,7 +239,7 @@ class SceneLoader {
     environment.file = references_.resolve(context_, file, object.text("file", {}));
     environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
     environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
-    environment.map = SceneReferences::radiance_map(context_, file, environment.file);
+    environment.map = references_.radiance_map(context_, file, environment.file);
     load_keys(object, environment.keys.unknown,
               [&](auto&& visit) { visit_keyed_environment(environment, visit); });
     environment.unknown = object.unknown();
@@ -304,12 +304,10 @@ class SceneLoader {
   Scene scene_;
 };
 
-}  // namespace
-
-Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+Scene load(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing) {
   try {
     const std::string text = read_bytes(file);
-    return SceneLoader(file, warnings).load(parse_json(file, text));
+    return SceneLoader(file, warnings, missing).load(parse_json(file, text));
   } catch (const InputError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -317,6 +315,16 @@ Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
   } catch (const std::exception& error) {  // of the file system, or a limit of the library's
     throw InputError(file, "", error.what());
   }
+}
+
+}  // namespace
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+  return load(file, warnings, nullptr);
+}
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings, MissingFiles& missing) {
+  return load(file, warnings, &missing);
 }
 
 }  // namespace brume

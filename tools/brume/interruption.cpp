@@ -87,8 +87,7 @@ InterruptionWatch::~InterruptionWatch() {
 }
 
 void end_interrupted() {
-  ::signal(SIGINT, SIG_DFL);
-  ::raise(SIGINT);
+  ::raise(SIGINT);  // which is again what it was before
   ::_exit(shell_code);
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <iostream>
 #include <new>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/io/temporary_files.h"
 #include "core/printable_text.h"
 #include "render/frame_memory.h"
 #include "tools/brume/command.h"
@@ -127,8 +127,7 @@ void print_warnings(const std::vector<std::string>& warnings) {
 
 int main(int argc, char** argv) {
   brume::keep_frame_memory();
-  // A file that grows beyond its limit is an error of its writer, as on a full disk.
-  std::signal(SIGXFSZ, SIG_IGN);
+  brume::remove_temporary_files_on_signals();
   try {
     const brume::InterruptionWatch watch;
     return brume::run(argc, argv);
