@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -45,12 +46,20 @@ bool receive(char& message, int milliseconds) {
   }
 }
 
+// A ProgressLine will not get to it.
+void clear_progress() {
+  constexpr std::string_view clear = "\r\033[K";
+  if (::isatty(STDERR_FILENO) == 0) return;
+  if (::write(STDERR_FILENO, clear.data(), clear.size()) < 0) return;
+}
+
 void watch() {
   constexpr int patience = 500;  // [ms]
   char message = end;
   if (!receive(message, -1) || message == end) return;
   source.request_stop();
   if (receive(message, patience)) return;
+  clear_progress();
   ::kill(::getpid(), SIGINT);  // now what it was before
   if (receive(message, patience)) return;
   ::_exit(shell_code);
@@ -87,8 +96,7 @@ InterruptionWatch::~InterruptionWatch() {
 }
 
 void end_interrupted() {
-  ::signal(SIGINT, SIG_DFL);
-  ::raise(SIGINT);
+  ::raise(SIGINT);  // which is again what it was before
   ::_exit(shell_code);
 }
 
