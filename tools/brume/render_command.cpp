@@ -157,8 +157,9 @@ class RenderCommand final : public Command {
     const std::chrono::duration<double, std::milli> first = Clock::now() - start;
     if (backend == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error && error->high > max_error_) {
-      std::cerr << "brume: warning: no setting keeps --max-error " << max_error_
-                << "; the best one has a relative RMSE of " << error->rel_rmse << '\n';
+      std::cerr << "brume: warning: no setting is sure to keep --max-error " << max_error_
+                << "; this one has a relative RMSE of " << error->rel_rmse << ", " << error->low
+                << " to " << error->high << '\n';
     }
 
     std::vector<FrameStatistics> moved;
