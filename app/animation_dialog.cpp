@@ -12,7 +12,9 @@
 #include <QStandardItemModel>
 
 #include "app/document/paths.h"
+#include "app/file_dialogs.h"
 #include "app/frame_export.h"
+#include "app/plain_text.h"
 #include "app/timeline.h"
 #include "app/video_file.h"
 #include "core/io/file_bytes.h"
@@ -22,17 +24,17 @@ namespace brume {
 AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder, QWidget* parent)
     : QDialog(parent),
       format_(new QComboBox(this)),
-      file_(new QLineEdit(folder + "/animation.png", this)),
+      file_(new QLineEdit(last_folder(FileKind::animation, folder) + "/animation.png", this)),
       first_(new QSpinBox(this)),
       last_(new QSpinBox(this)),
-      names_(new QLabel(this)) {
+      names_(new PlainLabel(this)) {
   setWindowTitle(tr("Export animation"));
   setAttribute(Qt::WA_DeleteOnClose);
   format_->setObjectName("animation_format");
   format_->addItem(tr("PNG, one file a frame"), ".png");
   format_->addItem(tr("EXR layers, one file a frame"), ".exr");
   format_->addItem(tr("MP4 video"), ".mp4");
-  auto* why = new QLabel(tr("No video: the program ffmpeg is not on the PATH."), this);
+  auto* why = new PlainLabel(tr("No video: the program ffmpeg is not on the PATH."), this);
   why->setObjectName("no_video");
   why->setVisible(find_ffmpeg().isEmpty());
   if (find_ffmpeg().isEmpty()) {
@@ -104,7 +106,12 @@ void AnimationDialog::browse() {
 }
 
 void AnimationDialog::take() {
-  Q_EMIT wanted(to_path(file_->text()), first_->value(), last_->value());
+  const std::filesystem::path file = to_path(file_->text());
+  const std::pair<int, int> frames(first_->value(), last_->value());
+  const bool is_video = lower_case_extension(file) == ".mp4";
+  if (!may_replace(this, file, is_video ? std::nullopt : std::optional(frames))) return;
+  remember_folder(FileKind::animation, file);
+  Q_EMIT wanted(file, frames.first, frames.second);
   accept();
 }
 

@@ -3,7 +3,10 @@
 #include <QApplication>
 #include <QPalette>
 #include <QSettings>
-#include <QStyleFactory>
+
+#include "app/editor_style.h"
+
+#include "app/panels/field_filter.h"
 
 namespace brume {
 namespace {
@@ -51,14 +54,15 @@ QColor accent_color() {
 
 void prepare_application() {
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QCoreApplication::setOrganizationName("Brume");
+  QCoreApplication::setApplicationName("Brume");
+  QCoreApplication::setApplicationVersion(BRUME_VERSION);
 }
 
 void set_up_application(QApplication& application) {
-  QApplication::setOrganizationName("Brume");
-  QApplication::setApplicationName("Brume");
-  QApplication::setApplicationVersion(BRUME_VERSION);
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setStyle(new EditorStyle);
   application.setPalette(palette_of(theme()));
+  application.installEventFilter(new FieldFilter(&application));
 }
 
 Theme theme() {

@@ -9,10 +9,11 @@ namespace brume {
 // The one colour that marks what is selected or active.
 QColor accent_color();
 
-// Before there is an application: the OpenGL contexts of all its windows share their objects.
+// Before there is an application: names it, and lets the OpenGL contexts of all its windows share
+// their objects.
 void prepare_application();
 
-// Names the application and gives it its look.
+// Gives the application its look.
 void set_up_application(QApplication& application);
 
 // The look of everything but the picture; remembered.

@@ -66,7 +66,8 @@ class Exporter {
       for_each_frame([&](int, const Frame& frame) {
         video.add(to_display(frame, request_.info.exposure), job_.stop);
       });
-      video.finish();
+      video.finish(job_.stop);
+      if (job_.stop.stop_requested()) throw Cancelled();
     });
     ++written_;
   }

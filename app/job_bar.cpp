@@ -6,10 +6,12 @@
 #include <QToolButton>
 #include <utility>
 
+#include "app/plain_text.h"
+
 namespace brume {
 
 JobBar::JobBar(QWidget* parent)
-    : QWidget(parent), label_(new QLabel(this)), bar_(new QProgressBar(this)) {
+    : QWidget(parent), label_(new PlainLabel(this)), bar_(new QProgressBar(this)) {
   bar_->setFixedWidth(90);
   bar_->setTextVisible(false);
   auto* stop = new QToolButton(this);

@@ -1,13 +1,18 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <cstdio>
+#include <cstdlib>
 
 #include "app/application.h"
 #include "app/document/paths.h"
 #include "app/main_window.h"
 #include "app/scene_files.h"
+#include "core/io/temporary_files.h"
 #include "render/frame_memory.h"
 
 namespace {
+
+constexpr int bad_usage = 2;
 
 // WIDTHxHEIGHT; not valid if it is anything else.
 QSize parse_size(const QString& text) {
@@ -16,21 +21,59 @@ QSize parse_size(const QString& text) {
   return parts.size() == 2 && size.width() > 0 && size.height() > 0 ? size : QSize();
 }
 
-}  // namespace
-
-int main(int argc, char* argv[]) {
-  brume::keep_frame_memory();
-  brume::prepare_application();
-  QApplication application(argc, argv);
-  brume::set_up_application(application);
-
-  QCommandLineParser parser;
+void declare_options(QCommandLineParser& parser) {
   parser.setApplicationDescription("The Brume editor: lights and edits fog, smoke and steam.");
+  // As Qt reads its own options, such as -platform.
+  parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("scene", "The scene to open.", "[SCENE]");
   parser.addOptions({{"screenshot", "Save a picture of the window to FILE and quit.", "FILE"},
                      {"size", "The size of the window.", "WxH"}});
+}
+
+// --help and --version need no display.
+void answer_without_display(int argc, char* argv[]) {
+  const QCoreApplication application(argc, argv);
+  QCommandLineParser parser;
+  declare_options(parser);
+  parser.parse(QCoreApplication::arguments());
+  if (parser.isSet("help")) parser.showHelp();
+  if (parser.isSet("version")) parser.showVersion();
+}
+
+// What Qt says while it looks for a display. If it finds none it would abort.
+QStringList startup_messages;
+
+void keep_message(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+  if (type != QtFatalMsg) {
+    startup_messages << message;
+    return;
+  }
+  const bool names_display =
+      qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+  const QString why = startup_messages.isEmpty() ? message : startup_messages.first();
+  std::fprintf(stderr, "brume-editor: error: no display: %s\n",
+               names_display ? qUtf8Printable(why.simplified())
+                             : "neither DISPLAY nor WAYLAND_DISPLAY is set");
+  std::_Exit(bad_usage);
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  brume::remove_temporary_files_on_signals();
+  brume::keep_frame_memory();
+  brume::prepare_application();
+  answer_without_display(argc, argv);
+  const QtMessageHandler handler = qInstallMessageHandler(keep_message);
+  QApplication application(argc, argv);
+  qInstallMessageHandler(handler);
+  for (const QString& message : startup_messages) qWarning("%s", qUtf8Printable(message));
+  brume::set_up_application(application);
+
+  QCommandLineParser parser;
+  declare_options(parser);
   parser.process(application);
 
   brume::MainWindow window;
@@ -38,7 +81,7 @@ int main(int argc, char* argv[]) {
     const QSize size = parse_size(parser.value("size"));
     if (!size.isValid()) {
       std::fprintf(stderr, "--size: \"%s\" is not WxH\n", qUtf8Printable(parser.value("size")));
-      return 2;
+      return bad_usage;
     }
     window.resize(size);
   }
@@ -48,7 +91,8 @@ int main(int argc, char* argv[]) {
   if (!scenes.isEmpty()) {
     if (parser.isSet("screenshot")) {
       // The window has said why. A user may go on from here, a picture of nothing helps nobody.
-      QObject::connect(&window.files(), &brume::SceneFiles::failed, [] { QApplication::exit(2); });
+      QObject::connect(&window.files(), &brume::SceneFiles::failed,
+                       [] { QApplication::exit(bad_usage); });
     }
     window.files().open_file(brume::to_path(scenes.first()));
   }

@@ -5,10 +5,12 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QStyle>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -33,6 +35,7 @@
 #include "app/panels/outliner.h"
 #include "app/panels/performance_panel.h"
 #include "app/panels/timeline_bar.h"
+#include "app/plain_text.h"
 #include "app/recent_pictures.h"
 #include "app/recovery_bar.h"
 #include "app/scene_files.h"
@@ -56,6 +59,13 @@ double rounded(double value) {
 std::filesystem::path recovery_folder() {
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
   return to_path(data + "/recovery");
+}
+
+// Of the window at the very first start, with its frame inside the screen.
+QSize first_size(const QScreen& screen, const QStyle& style) {
+  constexpr int border = 8;
+  const QSize frame(2 * border, 2 * border + style.pixelMetric(QStyle::PM_TitleBarHeight));
+  return QSize(1280, 800).boundedTo(screen.availableSize() - frame);
 }
 
 // Panels that a small screen may be too low for.
@@ -85,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
   layout->addWidget(message_bar_);
   layout->addWidget(new ToolOptions(*tools_, this));
   layout->addWidget(views_, 1);
+  center->setFocusProxy(views_);
   setCentralWidget(center);
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -95,7 +106,7 @@ MainWindow::MainWindow(QWidget* parent)
   create_actions();
   connect_document();
 
-  resize(1280, 800);
+  resize(first_size(*screen(), *style()));
   const QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
   restoreState(settings.value("window/state").toByteArray());
@@ -131,20 +142,21 @@ void MainWindow::create_docks() {
   auto* emitter_panel = new EmitterPanel(document_, this);
   gaussian_panel_ = new GaussianPanel(document_, this);
   QDockWidget* outline = dock(tr("Outliner"), "outliner", outliner);
-  QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", gaussian_panel_);
+  QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", scrolled(gaussian_panel_));
   QDockWidget* lights = dock(tr("Lighting"), "lighting", scrolled(light_panel));
   QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
   QDockWidget* material = dock(tr("Material"), "material", scrolled(material_panel));
   QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
-  QDockWidget* performance = dock(tr("Performance"), "performance", new PerformancePanel(*views_));
+  QDockWidget* performance =
+      dock(tr("Performance"), "performance", scrolled(new PerformancePanel(*views_)));
   tabifyDockWidget(gaussians, lights);
   tabifyDockWidget(lights, medium);
   tabifyDockWidget(medium, material);
   tabifyDockWidget(material, emitters);
   gaussians->raise();
-  QDockWidget* at_cursor =
-      dock(tr("At the Cursor"), "at_cursor", new ContributionPanel(document_, *views_, this));
+  QDockWidget* at_cursor = dock(tr("At the Cursor"), "at_cursor",
+                                scrolled(new ContributionPanel(document_, *views_, this)));
   tabifyDockWidget(performance, history);
   tabifyDockWidget(performance, at_cursor);
   performance->raise();
@@ -180,14 +192,14 @@ void MainWindow::create_docks() {
 }
 
 void MainWindow::create_status_bar() {
-  hint_ = new QLabel(this);
-  numbers_ = new QLabel(this);
-  error_ = new QLabel(this);
+  hint_ = new PlainLabel(this);
+  numbers_ = new PlainLabel(this);
+  error_ = new PlainLabel(this);
   error_->setObjectName("error");
   error_->setToolTip(
       tr("Relative RMSE of the airlight against the reference, measured on this "
          "frame; grey while it is being measured"));
-  quality_ = new QLabel(this);
+  quality_ = new PlainLabel(this);
   quality_->setObjectName("quality");
   // Menu bars do not follow when what is in their corner grows.
   quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("reference 128 · < .01 %"));
@@ -223,6 +235,24 @@ void MainWindow::connect_document() {
   connect(files_, &SceneFiles::failed, this, fail);
   connect(&files_->loading(), &SceneLoad::cancelled, this, [this] { say(tr("Not opened")); });
   connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
+  connect(files_, &SceneFiles::changed_on_disk, this, [this] {
+    message_bar_->show_offers(
+        tr("“%1” was changed by another program since it was read here.").arg(document_.name()),
+        {{tr("Reload"), "reload", [this] { files_->reload(); }},
+         {tr("Keep Mine"), "keep_mine", [this] { files_->keep_mine(); }}});
+  });
+  // Saved, or another scene.
+  connect(&document_, &Document::file_changed, message_bar_, [this] {
+    if (message_bar_->findChild<QWidget*>("reload")) message_bar_->hide();
+  });
+  const auto tell_missing = [this](const QStringList& missing, const QString& warnings) {
+    const QString text =
+        tr("Missing: %1. The scene is shown without; saving it keeps the references.")
+            .arg(missing.join(", "));
+    message_bar_->show_offers(warnings.isEmpty() ? text : text + '\n' + warnings,
+                              {{tr("Find…"), "find_missing", [this] { files_->find_missing(); }}});
+  };
+  connect(files_, &SceneFiles::opened_without, this, tell_missing);
   connect(views_, &ViewGrid::failed, this, fail);
   connect(&views_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
   for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
@@ -370,6 +400,11 @@ void MainWindow::quit_with_screenshot(const QString& file) {
     });
   };
   connect(&viewport_->quality(), &FrameQuality::error_changed, this, take);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::ActivationChange && isActiveWindow()) files_->look_at_file();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
   void quit_with_screenshot(const QString& file);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -82,7 +83,6 @@ class MainWindow : public QMainWindow {
   void gather();
   // Unless another is running.
   void start_file_job(const QString& title, const BackgroundJob::Work& work);
-  [[nodiscard]] QString folder() const;  // of the scene
   [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
   void change_exposure(double stops);
   void keep_recent_picture();  // of the scene as it is in its file

@@ -95,8 +95,9 @@ void MainWindow::create_actions() {
   edit->addSeparator();
   add(edit, tr("Cu&t"), "edit.cut", [this] { cut_selection(document_); });
   add(edit, tr("&Copy"), "edit.copy", [this] { copy_selection(document_); });
-  add(edit, tr("&Paste"), "edit.paste",
-      [this] { paste_gaussians(document_, views_->pointed().place_under_mouse()); });
+  add(edit, tr("&Paste"), "edit.paste", [this] {
+    paste_gaussians(document_, views_->pointed().place_under_mouse(clipboard_radius()));
+  });
   add(edit, tr("Paste in Pl&ace"), "edit.paste_in_place",
       [this] { paste_gaussians(document_, std::nullopt); });
   add(edit, tr("D&uplicate"), "edit.duplicate", [this] {

@@ -1,12 +1,12 @@
 // What goes out of the window into files, and what is dropped onto it.
 
-#include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QMimeData>
 
 #include "app/animation_dialog.h"
 #include "app/document/paths.h"
+#include "app/file_dialogs.h"
 #include "app/frame_export.h"
 #include "app/import/scene_import.h"
 #include "app/main_window.h"
@@ -24,26 +24,20 @@ bool is_scene(const std::filesystem::path& file) {
   return lower_case_extension(file) == ".brume";
 }
 
-// The first dropped file that can be opened or imported; of several the first may be a frame.
-std::filesystem::path dropped_file(const QMimeData& data) {
-  for (const QUrl& url : data.urls()) {
-    const std::filesystem::path file = to_path(url.toLocalFile());
-    if (is_scene(file) || SceneImport::can_import(file)) return file;
-  }
-  return {};
-}
-
 }  // namespace
 
 void MainWindow::export_frame() {
-  QFileDialog dialog(this, tr("Export frame"), {},
+  QFileDialog dialog(this, tr("Export frame"), last_folder(FileKind::picture, document_.folder()),
                      tr("PNG picture (*.png);;OpenEXR layers (*.exr)"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("png");
   connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
     dialog.setDefaultSuffix(filter.contains("exr") ? "exr" : "png");
   });
-  if (dialog.exec() == QDialog::Accepted) export_frame_to(to_path(dialog.selectedFiles().value(0)));
+  if (dialog.exec() != QDialog::Accepted) return;
+  const std::filesystem::path file = to_path(dialog.selectedFiles().value(0));
+  remember_folder(FileKind::picture, file);
+  export_frame_to(file);
 }
 
 void MainWindow::export_frame_to(const std::filesystem::path& file) {
@@ -51,9 +45,7 @@ void MainWindow::export_frame_to(const std::filesystem::path& file) {
 }
 
 void MainWindow::export_animation() {
-  const QString folder =
-      document_.file().empty() ? QDir::homePath() : to_qstring(document_.file().parent_path());
-  auto* dialog = new AnimationDialog(*timeline_, folder, this);
+  auto* dialog = new AnimationDialog(*timeline_, document_.folder(), this);
   connect(dialog, &AnimationDialog::wanted, this, &MainWindow::export_animation_to);
   dialog->show();
 }
@@ -77,7 +69,7 @@ FrameExportRequest MainWindow::export_request(const std::filesystem::path& file)
 }
 
 void MainWindow::export_medium() {
-  auto* dialog = new MediumDialog(document_.snapshot(), *timeline_, folder(), this);
+  auto* dialog = new MediumDialog(document_.snapshot(), *timeline_, document_.folder(), this);
   connect(dialog, &MediumDialog::wanted, this, [this](const MediumExport& what) {
     const QString name = to_qstring(what.file.filename());
     start_file_job(tr("Exporting %1").arg(name), brume::export_medium(what));
@@ -86,10 +78,14 @@ void MainWindow::export_medium() {
 }
 
 void MainWindow::gather() {
-  QFileDialog dialog(this, tr("Gather into a new folder"), folder());
+  QFileDialog dialog(this, tr("Gather into a new folder"),
+                     last_folder(FileKind::gather, document_.folder()));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setLabelText(QFileDialog::FileName, tr("Folder"));
-  if (dialog.exec() == QDialog::Accepted) gather_to(to_path(dialog.selectedFiles().value(0)));
+  if (dialog.exec() != QDialog::Accepted) return;
+  const std::filesystem::path folder = to_path(dialog.selectedFiles().value(0));
+  remember_folder(FileKind::gather, folder);
+  gather_to(folder);
 }
 
 void MainWindow::gather_to(const std::filesystem::path& folder) {
@@ -109,22 +105,19 @@ void MainWindow::start_file_job(const QString& title, const BackgroundJob::Work&
   }
 }
 
-QString MainWindow::folder() const {
-  return document_.file().empty() ? QDir::homePath() : to_qstring(document_.file().parent_path());
-}
-
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dropped_file(*event->mimeData()).empty()) event->acceptProposedAction();
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const std::filesystem::path file = dropped_file(*event->mimeData());
-  if (is_scene(file)) {
-    files_->open_file(file);
-  } else if (event->mimeData()->urls().size() > 1) {
-    import_->import_sequence(file);
+  std::vector<std::filesystem::path> files;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    files.push_back(to_path(url.isLocalFile() ? url.toLocalFile() : url.toString()));
+  }
+  if (files.size() == 1 && is_scene(files.front())) {
+    files_->open_file(files.front());
   } else {
-    import_->import_file(file);
+    import_->import_files(files);
   }
   event->acceptProposedAction();
 }

@@ -13,6 +13,8 @@
 
 #include "app/document/gaussian_field.h"
 #include "app/document/paths.h"
+#include "app/file_dialogs.h"
+#include "app/plain_text.h"
 #include "app/timeline.h"
 #include "core/io/file_bytes.h"
 #include "core/scene/at_time.h"
@@ -25,13 +27,13 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
     : QDialog(parent),
       scene_(std::move(scene)),
       time_(timeline.time()),
-      file_(new QLineEdit(folder + "/medium.vdb", this)),
+      file_(new QLineEdit(last_folder(FileKind::medium, folder) + "/medium.vdb", this)),
       voxel_(new QLineEdit(this)),
       half_(new QCheckBox(tr("in half precision"), this)),
       is_range_(new QCheckBox(tr("Frames"), this)),
       first_(new QSpinBox(this)),
       last_(new QSpinBox(this)),
-      memory_(new QLabel(this)) {
+      memory_(new PlainLabel(this)) {
   setWindowTitle(tr("Export medium"));
   setAttribute(Qt::WA_DeleteOnClose);
   file_->setObjectName("medium_file");
@@ -64,7 +66,7 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
   last_->setValue(timeline.last());
   auto* range_row = new QHBoxLayout;
   range_row->addWidget(first_);
-  range_row->addWidget(new QLabel(tr("to"), this));
+  range_row->addWidget(new PlainLabel(tr("to"), this));
   range_row->addWidget(last_);
   form->addRow(is_range_, range_row);
   memory_->setObjectName("medium_memory");
@@ -79,7 +81,12 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
     connect(line, &QLineEdit::textChanged, this, &MediumDialog::show_memory);
   }
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    Q_EMIT wanted(chosen());
+    const MediumExport what = chosen();
+    std::optional<std::pair<int, int>> frames;
+    if (what.range) frames = {what.range->first, what.range->last};
+    if (!may_replace(this, what.file, frames)) return;
+    remember_folder(FileKind::medium, what.file);
+    Q_EMIT wanted(what);
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

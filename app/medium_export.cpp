@@ -33,9 +33,11 @@ bool write(const MediumExport& wanted, const std::filesystem::path& file, double
   const double size = chosen_voxel_size(medium, wanted.voxel_size);
   const auto plan = MediumSampling::plan(medium, size, most_blocks);
   if (!plan) {
-    throw InputError(
-        file, "",
-        "a grid with voxels of " + shown(size) + " needs more than 2 GB; allowed: larger voxels");
+    const auto sufficient = sufficient_voxel_size(medium, size, most_blocks);
+    throw InputError(file, "",
+                     "a grid with voxels of " + shown(size) + " needs more than 2 GB; allowed: " +
+                         (sufficient ? "voxels of " + shown(*sufficient) + " or more"
+                                     : std::string("larger voxels")));
   }
   const auto grid = plan->sample(job.stop, job.progress);
   if (!grid) return false;

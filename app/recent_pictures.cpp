@@ -1,14 +1,15 @@
 #include "app/recent_pictures.h"
 
+#include <QBuffer>
 #include <QCryptographicHash>
-#include <QDir>
 #include <QMenu>
 #include <QPixmap>
-#include <QProxyStyle>
 #include <QStandardPaths>
-#include <QStyleFactory>
 
 #include "app/document/paths.h"
+#include "app/document/private_files.h"
+#include "app/editor_style.h"
+#include "core/error.h"
 
 namespace brume {
 namespace {
@@ -16,13 +17,12 @@ namespace {
 constexpr QSize picture_size{96, 64};
 constexpr int scale = 2;  // for screens with fine pixels
 
-class LargeIcons : public QProxyStyle {
+class LargeIcons : public EditorStyle {
  public:
-  LargeIcons() : QProxyStyle(QStyleFactory::create("Fusion")) {}
   int pixelMetric(PixelMetric metric, const QStyleOption* option,
                   const QWidget* widget) const override {
     return metric == PM_SmallIconSize ? picture_size.width()
-                                      : QProxyStyle::pixelMetric(metric, option, widget);
+                                      : EditorStyle::pixelMetric(metric, option, widget);
   }
 };
 
@@ -36,13 +36,19 @@ QString picture_file(const std::filesystem::path& scene) {
 
 void save_recent_picture(const std::filesystem::path& scene, const QImage& picture) {
   const QString file = picture_file(scene);
-  // A cache: where nothing can be written, there is no picture, and that is all.
-  if (!QDir().mkpath(QFileInfo(file).path())) return;
   const QSize size = picture_size * scale;
   const QImage large =
       picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
   const QPoint corner((large.width() - size.width()) / 2, (large.height() - size.height()) / 2);
-  large.copy(QRect(corner, size)).save(file, "PNG");
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  large.copy(QRect(corner, size)).save(&buffer, "PNG");
+  try {
+    make_private_folder(to_path(file).parent_path());
+    write_private(to_path(file), std::string_view(bytes.constData(), bytes.size()));
+  } catch (const InputError&) {
+    // A cache: where nothing can be written, there is no picture, and that is all.
+  }
 }
 
 QIcon recent_picture(const std::filesystem::path& scene) {

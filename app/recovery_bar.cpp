@@ -6,13 +6,13 @@
 #include <QPushButton>
 
 #include "app/document/paths.h"
+#include "app/plain_text.h"
 
 namespace brume {
 
-RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this)) {
+RecoveryBar::RecoveryBar(QWidget* parent) : QFrame(parent), label_(new PlainLabel(this)) {
   setObjectName("recovery_bar");
   setStyleSheet("#recovery_bar { background: #33455c; } #recovery_bar QLabel { color: #f4f4f4; }");
-  label_->setTextFormat(Qt::PlainText);
   label_->setWordWrap(true);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 4, 4, 4);
@@ -45,6 +45,7 @@ void RecoveryBar::show_next() {
   setVisible(!work_.empty());
   if (work_.empty()) return;
   const LeftBehind& work = work_.front();
+  Autosave::note_offered(work);
   const QString name =
       work.file.empty() ? tr("a new scene") : QString("“%1”").arg(to_qstring(work.file.filename()));
   label_->setText(tr("Unsaved work on %1 is left from %2.")

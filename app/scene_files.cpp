@@ -3,14 +3,16 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMessageBox>
 #include <QSettings>
 #include <exception>
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/file_dialogs.h"
+#include "app/question.h"
 #include "app/recent_pictures.h"
 #include "app/scene_load.h"
+#include "core/io/frame_pattern.h"
 
 namespace brume {
 namespace {
@@ -22,14 +24,14 @@ QString filter() {
   return SceneFiles::tr("Brume scenes (*.brume);;All files (*)");
 }
 
-QString folder_of(const std::filesystem::path& file) {
-  return file.empty() ? QString() : to_qstring(file.parent_path());
-}
-
 }  // namespace
 
 SceneFiles::SceneFiles(Document& document, QWidget* window)
-    : QObject(window), document_(document), window_(window), loading_(new SceneLoad(window)) {
+    : QObject(window),
+      document_(document),
+      window_(window),
+      loading_(new SceneLoad(window)),
+      version_reader_(this, FileVersion::read) {
   connect(loading_, &SceneLoad::loaded, this,
           [this](const std::shared_ptr<LoadedScene>& loaded) { take(*loaded); });
   connect(loading_, &SceneLoad::failed, this, &SceneFiles::failed);
@@ -43,9 +45,9 @@ bool SceneFiles::create() {
 }
 
 void SceneFiles::open() {
-  const QString name = QFileDialog::getOpenFileName(window_, tr("Open scene"),
-                                                    folder_of(document_.file()), filter());
-  if (!name.isEmpty()) open_file(to_path(name));
+  const std::filesystem::path file =
+      ask_for_file(window_, FileKind::scene, tr("Open scene"), filter(), document_.folder());
+  if (!file.empty()) open_file(file);
 }
 
 void SceneFiles::open_file(const std::filesystem::path& file) {
@@ -65,24 +67,109 @@ void SceneFiles::restore(const LeftBehind& work) {
 void SceneFiles::take(LoadedScene& loaded) {
   // What was done meanwhile has not been asked about.
   if (document_.undo_stack().index() != asked_at_ && !may_discard()) return;
-  if (restoring_) {
-    const LeftBehind work = *std::exchange(restoring_, std::nullopt);
-    document_.open_unsaved(std::move(loaded.scene), work.file);
-    Q_EMIT restored(work);
-    return;
+  version_reader_.cancel();
+  other_version_.reset();
+  missing_ = loaded.missing.missing;
+  const std::optional<LeftBehind> work = std::exchange(restoring_, std::nullopt);
+  if (work) {
+    document_.open_unsaved(std::move(loaded.scene), work->file, work->version);
+  } else if (!loaded.missing.found.empty()) {
+    document_.open_unsaved(std::move(loaded.scene), loaded.file, loaded.version);
+  } else {
+    document_.open(std::move(loaded.scene), loaded.file, loaded.version);
   }
-  document_.open(std::move(loaded.scene), loaded.file);
-  remember(loaded.file);
-  if (!loaded.warnings.isEmpty()) Q_EMIT warned(loaded.warnings);
-  Q_EMIT opened();
+  if (!work) remember(loaded.file);
+  if (!missing_.empty()) {
+    QStringList names;
+    for (const std::filesystem::path& file : missing_) names << to_qstring(file.filename());
+    Q_EMIT opened_without(names, loaded.warnings);
+  } else if (!loaded.warnings.isEmpty()) {
+    Q_EMIT warned(loaded.warnings);
+  }
+  if (work) {
+    Q_EMIT restored(*work);
+  } else {
+    Q_EMIT opened();
+  }
 }
 
 bool SceneFiles::save() {
-  return document_.file().empty() ? save_as() : save_to(document_.file());
+  if (document_.file().empty()) return save_as();
+  switch (may_replace()) {
+    case Replace::yes:
+      return save_to(document_.file());
+    case Replace::elsewhere:
+      return save_as();
+    case Replace::no:
+      break;
+  }
+  return false;
+}
+
+SceneFiles::Replace SceneFiles::may_replace() {
+  if (!document_.file_version()) return Replace::yes;
+  const std::optional<FileVersion> present = FileVersion::read(document_.file());
+  if (!present || present == document_.file_version()) return Replace::yes;
+  const auto answer = ask(
+      window_, tr("Changed on disk"),
+      tr("“%1” was changed by another program since it was read here. Overwriting it undoes that.")
+          .arg(document_.name()),
+      {{QMessageBox::Cancel},
+       {QMessageBox::Save, tr("Overwrite")},
+       {QMessageBox::SaveAll, tr("Save As…")}});
+  if (answer == QMessageBox::SaveAll) return Replace::elsewhere;
+  return answer == QMessageBox::Save ? Replace::yes : Replace::no;
+}
+
+void SceneFiles::look_at_file() {
+  if (!document_.file_version() || loading_->is_running()) return;
+  version_reader_.start(
+      document_.file(),
+      [this](const std::optional<FileVersion>& present) {
+        if (!present || present == document_.file_version() || present == other_version_) return;
+        other_version_ = present;
+        Q_EMIT changed_on_disk();
+      },
+      [](const QString&) {});
+}
+
+void SceneFiles::reload() {
+  if (!document_.file().empty()) open_file(document_.file());
+}
+
+void SceneFiles::keep_mine() {
+  if (other_version_) document_.set_file_version(*other_version_);
+}
+
+void SceneFiles::find_missing() {
+  if (missing_.empty()) return;
+  const QString name = to_qstring(missing_.front().filename());
+  const QString kind = to_qstring(missing_.front().extension());
+  const std::filesystem::path found =
+      ask_for_file(window_, FileKind::missing, tr("Find %1").arg(name),
+                   tr("Files of that kind (*%1);;All files (*)").arg(kind), document_.folder());
+  if (found.empty()) return;
+  FoundFiles files;
+  for (const std::filesystem::path& file : missing_) {
+    const bool is_sequence = FramePattern::is_pattern(file.filename().string());
+    const std::filesystem::path there = found.parent_path() / file.filename();
+    std::error_code error;
+    if (file == missing_.front() && !is_sequence) {
+      files[file] = found;
+    } else if (is_sequence || std::filesystem::exists(there, error)) {
+      files[file] = there;
+    }
+  }
+  if (!may_discard() || document_.file().empty()) return;
+  asked_at_ = document_.undo_stack().index();
+  restoring_.reset();
+  loading_->start(document_.file(), files);
 }
 
 bool SceneFiles::save_as() {
-  QFileDialog dialog(window_, tr("Save scene as"), folder_of(document_.file()), filter());
+  const QString folder = document_.file().empty() ? last_folder(FileKind::scene, document_.folder())
+                                                  : document_.folder();
+  QFileDialog dialog(window_, tr("Save scene as"), folder, filter());
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix("brume");
   dialog.selectFile(document_.file().empty() ? tr("untitled.brume") : document_.name());
@@ -91,6 +178,7 @@ bool SceneFiles::save_as() {
 }
 
 bool SceneFiles::save_to(const std::filesystem::path& file) {
+  version_reader_.cancel();
   try {
     document_.save(file);
   } catch (const std::exception& error) {
@@ -103,14 +191,15 @@ bool SceneFiles::save_to(const std::filesystem::path& file) {
 
 bool SceneFiles::may_discard() {
   if (!document_.is_modified()) return true;
-  const auto answer = QMessageBox::warning(
-      window_, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.name()),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  const auto answer =
+      ask(window_, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.name()),
+          {{QMessageBox::Save}, {QMessageBox::Discard}, {QMessageBox::Cancel}});
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }
 
 void SceneFiles::remember(const std::filesystem::path& file) {
+  remember_folder(FileKind::scene, file);
   QSettings settings;
   QStringList recent = settings.value(recent_key).toStringList();
   const QString name = to_qstring(file);

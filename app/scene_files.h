@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/document/autosave.h"
+#include "app/file_reader.h"
 
 class QMenu;
 class QWidget;
@@ -34,6 +35,17 @@ class SceneFiles : public QObject {
   bool save();
   bool save_to(const std::filesystem::path& file);
 
+  // Looks in the background whether another program has changed the scene's file since; says so
+  // with changed_on_disk(), once for each such change.
+  void look_at_file();
+  // Reads the file again, as open_file() does, or lets it be: what it holds may then be replaced.
+  void reload();
+  void keep_mine();
+
+  // Asks where a file is that the scene refers to and that was missing, and opens the scene again
+  // with it, and with others that are missing and lie in the same folder.
+  void find_missing();
+
   // Opens work that was left behind, unsaved, as a later state of its file.
   void restore(const LeftBehind& work);
 
@@ -50,15 +62,23 @@ class SceneFiles : public QObject {
   void restored(const brume::LeftBehind& work);
   void failed(const QString& message);
   void warned(const QString& message);
+  void changed_on_disk();
+  void opened_without(const QStringList& missing, const QString& warnings);
 
  private:
   void take(LoadedScene& loaded);
+  // Whether the scene's file may be replaced; if another program has changed it, asks.
+  enum class Replace { yes, elsewhere, no };
+  Replace may_replace();
   void remember(const std::filesystem::path& file);
 
   Document& document_;
   QWidget* window_;
   SceneLoad* loading_;
-  std::optional<LeftBehind> restoring_;  // what is being read is this
+  FileReader<std::optional<FileVersion>> version_reader_;
+  std::optional<FileVersion> other_version_;    // that changed_on_disk() told of
+  std::optional<LeftBehind> restoring_;         // what is being read is this
+  std::vector<std::filesystem::path> missing_;  // files that the scene was opened without
   int asked_at_ = 0;  // where in the history unsaved work was given up for what is being read
 };
 

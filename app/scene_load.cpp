@@ -4,7 +4,6 @@
 #include <exception>
 
 #include "app/document/paths.h"
-#include "core/io/scene_file.h"
 
 namespace brume {
 
@@ -18,11 +17,11 @@ SceneLoad::~SceneLoad() {
   thread_.join();
 }
 
-void SceneLoad::start(const std::filesystem::path& file) {
+void SceneLoad::start(const std::filesystem::path& file, const FoundFiles& found) {
   running_ = true;
   show_job(tr("Opening %1").arg(to_qstring(file.filename())));
   const std::scoped_lock lock(mutex_);
-  pending_ = Job{file, ++serial_};
+  pending_ = Job{file, found, ++serial_};
   wake_.notify_one();
 }
 
@@ -53,7 +52,10 @@ void SceneLoad::work(const std::stop_token& quit) {
     try {
       loaded->file = std::filesystem::absolute(job.file);
       std::vector<std::string> warnings;
-      loaded->scene = load_scene(loaded->file, &warnings);
+      // First: a change while the scene is being read is one that it may have missed.
+      loaded->version = FileVersion::read(loaded->file);
+      loaded->missing.found = job.found;
+      loaded->scene = load_scene(loaded->file, &warnings, loaded->missing);
       QStringList lines;
       for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
       loaded->warnings = lines.join('\n');

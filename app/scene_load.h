@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "app/job_bar.h"
+#include "core/io/file_version.h"
+#include "core/io/missing_files.h"
 #include "core/scene/scene.h"
 
 namespace brume {
@@ -17,6 +19,8 @@ namespace brume {
 struct LoadedScene {
   std::filesystem::path file;  // absolute
   Scene scene;
+  std::optional<FileVersion> version;  // of the file that was read
+  MissingFiles missing;
   QString warnings;  // one a line
 };
 
@@ -27,8 +31,9 @@ class SceneLoad : public JobBar {
   explicit SceneLoad(QWidget* parent = nullptr);
   ~SceneLoad() override;
 
-  // Instead of the file being read, if any: its scene will not come any more.
-  void start(const std::filesystem::path& file);
+  // Instead of the file being read, if any: its scene will not come any more. Files that the scene
+  // refers to are read where `found` says.
+  void start(const std::filesystem::path& file, const FoundFiles& found = {});
   void cancel();
   [[nodiscard]] bool is_running() const { return running_; }
 
@@ -40,6 +45,7 @@ class SceneLoad : public JobBar {
  private:
   struct Job {
     std::filesystem::path file;
+    FoundFiles found;
     std::uint64_t serial = 0;
   };
   void work(const std::stop_token& quit);

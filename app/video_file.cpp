@@ -6,6 +6,11 @@
 #include "core/error.h"
 
 namespace brume {
+namespace {
+
+constexpr int patience = 200;  // milliseconds until a stop token is looked at again
+
+}  // namespace
 
 QString find_ffmpeg() {
   return QStandardPaths::findExecutable("ffmpeg");
@@ -15,13 +20,15 @@ VideoFile::VideoFile(const std::filesystem::path& shown, const std::filesystem::
                      const Film& film, double frames_per_second)
     : shown_(shown) {
   const QString size = QString("%1x%2").arg(film.width).arg(film.height);
+  // Without the protocol, ffmpeg takes a name such as "http:/x" for one.
+  const QString target = "file:" + to_qstring(std::filesystem::absolute(file));
   process_.setStandardOutputFile(QProcess::nullDevice());
-  process_.start(find_ffmpeg(), {"-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo",
-                                 "-pixel_format", "rgb24", "-video_size", size, "-framerate",
-                                 QString::number(frames_per_second), "-i", "pipe:0",
-                                 // What players expect, with sides that are even.
-                                 "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
-                                 "-f", "mp4", to_qstring(file)});
+  process_.start(
+      find_ffmpeg(),
+      {"-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24",
+       "-video_size", size, "-framerate", QString::number(frames_per_second), "-i", "pipe:0",
+       // What players expect, with sides that are even.
+       "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-f", "mp4", target});
   if (!process_.waitForStarted()) fail();
 }
 
@@ -35,15 +42,17 @@ void VideoFile::add(std::span<const std::uint8_t> picture, const std::stop_token
   process_.write(reinterpret_cast<const char*>(picture.data()),
                  static_cast<qint64>(picture.size()));
   while (process_.bytesToWrite() > 0 && !stop.stop_requested()) {
-    constexpr int patience = 200;  // milliseconds until `stop` is looked at again
     process_.waitForBytesWritten(patience);
     if (process_.state() == QProcess::NotRunning) fail();
   }
 }
 
-void VideoFile::finish() {
+void VideoFile::finish(const std::stop_token& stop) {
   process_.closeWriteChannel();
-  process_.waitForFinished(-1);
+  while (process_.state() != QProcess::NotRunning) {
+    if (stop.stop_requested()) return;
+    process_.waitForFinished(patience);
+  }
   if (process_.exitStatus() != QProcess::NormalExit || process_.exitCode() != 0) fail();
 }
 

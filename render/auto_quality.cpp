@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/job.h"
+
 namespace brume {
 namespace {
 
@@ -43,7 +45,12 @@ std::vector<Settings> quality_ladder(const Settings& settings) {
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, double max_error,
-                                        std::stop_token stop) {
+                                        std::stop_token stop,
+                                        const std::function<void(double)>& progress) {
+  // The sample takes most of the time, then each trial about as much as all before it.
+  const Job job{stop, progress};
+  const Job measuring = job.part(0.0, 0.6);
+  double begin = 0.6;
   const Film small = small_film(film);
   const std::vector<Settings> ladder = quality_ladder(settings);
   FrameErrors errors(scene, camera, seed_of_choice);
@@ -51,8 +58,11 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
   for (const Settings& tried : ladder) {
     const std::optional<Frame> frame = renderer.render(scene, camera, small, tried, stop);
     if (!frame) return std::nullopt;
-    const std::optional<ErrorEstimate> error = errors.measure(*frame, std::nullopt, stop);
+    const std::optional<ErrorEstimate> error =
+        errors.measure(*frame, std::nullopt, stop, begin > 0.6 ? nullptr : measuring.progress);
     if (!error) return std::nullopt;
+    begin += 0.5 * (1.0 - begin);
+    if (progress) progress(begin);
     // In the middle between the estimate and what it may be at most: likely, not sure.
     if (error->rel_rmse * error->high <= max_error * max_error) return tried;
     found.push_back(error->rel_rmse);
@@ -65,8 +75,9 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
 }
 
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
-                                           const Frame& frame, std::stop_token stop) {
-  return FrameErrors(scene, camera, seed_of_judgement).measure(frame, std::nullopt, stop);
+                                           const Frame& frame, std::stop_token stop,
+                                           const std::function<void(double)>& progress) {
+  return FrameErrors(scene, camera, seed_of_judgement).measure(frame, std::nullopt, stop, progress);
 }
 
 std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
@@ -74,14 +85,21 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
                                          const Settings& settings, double max_error,
                                          std::stop_token stop,
                                          const std::function<void(double)>& progress) {
-  std::optional<Settings> tried =
-      choose_settings(renderer, scene, camera, film, settings, max_error, stop);
+  const Job job{stop, progress};
+  double begin = 0.4;
+  std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings,
+                                                  max_error, stop, job.part(0.0, begin).progress);
   FrameErrors errors(scene, camera, seed_of_judgement);
   std::optional<MeasuredFrame> result;
   while (tried) {
-    std::optional<Frame> frame = renderer.render(scene, camera, film, *tried, stop, progress);
+    // Seldom is more than one frame needed.
+    const double end = begin + 0.8 * (1.0 - begin);
+    const double middle = 0.5 * (begin + end);
+    std::optional<Frame> frame =
+        renderer.render(scene, camera, film, *tried, stop, job.part(begin, middle).progress);
     if (!frame) return std::nullopt;
-    const std::optional<ErrorEstimate> error = errors.measure(*frame, max_error, stop);
+    const std::optional<ErrorEstimate> error =
+        errors.measure(*frame, max_error, stop, job.part(middle, end).progress);
     if (!error) return std::nullopt;
     // Finer settings that are no surer of the bound are only slower.
     const bool may_keep = result && result->error.rel_rmse <= max_error;
@@ -90,6 +108,7 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
     }
     if (error->high <= max_error) break;
     tried = better_settings(*tried);
+    begin = end;
   }
   return result;
 }

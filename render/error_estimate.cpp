@@ -53,17 +53,20 @@ ErrorSample::ErrorSample(std::shared_ptr<ViewReference> reference, std::vector<d
 std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& camera,
                                              const Frame& guide, std::size_t count,
                                              std::uint64_t seed, double tolerance,
-                                             std::stop_token stop) {
+                                             std::stop_token stop,
+                                             const std::function<void(double)>& progress) {
   return take(std::make_shared<ViewReference>(scene, camera, guide.film, guide.time, tolerance),
-              scene, camera, guide, count, seed, std::move(stop));
+              scene, camera, guide, count, seed, std::move(stop), progress);
 }
 
 std::optional<ErrorSample> ErrorSample::take(std::shared_ptr<ViewReference> reference,
                                              const Scene& scene, const Camera& camera,
                                              const Frame& guide, std::size_t count,
-                                             std::uint64_t seed, std::stop_token stop) {
+                                             std::uint64_t seed, std::stop_token stop,
+                                             const std::function<void(double)>& progress) {
   ErrorSample sample(std::move(reference), sample_chances(scene, camera, guide, count), seed);
-  if (!sample.look_around_errors(guide, count / 4, stop) || !sample.draw(stop)) return std::nullopt;
+  if (!sample.look_around_errors(guide, count / 4, stop)) return std::nullopt;
+  if (!sample.draw(stop, progress)) return std::nullopt;
   return sample;
 }
 
@@ -107,22 +110,22 @@ bool ErrorSample::look_around_errors(const Frame& guide, std::size_t most,
   return true;
 }
 
-bool ErrorSample::grow(const std::stop_token& stop) {
+bool ErrorSample::grow(const std::stop_token& stop, const std::function<void(double)>& progress) {
   const std::vector<double> before = chances_;
   for (double& chance : chances_) chance = std::min(2.0 * chance, 1.0);
-  if (draw(stop)) return true;
+  if (draw(stop, progress)) return true;
   chances_ = before;
   return false;
 }
 
 // Each pixel by a random number of its own (Poisson sampling): more chance adds pixels and loses
 // none, and no order of pixels can go along with that of interpolated airlight.
-bool ErrorSample::draw(const std::stop_token& stop) {
+bool ErrorSample::draw(const std::stop_token& stop, const std::function<void(double)>& progress) {
   std::vector<std::size_t> pixels;
   for (std::size_t i = 0; i < chances_.size(); ++i) {
     if (random_number(seed_, i) < chances_[i]) pixels.push_back(i);
   }
-  if (!reference_->evaluate(pixels, stop)) return false;
+  if (!reference_->evaluate(pixels, stop, progress)) return false;
   pixels_ = std::move(pixels);
   return true;
 }

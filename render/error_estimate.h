@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -28,19 +29,22 @@ struct ErrorEstimate {
 class ErrorSample {
  public:
   // Evaluates the reference at about `count` pixels of the guide's film, in parallel: milliseconds
-  // a pixel. nullopt if `stop` was requested. The same for the same seed.
+  // a pixel. nullopt if `stop` was requested. The same for the same seed. `progress` as of
+  // FrameRenderer.
   static std::optional<ErrorSample> take(const Scene& scene, const Camera& camera,
                                          const Frame& guide, std::size_t count, std::uint64_t seed,
-                                         double tolerance, std::stop_token stop = {});
+                                         double tolerance, std::stop_token stop = {},
+                                         const std::function<void(double)>& progress = {});
   // The same, with what is known already of the guide's view.
   static std::optional<ErrorSample> take(std::shared_ptr<ViewReference> reference,
                                          const Scene& scene, const Camera& camera,
                                          const Frame& guide, std::size_t count, std::uint64_t seed,
-                                         std::stop_token stop = {});
+                                         std::stop_token stop = {},
+                                         const std::function<void(double)>& progress = {});
 
   // Makes every pixel twice as likely to be met; those that were stay. False if `stop` was
   // requested: nothing has changed then.
-  bool grow(const std::stop_token& stop);
+  bool grow(const std::stop_token& stop, const std::function<void(double)>& progress = {});
 
   // The error of a frame of the same view and film as the guide.
   [[nodiscard]] ErrorEstimate measure(const Frame& frame) const;
@@ -49,7 +53,7 @@ class ErrorSample {
   ErrorSample(std::shared_ptr<ViewReference> reference, std::vector<double> chances,
               std::uint64_t seed);
   bool look_around_errors(const Frame& guide, std::size_t most, const std::stop_token& stop);
-  bool draw(const std::stop_token& stop);
+  bool draw(const std::stop_token& stop, const std::function<void(double)>& progress);
 
   std::shared_ptr<ViewReference> reference_;
   std::vector<double> chances_;  // of each pixel of being met

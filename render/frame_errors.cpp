@@ -1,6 +1,9 @@
 #include "render/frame_errors.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "render/job.h"
 
 namespace brume {
 namespace {
@@ -24,15 +27,23 @@ bool is_undecided(const ErrorEstimate& error, double max_error) {
 
 std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
                                                   std::optional<double> max_error,
-                                                  const std::stop_token& stop) {
+                                                  const std::stop_token& stop,
+                                                  const std::function<void(double)>& progress) {
+  // Seldom is more than the first sample needed, and then it takes longer than what was before.
+  const Job job{stop, progress};
+  double begin = 0.0;
+  const auto next_part = [&] {
+    const double end = begin + 0.5 * (1.0 - begin);
+    return job.part(std::exchange(begin, end), end).progress;
+  };
   if (!sample_) {
     sample_ = ErrorSample::take(scene_, camera_, frame, sample_pixels(scene_), seed_,
-                                sample_tolerance, stop);
+                                sample_tolerance, stop, next_part());
     if (!sample_) return std::nullopt;
   }
   ErrorEstimate error = sample_->measure(frame);
   while (max_error && is_undecided(error, *max_error) && times_grown_ < most_doublings) {
-    if (!sample_->grow(stop)) return std::nullopt;
+    if (!sample_->grow(stop, next_part())) return std::nullopt;
     ++times_grown_;
     error = sample_->measure(frame);
   }

@@ -16,9 +16,11 @@ class FrameErrors {
   // The error of a frame; all have the same film and show the same time, and the first one guides
   // to the pixels. With `max_error` the sample grows, up to eight times as large, as long as the
   // interval does not tell whether the frame keeps it: pixels are cheaper than finer settings, and
-  // must not be what makes those look needed. nullopt if `stop` was requested.
+  // must not be what makes those look needed. nullopt if `stop` was requested. `progress` as of
+  // FrameRenderer.
   std::optional<ErrorEstimate> measure(const Frame& frame, std::optional<double> max_error,
-                                       const std::stop_token& stop = {});
+                                       const std::stop_token& stop = {},
+                                       const std::function<void(double)>& progress = {});
 
  private:
   const Scene& scene_;

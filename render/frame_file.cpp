@@ -12,7 +12,9 @@ namespace {
 constexpr const char* view_transform_name = "Khronos PBR Neutral, sRGB";  // of to_display()
 
 std::map<std::string, std::string> metadata_of(const FrameInfo& info) {
-  std::map<std::string, std::string> metadata{{"brume:scene", info.scene},
+  // Only its name: pictures are given away, and folders tell of whoever made them.
+  const std::string scene = std::filesystem::path(info.scene).filename().string();
+  std::map<std::string, std::string> metadata{{"brume:scene", scene},
                                               {"brume:version", BRUME_VERSION},
                                               {"brume:airlight", info.airlight},
                                               {"brume:backend", info.backend}};

@@ -41,13 +41,13 @@ class StageClock {
 struct FrameWork {
   const Scene& scene;
   const Camera& camera;
-  const Settings& settings;
   const TransferStore& transfers;
   TransferStore* own_transfers;  // to make what is missing in; null: nothing is made
   Job job;
   double albedo;  // of the channels that count
   FogEnd fog_end;
   RenderPlan plan;
+  Settings settings;  // those asked for, with light maps that fit into memory
   CameraRays rays;
   Frame frame;
 
@@ -56,13 +56,13 @@ struct FrameWork {
             const FogEnd& end)
       : scene(of),
         camera(from),
-        settings(by),
         transfers(with),
         own_transfers(own),
         job(std::move(part)),
         albedo(of_albedo),
         fog_end(end),
         plan(of, by.airlight),
+        settings(with_fitting_light_maps(by, plan.lights.size(), plan.surfaces)),
         rays(from, film) {
     frame.film = film;
     frame.time = by.time;

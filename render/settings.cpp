@@ -1,6 +1,7 @@
 #include "render/settings.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace brume {
 
@@ -29,10 +30,41 @@ std::string airlight_name(const Settings& settings) {
   return name;
 }
 
+namespace {
+
+constexpr LightTableSize min_light_table{64, 32};
+constexpr int min_shadow_cells = 256;
+
+// Of one light: LightTable's depths, ShadowMap's distances and ranges.
+std::size_t light_map_bytes(const Settings& settings, bool shadows) {
+  const auto directions = static_cast<std::size_t>(settings.light_table.directions);
+  const auto radii = static_cast<std::size_t>(settings.light_table.radii);
+  const auto cells = static_cast<std::size_t>(settings.shadow_cells);
+  return directions * directions * radii * sizeof(std::uint16_t) +
+         (shadows ? cells * cells * 3 * sizeof(float) : 0);
+}
+
+}  // namespace
+
+Settings with_fitting_light_maps(Settings settings, std::size_t lights, bool shadows) {
+  const Settings wanted = settings;
+  const auto shrink = [](int& value, int size, int min, int eighths) {
+    value = std::max(std::min(size, min), size * eighths / 8);
+  };
+  for (int eighths = 7; eighths > 0; --eighths) {
+    if (lights * light_map_bytes(settings, shadows) <= max_light_map_bytes) break;
+    LightTableSize& table = settings.light_table;
+    shrink(table.directions, wanted.light_table.directions, min_light_table.directions, eighths);
+    shrink(table.radii, wanted.light_table.radii, min_light_table.radii, eighths);
+    shrink(settings.shadow_cells, wanted.shadow_cells, min_shadow_cells, eighths);
+  }
+  return settings;
+}
+
 Settings sliced_settings(Settings settings, int slices) {
   settings.airlight = AirlightMethod::sliced;
   settings.slices = slices;
-  settings.light_table = slices < 12   ? LightTableSize{64, 32}
+  settings.light_table = slices < 12   ? min_light_table
                          : slices < 24 ? LightTableSize{96, 48}
                          : slices < 48 ? LightTableSize{128, 64}
                                        : LightTableSize{256, 128};
@@ -41,7 +73,7 @@ Settings sliced_settings(Settings settings, int slices) {
                                   : slices < 64 ? 0.005
                                                 : 0.002;
   settings.depth_error = slices < 24 ? 3e-3 : slices < 48 ? 1e-3 : 1e-4;
-  settings.shadow_cells = std::clamp(16 * slices, 256, 1024);
+  settings.shadow_cells = std::clamp(16 * slices, min_shadow_cells, 1024);
   settings.source_grid = slices < 8    ? SourceGridSize{20'000, 64}
                          : slices < 24 ? SourceGridSize{60'000, 64}
                          : slices < 48 ? SourceGridSize{80'000, 96}

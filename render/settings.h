@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace brume {
@@ -88,6 +89,11 @@ const char* to_string(AirlightMethod method);
 
 // The method as the command line takes it, with the number that belongs to it: "march:64".
 std::string airlight_name(const Settings& settings);
+
+// The same with the tables and shadow maps of lights as fine as fit into memory where there are so
+// many: all of them take at most max_light_map_bytes, or are as small as `sliced` ever has them.
+inline constexpr std::size_t max_light_map_bytes = std::size_t{1} << 30;
+Settings with_fitting_light_maps(Settings settings, std::size_t lights, bool shadows);
 
 // `sliced` with a number of slices, and tables and tolerances that go with it, so that no error
 // dominates.

@@ -4,7 +4,9 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QRegularExpression>
+#include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
@@ -75,6 +77,17 @@ void copy_selection(const Document& document) {
 void cut_selection(Document& document) {
   copy_selection(document);
   delete_selection(document, tr("Cut"));
+}
+
+double clipboard_radius() {
+  const auto gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
+  if (gaussians.empty()) return 0.0;
+  const glm::dvec3 middle = middle_of(gaussians);
+  double radius = 0.0;
+  for (const Gaussian& gaussian : gaussians) {
+    radius = std::max(radius, glm::distance(gaussian.center, middle) + gaussian.radius);
+  }
+  return radius;
 }
 
 void paste_gaussians(Document& document, std::optional<glm::dvec3> middle) {

@@ -19,6 +19,8 @@ std::vector<Gaussian> gaussians_from_text(const QString& text);
 
 void copy_selection(const Document& document);
 void cut_selection(Document& document);
+// Of a ball around what would be pasted [u]; 0 if that is nothing.
+double clipboard_radius();
 // `middle` is where the middle of the pasted ones goes; nullopt: to where they were.
 void paste_gaussians(Document& document, std::optional<glm::dvec3> middle);
 void duplicate_selection(Document& document, const glm::dvec3& shift);

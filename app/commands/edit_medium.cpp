@@ -49,7 +49,7 @@ void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {
 }
 
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
-                  double value) {
+                  double value, MergeId merge_id) {
   if (QString problem = field_problem(field, value); !problem.isEmpty()) return problem;
   const Medium& medium = document.medium();
   std::vector<Gaussian> after;
@@ -60,7 +60,8 @@ QString set_field(Document& document, std::span<const GaussianId> ids, GaussianF
   }
   push(document, MediumEdit::change(medium, ids, after),
        tr("Set %1 of %2 to %3")
-           .arg(field_name(field), gaussians_text(ids.size()), number_text(value)));
+           .arg(field_name(field), gaussians_text(ids.size()), number_text(value)),
+       merge_id);
   return {};
 }
 

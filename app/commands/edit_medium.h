@@ -22,7 +22,7 @@ void set_homogeneous_density(Document& document, double b0, MergeId merge_id);
 // Writes one number into Gaussians. A value outside the field's domain changes nothing; the answer
 // then says why (empty: done).
 QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
-                  double value);
+                  double value, MergeId merge_id = no_merge);
 
 // Gives Gaussians other values, after[k] to ids[k], as one move of a gesture called `text`; numbers
 // outside the domains of their fields are brought to their limits.

@@ -11,6 +11,7 @@
 
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/document/private_files.h"
 #include "core/io/scene_file.h"
 
 namespace brume {
@@ -20,22 +21,38 @@ std::filesystem::path beside(std::filesystem::path scene, const char* extension)
   return scene.replace_extension(extension);
 }
 
-std::filesystem::path prepared(const std::filesystem::path& folder) {
-  QDir().mkpath(to_qstring(folder));
-  return folder;
-}
+// What is said of a copy, in a file beside it.
+class About {
+ public:
+  explicit About(const std::filesystem::path& scene)
+      : file_(beside(scene, ".ini")), values_(to_qstring(file_), QSettings::IniFormat) {}
+  ~About() {
+    values_.sync();
+    make_private(file_);
+  }
+  About(const About&) = delete;
+  About& operator=(const About&) = delete;
+
+  QSettings& operator*() { return values_; }
+  QSettings* operator->() { return &values_; }
+
+ private:
+  std::filesystem::path file_;
+  QSettings values_;
+};
 
 }  // namespace
 
 Autosave::Autosave(Document& document, const std::filesystem::path& folder, QObject* parent)
     : QObject(parent),
       document_(document),
-      folder_(prepared(folder)),
+      folder_(make_private_folder(folder)),
       copy_(folder_ /
             (QUuid::createUuid().toString(QUuid::WithoutBraces) + ".brume").toStdString()),
       lock_(to_qstring(beside(copy_, ".lock"))) {
   lock_.setStaleLockTime(0);  // for as long as the process lives
   lock_.tryLock(0);
+  make_private(beside(copy_, ".lock"));
   timer_.setInterval(interval);
   connect(&timer_, &QTimer::timeout, this, &Autosave::save_soon);
   timer_.start();
@@ -52,13 +69,16 @@ void Autosave::save_soon() {
   const std::uint64_t revision = document_.revision();
   if (writing_ || !document_.is_modified() || revision == written_revision_) return;
   writing_ = true;
-  QSettings about(to_qstring(beside(copy_, ".ini")), QSettings::IniFormat);
-  about.setValue("file", to_qstring(document_.file()));
-  about.sync();
+  {
+    About about(copy_);
+    about->setValue("file", to_qstring(document_.file()));
+    const std::optional<FileVersion>& version = document_.file_version();
+    about->setValue("version", version ? QString::fromStdString(version->text()) : QString());
+  }
   QThreadPool::globalInstance()->start([this, revision, scene = document_.snapshot()] {
     QString problem;
     try {
-      save_scene(*scene, copy_);
+      write_private(copy_, scene_to_json(*scene, copy_.parent_path()));
     } catch (const std::exception& error) {
       problem = QString::fromUtf8(error.what());
     }
@@ -97,19 +117,52 @@ void Autosave::remove_copy() {
   std::filesystem::remove(beside(copy_, ".ini"), ignored);
 }
 
-std::vector<LeftBehind> Autosave::left_behind() const {
+std::vector<LeftBehind> Autosave::left_behind() {
   std::vector<LeftBehind> all;
+  std::vector<LeftBehind> old;
+  const QDateTime now = QDateTime::currentDateTimeUtc();
   for (const QFileInfo& info : QDir(to_qstring(folder_)).entryInfoList({"*.brume"}, QDir::Files)) {
     const std::filesystem::path scene = to_path(info.absoluteFilePath());
     QLockFile lock(to_qstring(beside(scene, ".lock")));
     lock.setStaleLockTime(0);
     if (scene.filename() == copy_.filename() || !lock.tryLock(0)) continue;  // its session lives
-    const QSettings about(to_qstring(beside(scene, ".ini")), QSettings::IniFormat);
-    all.push_back({scene, to_path(about.value("file").toString()), info.lastModified()});
+    make_private(scene);  // older versions were less careful
+    About about(scene);
+    const LeftBehind work{scene, to_path(about->value("file").toString()), info.lastModified(),
+                          FileVersion::parse(about->value("version").toString().toStdString())};
+    const bool is_old = about->value("offered", now).toDateTime().daysTo(now) > days_offered;
+    (is_old ? old : all).push_back(work);
   }
+  for (const LeftBehind& work : old) forget(work);
+  sweep();
   std::sort(all.begin(), all.end(),
             [](const LeftBehind& a, const LeftBehind& b) { return a.when > b.when; });
   return all;
+}
+
+// What belongs to no copy: of sessions that were killed before they made one, or while they did.
+void Autosave::sweep() {
+  std::error_code ignored;
+  for (const QFileInfo& info : QDir(to_qstring(folder_)).entryInfoList({"*.lock"}, QDir::Files)) {
+    const std::filesystem::path file = to_path(info.absoluteFilePath());
+    if (std::filesystem::exists(beside(file, ".brume"), ignored)) continue;
+    QLockFile lock(to_qstring(file));
+    lock.setStaleLockTime(0);
+    if (file.stem() == copy_.stem() || !lock.tryLock(0)) continue;  // its session lives
+    std::filesystem::remove(beside(file, ".ini"), ignored);
+  }  // the lock itself goes with its QLockFile
+  const QDateTime now = QDateTime::currentDateTimeUtc();
+  const auto hidden = QDir::Files | QDir::Hidden;
+  for (const QFileInfo& info : QDir(to_qstring(folder_)).entryInfoList({".brume-*.tmp"}, hidden)) {
+    if (info.lastModified().daysTo(now) <= days_offered) continue;
+    std::filesystem::remove(to_path(info.absoluteFilePath()), ignored);
+  }
+}
+
+void Autosave::note_offered(const LeftBehind& work) {
+  About about(work.scene);
+  if (about->contains("offered")) return;
+  about->setValue("offered", QDateTime::currentDateTimeUtc());
 }
 
 void Autosave::forget(const LeftBehind& work) {

@@ -5,7 +5,10 @@
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
+#include <optional>
 #include <vector>
+
+#include "core/io/file_version.h"
 
 namespace brume {
 
@@ -16,12 +19,13 @@ struct LeftBehind {
   std::filesystem::path scene;  // what can be restored
   std::filesystem::path file;   // of which this is a later state; empty for a new scene
   QDateTime when;
+  std::optional<FileVersion> version = {};  // of `file`, when this state of it was begun
 };
 
 // Keeps a copy of unsaved work in a folder, so that a crash costs half a minute at most. Each
 // session has a file of its own, with a lock that says that it lives, so several sessions never
 // meet. A session deletes its own copy when the work is saved or given up; what others left behind
-// goes only when the user says so.
+// goes when the user says so, or a month after it was first offered. Nobody else can read any.
 class Autosave : public QObject {
   Q_OBJECT
  public:
@@ -37,8 +41,12 @@ class Autosave : public QObject {
 
   [[nodiscard]] bool has_copy() const { return written_revision_ != 0; }
 
-  // The newest first.
-  [[nodiscard]] std::vector<LeftBehind> left_behind() const;
+  static constexpr int days_offered = 30;
+
+  // The newest first. Deletes those that were offered first more than `days_offered` ago, and what
+  // else dead sessions left in the folder.
+  std::vector<LeftBehind> left_behind();
+  static void note_offered(const LeftBehind& work);  // the user sees it
   static void forget(const LeftBehind& work);
 
  Q_SIGNALS:
@@ -46,6 +54,7 @@ class Autosave : public QObject {
 
  private:
   void written(std::uint64_t revision, const QString& problem);
+  void sweep();
   void remove_copy();
 
   Document& document_;

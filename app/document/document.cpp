@@ -1,8 +1,10 @@
 #include "app/document/document.h"
 
+#include <QDir>
 #include <algorithm>
 
 #include "app/document/paths.h"
+#include "core/io/atomic_file.h"
 #include "core/io/scene_file.h"
 #include "core/scene/animation.h"
 
@@ -54,6 +56,10 @@ QString Document::name() const {
   return file_.empty() ? tr("Untitled") : to_qstring(file_.filename());
 }
 
+QString Document::folder() const {
+  return file_.empty() ? QDir::homePath() : to_qstring(file_.parent_path());
+}
+
 void Document::create() {
   open(new_scene(), {});
 }
@@ -66,20 +72,24 @@ Scene Document::scene_to_save() const {
 
 void Document::save(const std::filesystem::path& file) {
   const std::filesystem::path absolute = std::filesystem::absolute(file);
-  save_scene(scene_to_save(), absolute);
+  const std::string text = scene_to_json(scene_to_save(), absolute.parent_path());
+  write_atomically(absolute, text);
   file_ = absolute;
+  file_version_ = FileVersion::of_content(text);
   saved_revision_ = revision_;
   undo_stack_.setClean();
   Q_EMIT file_changed();
   Q_EMIT modified_changed();
 }
 
-void Document::open_unsaved(Scene scene, const std::filesystem::path& file) {
-  open(std::move(scene), file);
+void Document::open_unsaved(Scene scene, const std::filesystem::path& file,
+                            const std::optional<FileVersion>& version) {
+  open(std::move(scene), file, version);
   set_revision(new_revision());
 }
 
-void Document::open(Scene scene, const std::filesystem::path& file) {
+void Document::open(Scene scene, const std::filesystem::path& file,
+                    const std::optional<FileVersion>& version) {
   undo_stack_.clear();
   scene_ = std::move(scene);
   time_ = 0.0;
@@ -91,6 +101,7 @@ void Document::open(Scene scene, const std::filesystem::path& file) {
   active_emitter_ = 0;
   scene_changed();
   file_ = file;
+  file_version_ = version;
   revision_ = saved_revision_ = new_revision();
   Q_EMIT scene_replaced();
   Q_EMIT selection_changed();

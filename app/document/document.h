@@ -4,9 +4,11 @@
 #include <QUndoStack>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/document/scene_part.h"
+#include "core/io/file_version.h"
 #include "core/medium/medium_edit.h"
 #include "core/scene/scene.h"
 
@@ -33,12 +35,20 @@ class Document : public QObject {
   // The file this scene was loaded from or saved to; empty for a new scene.
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] QString name() const;
+  [[nodiscard]] QString folder() const;  // of the file, or the user's own
+
+  // What that file held when it was loaded or saved; nothing if that is not known.
+  [[nodiscard]] const std::optional<FileVersion>& file_version() const { return file_version_; }
+  // What the file holds by now is known, and may be replaced.
+  void set_file_version(const FileVersion& version) { file_version_ = version; }
 
   // Both forget history and selection. `file` is where the scene was loaded from.
   void create();
-  void open(Scene scene, const std::filesystem::path& file);
+  void open(Scene scene, const std::filesystem::path& file,
+            const std::optional<FileVersion>& version = {});
   // The same with work that the file does not have yet.
-  void open_unsaved(Scene scene, const std::filesystem::path& file);
+  void open_unsaved(Scene scene, const std::filesystem::path& file,
+                    const std::optional<FileVersion>& version = {});
   // What a file gets: whatever moment is looked at, values with keys are those of the beginning.
   [[nodiscard]] Scene scene_to_save() const;
   // Keeps the history and marks its present state as saved, or throws InputError.
@@ -99,6 +109,7 @@ class Document : public QObject {
   mutable std::shared_ptr<const Scene> visible_;
   QUndoStack undo_stack_;
   std::filesystem::path file_;
+  std::optional<FileVersion> file_version_;
   std::vector<GaussianId> selection_;
   std::vector<GaussianId> hidden_;
   std::vector<GaussianId> locked_;

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "app/document/arithmetic.h"
-#include "core/io/number_domain.h"
 
 namespace brume {
 namespace {
@@ -16,7 +15,8 @@ QString tr(const char* text) {
   return QCoreApplication::translate("GaussianField", text);
 }
 
-// What files may hold, so that everything that was edited can be loaded again.
+}  // namespace
+
 const NumberDomain& field_domain(GaussianField field) {
   switch (field) {
     case GaussianField::radius:
@@ -27,8 +27,6 @@ const NumberDomain& field_domain(GaussianField field) {
       return domain::coordinate;
   }
 }
-
-}  // namespace
 
 QString field_title(GaussianField field) {
   switch (field) {

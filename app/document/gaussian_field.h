@@ -3,6 +3,7 @@
 #include <QString>
 #include <array>
 
+#include "core/io/number_domain.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {
@@ -16,6 +17,9 @@ inline constexpr std::array gaussian_fields{GaussianField::center_x, GaussianFie
 
 QString field_title(GaussianField field);  // "Center X"
 QString field_name(GaussianField field);   // "center x", for use inside a sentence
+
+// What files may hold, so that everything that was edited can be loaded again.
+const NumberDomain& field_domain(GaussianField field);
 
 double field_value(const Gaussian& gaussian, GaussianField field);
 void set_field_value(Gaussian& gaussian, GaussianField field, double value);

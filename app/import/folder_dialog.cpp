@@ -7,6 +7,7 @@
 #include <QPushButton>
 
 #include "app/document/paths.h"
+#include "app/plain_text.h"
 
 namespace brume {
 
@@ -16,7 +17,7 @@ QLineEdit* add_folder_row(QFormLayout* form, const std::filesystem::path& file,
   folder->setObjectName("sequence_folder");
   folder->setMinimumWidth(320);
   form->addRow(FolderDialog::tr("Gaussians are written to"), folder);
-  form->addRow(new QLabel(FolderDialog::tr("Frames %1 to %2").arg(run.first).arg(run.last)));
+  form->addRow(new PlainLabel(FolderDialog::tr("Frames %1 to %2").arg(run.first).arg(run.last)));
   return folder;
 }
 

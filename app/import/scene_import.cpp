@@ -1,6 +1,5 @@
 #include "app/import/scene_import.h"
 
-#include <QFileDialog>
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -10,6 +9,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/file_dialogs.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
@@ -51,6 +51,18 @@ std::vector<Gaussian> read_any_gaussians(const fs::path& file) {
   return is_one_of(file, vtk_files) ? read_vtk_points(file) : read_gaussians(file);
 }
 
+// The run of frames that all these files are of, at least two; nothing where there is none.
+std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
+  std::optional<FramePattern> pattern;
+  for (const fs::path& file : files) {
+    if (!is_volume(file) && !is_one_of(file, tables) && !is_one_of(file, vtk_files)) return {};
+    const auto around = FramePattern::around(file.string());
+    if (!around || (pattern && pattern->text() != around->text())) return {};
+    pattern = around;
+  }
+  return frames_around(files.front());
+}
+
 Surface read_surface(const fs::path& file) {
   Surface surface;
   surface.mesh_file = file;
@@ -87,19 +99,20 @@ bool SceneImport::can_import(const fs::path& file) {
 }
 
 void SceneImport::ask() {
-  const QString name = QFileDialog::getOpenFileName(
-      window_, tr("Import"), {},
+  const fs::path file = ask_for_file(
+      window_, FileKind::import, tr("Import"),
       tr("All that can be imported (*.vdb *.csv *.ply *.vtp *.vtu *.obj *.stl *.off *.exr *.hdr);;"
          "Volumes (*.vdb);;Gaussians (*.csv *.ply *.vtp *.vtu);;Meshes (*.obj *.ply *.stl *.off);;"
-         "Environments (*.exr *.hdr);;All files (*)"));
-  if (!name.isEmpty()) import_file(to_path(name));
+         "Environments (*.exr *.hdr);;All files (*)"),
+      document_.folder());
+  if (!file.empty()) import_file(file);
 }
 
 void SceneImport::ask_sequence() {
-  const QString name =
-      QFileDialog::getOpenFileName(window_, tr("Import a sequence: any of its frames"), {},
-                                   tr("Frames (*.vdb *.csv *.ply *.vtp *.vtu);;All files (*)"));
-  if (!name.isEmpty()) import_sequence(to_path(name));
+  const fs::path file =
+      ask_for_file(window_, FileKind::import, tr("Import a sequence: any of its frames"),
+                   tr("Frames (*.vdb *.csv *.ply *.vtp *.vtu);;All files (*)"), document_.folder());
+  if (!file.empty()) import_sequence(file);
 }
 
 void SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
@@ -117,29 +130,100 @@ void SceneImport::import_file(const fs::path& given) {
     dialog->show();
     return;
   }
-  start(file, [this, file](const Job&) -> BackgroundJob::Take {
-    if (is_one_of(file, environments)) {
-      const auto map = read_radiance_map(file);
-      return [this, file, map] {
-        Environment environment = document_.scene().environment.value_or(Environment{});
-        environment.file = file;
-        environment.map = map;
-        set_scene_part(document_, std::optional(std::move(environment)),
-                       tr("Import environment %1").arg(to_qstring(file.filename())));
-      };
-    }
-    if (is_mesh(file)) {
-      return [this, surface = read_surface(file)] {
-        Surfaces surfaces = document_.scene().surfaces;
-        surfaces.push_back(surface);
-        set_scene_part(document_, std::move(surfaces),
-                       tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
-      };
-    }
-    return [this, gaussians = read_any_gaussians(file)] {
-      add_gaussians(document_, gaussians, tr("Import"));
+  start(file, [this, file](const Job&) { return read(file); });
+}
+
+BackgroundJob::Take SceneImport::read(const fs::path& file) {
+  if (is_one_of(file, environments)) {
+    return [this, file, map = read_radiance_map(file)] {
+      Environment environment = document_.scene().environment.value_or(Environment{});
+      environment.file = file;
+      environment.map = map;
+      set_scene_part(document_, std::optional(std::move(environment)),
+                     tr("Import environment %1").arg(to_qstring(file.filename())));
     };
-  });
+  }
+  if (is_mesh(file)) {
+    return [this, surface = read_surface(file)] {
+      Surfaces surfaces = document_.scene().surfaces;
+      surfaces.push_back(surface);
+      set_scene_part(document_, std::move(surfaces),
+                     tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
+    };
+  }
+  return [this, gaussians = read_any_gaussians(file)] {
+    add_gaussians(document_, gaussians, tr("Import"));
+  };
+}
+
+BackgroundJob::Take SceneImport::read(const FrameRun& run) {
+  MediumSequence sequence;
+  sequence.file = run.files.text();
+  sequence.first = run.first;
+  sequence.last = run.last;
+  sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(
+      read_sequence(run.files, run.first, run.last));
+  return [this, sequence] { add_sequence(sequence); };
+}
+
+void SceneImport::import_files(const std::vector<fs::path>& files) {
+  std::vector<fs::path> possible;
+  QStringList others;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    if (can_import(file) && !fs::is_directory(file, error)) {
+      possible.push_back(fs::absolute(file));
+    } else {
+      others << to_qstring(file.has_filename() ? file.filename() : file.parent_path().filename());
+    }
+  }
+  if (!others.empty()) {
+    Q_EMIT failed(tr("%1: cannot be imported; allowed: volumes (.vdb), Gaussians (.csv, .ply, "
+                     ".vtp, .vtu), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr), and "
+                     "one scene (.brume) by itself")
+                      .arg(others.join(", ")));
+  }
+  if (possible.size() == 1) import_file(possible.front());
+  if (possible.size() < 2) return;
+  try {
+    const std::optional<FrameRun> run = run_of(possible);
+    if (run && lower_case_extension(possible.front()) != ".ply") {
+      import_sequence(possible.front());
+    } else {
+      import_each(possible, run);
+    }
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+}
+
+// `run`: what the files are, unless they turn out to be meshes.
+void SceneImport::import_each(const std::vector<fs::path>& files,
+                              const std::optional<FrameRun>& run) {
+  std::vector<fs::path> read_at_once;
+  for (const fs::path& file : files) {
+    if (is_volume(file)) {
+      import_file(file);
+    } else {
+      read_at_once.push_back(file);
+    }
+  }
+  if (read_at_once.empty()) return;
+  start(read_at_once.front(),
+        [this, files = read_at_once, run](const Job& job) -> BackgroundJob::Take {
+          if (run && !is_mesh(files.front())) return read(*run);
+          std::vector<BackgroundJob::Take> takes;
+          for (const fs::path& file : files) {
+            if (job.stop.stop_requested()) return {};
+            takes.push_back(read(file));
+            job.progress(static_cast<double>(takes.size()) / static_cast<double>(files.size()));
+          }
+          return [this, takes] {
+            document_.undo_stack().beginMacro(tr("Import %1 files").arg(takes.size()));
+            for (const BackgroundJob::Take& take : takes) take();
+            document_.undo_stack().endMacro();
+          };
+        });
 }
 
 void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
@@ -181,15 +265,7 @@ void SceneImport::import_sequence(const fs::path& given) {
       dialog->show();
       return;
     }
-    start(file, [this, run](const Job&) -> BackgroundJob::Take {
-      MediumSequence sequence;
-      sequence.file = run.files.text();
-      sequence.first = run.first;
-      sequence.last = run.last;
-      sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(
-          read_sequence(run.files, run.first, run.last));
-      return [this, sequence] { add_sequence(sequence); };
-    });
+    start(file, [this, run](const Job&) { return read(run); });
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));
   }

@@ -37,6 +37,9 @@ class SceneImport : public QObject {
   void ask_sequence();
 
   void import_file(const std::filesystem::path& file);  // asks about a volume too
+  // What was dropped at once: frames of one sequence as that, other files one by one as one undo
+  // step. Says so where some cannot be imported.
+  void import_files(const std::vector<std::filesystem::path>& files);
   // The run of frames that a file is one of, from the frame that is shown on.
   void import_sequence(const std::filesystem::path& file);
   void import_volume(const std::filesystem::path& file, const VolumeFit& how);
@@ -53,6 +56,11 @@ class SceneImport : public QObject {
 
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
+  // In the background: what a file that is no volume, or a run of frames, adds to the scene.
+  BackgroundJob::Take read(const std::filesystem::path& file);
+  BackgroundJob::Take read(const FrameRun& run);
+  void import_each(const std::vector<std::filesystem::path>& files,
+                   const std::optional<FrameRun>& run);
   void add_sequence(MediumSequence sequence);
   // In the background: writes the frames that `make` gives, of the numbers of `run`, into a folder.
   // None are written where it gives fewer.

@@ -13,6 +13,7 @@
 
 #include "app/document/paths.h"
 #include "app/import/folder_dialog.h"
+#include "app/plain_text.h"
 #include "core/io/volume_file.h"
 
 namespace brume {
@@ -62,7 +63,7 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   import->setObjectName("import_volume");
   import->setEnabled(grid_->count() > 0);
   if (grid_->count() == 0) {
-    auto* why = new QLabel(problem.isEmpty() ? tr("The file has no grids.") : problem, this);
+    auto* why = new PlainLabel(problem.isEmpty() ? tr("The file has no grids.") : problem, this);
     why->setWordWrap(true);
     form->addRow(why);
   }

@@ -19,6 +19,12 @@ double shown_error(double error) {
   return std::max(error, least_error);
 }
 
+// A power of ten in per cent; far beyond any use, only how far.
+QString axis_text(double error) {
+  return error > 99.0 ? QString("1e%1 %").arg(std::lround(std::log10(error)) + 2)
+                      : bound_text(error);
+}
+
 double power_of_ten_below(double value) {
   return std::pow(10.0, std::floor(std::log10(value) + 1e-9));
 }
@@ -35,14 +41,19 @@ FrontierPlot::FrontierPlot(QWidget* parent) : QWidget(parent) {
 }
 
 void FrontierPlot::show_quality(const FrameQuality& quality) {
-  points_.clear();
-  max_error_ = quality.max_error();
+  std::vector<Point> points;
   const QualityControl& control = quality.control();
   for (const FrameQuality::Tried& tried : quality.tried()) {
-    points_.push_back({tried.settings, tried.error, std::max(tried.milliseconds, 0.1),
-                       quality.is_measured() && tried.settings == quality.settings_at_any_time(),
-                       tried.settings == control.settings()});
+    points.push_back({tried.settings, tried.error, std::max(tried.milliseconds, 0.1),
+                      quality.is_measured() && tried.settings == quality.settings_at_any_time(),
+                      tried.settings == control.settings()});
   }
+  show_points(std::move(points), quality.max_error());
+}
+
+void FrontierPlot::show_points(std::vector<Point> points, double max_error) {
+  points_ = std::move(points);
+  max_error_ = max_error;
   double errors[] = {max_error_, max_error_};
   double times[] = {10.0, 10.0};
   for (const Point& point : points_) {
@@ -62,8 +73,34 @@ void FrontierPlot::show_quality(const FrameQuality& quality) {
 QRectF FrontierPlot::area() const {
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
-  return QRectF(rect()).adjusted(metrics.horizontalAdvance("0.01 %") + 4, 0.5 * line, -6,
-                                 -1.5 * line);
+  const QRectF inside = QRectF(rect()).adjusted(0, 0.5 * line, -6, -1.5 * line);
+  double widest = metrics.horizontalAdvance("0.01 %");
+  for (const double error : labelled_errors(inside.height())) {
+    widest = std::max(widest, metrics.horizontalAdvance(axis_text(error)));
+  }
+  return inside.adjusted(widest + 4, 0, 0, 0);
+}
+
+std::vector<double> FrontierPlot::labelled_errors(double height) const {
+  const double line = QFontMetricsF(font()).height();
+  const double powers = std::log10(errors_.high / errors_.low);
+  const double step = std::max(1.0, std::ceil(powers * line / std::max(height, 1.0)));
+  std::vector<double> labelled;
+  for (double power = 0.0; power < powers + 0.5; power += step) {
+    labelled.push_back(errors_.low * std::pow(10.0, power));
+  }
+  return labelled;
+}
+
+std::vector<FrontierPlot::Label> FrontierPlot::error_labels() const {
+  const QRectF area = this->area();
+  const double line = QFontMetricsF(font()).height();
+  std::vector<Label> labels;
+  for (const double error : labelled_errors(area.height())) {
+    labels.push_back(
+        {QRectF(0, height_of(error) - 0.5 * line, area.left() - 4, line), axis_text(error)});
+  }
+  return labels;
 }
 
 double FrontierPlot::height_of(double error) const {
@@ -109,9 +146,10 @@ void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
     const double y = height_of(value);
     painter.setPen(faint);
     painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-    painter.setPen(text);
-    painter.drawText(QRectF(0, y - 20, area.left() - 4, 40), Qt::AlignRight | Qt::AlignVCenter,
-                     bound_text(value));
+  }
+  painter.setPen(text);
+  for (const Label& label : error_labels()) {
+    painter.drawText(label.place, Qt::AlignRight | Qt::AlignVCenter, label.text);
   }
   for (double value = milliseconds_.low; value < 1.01 * milliseconds_.high; value *= 10.0) {
     const double x = area.left() + area.width() * milliseconds_.position(value);

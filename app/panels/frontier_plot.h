@@ -30,6 +30,13 @@ class FrontierPlot : public QWidget {
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
   // Where a point lies in the widget.
   [[nodiscard]] QPointF position(const Point& point) const;
+  // Where the numbers of the axis of errors are written, and what.
+  struct Label {
+    QRectF place;
+    QString text;
+  };
+  [[nodiscard]] std::vector<Label> error_labels() const;
+  void show_points(std::vector<Point> points, double max_error);
 
   [[nodiscard]] QSize minimumSizeHint() const override { return {110, 90}; }
   [[nodiscard]] QSize sizeHint() const override { return {160, 110}; }
@@ -46,6 +53,8 @@ class FrontierPlot : public QWidget {
     [[nodiscard]] double position(double value) const;  // in [0, 1]
   };
   [[nodiscard]] QRectF area() const;
+  // Those powers of ten on the axis of errors that there is room for.
+  [[nodiscard]] std::vector<double> labelled_errors(double height) const;
   [[nodiscard]] double height_of(double error) const;
 
   std::vector<Point> points_;

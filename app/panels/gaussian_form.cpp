@@ -2,15 +2,19 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <optional>
 #include <vector>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
 #include "app/panels/number_field.h"
+#include "app/panels/value_field.h"
 
 namespace brume {
 namespace {
+
+constexpr double step = 0.01;  // u, or part of the value, for each pixel of a drag
 
 using Values = std::array<double, gaussian_fields.size()>;
 
@@ -45,21 +49,27 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const GaussianField field = gaussian_fields[k];
-    fields_[k] = new NumberField(this);
-    fields_[k]->setObjectName(field_name(field).replace(' ', '_'));
-    connect(fields_[k], &NumberField::committed, this, [this, field](double value) {
+    const bool is_center = k < 3;
+    fields_[k] = new ValueField(
+        is_center ? QString(QChar("xyz"[k])) : field_title(field), field_domain(field),
+        is_center ? ValueField::Scale::linear : ValueField::Scale::logarithmic, step, this);
+    fields_[k]->number().setObjectName(field_name(field).replace(' ', '_'));
+    connect(fields_[k], &ValueField::edited, this, [this, field](double value, MergeId gesture) {
       const std::vector<GaussianId> ids = document_.selection();
-      const QString problem = set_field(document_, ids, field, value);
-      if (!problem.isEmpty()) Q_EMIT refused(problem);
+      set_field(document_, ids, field, value, gesture);
     });
+    connect(fields_[k], &ValueField::refused, this, &GaussianForm::refused);
   }
   auto* center = new QHBoxLayout;
   for (std::size_t k = 0; k < 3; ++k) center->addWidget(fields_[k]);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(8, 8, 8, 4);
   layout->addRow(tr("Center"), center);
-  layout->addRow(field_title(GaussianField::radius), fields_[3]);
-  layout->addRow(field_title(GaussianField::density), fields_[4]);
+  for (const std::size_t k : {3U, 4U}) {
+    QLabel* title = fields_[k]->take_title();
+    title->setObjectName(fields_[k]->number().objectName() + "_title");
+    layout->addRow(title, fields_[k]);
+  }
 
   connect(&document_, &Document::scene_replaced, this, &GaussianForm::refresh);
   connect(&document_, &Document::medium_changed, this, &GaussianForm::refresh);

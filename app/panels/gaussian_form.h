@@ -8,10 +8,10 @@
 namespace brume {
 
 class Document;
-class NumberField;
+class ValueField;
 
 // The selection's numbers, one field each: the common value, or "mixed" where they differ. What is
-// entered is written to all of them.
+// entered, or comes of a drag on the title, is written to all of them.
 class GaussianForm : public QWidget {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class GaussianForm : public QWidget {
   void refresh();
 
   Document& document_;
-  std::array<NumberField*, gaussian_fields.size()> fields_{};
+  std::array<ValueField*, gaussian_fields.size()> fields_{};
 };
 
 }  // namespace brume

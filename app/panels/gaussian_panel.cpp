@@ -15,6 +15,7 @@
 #include "app/panels/gaussian_histogram.h"
 #include "app/panels/gaussian_sort_model.h"
 #include "app/panels/gaussian_table_model.h"
+#include "app/plain_text.h"
 
 namespace brume {
 namespace {
@@ -128,7 +129,7 @@ void GaussianPanel::add_filter(QLayout& layout) {
     if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
     filter->setPalette(colors);
     filter->setToolTip(parsed ? tr("Which Gaussians the table shows: x, y, z, radius, density")
-                              : problem);
+                              : plain_tool_tip(problem));
     if (!parsed) return;
     const bool was_syncing = std::exchange(syncing_, true);
     model_->set_filter(*parsed);

@@ -16,7 +16,6 @@ namespace brume {
 namespace {
 
 constexpr int row_height = 18;
-constexpr int title_width = 150;
 constexpr int margin = 10;
 constexpr double mark_radius = 5.0;
 
@@ -60,16 +59,22 @@ QSize KeyStrip::sizeHint() const {
   return {400, std::max(1, static_cast<int>(rows_.size())) * row_height + 4};
 }
 
+void KeyStrip::set_ends(double first_x, double last_x) {
+  if (first_x == first_x_ && last_x == last_x_) return;
+  first_x_ = first_x;
+  last_x_ = last_x;
+  update();
+}
+
 double KeyStrip::x_of(double frame) const {
   const double length = std::max(1, timeline_.last() - timeline_.first());
-  const double room = std::max(1, width() - title_width - 2 * margin);
-  return title_width + margin + room * (frame - timeline_.first()) / length;
+  return first_x_ + (last_x_ - first_x_) * (frame - timeline_.first()) / length;
 }
 
 int KeyStrip::frame_at(double x) const {
   const double length = std::max(1, timeline_.last() - timeline_.first());
-  const double room = std::max(1, width() - title_width - 2 * margin);
-  const double frame = timeline_.first() + std::round((x - title_width - margin) / room * length);
+  const double room = std::max(1.0, last_x_ - first_x_);
+  const double frame = timeline_.first() + std::round((x - first_x_) / room * length);
   return static_cast<int>(std::clamp<double>(frame, timeline_.first(), timeline_.last()));
 }
 
@@ -107,13 +112,14 @@ void KeyStrip::paintEvent(QPaintEvent*) {
       painter.fillRect(0, top, width(), row_height, palette().color(QPalette::AlternateBase));
     }
     painter.setPen(text);
-    painter.drawText(QRect(margin, top, title_width - margin, row_height), Qt::AlignVCenter,
-                     rows_[k].title);
+    const QRect title(margin, top, static_cast<int>(first_x_) - 2 * margin, row_height);
+    painter.drawText(title, Qt::AlignVCenter,
+                     fontMetrics().elidedText(rows_[k].title, Qt::ElideRight, title.width()));
   }
   painter.setPen(QPen(accent_color(), 1.5));
   const double now = x_of(timeline_.frame());
   painter.drawLine(QPointF(now, 0), QPointF(now, height()));
-  painter.setClipRect(title_width, 0, width() - title_width, height());
+  painter.setClipRect(QRectF(first_x_ - margin, 0, width(), height()));
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     for (const KeyMark& mark : marks_[k]) {
       const double x = x_of(frame_of(mark.time));
@@ -138,7 +144,7 @@ void KeyStrip::mousePressEvent(QMouseEvent* event) {
     if (chosen_) {
       drag_ = Drag{scene_part(document_.scene(), rows_[chosen_->row].part), chosen_->time,
                    chosen_->time, new_merge_id()};
-    } else if (event->position().x() > title_width) {
+    } else if (event->position().x() > first_x_ - margin) {
       scrubs_ = true;
       timeline_.set_frame(frame_at(event->position().x()));
     }
@@ -166,7 +172,7 @@ void KeyStrip::mouseReleaseEvent(QMouseEvent*) {
 
 void KeyStrip::mouseDoubleClickEvent(QMouseEvent* event) {
   const double row = std::floor((event->position().y() - 2) / row_height);
-  if (event->button() != Qt::LeftButton || event->position().x() <= title_width) return;
+  if (event->button() != Qt::LeftButton || event->position().x() <= first_x_ - margin) return;
   if (row < 0 || row >= static_cast<double>(rows_.size())) return;
   const std::optional<Mark> mark = mark_at(event->position());
   const double time = mark ? mark->time : time_of(frame_at(event->position().x()));

@@ -21,6 +21,10 @@ class KeyStrip : public QWidget {
  public:
   KeyStrip(Timeline& timeline, Document& document, QWidget* parent);
 
+  // Where the first and the last frame of the range are [pixels from the left]: where the slider
+  // has them. Titles stand left of them.
+  void set_ends(double first_x, double last_x);
+
   // Where the key of a row would stand at a frame.
   [[nodiscard]] QPoint position(std::size_t row, int frame) const;
   [[nodiscard]] const std::vector<KeyRow>& rows() const { return rows_; }
@@ -49,6 +53,8 @@ class KeyStrip : public QWidget {
   [[nodiscard]] bool is_chosen(std::size_t row, double time) const;
   void delete_chosen();
 
+  double first_x_ = 0.0;
+  double last_x_ = 1.0;
   Timeline& timeline_;
   Document& document_;
   std::vector<KeyRow> rows_;

@@ -1,6 +1,5 @@
 #include "app/panels/light_panel.h"
 
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -12,8 +11,10 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_field.h"
 #include "app/document/paths.h"
+#include "app/file_dialogs.h"
 #include "app/panels/color_button.h"
 #include "app/panels/environment_picture.h"
+#include "app/plain_text.h"
 #include "app/viewport/view_grid.h"
 #include "core/io/radiance_map_file.h"
 
@@ -136,7 +137,7 @@ void LightPanel::add_light_fields(QFormLayout& form) {
 }
 
 void LightPanel::add_environment_fields(QFormLayout& form) {
-  auto* name = new QLabel(this);
+  auto* name = new PlainLabel(this);
   name->setObjectName("environment_file");
   auto* choose = new QPushButton(tr("Choose…"), this);
   auto* remove = new QPushButton(tr("Remove"), this);
@@ -146,7 +147,7 @@ void LightPanel::add_environment_fields(QFormLayout& form) {
   row->addWidget(choose);
   row->addWidget(remove);
   form.addRow(tr("Environment"), row);
-  picture_ = new QLabel(this);
+  picture_ = new PlainLabel(this);
   picture_->setObjectName("environment_picture");
   picture_->setToolTip(tr("All around the scene: −z in the middle, +x right of it"));
   form.addRow({}, picture_);
@@ -188,9 +189,10 @@ void LightPanel::add_environment_fields(QFormLayout& form) {
 }
 
 void LightPanel::choose_environment() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Choose an environment"), {}, tr("Radiance maps (*.exr *.hdr);;All files (*)"));
-  if (!file.isEmpty()) load_environment(file);
+  const std::filesystem::path file =
+      ask_for_file(this, FileKind::environment, tr("Choose an environment"),
+                   tr("Radiance maps (*.exr *.hdr);;All files (*)"), document_.folder());
+  if (!file.empty()) load_environment(to_qstring(file));
 }
 
 void LightPanel::load_environment(const QString& file) {

@@ -1,13 +1,13 @@
 #include "app/panels/material_panel.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <algorithm>
 
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/file_dialogs.h"
 #include "core/io/merl_file.h"
 
 namespace brume {
@@ -125,10 +125,11 @@ void MaterialPanel::choose_type(int index) {
     set_type(surfaces_->currentIndex(), type, {}, nullptr);
     return;
   }
-  const QString file = QFileDialog::getOpenFileName(this, tr("Choose a measured material"), {},
-                                                    tr("MERL materials (*.binary);;All files (*)"));
+  const std::filesystem::path file =
+      ask_for_file(this, FileKind::material, tr("Choose a measured material"),
+                   tr("MERL materials (*.binary);;All files (*)"), document_.folder());
   refresh();  // until it is read, the type is what it was
-  if (!file.isEmpty()) load_measured(to_path(file));
+  if (!file.empty()) load_measured(file);
 }
 
 void MaterialPanel::load_measured(const std::filesystem::path& file) {

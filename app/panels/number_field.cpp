@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 
 #include "app/document/gaussian_field.h"
+#include "app/panels/field_filter.h"
 
 namespace brume {
 
@@ -13,7 +14,7 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
 void NumberField::show_value(std::optional<double> value) {
   value_ = value;
   setPlaceholderText(QString(QChar(0x2013)));
-  revert();
+  if (!hasFocus() || !isModified()) revert();  // what is being typed stays
 }
 
 void NumberField::show_mixed() {
@@ -27,26 +28,35 @@ void NumberField::revert() {
   setCursorPosition(0);
 }
 
+void NumberField::commit() {
+  if (!isModified()) return;
+  setModified(false);
+  Q_EMIT committed(parse_number(text()));
+}
+
 void NumberField::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (enter) {
-    if (isModified()) Q_EMIT committed(parse_number(text()));
-    selectAll();
+    commit();
+    leave_field(*this);
   } else if (event->key() == Qt::Key_Escape) {
     revert();
+    leave_field(*this);
   } else {
     QLineEdit::keyPressEvent(event);
   }
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {
-  revert();
+  if (!isModified()) revert();
   QLineEdit::focusInEvent(event);
-  selectAll();
+  if (event->reason() != Qt::PopupFocusReason) selectAll();
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
+  if (event->reason() == Qt::PopupFocusReason) return;  // its own menu
+  commit();
   revert();
 }
 

@@ -5,8 +5,8 @@
 
 namespace brume {
 
-// A number that may not be there ("–") or be mixed. Enter commits what was typed; leaving the field
-// or Escape brings the old value back.
+// A number that may not be there ("–") or be mixed. What was typed is committed by Enter and by
+// leaving the field; Escape brings the old value back. After either key the view has the focus.
 class NumberField : public QLineEdit {
   Q_OBJECT
  public:
@@ -14,6 +14,7 @@ class NumberField : public QLineEdit {
 
   void show_value(std::optional<double> value);  // nullopt: nothing there
   void show_mixed();                             // several that differ
+  void commit();                                 // what was typed, if anything
 
  Q_SIGNALS:
   void committed(double value);  // NaN if the text is no number

@@ -6,6 +6,7 @@
 
 #include "app/frame_text.h"
 #include "app/panels/frontier_plot.h"
+#include "app/plain_text.h"
 #include "app/viewport/view_grid.h"
 
 namespace brume {
@@ -89,7 +90,7 @@ PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
 }
 
 QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const char* name) {
-  auto* value = new QLabel(this);
+  auto* value = new PlainLabel(this);
   value->setObjectName(name);
   form.addRow(title, value);
   return value;
@@ -160,7 +161,7 @@ void PerformancePanel::update_frame() {
     for (const SkippedStage& stage : stages) {
       const QString why = text.arg(QString::fromStdString(stage.why));
       auto* row = new QTreeWidgetItem({QString::fromStdString(stage.stage), why});
-      row->setToolTip(1, why);
+      row->setToolTip(1, plain_tool_tip(why));
       row->setDisabled(true);
       rows << row;
     }

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,7 +15,9 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/icons.h"
+#include "app/panels/frame_slider.h"
 #include "app/panels/key_strip.h"
+#include "app/plain_text.h"
 #include "app/timeline.h"
 #include "core/io/limits.h"
 
@@ -56,10 +57,10 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   auto* back = button("step_back", tr("One frame back (,)"));
   auto* play = button("play", tr("Play (Space)"));
   auto* forward = button("step_forward", tr("One frame forward (.)"));
-  auto* slider = new QSlider(Qt::Horizontal, this);
+  auto* slider = new FrameSlider(this);
   slider->setObjectName("frame_slider");
   auto* frame = new_number(this, "frame", tr("Frame"));
-  auto* seconds = new QLabel(this);
+  auto* seconds = new PlainLabel(this);
   auto* first = new_number(this, "first_frame_of_range", tr("First frame"));
   auto* last = new_number(this, "last_frame_of_range", tr("Last frame"));
   auto* loop = new QCheckBox(tr("Loop"), this);
@@ -103,6 +104,11 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   connect(play, &QToolButton::clicked, &timeline,
           [&timeline] { timeline.is_playing() ? timeline.stop() : timeline.play(); });
   connect(slider, &QSlider::valueChanged, &timeline, &Timeline::set_frame);
+  // Keys stand below the frames of the slider.
+  connect(slider, &FrameSlider::moved, keys_, [this, slider] {
+    const int left = slider->x() - key_area_->x();
+    keys_->set_ends(left + slider->x_of(slider->minimum()), left + slider->x_of(slider->maximum()));
+  });
   connect(frame, &QSpinBox::valueChanged, &timeline, &Timeline::set_frame);
   connect(first, &QSpinBox::valueChanged, &timeline, [this, &timeline](int value) {
     set_playback({value, std::max(value, timeline.last()), timeline.loops()});

@@ -59,6 +59,11 @@ void ValueField::show_value(std::optional<double> value) {
   field_->show_value(value);
 }
 
+void ValueField::show_mixed() {
+  value_.reset();
+  field_->show_mixed();
+}
+
 void ValueField::change(double steps, Qt::KeyboardModifiers modifiers) {
   if (!value_ || steps == 0.0) return;
   if (modifiers.testFlag(Qt::ControlModifier)) steps *= 0.1;
@@ -94,6 +99,11 @@ bool ValueField::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ValueField::wheelEvent(QWheelEvent* event) {
+  if (!field_->hasFocus()) {
+    event->ignore();  // whoever scrolls past means the panel
+    return;
+  }
+  field_->commit();
   change(steps_per_notch * event->angleDelta().y() / 120.0, event->modifiers());
   event->accept();
 }

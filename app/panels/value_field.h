@@ -12,7 +12,8 @@ namespace brume {
 
 class NumberField;
 
-// A titled number: typed, scrolled, or dragged on its title; Ctrl is fine, Shift is coarse. It
+// A titled number: typed, scrolled while it has the focus, or dragged on its title; Ctrl is fine,
+// Shift is coarse. It
 // shows what it is told to show, and asks for changes by edited().
 class ValueField : public QWidget {
   Q_OBJECT
@@ -25,7 +26,11 @@ class ValueField : public QWidget {
   // The title for a form to put elsewhere.
   [[nodiscard]] QLabel* take_title();
 
-  void show_value(std::optional<double> value);  // nullopt: mixed, or nothing there
+  void show_value(std::optional<double> value);  // nullopt: nothing there
+  void show_mixed();
+
+  // Where it is typed.
+  [[nodiscard]] NumberField& number() const { return *field_; }
 
  Q_SIGNALS:
   // Within the domain. Edits of one drag, or of one turning of the wheel, have one id.

@@ -78,20 +78,15 @@ void AirbrushTool::add_options(QHBoxLayout& row) {
 void AirbrushTool::begin_stroke(QPointF position) {
   spray_.emplace(airbrush_, stroke_seed());
   ids_.clear();
-  nozzle_ = paint_at(position);
+  way_ = {position};
   steps_ = 0;
   begun_ = clock_();
   timer_.start();
 }
 
-void AirbrushTool::extend_stroke(QPointF position) {
-  spray();  // what is due from where the nozzle was
-  nozzle_ = paint_at(position);
-}
-
-void AirbrushTool::release(QPointF position) {
-  if (gesture_.is_running()) spray();
-  FogBrushTool::release(position);
+void AirbrushTool::extend_stroke(std::span<const QPointF> curve) {
+  way_.insert(way_.end(), curve.begin(), curve.end());
+  spray();
 }
 
 void AirbrushTool::end_stroke() {
@@ -103,10 +98,6 @@ void AirbrushTool::spray() {
   const qint64 missed = std::min(due - steps_, most_steps);
   steps_ = due;
   if (missed <= 0) return;
-  if (!nozzle_) return;
-  const glm::dvec3 direction = inside_ ? -nozzle_->normal : nozzle_->normal;
-  // Off the surface, on the side that is sprayed.
-  const glm::dvec3 from = nozzle_->position + 0.05 * airbrush_.radius * direction;
   const auto obstacle = [this](const glm::dvec3& origin,
                                const glm::dvec3& way) -> std::optional<Obstacle> {
     const auto hit = view().surfaces().hit(origin, way);
@@ -114,8 +105,12 @@ void AirbrushTool::spray() {
     return Obstacle{glm::distance(hit->position, origin), hit->normal};
   };
   for (qint64 k = 0; k < missed; ++k) {
-    spray_->advance(1.0 / steps_per_second, from, direction, obstacle);
+    const auto nozzle = [&](double moment) {
+      return nozzle_at((static_cast<double>(k) + moment) / static_cast<double>(missed));
+    };
+    spray_->advance(1.0 / steps_per_second, nozzle, obstacle);
   }
+  way_ = {way_.back()};
   std::vector<Gaussian> gaussians = spray_->frozen();
   for (Gaussian& gaussian : gaussians) gaussian = within_domains(gaussian);
   const std::span<const Gaussian> all(gaussians);
@@ -124,6 +119,18 @@ void AirbrushTool::spray() {
   edit.merge(MediumEdit::add(medium, all.subspan(ids_.size())));
   for (const MediumEdit::Entry& entry : edit.added()) ids_.push_back(entry.id);
   gesture_.apply(std::move(edit), tr("Spray %1").arg(gaussians_text(gaussians.size())));
+}
+
+std::optional<Nozzle> AirbrushTool::nozzle_at(double part) const {
+  const double at = part * static_cast<double>(way_.size() - 1);
+  const auto before = std::min(static_cast<std::size_t>(at), way_.size() - 1);
+  const auto after = std::min(before + 1, way_.size() - 1);
+  const double share = at - static_cast<double>(before);
+  const auto point = paint_at(way_[before] + share * (way_[after] - way_[before]));
+  if (!point) return std::nullopt;
+  const glm::dvec3 direction = inside_ ? -point->normal : point->normal;
+  // Off the surface, on the side that is sprayed.
+  return Nozzle{point->position + 0.05 * airbrush_.radius * direction, direction};
 }
 
 void AirbrushTool::fit_to(double distance) {

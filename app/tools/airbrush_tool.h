@@ -25,7 +25,6 @@ class AirbrushTool : public FogBrushTool {
 
   [[nodiscard]] QString hint() const override;
   void add_options(QHBoxLayout& row) override;
-  void release(QPointF position) override;
 
  protected:
   [[nodiscard]] double radius() const override { return airbrush_.radius; }
@@ -33,11 +32,13 @@ class AirbrushTool : public FogBrushTool {
   void set_gaussian(double radius, double density) override;
   void fit_to(double distance) override;
   void begin_stroke(QPointF position) override;
-  void extend_stroke(QPointF position) override;
+  void extend_stroke(std::span<const QPointF> curve) override;
   void end_stroke() override;
 
  private:
   void spray();  // as far as time has gone
+  // At a part of its way, from 0 to 1.
+  [[nodiscard]] std::optional<Nozzle> nozzle_at(double part) const;
 
   Airbrush airbrush_;
   bool inside_ = false;
@@ -46,7 +47,8 @@ class AirbrushTool : public FogBrushTool {
   qint64 begun_ = 0;  // by the clock
   qint64 steps_ = 0;  // of time that have been sprayed
   std::optional<Spray> spray_;
-  std::optional<PaintPoint> nozzle_;
+  // Where the nozzle was since the last step that was sprayed.
+  std::vector<QPointF> way_;
   std::vector<GaussianId> ids_;  // of what was sprayed in this stroke
 };
 

@@ -1,6 +1,7 @@
 #include "app/tools/brush_select_tool.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/application.h"
 #include "app/commands/select_command.h"
@@ -61,15 +62,18 @@ void BrushSelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   merge_id_ = new_merge_id();
   before_ = document_.selection();
   passed_.clear();
-  pass(position, position);
+  path_.begin(position);
+  last_ = position;
+  pass({position});
 }
 
-void BrushSelectTool::move(QPointF position) {
-  hover(position);
-  if (running_) pass(last_, position);
+void BrushSelectTool::move(std::span<const QPointF> path) {
+  hover(path.back());
+  if (running_) pass(path_.to(path));
 }
 
 void BrushSelectTool::release(QPointF /*position*/) {
+  if (running_) pass(path_.end());
   running_ = false;
 }
 
@@ -78,10 +82,15 @@ void BrushSelectTool::cancel() {
   running_ = false;
 }
 
-void BrushSelectTool::pass(QPointF from, QPointF to) {
-  last_ = to;
-  const auto more = view().handles().inside(
-      [&](QPointF at) { return distance_to_segment(at, from, to) <= radius_; });
+void BrushSelectTool::pass(const std::vector<QPointF>& curve) {
+  if (curve.empty()) return;
+  const auto more = view().handles().inside([&](QPointF at) {
+    QPointF from = last_;
+    return std::ranges::any_of(curve, [&](QPointF to) {
+      return distance_to_segment(at, std::exchange(from, to), to) <= radius_;
+    });
+  });
+  last_ = curve.back();
   passed_.insert(passed_.end(), more.begin(), more.end());
   std::sort(passed_.begin(), passed_.end());
   passed_.erase(std::unique(passed_.begin(), passed_.end()), passed_.end());

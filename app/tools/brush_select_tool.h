@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/tools/selection_tool.h"
+#include "app/tools/stroke_path.h"
 
 namespace brume {
 
@@ -17,7 +18,7 @@ class BrushSelectTool : public SelectionTool {
   void hover(QPointF position) override;
   void leave() override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
-  void move(QPointF position) override;
+  void move(std::span<const QPointF> path) override;
   void release(QPointF position) override;
   void cancel() override;
   void abandon() override { running_ = false; }
@@ -28,7 +29,7 @@ class BrushSelectTool : public SelectionTool {
 
  private:
   void set_radius(double radius);
-  void pass(QPointF from, QPointF to);
+  void pass(const std::vector<QPointF>& curve);
 
   double radius_ = 30.0;  // pixels
   std::optional<QPointF> cursor_;
@@ -38,6 +39,7 @@ class BrushSelectTool : public SelectionTool {
   MergeId merge_id_ = no_merge;
   std::vector<GaussianId> before_;
   std::vector<std::size_t> passed_;
+  StrokePath path_;
   QPointF last_;
 };
 

@@ -24,15 +24,17 @@ void BrushTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
   hover(position);
   pivot_ = view().pivot();
   gesture_.begin();
+  path_.begin(position);
   begin_stroke(position);
 }
 
-void BrushTool::move(QPointF position) {
-  hover(position);
-  if (gesture_.is_running()) extend_stroke(position);
+void BrushTool::move(std::span<const QPointF> path) {
+  hover(path.back());
+  if (gesture_.is_running()) extend_stroke(path_.to(path));
 }
 
 void BrushTool::release(QPointF /*position*/) {
+  if (gesture_.is_running()) extend_stroke(path_.end());
   end_gesture();
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/commands/edit_gesture.h"
 #include "app/tools/paint_plane.h"
+#include "app/tools/stroke_path.h"
 #include "app/tools/tool.h"
 
 namespace brume {
@@ -18,7 +19,7 @@ class BrushTool : public Tool {
   void hover(QPointF position) override;
   void leave() override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
-  void move(QPointF position) override;
+  void move(std::span<const QPointF> path) override;
   void release(QPointF position) override;
   void cancel() override;
   void abandon() override;
@@ -34,7 +35,8 @@ class BrushTool : public Tool {
   [[nodiscard]] virtual double cursor_radius() const = 0;
   [[nodiscard]] virtual PaintTarget target() const = 0;
   virtual void begin_stroke(QPointF position) = 0;
-  virtual void extend_stroke(QPointF position) = 0;
+  // Along a smooth curve, point by point; may be empty.
+  virtual void extend_stroke(std::span<const QPointF> curve) = 0;
   virtual void end_stroke() {}  // however it ended
 
   void end_gesture();
@@ -45,6 +47,7 @@ class BrushTool : public Tool {
   EditGesture gesture_;
 
  private:
+  StrokePath path_;
   std::optional<QPointF> cursor_;
   glm::dvec3 pivot_{0.0};  // of the stroke
 };

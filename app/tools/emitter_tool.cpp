@@ -65,8 +65,11 @@ void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
   document_.set_active_emitter(document_.scene().emitters.size() - 1);
 }
 
-void EmitterTool::move(QPointF position) {
-  if (!drag_) return;
+void EmitterTool::move(std::span<const QPointF> path) {
+  if (drag_) drag_to(path.back());
+}
+
+void EmitterTool::drag_to(QPointF position) {
   glm::dvec3 place =
       drag_->before + dragged_across(drag_->before, view().rays(), drag_->start, position);
   if (position == drag_->start) place = drag_->before;
@@ -80,7 +83,7 @@ void EmitterTool::release(QPointF /*position*/) {
 }
 
 void EmitterTool::cancel() {
-  if (drag_) move(drag_->start);
+  if (drag_) drag_to(drag_->start);
   drag_.reset();
 }
 

@@ -20,7 +20,7 @@ class EmitterTool : public Tool {
   void set_target(const PaintTarget& target);
   void hover(QPointF position) override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
-  void move(QPointF position) override;
+  void move(std::span<const QPointF> path) override;
   void release(QPointF position) override;
   void cancel() override;
   void abandon() override { drag_.reset(); }
@@ -29,6 +29,7 @@ class EmitterTool : public Tool {
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
 
  private:
+  void drag_to(QPointF position);
   struct DragState {
     std::size_t emitter = 0;
     QPointF start;

@@ -59,24 +59,32 @@ double EraserTool::cursor_radius() const {
 
 void EraserTool::begin_stroke(QPointF position) {
   stroke_.emplace(strength_);
-  touch(position);
+  last_touch_ = position;
+  touch({position});
 }
 
-void EraserTool::extend_stroke(QPointF position) {
+void EraserTool::extend_stroke(std::span<const QPointF> curve) {
   // Touches at equal distances, however often the mouse is heard.
   const double spacing = touch_spacing * radius_;
-  while (QLineF(last_touch_, position).length() >= spacing) {
-    const QPointF way = position - last_touch_;
-    touch(last_touch_ + way * (spacing / QLineF(last_touch_, position).length()));
+  std::vector<QPointF> places;
+  for (const QPointF position : curve) {
+    while (QLineF(last_touch_, position).length() >= spacing) {
+      const QPointF way = position - last_touch_;
+      last_touch_ += way * (spacing / QLineF(last_touch_, position).length());
+      places.push_back(last_touch_);
+    }
   }
+  touch(places);
 }
 
-void EraserTool::touch(QPointF position) {
-  last_touch_ = position;
+void EraserTool::touch(const std::vector<QPointF>& places) {
   const CameraRays rays = view().rays();
-  const EraserCone cone{rays.eye(), rays.direction(position.x(), position.y()), cone_slope(rays)};
+  std::vector<EraserCone> cones;
+  for (const QPointF place : places) {
+    cones.push_back({rays.eye(), rays.direction(place.x(), place.y()), cone_slope(rays)});
+  }
   MediumEdit all = gesture_.edit();
-  MediumEdit edit = stroke_->touch(document_.medium(), cone,
+  MediumEdit edit = stroke_->touch(document_.medium(), cones,
                                    [this](GaussianId id) { return document_.is_free(id); });
   all.merge(edit);
   const std::size_t count = all.changed().size() + all.removed().size();

@@ -23,11 +23,11 @@ class EraserTool : public BrushTool {
   [[nodiscard]] double cursor_radius() const override;
   [[nodiscard]] PaintTarget target() const override { return {}; }
   void begin_stroke(QPointF position) override;
-  void extend_stroke(QPointF position) override;
+  void extend_stroke(std::span<const QPointF> curve) override;
 
  private:
   void set(double radius, double strength);
-  void touch(QPointF position);
+  void touch(const std::vector<QPointF>& places);
   [[nodiscard]] double cone_slope(const CameraRays& rays) const;
 
   double radius_ = 40.0;

@@ -13,16 +13,24 @@ QString LassoTool::hint() const {
 void LassoTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   gesture_mode_ = mode_with(modifiers);
   line_ = {position};
+  path_.begin(position);
+  cursor_ = position;
 }
 
-void LassoTool::move(QPointF position) {
+void LassoTool::move(std::span<const QPointF> path) {
   if (line_.isEmpty()) return;
-  line_ << position;
+  extend(path_.to(path));
+  cursor_ = path.back();
   Q_EMIT looks_changed();
+}
+
+void LassoTool::extend(const std::vector<QPointF>& curve) {
+  for (const QPointF point : curve) line_ << point;
 }
 
 void LassoTool::release(QPointF /*position*/) {
   if (line_.isEmpty()) return;
+  extend(path_.end());
   choose(document_.selection(), view().handles().inside([this](QPointF at) {
     return line_.containsPoint(at, Qt::OddEvenFill);
   }),
@@ -36,14 +44,15 @@ void LassoTool::abandon() {
 }
 
 void LassoTool::draw_on_film(Overlay& overlay) const {
-  const auto vertex = [this](qsizetype k) {
-    const QPointF& p = line_.at(k % line_.size());
+  if (line_.isEmpty()) return;
+  const QPolygonF closed = QPolygonF(line_) << cursor_ << line_.front();
+  const auto vertex = [](QPointF p) {
     return Overlay::Vertex{static_cast<float>(p.x()), static_cast<float>(p.y()),
                            accent_color().rgba()};
   };
-  for (qsizetype k = 0; k < line_.size(); ++k) {
-    overlay.lines.push_back(vertex(k));
-    overlay.lines.push_back(vertex(k + 1));
+  for (qsizetype k = 1; k < closed.size(); ++k) {
+    overlay.lines.push_back(vertex(closed[k - 1]));
+    overlay.lines.push_back(vertex(closed[k]));
   }
 }
 

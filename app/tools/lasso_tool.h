@@ -3,6 +3,7 @@
 #include <QPolygonF>
 
 #include "app/tools/selection_tool.h"
+#include "app/tools/stroke_path.h"
 
 namespace brume {
 
@@ -14,7 +15,7 @@ class LassoTool : public SelectionTool {
 
   [[nodiscard]] QString hint() const override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
-  void move(QPointF position) override;
+  void move(std::span<const QPointF> path) override;
   void release(QPointF position) override;
   void cancel() override { abandon(); }
   void abandon() override;
@@ -22,7 +23,11 @@ class LassoTool : public SelectionTool {
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
 
  private:
+  void extend(const std::vector<QPointF>& curve);
+
   QPolygonF line_;  // empty: no gesture
+  StrokePath path_;
+  QPointF cursor_;  // the line's end, which the smooth part has not reached
   SelectMode gesture_mode_ = SelectMode::set;
 };
 

@@ -54,14 +54,18 @@ void PaintbrushTool::add_options(QHBoxLayout& row) {
 
 void PaintbrushTool::begin_stroke(QPointF position) {
   stroke_.emplace(brush_, stroke_seed());
-  extend_stroke(position);
+  extend_stroke({&position, 1});
 }
 
-void PaintbrushTool::extend_stroke(QPointF position) {
-  const auto point = paint_at(position);
-  if (!point) return;
-  std::vector<Gaussian> gaussians = stroke_->to(point->position);
-  for (Gaussian& gaussian : gaussians) gaussian = within_domains(gaussian);
+void PaintbrushTool::extend_stroke(std::span<const QPointF> curve) {
+  std::vector<Gaussian> gaussians;
+  for (const QPointF position : curve) {
+    const auto point = paint_at(position);
+    if (!point) continue;
+    for (const Gaussian& gaussian : stroke_->to(point->position)) {
+      gaussians.push_back(within_domains(gaussian));
+    }
+  }
   const std::size_t count = gesture_.edit().added().size() + gaussians.size();
   gesture_.apply(MediumEdit::add(document_.medium(), gaussians),
                  tr("Paint %1").arg(gaussians_text(count)));

@@ -23,7 +23,7 @@ class PaintbrushTool : public FogBrushTool {
   void set_gaussian(double radius, double density) override;
   void fit_to(double distance) override;
   void begin_stroke(QPointF position) override;
-  void extend_stroke(QPointF position) override;
+  void extend_stroke(std::span<const QPointF> curve) override;
 
  private:
   Paintbrush brush_;

@@ -18,8 +18,8 @@ constexpr double drag_threshold = 4.0;  // pixels; a hand is not perfectly still
 
 QString SelectTool::hint() const {
   return tr(
-      "Click selects, drag moves the selection. Middle button orbits, with Shift pans, wheel "
-      "zooms.");
+      "Click selects; drag a selected handle to move the selection, elsewhere for a rectangle. "
+      "Middle button orbits, wheel zooms.");
 }
 
 void SelectTool::hover(QPointF position) {
@@ -50,24 +50,21 @@ void SelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   pressed_.reset();
   if (const auto index = view().handles().pick(position)) {
     pressed_ = document_.medium().ids()[*index];
-    // At once, so that press and drag in one go moves it. One that is selected already waits for
-    // the release: the drag may be meant for the whole selection.
-    if (click_mode_ != SelectMode::set || !document_.is_selected(*pressed_)) {
-      choose(document_.selection(), {*index}, click_mode_);
-    }
   }
 }
 
-void SelectTool::move(QPointF position) {
+void SelectTool::move(std::span<const QPointF> path) {
+  const QPointF position = path.back();
   if (lights_.is_dragging()) {
     lights_.move(view().rays(), position);
     return;
   }
   if (gesture_ == Gesture::undecided && QLineF(start_, position).length() >= drag_threshold) {
-    if (!pressed_) {
-      gesture_ = Gesture::band;
-    } else if (document_.is_selected(*pressed_)) {
+    // In dense fog there is a handle under most places: nothing moves that was not selected.
+    if (pressed_ && document_.is_selected(*pressed_)) {
       begin_move();
+    } else {
+      gesture_ = Gesture::band;
     }
   }
   if (gesture_ == Gesture::band) {
@@ -83,12 +80,11 @@ void SelectTool::release(QPointF position) {
     const QRectF band = QRectF(start_, position).normalized();
     choose(document_.selection(),
            view().handles().inside([&band](QPointF at) { return band.contains(at); }), area_mode_);
-  } else if (gesture_ == Gesture::undecided && !pressed_) {
-    const auto seen = view().most_visible(position);
+  } else if (gesture_ == Gesture::undecided) {
+    const auto clicked = pressed_ ? pressed_ : view().most_visible(position);
     choose(document_.selection(),
-           seen ? std::vector{*medium.index_of(*seen)} : std::vector<std::size_t>{}, click_mode_);
-  } else if (gesture_ == Gesture::undecided && click_mode_ == SelectMode::set) {
-    choose(document_.selection(), {*medium.index_of(*pressed_)}, SelectMode::set);
+           clicked ? std::vector{*medium.index_of(*clicked)} : std::vector<std::size_t>{},
+           click_mode_);
   }
   abandon();
 }

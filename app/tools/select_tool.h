@@ -25,7 +25,7 @@ class SelectTool : public SelectionTool {
   void hover(QPointF position) override;
   void leave() override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
-  void move(QPointF position) override;
+  void move(std::span<const QPointF> path) override;
   void release(QPointF position) override;
   void cancel() override;
   void abandon() override;

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointF>
 #include <Qt>
+#include <span>
 
 class QHBoxLayout;
 
@@ -33,7 +34,8 @@ class Tool : public QObject {
   virtual void hover(QPointF /*position*/) {}
   virtual void leave() {}  // the mouse has left the viewport
   virtual void press(QPointF position, Qt::KeyboardModifiers modifiers) = 0;
-  virtual void move(QPointF position) = 0;
+  // `path`: every position of the mouse since the last call, in order; not empty.
+  virtual void move(std::span<const QPointF> path) = 0;
   virtual void release(QPointF position) = 0;
   virtual void cancel() = 0;  // as if the gesture had not begun
   // Ends the gesture and leaves everything as it is: for another scene, whose ids are not these.

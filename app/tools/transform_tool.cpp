@@ -56,11 +56,11 @@ void TransformTool::drag(QPointF position) {
   applying_ = false;
 }
 
-void TransformTool::move(QPointF position) {
+void TransformTool::move(std::span<const QPointF> path) {
   if (dragging_) {
-    drag(position);
+    drag(path.back());
   } else {
-    SelectTool::move(position);
+    SelectTool::move(path);
   }
 }
 

@@ -81,6 +81,7 @@ void ViewGrid::activate(Viewport& pane) {
   if (active_ == &pane) return;
   if (active_) active_->set_active(false);
   active_ = &pane;
+  setFocusProxy(&pane);
   pane.set_active(true);
   update_titles();
   Q_EMIT active_changed();

@@ -7,14 +7,12 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "app/document/document.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
 #include "app/viewport/bounds.h"
 #include "app/viewport/legend.h"
-#include "app/viewport/navigation.h"
 #include "app/viewport/viewport_surface.h"
 #include "core/authoring/contribution.h"
 #include "core/io/number_domain.h"
@@ -45,6 +43,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
       services_(services),
       projection_(projection),
       surface_(services.screens.create(this)),
+      input_(*this),
       band_(QRubberBand::Rectangle, this),
       legend_(new Legend(this)),
       camera_(document.scene().camera) {
@@ -61,6 +60,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   rest_timer_.setSingleShot(true);
   connect(&rest_timer_, &QTimer::timeout, this, &Viewport::request_at_rest);
 
+  connect(&input_, &ViewInput::pointed_at, this, &Viewport::pointed_at);
   connect(&services_.frames, &FrameService::frame_ready, this, &Viewport::take_frame);
   // Even if they are again those of the frame shown: another one may be on its way.
   connect(&quality_, &FrameQuality::settings_changed, this, [this] {
@@ -81,7 +81,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&services_.frames, &FrameService::backend_changed, this, &Viewport::request_frame);
   connect(&document_, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
-    drag_ = drag_ == Drag::tool ? Drag::none : drag_;
+    input_.end_gesture();
     hovered_.reset();
     oldest_serial_ = serial_ + 1;
     go_home();
@@ -173,19 +173,14 @@ void Viewport::set_active(bool active) {
 }
 
 void Viewport::set_tool(Tool* tool) {
-  if (tool_) {
-    tool_->disconnect(this);
-    if (drag_ == Drag::tool) tool_->cancel();
-    tool_->leave();
-  }
-  if (drag_ == Drag::tool) drag_ = Drag::none;
-  tool_ = tool;
-  setCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
-  if (tool_) {
-    connect(tool_, &Tool::looks_changed, this, &Viewport::update_overlay);
+  if (input_.tool()) input_.tool()->disconnect(this);
+  input_.set_tool(tool);
+  setCursor(tool ? tool->cursor() : Qt::ArrowCursor);
+  if (tool) {
+    connect(tool, &Tool::looks_changed, this, &Viewport::update_overlay);
     if (underMouse()) {
-      tool_->set_view(*this);
-      tool_->hover(mapFromGlobal(QCursor::pos()));
+      tool->set_view(*this);
+      tool->hover(mapFromGlobal(QCursor::pos()));
     }
   }
   update_overlay();
@@ -196,13 +191,20 @@ glm::dvec3 Viewport::pivot() const {
   return sphere ? sphere->center : camera_.target;
 }
 
-glm::dvec3 Viewport::place_under_mouse() const {
-  if (!underMouse()) return camera_.target;
+glm::dvec3 Viewport::place_under_mouse(double radius) {
   const CameraRays view = rays();
-  const QPointF at = mapFromGlobal(QPointF(QCursor::pos()));
+  const QPointF at =
+      underMouse() ? mapFromGlobal(QPointF(QCursor::pos())) : 0.5 * QPointF(width(), height());
   const glm::dvec3 direction = view.direction(at.x(), at.y());
   const double depth = glm::dot(camera_.target - view.eye(), view.forward());
-  return view.eye() + direction * (depth / glm::dot(direction, view.forward()));
+  double distance = depth / glm::dot(direction, view.forward());
+  if (const auto surface = services_.surfaces.hit(view.eye(), direction)) {
+    const double there = glm::distance(surface->position, view.eye());
+    // The ball touches the surface, unless that takes it more than half way to the eye.
+    const double back = radius / std::abs(glm::dot(direction, surface->normal));
+    distance = std::min(distance, std::max(there - back, 0.5 * there));
+  }
+  return view.eye() + distance * direction;
 }
 
 glm::dvec3 Viewport::shift_on_film(QPointF pixels) const {
@@ -299,6 +301,10 @@ std::shared_ptr<const Scene> Viewport::shown_scene() const {
   return at_time_;
 }
 
+bool Viewport::shows_handles() const {
+  return !input_.tool() || input_.tool()->shows_handles();
+}
+
 QString Viewport::gl_problem() const {
   return surface_->gl_problem();
 }
@@ -327,7 +333,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
           .view = static_cast<int>(projection_),
           .serial = serial_,
           .moving = moving,
-          .depth = !document_.selection().empty() || !tool_ || tool_->shows_handles()};
+          .depth = !document_.selection().empty() || shows_handles()};
 }
 
 // Everything that changes the picture comes here: something soon, the full frame once it rests.
@@ -387,11 +393,11 @@ void Viewport::draw_overlay() {
   Overlay overlay;
   const CameraRays view = rays();
   handles_.draw(overlay, document_.medium(), view, document_.selection(), hovered_,
-                !tool_ || tool_->shows_handles());
+                shows_handles());
   if (mode_ == ViewMode::outlines) handles_.draw_outlines(overlay, document_.medium(), view);
-  if (tool_) {
-    tool_->draw(overlay, view);
-    if (&tool_->view() == this) tool_->draw_on_film(overlay);
+  if (const Tool* tool = input_.tool()) {
+    tool->draw(overlay, view);
+    if (&tool->view() == this) tool->draw_on_film(overlay);
   }
   add_axes(overlay, view, film());
   surface_->show_overlay(overlay);
@@ -420,87 +426,36 @@ void Viewport::focusInEvent(QFocusEvent* event) {
   Q_EMIT used();
 }
 
-void Viewport::mousePressEvent(QMouseEvent* event) {
-  if (drag_ != Drag::none) return;  // one gesture at a time
-  Q_EMIT used();
-  if (tool_) tool_->set_view(*this);
-  last_position_ = event->position();
-  drag_ = drag_of(*event);
-  if (drag_ == Drag::tool) tool_->press(event->position(), event->modifiers());
+void Viewport::enterEvent(QEnterEvent* /*event*/) {
+  input_.enter();
 }
 
-Viewport::Drag Viewport::drag_of(const QMouseEvent& event) const {
-  const bool left = event.button() == Qt::LeftButton;
-  const bool tools_own = left && tool_ && tool_->takes_alt() &&
-                         event.modifiers().testFlag(Qt::AltModifier) &&
-                         navigation_ != NavigationPreset::maya;
-  const auto drag = navigation_drag(navigation_, event.button(), event.modifiers());
-  if (drag && !tools_own) {
-    switch (*drag) {
-      case NavigationDrag::orbit:
-        return projection_ == Projection::perspective ? Drag::orbit : Drag::pan;
-      case NavigationDrag::pan:
-        return Drag::pan;
-      case NavigationDrag::zoom:
-        return Drag::zoom;
-    }
-  }
-  return left && tool_ ? Drag::tool : Drag::none;
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  Q_EMIT used();
+  input_.press(*event);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF step = event->position() - last_position_;
-  last_position_ = event->position();
-  const double half_turn = std::numbers::pi / std::max(1, height());
-  switch (drag_) {
-    case Drag::none:
-      Q_EMIT pointed_at(event->position());
-      if (tool_) {
-        tool_->set_view(*this);
-        tool_->hover(event->position());
-      }
-      break;
-    case Drag::tool:
-      tool_->move(event->position());
-      break;
-    case Drag::orbit:
-      set_camera(orbit(camera_, {step.x() * half_turn, step.y() * half_turn}));
-      break;
-    case Drag::pan:
-      set_camera(pan(camera_, film(), {step.x(), step.y()}));
-      break;
-    case Drag::zoom:
-      zoom_by(std::exp(0.005 * (step.y() - step.x())));
-      break;
-  }
+  input_.move(event->position());
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  const Qt::MouseButtons held = event->buttons();
-  if (drag_ == Drag::tool && !held.testFlag(Qt::LeftButton)) {
-    tool_->release(event->position());
-    drag_ = Drag::none;
-  } else if (held == Qt::NoButton) {
-    drag_ = Drag::none;
-  }
+  input_.release(*event);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   Q_EMIT used();
+  input_.hand_on();  // it was meant for the view as it was
   zoom_by(std::pow(0.999, event->angleDelta().y()));
   event->accept();
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && drag_ == Drag::tool) {
-    tool_->cancel();
-  } else {
-    QWidget::keyPressEvent(event);
-  }
+  if (event->key() != Qt::Key_Escape || !input_.cancel()) QWidget::keyPressEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* /*event*/) {
-  if (tool_ && &tool_->view() == this) tool_->leave();
+  input_.leave();
 }
 
 }  // namespace brume

@@ -10,6 +10,7 @@
 #include "app/viewport/frame_quality.h"
 #include "app/viewport/handles.h"
 #include "app/viewport/navigation.h"
+#include "app/viewport/view_input.h"
 #include "app/viewport/view_services.h"
 
 namespace brume {
@@ -38,7 +39,8 @@ class Viewport : public QWidget {
   [[nodiscard]] double distance() const;
   void go_home();  // to the scene's camera; along an axis: all fog is seen
   void frame_all();
-  void frame_selection();  // all, if nothing is selected
+  void frame_selection();       // all, if nothing is selected
+  void zoom_by(double factor);  // of the distance
 
   [[nodiscard]] double exposure() const { return exposure_; }
   void set_exposure(double stops);
@@ -50,6 +52,8 @@ class Viewport : public QWidget {
 
   // What has the left button from now on; a gesture in flight is cancelled. nullptr: nothing.
   void set_tool(Tool* tool);
+  // Works off what the mouse has done so far; else that comes when no more events of it wait.
+  void finish_input() { input_.hand_on(); }
   // Soon, as when the tool's cursor has moved.
   void update_overlay() { overlay_timer_.start(0); }
 
@@ -76,9 +80,9 @@ class Viewport : public QWidget {
   // What tools turn around and paint through: the middle of the selection, else the camera's
   // target.
   [[nodiscard]] glm::dvec3 pivot() const;
-  // The point under the mouse on the plane across the view through the camera's target; the target
-  // itself if the mouse is elsewhere.
-  [[nodiscard]] glm::dvec3 place_under_mouse() const;
+  // Where a ball is seen under the mouse (in the middle of the film if that is elsewhere): on the
+  // plane across the view through the camera's target, or before the surface that is before it.
+  [[nodiscard]] glm::dvec3 place_under_mouse(double radius);
   // What a shift on the film by some pixels is in the world, at the depth of the pivot.
   [[nodiscard]] glm::dvec3 shift_on_film(QPointF pixels) const;
   // Of the Gaussians that are not locked the one that takes most light from the ray at a position:
@@ -112,6 +116,7 @@ class Viewport : public QWidget {
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -120,17 +125,14 @@ class Viewport : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  enum class Drag { none, orbit, pan, zoom, tool };
-  [[nodiscard]] Drag drag_of(const QMouseEvent& event) const;
-
   void frame(const Sphere& sphere);
-  void zoom_by(double factor);
   void request_frame();
   void request_at_rest();
   void measure();
   void map_error();  // where that is to be seen and nothing else is due
   void forget_error_map();
   void take_frame(const std::shared_ptr<const RenderedFrame>& frame);
+  [[nodiscard]] bool shows_handles() const;
   void refresh_handles();
   void show_picture();
   void place_legend();
@@ -141,7 +143,7 @@ class Viewport : public QWidget {
   ViewServices& services_;
   const Projection projection_;
   ViewportSurface* surface_;
-  Tool* tool_ = nullptr;
+  ViewInput input_;
   QRubberBand band_;
   Legend* legend_;
   bool active_ = false;
@@ -154,8 +156,6 @@ class Viewport : public QWidget {
   // shown_scene() where that is not the snapshot itself, and what it is of.
   mutable std::shared_ptr<const Scene> at_time_;
   mutable std::shared_ptr<const Scene> at_time_of_;
-  Drag drag_ = Drag::none;
-  QPointF last_position_;
 
   Handles handles_;
   std::optional<GaussianId> hovered_;

@@ -14,7 +14,7 @@ constexpr double clearance = 0.02;   // that is kept from surfaces, over the rad
 
 }  // namespace
 
-void Spray::advance(double seconds, const glm::dvec3& from, const glm::dvec3& direction,
+void Spray::advance(double seconds, const FindNozzle& find_nozzle,
                     const FindObstacle& find_obstacle) {
   for (Particle& particle : particles_) {
     push_about(particle, seconds);
@@ -22,11 +22,13 @@ void Spray::advance(double seconds, const glm::dvec3& from, const glm::dvec3& di
   }
   due_ += airbrush_.rate * seconds;
   for (; due_ >= 1.0; due_ -= 1.0) {
-    Particle particle;
-    particle.position = from;
-    particle.velocity = airbrush_.speed * (direction + airbrush_.spread * random_.in_ball());
+    const glm::dvec3 aside = airbrush_.spread * random_.in_ball();
     // Born at some moment of the step, not all at its end.
-    fly(particle, seconds * random_.uniform(), find_obstacle);
+    const double age = random_.uniform();
+    const std::optional<Nozzle> nozzle = find_nozzle(1.0 - age);
+    if (!nozzle) continue;
+    Particle particle{nozzle->position, airbrush_.speed * (nozzle->direction + aside)};
+    fly(particle, seconds * age, find_obstacle);
     particles_.push_back(particle);
   }
 }

@@ -31,14 +31,21 @@ struct Obstacle {
 using FindObstacle =
     std::function<std::optional<Obstacle>(const glm::dvec3& from, const glm::dvec3& direction)>;
 
+// Where the spray comes out, and in which unit direction.
+struct Nozzle {
+  glm::dvec3 position{0.0};
+  glm::dvec3 direction{0.0};
+};
+// At a moment of a step, from 0 (its beginning) to 1; nullopt: nothing comes out.
+using FindNozzle = std::function<std::optional<Nozzle>(double moment)>;
+
 // A spray in the making.
 class Spray {
  public:
   Spray(const Airbrush& airbrush, std::uint64_t seed) : airbrush_(airbrush), random_(seed) {}
 
-  // Goes on for `seconds` (>= 0), with the nozzle at `from`, spraying towards the unit `direction`.
-  void advance(double seconds, const glm::dvec3& from, const glm::dvec3& direction,
-               const FindObstacle& find_obstacle);
+  // Goes on for `seconds` (>= 0), in which the nozzle may move.
+  void advance(double seconds, const FindNozzle& find_nozzle, const FindObstacle& find_obstacle);
 
   // Where the particles are, the oldest first.
   [[nodiscard]] std::vector<Gaussian> frozen() const;

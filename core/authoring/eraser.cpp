@@ -12,25 +12,30 @@ double eraser_cover(const EraserCone& cone, const glm::dvec3& center) {
   return x < 1.0 ? (1.0 - x * x) * (1.0 - x * x) : 0.0;
 }
 
-MediumEdit EraserStroke::touch(const Medium& medium, const EraserCone& cone,
+MediumEdit EraserStroke::touch(const Medium& medium, std::span<const EraserCone> cones,
                                const std::function<bool(GaussianId)>& may_erase) {
   std::vector<GaussianId> thinned;
   std::vector<Gaussian> after;
   std::vector<GaussianId> gone;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    const double cover = eraser_cover(cone, medium.centers()[i]);
     const GaussianId id = medium.ids()[i];
-    if (!(cover > 0.0) || !may_erase(id)) continue;
-    Touched& touched = touched_.try_emplace(id, Touched{medium.densities()[i], 0.0}).first->second;
-    touched.erased += strength_ * cover;
+    Touched* touched = nullptr;
+    for (const EraserCone& cone : cones) {
+      const double cover = eraser_cover(cone, medium.centers()[i]);
+      if (!(cover > 0.0)) continue;
+      if (!touched && !may_erase(id)) break;
+      touched = &touched_.try_emplace(id, Touched{medium.densities()[i], 0.0}).first->second;
+      touched->erased += strength_ * cover;
+    }
+    if (!touched) continue;
     // Rounding shall not leave a trace of what ten tenths have taken away.
-    if (touched.erased > 1.0 - 1e-9) {
+    if (touched->erased > 1.0 - 1e-9) {
       gone.push_back(id);
       continue;
     }
     thinned.push_back(id);
     after.push_back(medium.gaussian(i));
-    after.back().density = touched.density * (1.0 - touched.erased);
+    after.back().density = touched->density * (1.0 - touched->erased);
   }
   MediumEdit edit = MediumEdit::change(medium, thinned, after);
   edit.merge(MediumEdit::remove(medium, gone));

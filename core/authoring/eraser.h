@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <unordered_map>
 
 #include "core/medium/medium_edit.h"
@@ -25,8 +26,9 @@ class EraserStroke {
  public:
   explicit EraserStroke(double strength) : strength_(strength) {}  // in (0, 1]
 
-  // The edit that one touch is. Only Gaussians for which `may_erase` are touched.
-  MediumEdit touch(const Medium& medium, const EraserCone& cone,
+  // The edit that some touches are, one after the other. Only Gaussians for which `may_erase` are
+  // touched.
+  MediumEdit touch(const Medium& medium, std::span<const EraserCone> cones,
                    const std::function<bool(GaussianId)>& may_erase);
 
  private:

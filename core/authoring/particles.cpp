@@ -31,6 +31,13 @@ Gaussian particle(const Emitter& emitter, std::uint64_t number, double age) {
 
 }  // namespace
 
+std::size_t max_particles(const Emitter& emitter) {
+  if (!(emitter.rate > 0.0) || !(emitter.lifetime > 0.0)) return 0;
+  // One more, where one is born as another dies.
+  return static_cast<std::size_t>(
+      std::min(std::ceil(emitter.rate * emitter.lifetime) + 1.0, double{most_particles}));
+}
+
 std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
   std::vector<Gaussian> particles;
   if (!(emitter.rate > 0.0) || !(emitter.lifetime > 0.0) || !(time >= 0.0)) return particles;

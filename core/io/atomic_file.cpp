@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/io/temporary_files.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -24,22 +25,13 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// Where the bytes go: the end of a chain of symbolic links, which need not exist yet.
-fs::path target_of(const fs::path& file) {
-  std::error_code error;
-  if (!fs::is_symlink(file, error)) return file;
-  const fs::path target = fs::weakly_canonical(file, error);
-  if (error) throw InputError(file, "", "cannot be written: " + error.message());
-  if (!fs::is_symlink(target, error)) return target;
-  return folder_of(file) / fs::read_symlink(file, error);  // the link's target does not exist
-}
-
 // A new empty file beside `target`, with the permissions a new file gets from the umask.
-fs::path create_temporary(const fs::path& file, const fs::path& target) {
+fs::path create_temporary(const fs::path& file, const fs::path& target, TemporaryName& name) {
   static std::atomic<unsigned> counter = 0;
   for (;;) {
     fs::path temporary = folder_of(target) / (".brume-" + std::to_string(::getpid()) + "-" +
                                               std::to_string(counter++) + ".tmp");
+    name = TemporaryName(temporary);
     const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd >= 0) {
       ::close(fd);
@@ -61,12 +53,21 @@ void flush_to_disk(const fs::path& path, int flags) {
 
 }  // namespace
 
+fs::path link_target(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return file;
+  const fs::path target = fs::weakly_canonical(file, error);
+  if (error) throw InputError(file, "", "cannot be written: " + error.message());
+  if (!fs::is_symlink(target, error)) return target;
+  return link_target(folder_of(file) / fs::read_symlink(file, error));  // to what is not there
+}
+
 void flush_folder(const fs::path& folder) {
   flush_to_disk(folder, O_RDONLY | O_DIRECTORY);
 }
 
 void check_writable(const fs::path& file) {
-  const fs::path target = target_of(file);
+  const fs::path target = link_target(file);
   const fs::path folder = folder_of(target);
   std::error_code error;
   if (!target.has_filename()) throw InputError(file, "", "cannot be written: not a file name");
@@ -90,8 +91,9 @@ void check_writable(const fs::path& file) {
 
 void write_atomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
   check_writable(file);
-  const fs::path target = target_of(file);
-  const fs::path temporary = create_temporary(file, target);
+  const fs::path target = link_target(file);
+  TemporaryName name;
+  const fs::path temporary = create_temporary(file, target, name);
   try {
     write(temporary);
     struct stat old {};
@@ -107,12 +109,29 @@ void write_atomically(const fs::path& file, const std::function<void(const fs::p
   flush_folder(folder_of(target));
 }
 
-void write_atomically(const fs::path& file, std::string_view content) {
+void write_atomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {
   write_atomically(file, [&](const fs::path& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
+    errno = 0;
+    std::ofstream out;
+    out.exceptions(std::ios::badbit | std::ios::failbit);
+    try {
+      out.open(temporary, std::ios::binary);
+      write(out);
+      out.close();
+    } catch (...) {
+      if (out) throw;
+    }
+    // Asked of the stream: libraries keep the exception of a failed write to themselves.
+    if (!out) {
+      throw InputError(file, "",
+                       "cannot be written: " + (errno == 0 ? "the disk may be full" : reason()));
+    }
+  });
+}
+
+void write_atomically(const fs::path& file, std::string_view content) {
+  write_atomically(file, [&](std::ostream& out) {
     out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();
-    if (!out) throw InputError(file, "", "cannot be written: " + reason());
   });
 }
 

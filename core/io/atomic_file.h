@@ -2,9 +2,14 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <string_view>
 
 namespace brume {
+
+// Where the bytes of a file go: the end of a chain of symbolic links, which need not exist yet.
+// Throws InputError where the chain has no end.
+std::filesystem::path link_target(const std::filesystem::path& file);
 
 // Throws InputError if `file` cannot be written: its folder is missing or not writable, or it is
 // a folder or a device itself. Asked before long work whose result would be lost.
@@ -17,6 +22,12 @@ void check_writable(const std::filesystem::path& file);
 // written.
 void write_atomically(const std::filesystem::path& file,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
+
+// The same through a stream, for all that can write to one: every write, the flush and the close
+// are checked. The stream throws std::ios_base::failure; it may get lost in `write`, the error does
+// not.
+void write_atomically(const std::filesystem::path& file,
+                      const std::function<void(std::ostream& out)>& write);
 
 // The same for content that is at hand.
 void write_atomically(const std::filesystem::path& file, std::string_view content);

@@ -1,7 +1,9 @@
+#include <IexBaseExc.h>
 #include <ImfArray.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
@@ -13,19 +15,14 @@
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/exr_limits.h"
 #include "core/io/file_bytes.h"
 #include "core/io/image_file.h"
-#include "core/io/limits.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::size_t most_channels = 1024;
-// Pixels beyond the first GiB must be backed by the file: ZIP makes at most 1/1032 of them.
-constexpr std::uintmax_t free_bytes = std::uintmax_t{1} << 30;
-constexpr std::uintmax_t best_compression = 1100;
 
 // OpenEXR throws many kinds of exceptions on hostile files; all of them mean a bad file.
 template <typename Work>
@@ -53,43 +50,6 @@ int first_flat_part(const fs::path& file, const Imf::MultiPartInputFile& input) 
   throw InputError(file, "header", "found only deep images; allowed: a flat one");
 }
 
-struct Size {
-  int width;
-  int height;
-};
-
-// Sane and worth allocating.
-Size checked_size(const fs::path& file, const Imf::Header& header) {
-  const Imath::Box2i window = header.dataWindow();
-  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  if (width < 1 || height < 1 || width > limits::image_side || height > limits::image_side) {
-    throw InputError(file, "header",
-                     "found a size of " + std::to_string(width) + " x " + std::to_string(height) +
-                         "; allowed: 1 to " + std::to_string(limits::image_side) + " a side");
-  }
-  std::uintmax_t channels = 0;
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++channels) {
-    if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
-      throw InputError(file, "channel " + shown(c.name()),
-                       "found subsampling; allowed: a value for every pixel");
-    }
-  }
-  if (channels < 1 || channels > most_channels) {
-    throw InputError(file, "header",
-                     "found " + std::to_string(channels) + " channels; allowed: 1 to " +
-                         std::to_string(most_channels));
-  }
-  const std::uintmax_t bytes = channels * sizeof(float) * static_cast<std::uintmax_t>(width) *
-                               static_cast<std::uintmax_t>(height);
-  if (bytes > free_bytes && bytes / best_compression > regular_file_size(file)) {
-    throw InputError(
-        file, "header",
-        "found " + std::to_string(bytes) + " bytes of pixels; the file is too short for them");
-  }
-  return {static_cast<int>(width), static_cast<int>(height)};
-}
-
 // Throws where a part lacks its last row, as one does that claims more rows than there are: before
 // memory is taken for all of them.
 void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
@@ -105,6 +65,43 @@ void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
   part.readPixels(window.max.y);
 }
 
+// OpenEXR writes its table of lines when a file is destroyed, where it can tell of no error: the
+// stream does.
+class ExrOutput final : public Imf::OStream {
+ public:
+  ExrOutput(const fs::path& file, std::ostream& out) : OStream(file.c_str()), out_(out) {}
+  void write(const char* bytes, int count) override { out_.write(bytes, count); }
+  // Asked in the destructor too, which no exception may leave.
+  std::uint64_t tellp() override {
+    return out_ ? static_cast<std::uint64_t>(out_.tellp()) : std::uint64_t{0};
+  }
+  void seekp(std::uint64_t place) override { out_.seekp(static_cast<std::streamoff>(place)); }
+
+ private:
+  std::ostream& out_;
+};
+
+void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer frame;
+  const auto width = static_cast<std::size_t>(image.width);
+  for (const auto& [name, values] : image.channels) {
+    assert(values.size() == width * static_cast<std::size_t>(image.height));
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    // The slice is only read from when a file is written.
+    frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(),
+                                        sizeof(float), sizeof(float) * width));
+  }
+  for (const auto& [name, text] : image.metadata) {
+    header.insert(name, Imf::StringAttribute(text));
+  }
+  ExrOutput stream(file, out);
+  Imf::OutputFile output(stream, header);
+  output.setFrameBuffer(frame);
+  output.writePixels(image.height);
+}
+
 }  // namespace
 
 bool is_exr(const fs::path& file) {
@@ -114,26 +111,26 @@ bool is_exr(const fs::path& file) {
 ImageLayers read_exr(const fs::path& file) {
   regular_file_size(file);
   if (!is_exr(file)) throw InputError(file, "header", "not an OpenEXR file");
+  check_exr_attributes(file);
   return guarded(file, [&] {
     Imf::MultiPartInputFile input(file.c_str());
     const int part_number = first_flat_part(file, input);
     const Imf::Header& header = input.header(part_number);
-    const Size size = checked_size(file, header);
-    ImageLayers image;
-    image.width = size.width;
-    image.height = size.height;
-    const auto pixels =
-        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    check_exr_image(file, header);
     const Imath::Box2i window = header.dataWindow();
+    ImageLayers image;
+    image.width = window.max.x - window.min.x + 1;
+    image.height = window.max.y - window.min.y + 1;
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t pixels = width * static_cast<std::size_t>(image.height);
     Imf::InputPart part(input, part_number);
     read_last_row(part, header);
     Imf::FrameBuffer frame;
     for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
       std::vector<float>& values = image.channels[c.name()];
       values.resize(pixels);
-      frame.insert(c.name(),
-                   Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float),
-                                    sizeof(float) * static_cast<std::size_t>(size.width)));
+      frame.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float),
+                                              sizeof(float) * width));
     }
     part.setFrameBuffer(frame);
     part.readPixels(window.min.y, window.max.y);
@@ -146,26 +143,12 @@ ImageLayers read_exr(const fs::path& file) {
 }
 
 void write_exr(const fs::path& file, const ImageLayers& image) {
-  write_atomically(file, [&](const fs::path& temporary) {
-    guarded(file, [&] {
-      Imf::Header header(image.width, image.height);
-      header.compression() = Imf::ZIP_COMPRESSION;
-      Imf::FrameBuffer frame;
-      const auto width = static_cast<std::size_t>(image.width);
-      for (const auto& [name, values] : image.channels) {
-        assert(values.size() == width * static_cast<std::size_t>(image.height));
-        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-        // The slice is only read from when a file is written.
-        frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(),
-                                            sizeof(float), sizeof(float) * width));
-      }
-      for (const auto& [name, text] : image.metadata) {
-        header.insert(name, Imf::StringAttribute(text));
-      }
-      Imf::OutputFile output(temporary.c_str(), header);
-      output.setFrameBuffer(frame);
-      output.writePixels(image.height);
-    });
+  write_atomically(file, [&](std::ostream& out) {
+    try {
+      write_layers(file, out, image);
+    } catch (const Iex::BaseExc& error) {
+      throw InputError(file, "", std::string("cannot be written: ") + error.what());
+    }
   });
 }
 

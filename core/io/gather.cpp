@@ -5,13 +5,19 @@
 #include <algorithm>
 #include <atomic>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/frame_pattern.h"
 #include "core/io/scene_file.h"
+#include "core/io/scene_files.h"
+#include "core/io/temporary_files.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -66,14 +72,20 @@ class Copies {
   }
 
   void make(const fs::path& file, const fs::path& copy) {
-    if (stop_.stop_requested()) throw Stopped();
     std::error_code error;
     fs::create_directories(copy.parent_path(), error);
     if (error) throw InputError(copy, "", "cannot be made: " + error.message());
-    write_atomically(copy, [&](const fs::path& temporary) {
-      fs::copy_file(file, temporary, fs::copy_options::overwrite_existing, error);
-      if (error) throw InputError(file, "", "cannot be copied: " + error.message());
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw InputError(file, "", std::string("cannot be opened: ") + std::strerror(errno));
+    write_atomically(copy, [&](std::ostream& out) {
+      std::vector<char> bytes(std::size_t{1} << 20);
+      do {
+        if (stop_.stop_requested()) throw Stopped();
+        in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        out.write(bytes.data(), in.gcount());
+      } while (in);
     });
+    if (in.bad()) throw InputError(file, "", "cannot be read");
   }
 
   fs::path folder_;
@@ -93,6 +105,7 @@ class TemporaryTarget {
       path_ = fs::weakly_canonical(parent, error) /
               (".brume-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
     } while (!error && fs::exists(path_));
+    name_ = TemporaryName(path_);
     if (!error) fs::create_directory(path_, error);
     if (error) throw InputError(folder, "", "cannot be made: " + error.message());
   }
@@ -119,12 +132,26 @@ class TemporaryTarget {
 
  private:
   fs::path path_;
+  TemporaryName name_;
 };
 
 // A name without a slash at its end.
 fs::path cleaned(const fs::path& folder) {
   const fs::path normal = folder.lexically_normal();
   return normal.has_filename() ? normal : normal.parent_path();
+}
+
+void write_copies(const Scene& scene, const fs::path& folder, const std::string& name,
+                  const std::stop_token& stop) {
+  Copies copies(folder / "files", stop);
+  Scene gathered = scene;
+  visit_files(gathered, [&copies](auto& reference) { copies.take(reference); });
+  if (refers_to_medium_file(scene)) {
+    auto file = std::make_shared<MediumFile>(*scene.medium_file);
+    copies.take(file->file);
+    gathered.medium_file = std::move(file);
+  }
+  save_scene(gathered, folder / (name + ".brume"));
 }
 
 }  // namespace
@@ -139,20 +166,11 @@ bool gather_scene(const Scene& scene, const fs::path& to, const std::string& nam
   }
   try {
     TemporaryTarget target(folder);
-    Copies copies(target.path() / "files", stop);
-    Scene gathered = scene;
-    for (Surface& surface : gathered.surfaces) {
-      copies.take(surface.mesh_file);
-      if (surface.material.type == Material::Type::measured) copies.take(surface.material.file);
+    try {
+      write_copies(scene, target.path(), name, stop);
+    } catch (const InputError& mistake) {  // which may name the temporary folder
+      throw InputError(folder, "", std::string("cannot be made: ") + mistake.what());
     }
-    if (gathered.environment) copies.take(gathered.environment->file);
-    for (MediumSequence& sequence : gathered.sequences) copies.take(sequence);
-    if (refers_to_medium_file(scene)) {
-      auto file = std::make_shared<MediumFile>(*scene.medium_file);
-      copies.take(file->file);
-      gathered.medium_file = std::move(file);
-    }
-    save_scene(gathered, target.path() / (name + ".brume"));
     target.become(folder);
   } catch (const Stopped&) {
     return false;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "core/io/number_domain.h"
@@ -24,6 +26,12 @@ inline constexpr NumberDomain id_domain{0.0, 4294967295.0, "a whole number from 
 constexpr bool is_id(double value) {
   return id_domain.contains(value) &&
          value == static_cast<double>(static_cast<std::uint32_t>(value));
+}
+
+// How many Gaussians a file may have, in words.
+inline std::string allowed_count(std::size_t max_count) {
+  return "at most " + std::to_string(max_count) +
+         (max_count < limits::gaussians ? " beside the others of the scene" : "");
 }
 
 // find(name) for the name of number i, then for its other names, until that gives a value.

@@ -11,7 +11,6 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussian_columns.h"
-#include "core/io/limits.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
@@ -58,7 +57,7 @@ std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
 }  // namespace
 
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
-                                         std::vector<GaussianNumber>* ids) {
+                                         std::vector<GaussianNumber>* ids, std::size_t max_count) {
   const std::string bytes = read_bytes(file);
   TextScanner text(bytes);
   if (!text.next_line())
@@ -85,9 +84,10 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
       }
       value[i] = *number;
     }
-    if (gaussians.size() == limits::gaussians) {
-      throw InputError(file, text.place(),
-                       "found more than " + std::to_string(limits::gaussians) + " Gaussians");
+    if (gaussians.size() == max_count) {
+      throw InputError(
+          file, text.place(),
+          "found one Gaussian more than is allowed: " + gaussian_columns::allowed_count(max_count));
     }
     gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
     if (!ids || id_column == header.size()) continue;

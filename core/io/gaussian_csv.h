@@ -4,15 +4,18 @@
 #include <span>
 #include <vector>
 
+#include "core/io/limits.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {
 
 // Gaussians as a table of comma-separated values: the first line names the columns, among them x,
 // y, z, radius and density (or as other programs call them: gaussian_columns.h) in any order;
-// others are skipped, and so are empty lines. Throws InputError naming file and line.
+// others are skipped, and so are empty lines. Throws InputError naming file and line, also for more
+// than `max_count`.
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
-                                         std::vector<GaussianNumber>* ids = nullptr);
+                                         std::vector<GaussianNumber>* ids = nullptr,
+                                         std::size_t max_count = limits::gaussians);
 
 // Writes x,y,z,radius,density with the fewest digits that read back the same.
 void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,

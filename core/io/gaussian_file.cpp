@@ -7,9 +7,9 @@
 namespace brume {
 
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
-                                     std::vector<GaussianNumber>* ids) {
-  return read_first_bytes(file, 3) == "ply" ? read_gaussians_ply(file, ids)
-                                            : read_gaussians_csv(file, ids);
+                                     std::vector<GaussianNumber>* ids, std::size_t max_count) {
+  return read_first_bytes(file, 3) == "ply" ? read_gaussians_ply(file, ids, max_count)
+                                            : read_gaussians_csv(file, ids, max_count);
 }
 
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,

@@ -14,7 +14,6 @@
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussian_columns.h"
-#include "core/io/limits.h"
 #include "core/io/ply.h"
 #include "core/medium/splat.h"
 
@@ -93,15 +92,15 @@ ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Elemen
 }  // namespace
 
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
-                                         std::vector<GaussianNumber>* ids) {
+                                         std::vector<GaussianNumber>* ids, std::size_t max_count) {
   const std::string bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
   if (vertices == nullptr) throw InputError(file, "header", "there is no element vertex");
-  if (vertices->count > limits::gaussians) {
+  if (vertices->count > max_count) {
     throw InputError(file, "element vertex",
-                     "found " + std::to_string(vertices->count) + " Gaussians; allowed: at most " +
-                         std::to_string(limits::gaussians));
+                     "found " + std::to_string(vertices->count) +
+                         " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
   }
   const auto splats = from_splats(*vertices);
   const ToGaussians to_gaussians = splats ? *splats : from_points(file, *vertices);
@@ -120,10 +119,11 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
           }
           gaussians.push_back(g);
         }
-        if (gaussians.size() > limits::gaussians) {
+        if (gaussians.size() > max_count) {
           throw InputError(file, "vertex " + std::to_string(index),
-                           "found more than " + std::to_string(limits::gaussians) +
-                               " Gaussians, with those that long splats become");
+                           "found " + std::to_string(gaussians.size()) +
+                               " Gaussians, with those that long splats become; allowed: " +
+                               gaussian_columns::allowed_count(max_count));
         }
         if (!ids || !id || splats) return;
         const double number = row.scalars[(*id)[0]];

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/io/limits.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {
@@ -17,9 +18,11 @@ namespace brume {
 // up to nine balls along its long axes (balls_along()); colours are skipped. Throws InputError
 // naming file and vertex.
 //
-// `ids` gets the numbers of the property id, where points have one.
+// `ids` gets the numbers of the property id, where points have one. More than `max_count` are
+// refused.
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
-                                         std::vector<GaussianNumber>* ids = nullptr);
+                                         std::vector<GaussianNumber>* ids = nullptr,
+                                         std::size_t max_count = limits::gaussians);
 
 // Writes binary little-endian PLY in double precision: what is read back is the same.
 // With ids, as many, if any are given.

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Pixels beyond these must be backed by the file: the run-length code makes at most 16 of a byte.
-constexpr std::size_t free_pixels = std::size_t{1} << 26;
+constexpr std::size_t free_pixels = std::size_t{1} << 22;
 constexpr std::size_t best_compression = 16;
 
 using Rgbe = std::array<std::uint8_t, 4>;
@@ -45,6 +45,10 @@ class HdrReader {
     const std::size_t pixels = width * static_cast<std::size_t>(header.height);
     if (pixels > free_pixels && pixels / best_compression > data_.size()) {
       fail_header("found " + std::to_string(pixels) + " pixels; the file is too short for them");
+    }
+    if (pixels * sizeof(glm::vec3) > limits::scene_bytes) {
+      fail_header("found " + std::to_string(pixels) + " pixels; allowed: at most " +
+                  std::to_string(limits::scene_bytes / sizeof(glm::vec3)));
     }
     RadianceMap map{header.width, header.height, {}};
     map.pixels.reserve(pixels);

@@ -8,11 +8,31 @@
 namespace brume {
 namespace {
 
+// What malloc adds to what is asked for.
+constexpr std::size_t heap_overhead = 16;
+
+// On the heap.
+std::size_t bytes_of(const std::string& text) {
+  const bool is_short = text.capacity() <= std::string().capacity();
+  return is_short ? 0 : text.capacity() + heap_overhead;
+}
+
+std::size_t bytes_of(const Json& value) {
+  if (value.is_string()) {
+    return sizeof(std::string) + heap_overhead + bytes_of(value.get_ref<const std::string&>());
+  }
+  return value.is_structured() ? sizeof(Json::array_t) + heap_overhead : 0;
+}
+
 // Builds the document from the parser's events; unlike the library's own builder it refuses a key
-// twice, deep nesting and absurd counts, and knows where it is.
+// twice, deep nesting, absurd counts and values that take far more memory than their text, and
+// knows where it is.
 class Builder final : public nlohmann::json_sax<Json> {
  public:
-  Builder(const std::filesystem::path& file, std::string_view text) : file_(file), text_(text) {}
+  Builder(const std::filesystem::path& file, std::string_view text)
+      : file_(file),
+        text_(text),
+        max_bytes_(limits::json_bytes + limits::json_bytes_per_byte * text.size()) {}
 
   Json root;
 
@@ -38,6 +58,7 @@ class Builder final : public nlohmann::json_sax<Json> {
       fail("found more than " + std::to_string(limits::keys) +
            " keys in one object; allowed: " + std::to_string(limits::keys));
     }
+    spend(sizeof(Json::object_t::value_type) - sizeof(Json) + bytes_of(name));
     member_ = &object[name];
     keys_.back() = name;
     return true;
@@ -62,6 +83,7 @@ class Builder final : public nlohmann::json_sax<Json> {
 
  private:
   Json* add(Json value) {
+    spend(sizeof(Json) + bytes_of(value));
     if (stack_.empty()) {
       root = std::move(value);
       return &root;
@@ -89,6 +111,14 @@ class Builder final : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  void spend(std::size_t bytes) {
+    bytes_ += bytes;
+    if (bytes_ <= max_bytes_) return;
+    fail("the values up to here take more than " + std::to_string(max_bytes_) +
+         " bytes of memory; allowed: " + std::to_string(limits::json_bytes_per_byte) +
+         " for each byte of the text, and " + std::to_string(limits::json_bytes));
+  }
+
   bool close() {
     stack_.pop_back();
     keys_.pop_back();
@@ -112,6 +142,8 @@ class Builder final : public nlohmann::json_sax<Json> {
 
   const std::filesystem::path& file_;
   std::string_view text_;
+  std::size_t bytes_ = 0;  // that the values take
+  std::size_t max_bytes_;
   std::vector<Json*> stack_;       // the open arrays and objects
   std::vector<std::string> keys_;  // the latest key of each
   Json* member_ = nullptr;

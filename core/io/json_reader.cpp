@@ -35,7 +35,15 @@ void JsonContext::fail(const JsonPlace& place, const std::string& message) const
 
 void JsonContext::warn(const JsonPlace& place, const std::string& message) {
   if (warnings_ == nullptr || !warned_.insert(place.kind()).second) return;
+  if (warned_.size() > max_warnings) return;
   warnings_->push_back(InputError(file_, place.kind(), message).what());
+}
+
+void JsonContext::finish_warnings() {
+  if (warned_.size() <= max_warnings) return;
+  const std::size_t more = warned_.size() - max_warnings;
+  warnings_->push_back(
+      InputError(file_, "", "and " + std::to_string(more) + " more warnings like these").what());
 }
 
 JsonObject::JsonObject(JsonContext& context, const Json& value, const JsonPlace& place)
@@ -131,13 +139,17 @@ const Json::array_t& JsonObject::array(std::string_view key, std::size_t longest
 }
 
 std::string JsonObject::unknown() {
-  Json rest = Json::object();
+  std::string rest;
   for (const auto& [key, value] : value_.items()) {
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    rest[key] = value;
+    rest += rest.empty() ? '{' : ',';
+    rest += Json(key).dump();
+    rest += ':';
+    rest += value.dump();
     context_.warn(place(key), "unknown key; it is kept when the scene is saved");
   }
-  return rest.empty() ? std::string() : rest.dump();
+  if (!rest.empty()) rest += '}';
+  return rest;
 }
 
 std::vector<double> read_numbers(const JsonContext& context, const Json& value,

@@ -17,8 +17,8 @@ namespace brume {
 using Json = nlohmann::ordered_json;  // keeps the order of keys
 
 // Parses a JSON text strictly. Throws InputError naming line and column, or the JSON path where
-// there is one: bad syntax, a key twice in one object, numbers beyond double, nesting, keys or
-// array lengths beyond limits.
+// there is one: bad syntax, a key twice in one object, numbers beyond double; nesting, keys, array
+// lengths or memory beyond limits.
 Json parse_json(const std::filesystem::path& file, std::string_view text);
 
 // Where a value stands in the file, as a chain from the value up to the root; becomes text like
@@ -47,8 +47,12 @@ class JsonContext {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[noreturn]] void fail(const JsonPlace& place, const std::string& message) const;
   void warn(const JsonPlace& place, const std::string& message);  // once for each kind of place
+  // Of many warnings only the first are kept; after all this adds how many more there were.
+  void finish_warnings();
 
  private:
+  static constexpr std::size_t max_warnings = 20;
+
   std::filesystem::path file_;
   std::vector<std::string>* warnings_;
   std::set<std::string> warned_;

@@ -8,7 +8,8 @@
 namespace brume::limits {
 
 inline constexpr std::uintmax_t file_bytes = std::uintmax_t{1} << 30;  // scenes, meshes, Gaussians
-inline constexpr std::size_t gaussians = 10'000'000;
+inline constexpr std::size_t scene_bytes = std::size_t{8} << 30;       // of all that a scene loads
+inline constexpr std::size_t gaussians = 10'000'000;  // of a scene with its emitters and sequences
 inline constexpr std::uint32_t volume_grids = 1024;
 inline constexpr std::size_t volume_blocks = 2'000'000;  // of 8 x 8 x 8 voxels: 4 GB
 inline constexpr std::size_t lights = 1024;
@@ -17,10 +18,14 @@ inline constexpr std::size_t sequences = 1024;
 inline constexpr int frame = 1'000'000;  // of what is played
 inline constexpr int sequence_frames = 100'000;
 inline constexpr std::size_t surfaces = 4096;
-inline constexpr int film_side = 16384;                // pixels
-inline constexpr int image_side = 32768;               // pixels
-inline constexpr int json_depth = 64;                  // nested arrays and objects
-inline constexpr std::size_t keys = 1024;              // of one JSON object
+inline constexpr int film_side = 16384;    // pixels
+inline constexpr int image_side = 32768;   // pixels
+inline constexpr int json_depth = 64;      // nested arrays and objects
+inline constexpr std::size_t keys = 1024;  // of one JSON object
+// What the values of a JSON text may take of memory: so much, and so much for each of its bytes.
+// Gaussians without decimals take 7.
+inline constexpr std::size_t json_bytes = std::size_t{64} << 20;
+inline constexpr std::size_t json_bytes_per_byte = 8;
 inline constexpr std::size_t keys_of_value = 100'000;  // of an animation
 
 inline constexpr double coordinate = 1e12;     // |x| [u]

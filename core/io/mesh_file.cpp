@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
+#include "core/io/limits.h"
 #include "core/io/mesh_readers.h"
 #include "core/io/number_domain.h"
 #include "core/io/text_scanner.h"
@@ -93,12 +94,27 @@ std::vector<glm::dvec3> unit_normals(const RawMesh& raw) {
   return smooth;
 }
 
+// Points, normals and OpenMesh's connectivity with its status bits.
+std::size_t bytes_of(std::size_t vertices, std::size_t edges, std::size_t faces) {
+  return 36 * vertices + 40 * edges + 8 * faces;
+}
+
+void check_bytes(const std::filesystem::path& file, std::size_t bytes) {
+  if (bytes <= limits::scene_bytes) return;
+  throw InputError(file, "",
+                   "the mesh takes more than " + std::to_string(limits::scene_bytes) +
+                       " bytes of memory, which is what is allowed");
+}
+
 // OpenMesh holds manifolds only: where a triangle does not fit, it gets vertices of its own.
-std::shared_ptr<TriangleMesh> to_triangle_mesh(const RawMesh& raw) {
+std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file,
+                                               const RawMesh& raw) {
+  const std::size_t edges = raw.triangles.size() * 3 / 2;
+  check_bytes(file, bytes_of(raw.points.size(), edges, raw.triangles.size()));
   const std::vector<glm::dvec3> normals = unit_normals(raw);
   auto mesh = std::make_shared<TriangleMesh>();
   mesh->request_vertex_normals();
-  mesh->reserve(raw.points.size(), raw.triangles.size() * 3 / 2, raw.triangles.size());
+  mesh->reserve(raw.points.size(), edges, raw.triangles.size());
   const auto add_vertex = [&](std::uint32_t index) {
     const VertexHandle vertex = mesh->add_vertex(Vec3f(static_cast<float>(raw.points[index].x),
                                                        static_cast<float>(raw.points[index].y),
@@ -113,6 +129,7 @@ std::shared_ptr<TriangleMesh> to_triangle_mesh(const RawMesh& raw) {
   const bool was_enabled = omerr().is_enabled();
   omerr().disable();
   for (const auto& corners : raw.triangles) {
+    check_bytes(file, mesh_bytes(*mesh));
     std::array<VertexHandle, 3> vertices;
     std::transform(corners.begin(), corners.end(), vertices.begin(),
                    [](std::uint32_t i) { return VertexHandle(static_cast<int>(i)); });
@@ -170,7 +187,11 @@ void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners) {
 std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file) {
   const RawMesh raw = read_raw(file);
   if (raw.triangles.empty()) throw InputError(file, "", "the mesh has no faces");
-  return to_triangle_mesh(raw);
+  return to_triangle_mesh(file, raw);
+}
+
+std::size_t mesh_bytes(const TriangleMesh& mesh) {
+  return bytes_of(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces());
 }
 
 }  // namespace brume

@@ -4,9 +4,8 @@
 #include <cassert>
 #include <csetjmp>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <new>
+#include <sstream>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
@@ -32,7 +31,18 @@ struct Failure {
 
 void on_warning(png_structp, png_const_charp) {}
 
-bool write_image(std::FILE* out, int width, int height, const std::uint8_t* rgb, png_textp texts,
+void write_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+  auto& out = *static_cast<std::ostream*>(png_get_io_ptr(png));
+  try {
+    out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+  } catch (const std::ios_base::failure&) {  // which must not pass through libpng
+  }
+  if (!out) png_error(png, "the stream failed");
+}
+
+void flush_bytes(png_structp) {}
+
+bool write_image(std::ostream& out, int width, int height, const std::uint8_t* rgb, png_textp texts,
                  int text_count, Failure& failure) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
@@ -46,7 +56,7 @@ bool write_image(std::FILE* out, int width, int height, const std::uint8_t* rgb,
     png_destroy_write_struct(&png, &info);
     return false;
   }
-  png_init_io(png, out);
+  png_set_write_fn(png, &out, write_bytes, flush_bytes);
   png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
                PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
@@ -81,31 +91,22 @@ void write_png(const std::filesystem::path& file, int width, int height,
     text.itxt_length = is_ascii ? 0 : value.size();
     texts.push_back(text);
   }
-  write_atomically(file, [&](const std::filesystem::path& temporary) {
-    std::FILE* out = std::fopen(temporary.c_str(), "wb");
-    if (out == nullptr) throw InputError(file, "", "cannot be written");
+  write_atomically(file, [&](std::ostream& out) {
     Failure failure{};
     const bool written = write_image(out, width, height, rgb.data(), texts.data(),
                                      static_cast<int>(texts.size()), failure);
-    const bool closed = std::fclose(out) == 0;
-    if (!written) throw InputError(file, "", std::string("cannot be written: ") + failure.reason);
-    if (!closed) throw InputError(file, "", "cannot be written: the disk may be full");
+    if (!written && out) {
+      throw InputError(file, "", std::string("cannot be written: ") + failure.reason);
+    }
   });
 }
 
 std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb) {
   assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  char* memory = nullptr;
-  std::size_t size = 0;
-  std::FILE* out = open_memstream(&memory, &size);
-  if (out == nullptr) throw std::bad_alloc();
+  std::ostringstream out;
   Failure failure{};
-  const bool written = write_image(out, width, height, rgb.data(), nullptr, 0, failure);
-  const bool closed = std::fclose(out) == 0;
-  const std::string bytes = written && closed ? std::string(memory, size) : std::string();
-  std::free(memory);
-  if (bytes.empty()) throw std::bad_alloc();
-  return bytes;
+  if (!write_image(out, width, height, rgb.data(), nullptr, 0, failure)) throw std::bad_alloc();
+  return std::move(out).str();
 }
 
 }  // namespace brume

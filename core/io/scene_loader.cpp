@@ -3,11 +3,13 @@
 #include <glm/geometric.hpp>
 #include <new>
 
+#include "core/authoring/particles.h"
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/json_reader.h"
 #include "core/io/keys_json.h"
 #include "core/io/limits.h"
+#include "core/io/scene_budget.h"
 #include "core/io/scene_file.h"
 #include "core/io/scene_names.h"
 #include "core/io/scene_references.h"
@@ -20,8 +22,8 @@ namespace {
 
 class SceneLoader {
  public:
-  SceneLoader(const fs::path& file, std::vector<std::string>* warnings)
-      : context_(file, warnings), references_(file) {}
+  SceneLoader(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing)
+      : context_(file, warnings), references_(file, missing) {}
 
   Scene load(const Json& root) {
     JsonObject object(context_, root, root_);
@@ -37,6 +39,7 @@ class SceneLoader {
     if (const Json* value = object.find("timeline"))
       load_timeline(*value, object.place("timeline"));
     scene_.unknown = object.unknown();
+    context_.finish_warnings();
     return std::move(scene_);
   }
 
@@ -117,6 +120,8 @@ class SceneLoader {
   void load_medium(const Json& value, const JsonPlace& place) {
     JsonObject object(context_, value, place);
     scene_.medium.set_homogeneous_density(object.number("density", domain::density, 0.0));
+    const JsonPlace gaussians = object.place("gaussians");
+    budget_.take_gaussians(gaussians, object.array("gaussians", limits::gaussians).size());
     load_elements(object, "gaussians", limits::gaussians, &SceneLoader::load_gaussian);
     if (object.find("file") != nullptr) load_medium_file(object);
 
@@ -149,15 +154,11 @@ class SceneLoader {
     const JsonPlace place = object.place("file");
     auto loaded = std::make_shared<MediumFile>();
     loaded->file = references_.resolve(context_, place, object.text("file", {}));
-    loaded->gaussians = SceneReferences::gaussians(context_, place, loaded->file);
+    loaded->gaussians =
+        references_.gaussians(context_, place, loaded->file, budget_.gaussians_left());
+    budget_.take_gaussians(place, loaded->gaussians.size());
     Medium& medium = scene_.medium;
-    const std::size_t total = medium.size() + loaded->gaussians.size();
-    if (total > limits::gaussians) {
-      context_.fail(place, "found " + std::to_string(total) +
-                               " Gaussians in all; allowed: at most " +
-                               std::to_string(limits::gaussians));
-    }
-    medium.reserve(total);
+    medium.reserve(medium.size() + loaded->gaussians.size());
     loaded->ids.reserve(loaded->gaussians.size());
     for (const Gaussian& g : loaded->gaussians) loaded->ids.push_back(medium.append(g));
     scene_.medium_file = std::move(loaded);
@@ -187,6 +188,7 @@ class SceneLoader {
     emitter.density = load_pair(object, "density", domain::density, emitter.density);
     emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
     emitter.unknown = object.unknown();
+    budget_.take_gaussians(place, max_particles(emitter));
     scene_.emitters.push_back(std::move(emitter));
   }
 
@@ -205,7 +207,8 @@ class SceneLoader {
         object.number("frames_per_second", domain::rate, sequence.frames_per_second);
     sequence.start = object.number("start", domain::seconds, sequence.start);
     sequence.frames = std::make_shared<std::vector<SequenceFrame>>(
-        SceneReferences::sequence(context_, file, sequence.file, sequence.first, sequence.last));
+        references_.sequence(context_, file, sequence, budget_.gaussians_left()));
+    budget_.take_gaussians(file, gaussian_count(sequence));
     sequence.unknown = object.unknown();
     scene_.sequences.push_back(std::move(sequence));
   }
@@ -238,7 +241,8 @@ class SceneLoader {
     environment.file = references_.resolve(context_, file, object.text("file", {}));
     environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
     environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
-    environment.map = SceneReferences::radiance_map(context_, file, environment.file);
+    environment.map = references_.radiance_map(context_, file, environment.file);
+    budget_.take(file, *environment.map);
     load_keys(object, environment.keys.unknown,
               [&](auto&& visit) { visit_keyed_environment(environment, visit); });
     environment.unknown = object.unknown();
@@ -251,6 +255,7 @@ class SceneLoader {
     const JsonPlace mesh = object.place("mesh");
     surface.mesh_file = references_.resolve(context_, mesh, object.text("mesh", {}));
     surface.mesh = references_.mesh(context_, mesh, surface.mesh_file);
+    budget_.take(mesh, *surface.mesh);
     surface.translate = object.vector("translate", domain::coordinate, surface.translate);
     if (const Json* rotate = object.find("rotate")) {
       surface.rotate = unit_quaternion(*rotate, object.place("rotate"));
@@ -286,6 +291,7 @@ class SceneLoader {
       const JsonPlace file = object.place("file");
       material.file = references_.resolve(context_, file, object.text("file", {}));
       material.measured = references_.measured_brdf(context_, file, material.file);
+      budget_.take(file, *material.measured);
     } else {
       material.reflectance = object.vector("reflectance", domain::unit, material.reflectance);
     }
@@ -298,17 +304,16 @@ class SceneLoader {
   }
 
   JsonContext context_;
+  SceneBudget budget_{context_};
   JsonPlace root_;
   SceneReferences references_;
   Scene scene_;
 };
 
-}  // namespace
-
-Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+Scene load(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing) {
   try {
-    const std::string text = read_bytes(file);
-    return SceneLoader(file, warnings).load(parse_json(file, text));
+    const Json json = parse_json(file, read_bytes(file));
+    return SceneLoader(file, warnings, missing).load(json);
   } catch (const InputError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -316,6 +321,16 @@ Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
   } catch (const std::exception& error) {  // of the file system, or a limit of the library's
     throw InputError(file, "", error.what());
   }
+}
+
+}  // namespace
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+  return load(file, warnings, nullptr);
+}
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings, MissingFiles& missing) {
+  return load(file, warnings, &missing);
 }
 
 }  // namespace brume

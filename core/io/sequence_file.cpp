@@ -5,15 +5,14 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/io/limits.h"
 
 namespace brume {
 namespace {
 
-SequenceFrame read_frame(const std::string& file, const FrameReader& read) {
+SequenceFrame read_frame(const std::string& file, const FrameReader& read, std::size_t max_count) {
   SequenceFrame frame;
   std::vector<GaussianNumber> ids;
-  std::vector<Gaussian> gaussians = read(file, &ids);
+  std::vector<Gaussian> gaussians = read(file, &ids, max_count);
   if (ids.empty()) {
     frame.ids.resize(gaussians.size());
     std::iota(frame.ids.begin(), frame.ids.end(), GaussianNumber{0});
@@ -38,18 +37,12 @@ SequenceFrame read_frame(const std::string& file, const FrameReader& read) {
 }  // namespace
 
 std::vector<SequenceFrame> read_sequence(const FramePattern& files, int first, int last,
-                                         const FrameReader& read) {
+                                         const FrameReader& read, std::size_t max_count) {
   std::vector<SequenceFrame> frames;
   std::size_t total = 0;
   for (int number = first; number <= last; ++number) {
-    const std::string file = files.of(number);
-    frames.push_back(read_frame(file, read));
+    frames.push_back(read_frame(files.of(number), read, max_count - total));
     total += frames.back().gaussians.size();
-    if (total > limits::gaussians) {
-      throw InputError(file, "",
-                       "found more than " + std::to_string(limits::gaussians) +
-                           " Gaussians in all frames up to this one");
-    }
   }
   return frames;
 }

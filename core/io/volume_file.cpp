@@ -94,6 +94,12 @@ Extent extent_of(ByteReader reader, const VdbValues& values) {
   return extent;
 }
 
+// OpenVDB's own file ignores what becomes of its stream: on a full disk it is truncated, unsaid.
+class VdbArchive final : public openvdb::io::Archive {
+ public:
+  using Archive::write;
+};
+
 }  // namespace
 
 DensityGrid read_volume(const Path& path, const std::string& name) {
@@ -189,10 +195,9 @@ void write_volume(const Path& path, const DensityGrid& grid, bool half) {
     }
     result->tree().addLeaf(leaf);  // which takes it
   }
-  write_atomically(path, [&](const Path& temporary) {
+  write_atomically(path, [&](std::ostream& out) {
     try {
-      openvdb::io::File file(temporary.string());
-      file.write({result});
+      VdbArchive().write(out, openvdb::GridCPtrVec{result}, /*seekable=*/true);
     } catch (const openvdb::Exception& error) {
       throw InputError(path, "", std::string("cannot be written (") + error.what() + ")");
     }

@@ -17,6 +17,13 @@ double last_moment(const Scene& scene) {
   return last;
 }
 
+std::size_t gaussian_count(const Scene& scene) {
+  std::size_t count = scene.medium.size();
+  for (const Emitter& emitter : scene.emitters) count += max_particles(emitter);
+  for (const MediumSequence& sequence : scene.sequences) count += gaussian_count(sequence);
+  return count;
+}
+
 Scene at_time(const Scene& scene, double time) {
   Scene result = scene;
   apply_keys(result, time);

@@ -48,6 +48,12 @@ std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time) {
   return between_frames(frames[before], frames[before + 1], at - static_cast<double>(before));
 }
 
+std::size_t gaussian_count(const MediumSequence& sequence) {
+  std::size_t count = 0;
+  for (const SequenceFrame& frame : *sequence.frames) count += frame.gaussians.size();
+  return count;
+}
+
 double end_of(const MediumSequence& sequence) {
   return sequence.start + (sequence.last - sequence.first) / sequence.frames_per_second;
 }

@@ -38,6 +38,9 @@ std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame
 // The Gaussians at a moment [s]; before the first frame and after the last those of that one.
 std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time);
 
+// Of all frames: they all are in memory, and no moment has more.
+std::size_t gaussian_count(const MediumSequence& sequence);
+
 // When the last frame is reached [s].
 double end_of(const MediumSequence& sequence);
 

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <unordered_map>
+
+#include "core/io/limits.h"
 
 namespace brume {
 namespace {
@@ -84,6 +88,7 @@ double fitting_voxel_size(const Medium& medium) {
 std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double voxel_size,
                                                    std::size_t most) {
   MediumSampling result(medium, voxel_size);
+  const std::size_t most_pairs = most * (sizeof(DensityGrid::Block) / sizeof(std::uint32_t));
   std::unordered_map<glm::ivec3, std::size_t, CornerHash> places;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const Gaussian g = medium.gaussian(i);
@@ -96,7 +101,7 @@ std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double 
         result.gaussians_.emplace_back();
       }
       result.gaussians_[place->second].push_back(static_cast<std::uint32_t>(i));
-      return true;
+      return ++result.pairs_ <= most_pairs;
     });
     if (!fits) return std::nullopt;
   }
@@ -127,6 +132,18 @@ std::optional<DensityGrid> MediumSampling::sample(
   if (stop.stop_requested()) return std::nullopt;
   grid.sort();
   return grid;
+}
+
+std::optional<double> sufficient_voxel_size(const Medium& medium, double voxel_size,
+                                            std::size_t most) {
+  for (double size = voxel_size; size <= limits::greatest_length; size *= 2.0) {
+    const double digit = std::pow(10.0, std::floor(std::log10(size)) - 1.0);
+    char text[16];
+    std::snprintf(text, sizeof text, "%.1e", digit * std::ceil(size / digit * (1.0 - 1e-9)));
+    const double rounded = std::strtod(text, nullptr);
+    if (MediumSampling::plan(medium, rounded, most)) return rounded;
+  }
+  return std::nullopt;
 }
 
 }  // namespace brume

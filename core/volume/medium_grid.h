@@ -22,12 +22,15 @@ double fitting_voxel_size(const Medium& medium);
 // radii, where it is 1e-4 of its peak, it is left out. b0 is not part of it: it has no bounds.
 class MediumSampling {
  public:
-  // Finds the blocks; nullopt where there are more than `most`. voxel_size > 0.
+  // Finds the blocks; nullopt where there are more than `most`, or where so many Gaussians reach
+  // each that listing them takes more memory than `most` blocks. voxel_size > 0.
   static std::optional<MediumSampling> plan(const Medium& medium, double voxel_size,
                                             std::size_t most);
 
   [[nodiscard]] std::size_t blocks() const { return corners_.size(); }
-  [[nodiscard]] std::uintmax_t bytes() const { return blocks() * sizeof(DensityGrid::Block); }
+  [[nodiscard]] std::uintmax_t bytes() const {
+    return blocks() * sizeof(DensityGrid::Block) + pairs_ * sizeof(std::uint32_t);
+  }
 
   // In parallel; nullopt when it was stopped. Same input, same result. The medium lives on.
   [[nodiscard]] std::optional<DensityGrid> sample(
@@ -41,6 +44,12 @@ class MediumSampling {
   double voxel_size_;
   std::vector<glm::ivec3> corners_;
   std::vector<std::vector<std::uint32_t>> gaussians_;  // of each block
+  std::size_t pairs_ = 0;                              // in all of them
 };
+
+// The first size that plan() takes among those each twice the last, in two digits; nullopt where
+// voxel_size itself is beyond 1e12.
+std::optional<double> sufficient_voxel_size(const Medium& medium, double voxel_size,
+                                            std::size_t most);
 
 }  // namespace brume

@@ -1,10 +1,9 @@
 #include "render/reference/reference_pixels.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "render/albedo.h"
+#include "render/job.h"
 #include "render/light_limits.h"
 #include "render/render_plan.h"
 
@@ -44,24 +43,29 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   }
 }
 
-std::vector<glm::dvec3> ReferencePixels::airlight(std::span<const std::size_t> pixels,
-                                                  const std::stop_token& stop) const {
+std::vector<glm::dvec3> ReferencePixels::airlight(
+    std::span<const std::size_t> pixels, const std::stop_token& stop,
+    const std::function<void(double)>& progress) const {
+  const Job job{stop, progress};
+  const auto parts = static_cast<double>(groups_.size());
   std::vector<glm::dvec3> result(pixels.size(), glm::dvec3(0.0));
-  for (const Group& group : groups_) {
-    tbb::parallel_for(std::size_t{0}, pixels.size(), [&](std::size_t k) {
-      if (stop.stop_requested()) return;
-      const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
-                                           static_cast<double>(pixels[k] / width_) + 0.5);
-      const double length = std::min(visibility_.first_hit(rays_.eye(), w).distance, ray_end_);
-      const glm::dvec3 airlight =
-          reference_airlight(group.medium, occluders_, lights_,
-                             group.environment ? &*group.environment : nullptr, rays_.eye(), w,
-                             length, tolerance_)
-              .airlight;
-      for (const std::size_t c : group.channels) {
-        result[k][static_cast<int>(c)] = group.albedo * airlight[static_cast<int>(c)];
-      }
-    });
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
+    const auto before = static_cast<double>(g);
+    job.part(before / parts, (before + 1.0) / parts)
+        .each_reported(pixels.size(), [&](std::size_t k) {
+          const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
+                                               static_cast<double>(pixels[k] / width_) + 0.5);
+          const double length = std::min(visibility_.first_hit(rays_.eye(), w).distance, ray_end_);
+          const glm::dvec3 airlight =
+              reference_airlight(group.medium, occluders_, lights_,
+                                 group.environment ? &*group.environment : nullptr, rays_.eye(), w,
+                                 length, tolerance_)
+                  .airlight;
+          for (const std::size_t c : group.channels) {
+            result[k][static_cast<int>(c)] = group.albedo * airlight[static_cast<int>(c)];
+          }
+        });
   }
   if (stop.stop_requested()) result.clear();
   return result;

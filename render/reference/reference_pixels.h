@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -21,9 +22,10 @@ class ReferencePixels {
                   double tolerance);
 
   // Of pixels of the film, by row from the top; in parallel, milliseconds each. Empty if `stop` was
-  // requested.
-  [[nodiscard]] std::vector<glm::dvec3> airlight(std::span<const std::size_t> pixels,
-                                                 const std::stop_token& stop) const;
+  // requested. `progress` as of FrameRenderer.
+  [[nodiscard]] std::vector<glm::dvec3> airlight(
+      std::span<const std::size_t> pixels, const std::stop_token& stop,
+      const std::function<void(double)>& progress = {}) const;
 
  private:
   // Colour channels with one albedo, see albedo.h.

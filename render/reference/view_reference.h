@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <unordered_map>
 
 #include "render/reference/reference_pixels.h"
@@ -16,8 +17,9 @@ class ViewReference {
       : reference_(scene, camera, film, time, tolerance) {}
 
   // Makes the airlight of these pixels known, in parallel, milliseconds each. False if `stop` was
-  // requested.
-  bool evaluate(std::span<const std::size_t> pixels, const std::stop_token& stop);
+  // requested. `progress` as of FrameRenderer.
+  bool evaluate(std::span<const std::size_t> pixels, const std::stop_token& stop,
+                const std::function<void(double)>& progress = {});
 
   // Of a pixel that was evaluated.
   [[nodiscard]] const glm::dvec3& airlight(std::size_t pixel) const { return known_.at(pixel); }

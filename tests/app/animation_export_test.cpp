@@ -13,9 +13,12 @@
 #include "app/animation_dialog.h"
 #include "app/document/paths.h"
 #include "app/frame_export.h"
+#include "app/scene_files.h"
 #include "app/timeline.h"
+#include "app/video_file.h"
 #include "app/viewport/viewport.h"
 #include "core/io/image_file.h"
+#include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -44,6 +47,10 @@ std::size_t files_in(const fs::path& folder) {
   return static_cast<std::size_t>(
       std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
+
+// What a fake ffmpeg does to write what it gets to the file that it is given last.
+constexpr const char* write_input =
+    "for last; do :; done\necho \"$@\" >&2\nexec cat > \"${last#file:}\"\n";
 
 // A folder with a program `ffmpeg`, and nothing else on the PATH.
 class FakeFfmpeg {
@@ -112,7 +119,7 @@ class AnimationExportTest : public QObject {
   }
 
   void ffmpeg_gets_every_frame() {
-    const FakeFfmpeg ffmpeg("for last; do :; done\necho \"$@\" >&2\nexec cat > \"$last\"\n");
+    const FakeFfmpeg ffmpeg(write_input);
     TestWindow window(dimming_scene());
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
     window->export_animation_to(window.file("v.mp4"), 0, 4);
@@ -134,7 +141,7 @@ class AnimationExportTest : public QObject {
   }
 
   void a_cancelled_video_leaves_nothing() {
-    const FakeFfmpeg ffmpeg("for last; do :; done\nexec cat > \"$last\"\n");
+    const FakeFfmpeg ffmpeg(write_input);
     TestWindow window(dimming_scene());
     auto* exporter = window->findChild<FrameExport*>();
     const fs::path folder = window.file("out");
@@ -144,6 +151,54 @@ class AnimationExportTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 0; }, 60000));
     exporter->cancel();
     QVERIFY(cancelled.wait(60000));
+    QCOMPARE(files_in(folder), std::size_t{0});
+  }
+
+  void ffmpeg_gets_a_name_that_is_no_option_and_no_protocol() {
+    const FakeFfmpeg ffmpeg("for last; do :; done\necho \"$last\" >&2\nexit 1\n");
+    TestWindow window(dimming_scene());
+    fs::create_directory(window.file("http:"));
+    const fs::path before = fs::current_path();
+    fs::current_path(window.file("http:").parent_path());
+    QSignalSpy failed(window->findChild<FrameExport*>(), &FrameExport::failed);
+    for (const char* name : {"-y.mp4", "http:/x.mp4"}) {
+      failed.clear();
+      window->export_animation_to(name, 0, 0);
+      QVERIFY(failed.wait(60000));
+      const QString argument = failed[0][0].toString().section("by ffmpeg: ", 1);
+      QVERIFY2(argument.startsWith("file:/"), qPrintable(argument));
+    }
+    fs::current_path(before);
+  }
+
+  void an_ffmpeg_that_hangs_when_closed_can_be_cancelled() {
+    const FakeFfmpeg ffmpeg("cat > /dev/null\n: > \"$0.closed\"\nexec sleep 600\n");
+    TestWindow window(dimming_scene());
+    auto* exporter = window->findChild<FrameExport*>();
+    const fs::path folder = window.file("out");
+    fs::create_directory(folder);
+    QSignalSpy cancelled(exporter, &FrameExport::cancelled);
+    window->export_animation_to(folder / "v.mp4", 0, 1);
+    const QString closed = find_ffmpeg() + ".closed";
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
+    exporter->cancel();
+    QVERIFY(cancelled.wait(60000));
+    QCOMPARE(files_in(folder), std::size_t{0});
+  }
+
+  void an_ffmpeg_that_hangs_when_closed_lets_the_editor_quit() {
+    const FakeFfmpeg ffmpeg("cat > /dev/null\n: > \"$0.closed\"\nexec sleep 600\n");
+    TestWindow scene_of(dimming_scene());
+    auto window = std::make_unique<MainWindow>();
+    QSignalSpy opened(&window->files(), &SceneFiles::opened);
+    window->files().open_file(scene_of.file("scene.brume"));
+    QVERIFY(opened.wait(60000));
+    const fs::path folder = scene_of.file("out");
+    fs::create_directory(folder);
+    window->export_animation_to(folder / "v.mp4", 0, 1);
+    const QString closed = find_ffmpeg() + ".closed";
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
+    window.reset();  // the test's time limit is what fails if this waits for ffmpeg
     QCOMPARE(files_in(folder), std::size_t{0});
   }
 
@@ -168,6 +223,46 @@ class AnimationExportTest : public QObject {
     QCOMPARE(wanted[0][0].value<fs::path>(), fs::path("/tmp/steam.exr"));
     QCOMPARE(wanted[0][1].toInt(), 3);
     QCOMPARE(wanted[0][2].toInt(), 5);
+  }
+
+  void frames_that_are_there_are_replaced_only_if_the_user_says_so() {
+    TestWindow window(dimming_scene());
+    for (const char* name : {"steam_0002.png", "steam_0004.png", "steam_0005.png", "steam_3.png",
+                             "steam_0004.exr", "other_0004.png"}) {
+      std::ofstream(window.file(name)) << "old";
+    }
+    AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.show();
+    QSignalSpy wanted(&dialog, &AnimationDialog::wanted);
+    auto* file = dialog.findChild<QLineEdit*>("animation_file");
+    file->setText(to_qstring(window.file("steam.png")));
+    dialog.findChild<QSpinBox*>("animation_first")->setValue(3);
+    dialog.findChild<QSpinBox*>("animation_last")->setValue(900'000);
+    auto* button = dialog.findChild<QPushButton*>("export_animation");
+    const auto press = [&](QMessageBox::StandardButton chosen) {
+      QString question;
+      answer(chosen, &question);
+      QTest::mouseClick(button, Qt::LeftButton);
+      return question;
+    };
+    const QString asked = press(QMessageBox::Cancel);
+    QVERIFY2(asked.contains("2 files") && asked.contains("steam_0004.png") &&
+                 asked.contains("steam_0005.png"),
+             qPrintable(asked));
+    QVERIFY(dialog.isVisible());
+    QCOMPARE(wanted.count(), 0);
+    press(QMessageBox::Yes);
+    QCOMPARE(wanted.count(), 1);
+    dialog.show();
+    file->setText(to_qstring(window.file("new.png")));
+    QTest::mouseClick(button, Qt::LeftButton);  // nothing to ask
+    QCOMPARE(wanted.count(), 2);
+    dialog.show();
+    std::ofstream(window.file("steam.mp4")) << "old";
+    file->setText(to_qstring(window.file("steam.mp4")));
+    QVERIFY(press(QMessageBox::Cancel).contains("steam.mp4"));
+    QCOMPARE(wanted.count(), 2);
   }
 
   void without_ffmpeg_there_is_no_video_and_the_dialog_says_why() {

@@ -141,6 +141,91 @@ class AutosaveTest : public QObject {
     QVERIFY(copies(recovery_folder()).empty());
   }
 
+  void nobody_else_can_read_it() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path()) / "data/recovery";
+    fs::create_directories(folder);  // as an older version left them: 0755, 0644
+    leave_behind(folder, small_scene(), "/nowhere/fog.brume");
+    Document document;
+    Autosave autosave(document, folder, nullptr);
+    add_gaussian(document, {{}, 1.0, 0.5});
+    for (int k = 0; k < 2; ++k) {
+      autosave.save_soon();
+      autosave.wait();
+      add_gaussian(document, {{}, 1.0, 0.5});  // the second time the copy is replaced
+    }
+    QCOMPARE(autosave.left_behind().size(), std::size_t{1});
+    QCOMPARE(fs::status(folder).permissions(), fs::perms::owner_all);
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const fs::perms others = entry.status().permissions() & ~fs::perms::owner_all;
+      QVERIFY2(others == fs::perms::none || entry.path().filename() == "killed.lock",
+               entry.path().c_str());
+      ++files;
+    }
+    QVERIFY(files >= 5);
+  }
+
+  void pictures_of_scenes_are_nobody_elses() {
+    const TestWindow window;
+    const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    const fs::path folder = to_path(cache) / "recent";
+    QTRY_VERIFY(fs::exists(folder) && !fs::is_empty(folder));
+    QCOMPARE(fs::status(folder).permissions(), fs::perms::owner_all);
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      QCOMPARE(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    }
+  }
+
+  void what_was_offered_long_ago_goes() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    Document document;
+    Autosave autosave(document, folder, nullptr);
+    leave_behind(folder, small_scene(), "/nowhere/fog.brume");
+    const auto set_offered = [&](int days_ago) {
+      QSettings about(to_qstring(folder / "killed.ini"), QSettings::IniFormat);
+      about.setValue("offered", QDateTime::currentDateTimeUtc().addDays(-days_ago));
+    };
+    // Old, but never seen.
+    fs::last_write_time(folder / "killed.brume",
+                        fs::file_time_type::clock::now() - std::chrono::hours(24 * 400));
+    QCOMPARE(autosave.left_behind().size(), std::size_t{1});
+    set_offered(Autosave::days_offered - 1);
+    QCOMPARE(autosave.left_behind().size(), std::size_t{1});
+    Autosave::note_offered(autosave.left_behind().front());  // the first time counts
+    set_offered(Autosave::days_offered + 1);
+    Autosave::note_offered({folder / "killed.brume", {}, {}});
+    QVERIFY(autosave.left_behind().empty());
+    QVERIFY(copies(folder).empty() && !fs::exists(folder / "killed.ini"));
+  }
+
+  void what_dead_sessions_leave_besides_goes() {
+    const QTemporaryDir temporary;
+    const fs::path folder = to_path(temporary.path());
+    Document document;
+    Autosave autosave(document, folder, nullptr);
+    leave_behind(folder, small_scene(), {});
+    fs::remove(folder / "killed.brume");
+    std::ofstream(folder / ".brume-1-0.tmp") << "old";
+    std::ofstream(folder / ".brume-2-0.tmp") << "new";
+    fs::last_write_time(folder / ".brume-1-0.tmp",
+                        fs::file_time_type::clock::now() - std::chrono::hours(24 * 40));
+    QVERIFY(autosave.left_behind().empty());
+    for (const char* name : {"killed.ini", "killed.lock", ".brume-1-0.tmp"}) {
+      QVERIFY2(!fs::exists(folder / name), name);
+    }
+    QVERIFY(fs::exists(folder / ".brume-2-0.tmp"));  // perhaps just being written
+  }
+
+  void being_offered_is_noted() {
+    leave_behind(recovery_folder(), small_scene(), "/nowhere/fog.brume");
+    const TestWindow window;
+    const QSettings about(to_qstring(recovery_folder() / "killed.ini"), QSettings::IniFormat);
+    QVERIFY(about.value("offered").toDateTime().isValid());
+    Autosave::forget({recovery_folder() / "killed.brume", {}, {}});
+  }
+
   void it_can_be_discarded() {
     leave_behind(recovery_folder(), small_scene(), {});
     TestWindow window;

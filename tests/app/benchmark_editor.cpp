@@ -149,6 +149,7 @@ class Benchmark {
       QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
                        {});
       QApplication::sendEvent(&view, &move);
+      view.finish_input();
     });
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start);
     settle();

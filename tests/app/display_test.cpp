@@ -67,11 +67,14 @@ class GlWindow : public TestWindow {
 
   Viewport& view() { return (*this)->viewport(); }
   void choose(const char* backend) { (*this)->findChild<QAction*>(backend)->trigger(); }
-  // Moves a camera until `look` has seen a frame in motion.
+  // Moves a camera until `look` has seen a frame in motion that was asked for after that began: one
+  // that is under way shows what was asked before.
   static bool see_motion(Viewport& view, const std::function<void(const RenderedFrame&)>& look) {
     bool seen = false;
+    const double start = view.camera().eye.x;
     const auto connection = QObject::connect(&view, &Viewport::frame_shown, [&] {
-      if (!view.shown()->request.moving || seen) return;
+      const FrameRequest& request = view.shown()->request;
+      if (!request.moving || request.camera.eye.x <= start || seen) return;
       seen = true;
       look(*view.shown());
     });
@@ -120,7 +123,7 @@ class DisplayTest : public QObject {
     ViewportSurface* surface = surfaces.create(&parent);
     surface->widget()->resize(parent.size());
     parent.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&parent));
+    QVERIFY(QTest::qWaitForWindowExposed(&parent, 60000));
     const auto seen = [&] { return surface->widget()->grab().toImage(); };
 
     const auto pool = gl::PicturePool::create();

@@ -1,9 +1,7 @@
 // The window as a whole: table, keys, history, files.
 
-#include <QAbstractButton>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
 #include <QStatusBar>
@@ -21,6 +19,7 @@
 #include "app/scene_load.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene_file.h"
+#include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -40,7 +39,8 @@ void type(QTableView* table, const QString& text) {
   editor->selectAll();
   QTest::keyClicks(editor, text);
   QTest::keyClick(editor, Qt::Key_Return);
-  QCoreApplication::processEvents();  // Qt commits a cell a little later
+  // Qt commits a cell a little later.
+  QTRY_VERIFY(!table->viewport()->findChild<QLineEdit*>());
 }
 
 Scene fog_of(int count) {
@@ -50,16 +50,28 @@ Scene fog_of(int count) {
   return scene;
 }
 
-// Presses a button of the question that is about to be asked.
-void answer(QMessageBox::StandardButton button) {
-  QTimer::singleShot(50, qApp, [button] {
-    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    if (question) {
-      question->button(button)->click();
+struct Ended {
+  int code = -1;  // or -1 if it did not exit by itself
+  QByteArray out;
+  QByteArray err;
+};
+
+// Runs the program; an empty variable is not set.
+Ended run_editor(const QStringList& arguments, const QHash<QString, QString>& variables) {
+  QProcess editor;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  for (auto variable = variables.begin(); variable != variables.end(); ++variable) {
+    if (variable->isEmpty()) {
+      environment.remove(variable.key());
     } else {
-      answer(button);
+      environment.insert(variable.key(), *variable);
     }
-  });
+  }
+  editor.setProcessEnvironment(environment);
+  editor.start(BRUME_EDITOR, arguments);
+  if (!editor.waitForFinished(60000)) return {};
+  return {editor.exitStatus() == QProcess::NormalExit ? editor.exitCode() : -1,
+          editor.readAllStandardOutput(), editor.readAllStandardError()};
 }
 
 }  // namespace
@@ -105,7 +117,7 @@ class EditorTest : public QObject {
     auto* editor = table->viewport()->findChild<QLineEdit*>();
     QVERIFY(editor);
     QTest::keyClick(editor, Qt::Key_Return);
-    QCoreApplication::processEvents();
+    QTRY_VERIFY(!table->viewport()->findChild<QLineEdit*>());
     QVERIFY(!window->document().is_modified());
   }
 
@@ -138,10 +150,10 @@ class EditorTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 1);
     QCOMPARE(document.medium().radii()[4], 0.3);
     QCOMPARE(radius->text(), QString("0.3"));
+    radius->setFocus();
     QTest::keyClicks(radius, "-4");  // over what is selected
     QTest::keyClick(radius, Qt::Key_Return);
     QVERIFY(window->statusBar()->currentMessage().contains("Radius"));
-    window->viewport().setFocus();
     QCOMPARE(radius->text(), QString("0.3"));
     QCOMPARE(document.undo_stack().count(), 1);
   }
@@ -153,6 +165,7 @@ class EditorTest : public QObject {
     window.key(Qt::Key_A, Qt::ShiftModifier);
     QCOMPARE(document.medium().size(), std::size_t{6});
     QCOMPARE(document.selection().size(), std::size_t{1});
+    QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, window.handle(0));
     window.drag(window.handle(0), window.handle(0) + QPoint(20, 20));
     window.key(Qt::Key_A, Qt::ControlModifier);
     window.key(Qt::Key_I, Qt::ControlModifier);
@@ -276,17 +289,32 @@ class EditorTest : public QObject {
   void a_screenshot_of_a_missing_scene_is_an_error() {
     const QTemporaryDir folder;
     const QString picture = folder.filePath("s.png");
-    QProcess editor;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("QT_LOGGING_RULES", "*=false");  // Qt has its own to say about platforms
-    editor.setProcessEnvironment(environment);
-    editor.start(BRUME_EDITOR, {folder.filePath("nosuch.brume"), "--screenshot", picture});
-    QVERIFY(editor.waitForFinished(60000));
-    QCOMPARE(editor.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(editor.exitCode(), 2);
+    const Ended editor = run_editor({folder.filePath("nosuch.brume"), "--screenshot", picture},
+                                    {{"QT_LOGGING_RULES", "*=false"}});  // Qt's, about platforms
+    QCOMPARE(editor.code, 2);
     QVERIFY(!QFile::exists(picture));
-    const QByteArray said = editor.readAllStandardError();
-    QVERIFY2(said.contains("nosuch.brume") && said.count('\n') == 1, said);
+    QVERIFY2(editor.err.contains("nosuch.brume") && editor.err.count('\n') == 1, editor.err);
+  }
+
+  void without_a_display_help_and_version_are_told() {
+    const QHash<QString, QString> nowhere{{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", ":6789"}};
+    const Ended version = run_editor({"--version"}, nowhere);
+    QCOMPARE(version.code, 0);
+    QVERIFY2(version.out.startsWith("Brume ") && version.err.isEmpty(), version.err);
+    const Ended help = run_editor({"-h"}, nowhere);
+    QCOMPARE(help.code, 0);
+    QVERIFY(help.out.contains("--screenshot"));
+  }
+
+  void without_a_display_there_is_one_clear_error() {
+    for (const char* display : {"", ":6789"}) {
+      const Ended editor =
+          run_editor({"x.brume"}, {{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", display}});
+      QCOMPARE(editor.code, 2);
+      QVERIFY2(editor.err.startsWith("brume-editor: error: no display: "), editor.err);
+      QVERIFY2(editor.err.count('\n') == 1 && editor.err.contains("DISPLAY") == (*display == 0),
+               editor.err);
+    }
   }
 
   void a_dropped_scene_opens() {

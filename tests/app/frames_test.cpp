@@ -200,11 +200,10 @@ class FramesTest : public QObject {
     request.settings.reference_tolerance = 1e-3;
     request.film = {200, 150};
     request.moving = true;
-    for (; request.serial <= 50; ++request.serial) {
-      service.request(request);
-      QTest::qWait(1);
-    }
-    QTRY_VERIFY_WITH_TIMEOUT(!came.empty() && came.back() == 50, 60000);
+    service.request(request);
+    QTRY_VERIFY(!came.empty());
+    while (++request.serial <= 50) service.request(request);
+    QTRY_VERIFY(came.back() == 50);
     QVERIFY2(came.size() < 25, qPrintable(QString::number(came.size())));
   }
 
@@ -220,8 +219,7 @@ class FramesTest : public QObject {
     QTimer timer;
     connect(&timer, &QTimer::timeout, this, [&] { ++ticks; });
     timer.start(10);
-    QTest::qWait(600);
-    QVERIFY2(ticks >= 10, qPrintable(QString::number(ticks)));
+    QTRY_VERIFY(ticks >= 10);
     QVERIFY(came.empty());
 
     service.request(endless_request(2));

@@ -93,7 +93,8 @@ class RandomHands {
     gesture.begin();
     for (std::size_t k = below(6); k > 0; --k) {
       const glm::dvec3 direction = glm::normalize(point());
-      gesture.apply(stroke.touch(document_.medium(), {{0, 0, 0}, direction, 0.4},
+      const EraserCone cone{{0, 0, 0}, direction, 0.4};
+      gesture.apply(stroke.touch(document_.medium(), {&cone, 1},
                                  [this](GaussianId id) { return document_.is_free(id); }),
                     "Erase");
     }

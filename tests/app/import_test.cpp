@@ -17,6 +17,7 @@
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "app/medium_dialog.h"
+#include "app/message_bar.h"
 #include "app/scene_files.h"
 #include "app/timeline.h"
 #include "app/viewport/viewport.h"
@@ -35,6 +36,11 @@ namespace fs = std::filesystem;
 
 const fs::path smoke = BRUME_RESOURCES "/volumes/smoke_0025.vdb";
 const std::vector<Gaussian> two{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
+
+constexpr const char* ply_triangle =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+    "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 void write_text(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
@@ -114,10 +120,7 @@ class ImportTest : public QObject {
     QCOMPARE(wait(window), QString());
     QCOMPARE(document.undo_stack().undoText(), QString("Import bunny.obj"));
     QCOMPARE(document.scene().surfaces.size(), std::size_t{1});
-    write_text(window.file("face.ply"),
-               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-               "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
-               "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    write_text(window.file("face.ply"), ply_triangle);
     drop(window, {window.file("face.ply")});
     QCOMPARE(wait(window), QString());
     QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
@@ -127,6 +130,58 @@ class ImportTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 5);
     document.undo_stack().setIndex(0);
     QVERIFY(document.scene() == before);
+  }
+
+  void meshes_that_are_dropped_at_once_all_come_as_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    const char* text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    for (const char* name : {"cup.obj", "pot.obj", "m_1.obj", "m_2.obj"}) {
+      write_text(window.file(name), text);
+    }
+    write_gaussians(window.file("two.csv"), two);
+    drop(window, {window.file("cup.obj"), window.file("pot.obj"), window.file("two.csv")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
+    QCOMPARE(document.medium().size(), std::size_t{7});
+    QCOMPARE(document.undo_stack().undoText(), QString("Import 3 files"));
+    QCOMPARE(document.undo_stack().count(), 1);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.scene().surfaces.empty() && document.medium().size() == 5);
+    QVERIFY(!document.is_modified());
+    // Numbered meshes are no frames of a sequence.
+    drop(window, {window.file("m_1.obj"), window.file("m_2.obj")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(document.scene().surfaces.size(), std::size_t{2});
+  }
+
+  void numbered_ply_files_are_a_sequence_or_meshes_by_what_is_in_them() {
+    TestWindow window;
+    for (const char* name : {"g_1.ply", "g_2.ply"}) write_gaussians(window.file(name), two);
+    drop(window, {window.file("g_1.ply"), window.file("g_2.ply")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(window->document().scene().sequences.size(), std::size_t{1});
+    for (const char* name : {"f_1.ply", "f_2.ply"}) write_text(window.file(name), ply_triangle);
+    drop(window, {window.file("f_1.ply"), window.file("f_2.ply")});
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{2});
+  }
+
+  void what_cannot_be_imported_is_said_when_it_is_dropped() {
+    TestWindow window;
+    fs::create_directory(window.file("folder"));
+    write_text(window.file("cup.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_text(window.file("photo.jpg"), "");
+    auto* bar = window->findChild<MessageBar*>();
+    for (const char* name : {"folder", "photo.jpg", "."}) {
+      drop(window, {window.file(name)});
+      QVERIFY2(bar->isVisible() && bar->message().contains(".obj"), name);
+      bar->hide();
+    }
+    drop(window, {window.file("cup.obj"), window.file("photo.jpg"), window.file("scene.brume")});
+    QVERIFY2(bar->message().startsWith("photo.jpg, scene.brume: "), qPrintable(bar->message()));
+    QCOMPARE(wait(window), QString());
+    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
   }
 
   void what_is_wrong_with_a_file_is_said_and_nothing_changes() {
@@ -192,7 +247,7 @@ class ImportTest : public QObject {
     window->import().import_volume(smoke, how);
     auto* job = window->findChild<BackgroundJob*>();
     QSignalSpy cancelled(job, &BackgroundJob::cancelled);
-    QTest::qWait(100);
+    QVERIFY(job->is_running());
     job->cancel();
     QVERIFY(cancelled.wait(60000));
     QVERIFY(!window->document().is_modified());

@@ -7,6 +7,7 @@
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
+#include "app/panels/frame_slider.h"
 #include "app/panels/key_strip.h"
 #include "app/panels/number_field.h"
 #include "app/panels/value_field.h"
@@ -204,6 +205,36 @@ class KeysTest : public QObject {
     QCOMPARE(view.camera().eye.x, 4.0);
     window->timeline().set_frame(0);
     QCOMPARE(view.camera().eye.x, 0.0);
+  }
+
+  // The handle of the slider, the playhead and a key of one frame are above each other.
+  void keys_stand_below_the_slider() {
+    TestWindow window;
+    choose(window, "Light 1 position");
+    set_key_at(window, 60);
+    const auto* slider = window->findChild<FrameSlider*>("frame_slider");
+    const KeyStrip& keys = strip(window);
+    const auto check = [&](int frame) {
+      const double handle =
+          slider->mapTo(&*window, slider->pos()).x() - slider->x() + slider->x_of(frame);
+      const double key = keys.mapTo(&*window, keys.position(0, frame)).x();
+      // Both are on whole pixels.
+      QVERIFY2(std::abs(handle - key) <= 1.0, qPrintable(QString("%1 %2").arg(handle).arg(key)));
+    };
+    for (const int width : {900, 1300}) {
+      window->resize(width, 560);
+      QTRY_COMPARE(window->width(), width);
+      for (const int last : {120, 1000, 61}) {
+        window->timeline().set_range(0, last);
+        window->timeline().set_frame(60);
+        for (const int frame : {0, 17, 60, last}) check(frame);
+      }
+    }
+    // A press on the key's place looks at its frame.
+    window->timeline().set_range(0, 120);
+    QTest::mousePress(&strip(window), Qt::LeftButton, {}, keys.position(0, 90));
+    QCOMPARE(slider->value(), 90);
+    QTest::mouseRelease(&strip(window), Qt::LeftButton, {}, keys.position(0, 90));
   }
 
   void density_has_keys_too() {

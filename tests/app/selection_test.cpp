@@ -5,6 +5,7 @@
 
 #include "app/commands/clipboard.h"
 #include "app/commands/select_command.h"
+#include "app/document/paths.h"
 #include "app/scene_files.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/selection_tool.h"
@@ -219,6 +220,45 @@ class SelectionTest : public QObject {
     document.undo_stack().setIndex(0);
     QVERIFY(document.scene() == before);
     QCOMPARE(document.selection(), (Ids{2, 3}));
+  }
+
+  // Where the camera's target is below a floor, or the mouse points at the floor, what is pasted
+  // lies on it.
+  void a_paste_lands_where_it_is_seen() {
+    QTemporaryDir folder;
+    const QString mesh = folder.filePath("floor.off");
+    {
+      QFile file(mesh);
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write("OFF\n4 1 0\n-9 0 -9\n9 0 -9\n9 0 9\n-9 0 9\n4 3 2 1 0\n");
+    }
+    Scene scene = small_scene();
+    scene.camera.eye = {0.0, 3.0, 6.0};
+    scene.camera.target = {0.0, -1.0, 0.0};
+    scene.surfaces.emplace_back().mesh_file = to_path(mesh);
+    TestWindow window(scene);
+    Viewport& view = window->viewport();
+    Document& document = window->document();
+    document.select({2, 3});
+    window.key(Qt::Key_C, Qt::ControlModifier);
+    const auto check = [&](QPoint wanted) {
+      window.key(Qt::Key_V, Qt::ControlModifier);
+      glm::dvec3 middle(0.0);
+      for (const GaussianId id : document.selection()) {
+        const Gaussian pasted = document.medium().gaussian(*document.medium().index_of(id));
+        QVERIFY2(pasted.center.y > 0.9 * pasted.radius,
+                 qPrintable(QString::number(pasted.center.y)));
+        middle += 0.5 * pasted.center;
+      }
+      QVERIFY((film_position(window, middle) - wanted).manhattanLength() <= 3);
+    };
+    QTest::mouseMove(&*window, QPoint(5, 5));
+    QTRY_VERIFY(!view.underMouse());
+    check(view.rect().center());
+    const QPoint low(view.width() / 3, view.height() - 40);
+    QTest::mouseMove(&view, low);
+    QTRY_VERIFY(view.underMouse());
+    check(low);
   }
 
   void the_clipboard_keeps_every_digit_and_refuses_nonsense() {

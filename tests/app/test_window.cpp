@@ -32,7 +32,7 @@ TestWindow::TestWindow(const Scene& scene) : window_(std::make_unique<MainWindow
   window_->resize(900, 560);
   window_->show();
   window_->activateWindow();
-  if (!open("scene.brume") || !QTest::qWaitForWindowActive(window_.get()) || !settle()) {
+  if (!open("scene.brume") || !QTest::qWaitForWindowActive(window_.get(), 60000) || !settle()) {
     qFatal("the window did not come up");
   }
 }
@@ -63,6 +63,7 @@ void TestWindow::move(QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers 
   Viewport& view = window_->viewport();
   QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, button, modifiers);
   QApplication::sendEvent(&view, &event);
+  view.finish_input();
 }
 
 void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,
@@ -79,7 +80,7 @@ void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,
 void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   // A question may have taken the activity, and shortcuts want it.
   window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  QVERIFY(QTest::qWaitForWindowActive(window_.get(), 60000));
   window_->viewport().setFocus();
   QTest::keyClick(&window_->viewport(), key, modifiers);
 }

@@ -7,12 +7,20 @@
 #include "app/main_window.h"
 #include "core/scene/scene.h"
 
+// Qt waits for five seconds, which a busy machine may take for a frame.
+#undef QTRY_VERIFY
+#define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, 60000)
+#undef QTRY_COMPARE
+#define QTRY_COMPARE(value, expected) QTRY_COMPARE_WITH_TIMEOUT(value, expected, 60000)
+
 namespace brume {
 
 // Five Gaussians well apart on screen, two of them behind each other's plane, and a light.
 Scene small_scene();
 
 // A main window that shows a scene from a file, active and with its first full frame.
+//
+// Tests wait for conditions, never for time: on a busy machine a moment is any length.
 class TestWindow {
  public:
   explicit TestWindow(const Scene& scene = small_scene());
@@ -27,7 +35,7 @@ class TestWindow {
   bool settle();
   // Where a Gaussian's handle is in the viewport.
   QPoint handle(std::size_t index);
-  // A mouse move with a button down: QTest::mouseMove knows of none.
+  // A mouse move with a button down, worked off at once: QTest::mouseMove knows of none.
   void move(QPointF to, Qt::MouseButton button = Qt::LeftButton,
             Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,

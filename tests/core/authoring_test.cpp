@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "core/authoring/contribution.h"
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
+#include "core/authoring/smooth_path.h"
 #include "core/transport/optical_depth.h"
 
 namespace brume {
@@ -98,7 +101,7 @@ TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   EraserStroke stroke(0.4);
   MediumEdit whole;
   const auto touch = [&] {
-    const MediumEdit edit = stroke.touch(medium, cone, all);
+    const MediumEdit edit = stroke.touch(medium, {&cone, 1}, all);
     edit.apply(medium);
     whole.merge(edit);
   };
@@ -117,15 +120,96 @@ TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   EXPECT_EQ(medium, start);
 }
 
+TEST(Eraser, TouchesAtOnceAreTouchesOneByOne) {
+  const Medium start = row_of_three();
+  std::vector<EraserCone> cones;
+  for (int k = 0; k < 8; ++k) {
+    cones.push_back({{0, 0, 0}, glm::normalize(glm::dvec3(0.02 * k, 0, -1)), 0.1});
+  }
+  Medium one_by_one = start;
+  EraserStroke slow(0.3);
+  for (const EraserCone& cone : cones) {
+    slow.touch(one_by_one, {&cone, 1}, all).apply(one_by_one);
+  }
+  Medium at_once = start;
+  EraserStroke(0.3).touch(at_once, cones, all).apply(at_once);
+  EXPECT_EQ(at_once, one_by_one);
+  EXPECT_LT(at_once.size(), start.size());
+}
+
 TEST(Eraser, TouchesOnlyWhatItMay) {
   const Medium medium = row_of_three();
   EraserStroke stroke(1.0);
   const GaussianId locked = medium.ids()[0];
-  const MediumEdit edit = stroke.touch(medium, {{0, 0, 0}, {0, 0, -1}, 0.1},
-                                       [&](GaussianId id) { return id != locked; });
+  const EraserCone cone{{0, 0, 0}, {0, 0, -1}, 0.1};
+  const MediumEdit edit =
+      stroke.touch(medium, {&cone, 1}, [&](GaussianId id) { return id != locked; });
   EXPECT_TRUE(edit.removed().empty());
   ASSERT_EQ(edit.changed().size(), 1u);
   EXPECT_EQ(edit.changed()[0].id, medium.ids()[1]);
+}
+
+// How far a curve through some positions of a spiral, given one by one, is from the spiral
+// [pixels].
+TEST(SmoothPath, FollowsASpiralThroughFewPositions) {
+  // Four turns out to 120 pixels, 31 positions a turn: a second of a mouse at 125 Hz.
+  const auto spiral = [](double turns) {
+    const double angle = 2.0 * std::numbers::pi * turns;
+    return 30.0 * turns * glm::dvec2(std::cos(angle), std::sin(angle));
+  };
+  SmoothPath path(spiral(0.0), 3.0);
+  std::vector<glm::dvec2> curve{spiral(0.0)};
+  const auto append = [&](const std::vector<glm::dvec2>& more) {
+    curve.insert(curve.end(), more.begin(), more.end());
+  };
+  for (int k = 1; k <= 124; ++k) append(path.to(spiral(k / 31.0)));
+  append(path.end());
+  EXPECT_EQ(curve.back(), spiral(4.0));
+  double polygon = 0.0;  // how far the middles between positions are from the spiral
+  double smooth = 0.0;
+  const auto distance = [&](const glm::dvec2& point) {
+    double nearest = 1e9;
+    for (int k = 0; k <= 20000; ++k) {
+      nearest = std::min(nearest, glm::distance(point, spiral(k * 2e-4)));
+    }
+    return nearest;
+  };
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    if (k > 0) {
+      EXPECT_LT(glm::distance(curve[k], curve[k - 1]), 4.0);
+    }
+    // The last piece, of 24 pixels, does not know how it would have gone on.
+    if (k % 5 == 0 && k + 10 < curve.size()) smooth = std::max(smooth, distance(curve[k]));
+  }
+  for (int k = 90; k < 124; ++k) {
+    polygon = std::max(polygon, distance(0.5 * (spiral(k / 31.0) + spiral((k + 1) / 31.0))));
+  }
+  EXPECT_GT(polygon, 0.5);
+  EXPECT_LT(smooth, 0.1);
+}
+
+TEST(SmoothPath, GoesThroughItsPositionsWithoutCusps) {
+  // Far apart and close together in turn: where other Catmull-Rom curves loop.
+  const std::vector<glm::dvec2> positions{{0, 0},    {100, 0}, {101, 1}, {101, 1},
+                                          {102, 60}, {20, 61}, {20, 60}};
+  SmoothPath path(positions[0], 0.5);
+  std::vector<glm::dvec2> curve{positions[0]};
+  for (const glm::dvec2& position : positions) {
+    const auto more = path.to(position);
+    curve.insert(curve.end(), more.begin(), more.end());
+  }
+  const auto rest = path.end();
+  curve.insert(curve.end(), rest.begin(), rest.end());
+  for (const glm::dvec2& position : positions) {
+    EXPECT_TRUE(std::find(curve.begin(), curve.end(), position) != curve.end());
+  }
+  for (std::size_t k = 1; k < curve.size(); ++k) {
+    EXPECT_GT(glm::distance(curve[k], curve[k - 1]), 0.0);
+    if (k > 1) {
+      EXPECT_GT(glm::distance(curve[k], curve[k - 2]), 0.05);  // it never turns back
+    }
+  }
+  EXPECT_TRUE(path.end().empty());
 }
 
 TEST(Contributions, SharesAreWhatTheRayLoses) {

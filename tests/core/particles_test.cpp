@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -84,7 +85,8 @@ std::optional<Obstacle> ball(const glm::dvec3& from, const glm::dvec3& direction
 std::vector<Gaussian> spray(std::uint64_t seed, const glm::dvec3& from, const glm::dvec3& direction,
                             int steps) {
   Spray made({.radius = 0.1, .density = 0.5, .rate = 200.0, .speed = 2.0, .wander = 1.0}, seed);
-  for (int k = 0; k < steps; ++k) made.advance(1.0 / 30.0, from, direction, ball);
+  const auto nozzle = [&](double) { return Nozzle{from, direction}; };
+  for (int k = 0; k < steps; ++k) made.advance(1.0 / 30.0, nozzle, ball);
   return made.frozen();
 }
 
@@ -107,6 +109,29 @@ TEST(Spray, BouncesOffFromOutside) {
     came_near = came_near || glm::length(gaussian.center) < 1.1;
   }
   EXPECT_TRUE(came_near);
+}
+
+TEST(Spray, ComesOutAllAlongTheWayOfTheNozzle) {
+  Spray made({.radius = 0.1, .density = 0.5, .rate = 3001.0, .speed = 0.0, .wander = 0.0}, 1);
+  const auto nowhere = [](const glm::dvec3&, const glm::dvec3&) {
+    return std::optional<Obstacle>();
+  };
+  made.advance(
+      1.0 / 30.0,
+      [](double moment) {
+        return Nozzle{{moment, 0, 0}, {0, 1, 0}};
+      },
+      nowhere);
+  std::array<int, 10> counts{};
+  for (const Gaussian& gaussian : made.frozen()) {
+    ASSERT_GE(gaussian.center.x, 0.0);
+    ++counts.at(static_cast<std::size_t>(10.0 * gaussian.center.x));
+  }
+  // 100 at random over ten parts: fewer than one in any is a chance of 3e-4.
+  for (const int count : counts) EXPECT_GT(count, 0);
+  made.advance(
+      1.0 / 30.0, [](double) { return std::optional<Nozzle>(); }, nowhere);
+  EXPECT_EQ(made.frozen().size(), 100u);
 }
 
 TEST(Spray, IsTheSameFromTheSameSeed) {

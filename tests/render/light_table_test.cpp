@@ -1,6 +1,7 @@
 #include "render/cpu/light_table.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <cmath>
@@ -146,6 +147,47 @@ TEST(LightTable, SaysWhenAnUpdateIsNotEnough) {
   denser.medium.append({{0.0, 0.0, 0.0}, 0.2, 50.0});
   dense_index = MediumIndex(denser.medium, 1e-6);
   EXPECT_FALSE(other.update(dense_index, std::array{TableGaussian(dense_index, 50)}));
+}
+
+TEST(Settings, LightMapsOfManyLightsFitIntoMemory) {
+  const Settings wanted = sliced_settings({}, 64);
+  EXPECT_EQ(with_fitting_light_maps(wanted, 30, true), wanted);
+  EXPECT_EQ(with_fitting_light_maps(wanted, 64, false), wanted);
+  for (const std::size_t lights : {std::size_t{65}, std::size_t{300}, std::size_t{1024}}) {
+    const Settings fitting = with_fitting_light_maps(wanted, lights, true);
+    const auto directions = static_cast<std::size_t>(fitting.light_table.directions);
+    const auto cells = static_cast<std::size_t>(fitting.shadow_cells);
+    const std::size_t bytes =
+        directions * directions * 2 * static_cast<std::size_t>(fitting.light_table.radii) +
+        cells * cells * 12;
+    EXPECT_LE(lights * bytes, max_light_map_bytes) << lights;
+    EXPECT_GT(2 * lights * bytes, max_light_map_bytes / 2) << lights;  // no smaller than need be
+    EXPECT_GE(fitting.light_table.directions, 64);
+  }
+}
+
+// 17 MB for each of them would be 3.4 GB.
+TEST(Renderer, ManyLightsTakeBoundedMemory) {
+  Scene scene;
+  scene.film = {8, 6};
+  scene.medium.append({{0, 0, 0}, 1.0, 1.0});
+  for (int i = 0; i < 200; ++i) {
+    PointLight light;
+    light.position = {2.0 + 0.01 * i, 2.0, 2.0};
+    scene.lights.push_back(light);
+  }
+  const auto max_memory = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // [KiB]
+  };
+  const long before = max_memory();
+  const Frame sliced = render_frame(scene, sliced_settings({}, 64));
+  EXPECT_LT(max_memory() - before, 1'200'000);
+  Settings exact;
+  exact.airlight = AirlightMethod::march;
+  exact.march_steps = 256;
+  EXPECT_LT(difference(sliced.airlight, render_frame(scene, exact).airlight).relative_rmse, 1e-3);
 }
 
 // The renderer finds out by itself what was edited.

@@ -225,6 +225,18 @@ TEST_F(BenchCommand, RefusesBeforeLongWork) {
   expect_refused({"bench", "--quick"}, {"-o"});
   expect_refused({"bench", "-o", file("missing/report")}, {"missing"});
   expect_refused({"bench", "-o", file("report"), "--compare", scene_}, {scene_, "no report"});
+  // Reports that lack what shows only as two of them are compared.
+  for (const char* report :
+       {"", R"({"scenes": [], "table_one": [{"name": "box"}]})",
+        R"({"scenes": [{"name": "a", "size": [24, 18], "settings": [{"setting": "paper"}]}],
+            "table_one": []})",
+        R"({"scenes": [], "table_one": [], "noise": [{"what": "n", "error": {"low": 1}}]})",
+        R"({"scenes": [], "table_one": [{"name": "box", "cpu_ms": {"min": "1", "max": 2},
+            "error": {"low": 0, "high": 1}}]})"}) {
+    const std::string old = folder_.write("old.json", report).string();
+    expect_refused({"bench", "--quick", scene_, "-o", file("report"), "--compare", old},
+                   {old, "no report"});
+  }
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST_F(CommandLine, RendersAllLayersToExr) {
                                                "transmittance.R"}));
     EXPECT_GT(*std::max_element(image.channels.at("R").begin(), image.channels.at("R").end()),
               0.0f);
-    EXPECT_EQ(image.metadata.at("brume:scene"), scene_);
+    EXPECT_EQ(image.metadata.at("brume:scene"), std::filesystem::path(scene_).filename());
     EXPECT_EQ(image.metadata.at("brume:version"), BRUME_VERSION);
     EXPECT_EQ(image.metadata.at("brume:airlight"), airlight);
     EXPECT_EQ(image.metadata.at("brume:backend"), "cpu");
@@ -169,6 +169,7 @@ TEST_F(CommandLine, RendersToPng) {
         "paper", "brume:backend", "brume:exposure", "-1.5", "brume:view_transform"}) {
     EXPECT_NE(png.find(text), std::string::npos) << text;
   }
+  EXPECT_EQ(png.find(folder_.path().string()), std::string::npos) << "a path of this machine";
 }
 
 TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {

@@ -16,6 +16,12 @@ struct ProgramResult {
   std::string err;
 };
 
+// What is different from a plain run.
+struct ProgramRun {
+  std::string before{};  // shell commands that prepare it
+  std::string out{};     // a file that exists, for standard output
+};
+
 inline std::string quoted(const std::string& argument) {
   std::string text = "'";
   for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -23,11 +29,13 @@ inline std::string quoted(const std::string& argument) {
 }
 
 // Runs the real program and waits for it.
-inline ProgramResult run_brume(const std::vector<std::string>& arguments) {
+inline ProgramResult run_brume(const std::vector<std::string>& arguments,
+                               const ProgramRun& run = {}) {
   const TemporaryFolder folder;
-  std::string command = quoted(BRUME_PROGRAM);
+  std::string command = run.before + quoted(BRUME_PROGRAM);
   for (const std::string& argument : arguments) (command += ' ') += quoted(argument);
-  command += " >" + quoted((folder / "out").string()) + " 2>" + quoted((folder / "err").string());
+  command += " >" + quoted(run.out.empty() ? (folder / "out").string() : run.out);
+  command += " 2>" + quoted((folder / "err").string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder / "out"),
           content_of(folder / "err")};

@@ -85,10 +85,10 @@ void compare_rows(const char* section, const Json& before, const Json& after,
 
 std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
                                          std::string_view old_json, std::string_view new_json) {
-  const Json after = Json::parse(new_json);
   std::vector<std::string> lines;
   try {
     const Json before = Json::parse(old_json);
+    const Json after = Json::parse(new_json);
     compare_scenes(before, after, lines);
     for (const char* section : {"patches", "noise", "lamp_light", "arriving_light", "transfer"}) {
       compare_rows(section, before, after, lines);
@@ -97,6 +97,10 @@ std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
     throw InputError(old_file, "", std::string("is no report of brume bench: ") + e.what());
   }
   return lines;
+}
+
+void check_report(const std::filesystem::path& file, std::string_view json) {
+  compare_reports(file, json, json);
 }
 
 }  // namespace brume

@@ -14,4 +14,8 @@ namespace brume {
 std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
                                          std::string_view old_json, std::string_view new_json);
 
+// Throws InputError naming `file` if a report lacks anything that compare_reports() asks of an old
+// one.
+void check_report(const std::filesystem::path& file, std::string_view json);
+
 }  // namespace brume

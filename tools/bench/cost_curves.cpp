@@ -2,6 +2,7 @@
 
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/renderer.h"
@@ -49,7 +50,8 @@ std::vector<CostCurve> measure_cost_curves(const BenchOptions& options,
 }
 
 std::vector<ThreadRow> measure_threads(const BenchOptions& options) {
-  const int all = tbb::info::default_concurrency();
+  const int hardware = tbb::info::default_concurrency();
+  const int all = options.threads > 0 ? std::min(options.threads, hardware) : hardware;
   Scene scene = box_scene(1000, 1);
   scene.film = {800, 600};
   std::vector<ThreadRow> rows;

@@ -1,6 +1,8 @@
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
+#include <optional>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
@@ -14,7 +16,9 @@
 #include "tools/bench/frontier_plot.h"
 #include "tools/brume/backend_name.h"
 #include "tools/brume/command.h"
+#include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
+#include "tools/brume/read_scene.h"
 
 namespace brume {
 namespace {
@@ -52,13 +56,15 @@ class BenchCommand final : public Command {
     if (!folder_.empty()) return save_scenes();
     if (output_.empty()) throw UsageError("-o NAME is required");
     const auto file = [&](const char* extension) { return output_ + extension; };
+    CommandFiles files;
     for (const char* extension : {".md", ".json", ".html", ".svg"}) {
-      check_writable(file(extension));
+      files.add_output(file(extension));
     }
+    for (const std::string& input : inputs()) files.add_input(input);
     std::string old;
     if (!compare_.empty()) {
       old = read_bytes(compare_);
-      compare_reports(compare_, old, R"({"scenes": [], "table_one": []})");  // before long work
+      check_report(compare_, old);  // before long work
     }
     BenchOptions options{.quick = quick_,
                          .threads = threads_,
@@ -66,8 +72,13 @@ class BenchCommand final : public Command {
                          .scenes = {scenes_.begin(), scenes_.end()},
                          .peers = {}};
     if (!peers_.empty()) options.peers = read_peers(peers_);
-    BenchReport report = run_bench(
-        options, [](const std::string& what) { std::cerr << "brume: " << what << std::endl; });
+    std::optional<tbb::global_control> bound;
+    if (threads_ > 0) {
+      bound.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(threads_));
+    }
+    for (const std::string& scene : scenes_) read_scene(scene, files);  // wrong ones before, too
+    BenchReport report = run_bench(options, print_note);
     report.command = shown_command(quick_, !scenes_.empty(), !peers_.empty());
     const std::string json = to_json(report);
     const std::string page = to_markdown(report);
@@ -84,6 +95,14 @@ class BenchCommand final : public Command {
   }
 
  private:
+  [[nodiscard]] std::vector<std::string> inputs() const {
+    std::vector<std::string> files = scenes_;
+    for (const std::string& file : {peers_, compare_}) {
+      if (!file.empty()) files.push_back(file);
+    }
+    return files;
+  }
+
   [[nodiscard]] const SceneReport& plotted(const BenchReport& report) const {
     const auto found = std::ranges::find(report.scenes, plotted_, &SceneReport::name);
     return found == report.scenes.end() ? report.scenes.front() : *found;

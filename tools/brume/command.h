@@ -30,9 +30,12 @@ std::unique_ptr<Command> make_export_command(CLI::App& app);
 std::unique_ptr<Command> make_bench_command(CLI::App& app);
 std::unique_ptr<Command> make_gather_command(CLI::App& app);
 
-// Writes a result to standard output. Throws InputError if it cannot be written.
+// Writes a result to standard output, its lines printable (core/printable_text.h). Throws
+// InputError if it cannot be written.
 void print_result(const std::string& text);
-// One line on standard error: "brume: warning: ...".
+// A line on standard error: "brume: ...".
+void print_note(const std::string& text);
+// A line on standard error for each: "brume: warning: ...".
 void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace brume

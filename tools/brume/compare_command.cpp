@@ -1,5 +1,4 @@
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -48,8 +47,8 @@ class CompareCommand final : public Command {
     if (result.incomparable > 0) line["incomparable"] = result.incomparable;
     print_result(line.dump() + "\n");
     if (result.incomparable > 0) {
-      std::cerr << "brume: check failed: " << result.incomparable
-                << " values are NaN or infinite in one image\n";
+      print_note("check failed: " + std::to_string(result.incomparable) +
+                 " values are NaN or infinite in one image");
       return check_failed;
     }
     return max_rel_rmse_ && !(result.rel_rmse <= *max_rel_rmse_) ? check_failed : done;

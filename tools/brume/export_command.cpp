@@ -1,27 +1,28 @@
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
-#include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/number_domain.h"
-#include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume_file.h"
 #include "core/scene/at_time.h"
 #include "core/volume/medium_grid.h"
 #include "tools/brume/command.h"
+#include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
+#include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
+#include "tools/brume/read_scene.h"
 
 namespace brume {
 namespace {
 
 constexpr std::uintmax_t most_bytes = std::uintmax_t{2} << 30;
+constexpr std::size_t most_blocks = most_bytes / sizeof(DensityGrid::Block);
 
 std::string in_megabytes(std::uintmax_t bytes) {
   return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
@@ -68,11 +69,17 @@ class ExportCommand final : public Command {
       throw UsageError("a sequence needs --frames FIRST-LAST and %04d for the frame in OUT");
     }
     if (!is_sequence) {
+      files_.add_output(output_);
       write(read(time_), output_);
       return done;
     }
     const FramePattern outputs = parse_pattern(output_);
-    for (const int frame : parse_frames(frames_)) {
+    const std::vector<int> frames = parse_frames(frames_);
+    for (const int frame : frames) {
+      files_.add_output(outputs.of(frame));
+      if (are_files) files_.add_input(parse_pattern(input_).of(frame));
+    }
+    for (const int frame : frames) {
       write(are_files ? read_file(parse_pattern(input_).of(frame)) : read(frame / fps_),
             outputs.of(frame));
     }
@@ -88,24 +95,27 @@ class ExportCommand final : public Command {
 
   // The medium at a time [s].
   [[nodiscard]] Medium read(double time) {
-    if (lower_case_extension(input_) != ".brume") return read_file(input_);
+    if (lower_case_extension(input_) != ".brume") {
+      files_.add_input(input_);
+      return read_file(input_);
+    }
     if (!scene_) {
-      std::vector<std::string> warnings;
-      scene_ = load_scene(input_, &warnings);
+      scene_ = read_scene(input_, files_);
       const double homogeneous = scene_->medium.homogeneous_density();
       if (homogeneous > 0.0) {
-        warnings.push_back("the homogeneous density, " + shown(homogeneous) +
-                           " everywhere, has no bounds and is left out");
+        print_warnings({"the homogeneous density, " + shown(homogeneous) +
+                        " everywhere, has no bounds and is left out"});
       }
-      print_warnings(warnings);
     }
     return at_time(*scene_, time).medium;
   }
 
   void write(const Medium& medium, const std::string& output) {
-    check_writable(output);
+    check_interrupted();
     if (lower_case_extension(output) == ".vdb") {
-      write_volume(output, sample(medium, output), half_);
+      const DensityGrid grid = sample(medium, output);
+      const ProgressLine line("writing " + output);
+      write_volume(output, grid, half_);
       return;
     }
     std::vector<Gaussian> gaussians;
@@ -118,16 +128,19 @@ class ExportCommand final : public Command {
   [[nodiscard]] DensityGrid sample(const Medium& medium, const std::string& output) {
     if (!(voxel_size_ > 0.0)) voxel_size_ = fitting_voxel_size(medium);
     const double size = voxel_size_ > 0.0 ? voxel_size_ : 1.0;  // nothing to sample
-    const auto plan = MediumSampling::plan(medium, size, most_bytes / sizeof(DensityGrid::Block));
-    if (!plan) {
-      throw InputError(input_, "medium",
-                       "a grid with voxels of " + shown(size) + " needs more than " +
-                           in_megabytes(most_bytes) + "; allowed: a larger --voxel");
-    }
-    std::cerr << "brume: voxels of " << shown(size) << ", " << in_megabytes(plan->bytes())
-              << " of memory\n";
-    const ProgressLine line(output);
-    return *plan->sample({}, line.progress());
+    const auto plan = MediumSampling::plan(medium, size, most_blocks);
+    if (!plan) refuse(medium, size);
+    print_note("voxels of " + shown(size) + ", " + in_megabytes(plan->bytes()) + " of memory");
+    const ProgressLine line("sampling " + output);
+    return finished(plan->sample(interruption(), line.progress()));
+  }
+
+  [[noreturn]] void refuse(const Medium& medium, double size) const {
+    const auto sufficient = sufficient_voxel_size(medium, size, most_blocks);
+    throw InputError(input_, "medium",
+                     "a grid with voxels of " + shown(size) + " needs more than " +
+                         in_megabytes(most_bytes) + "; allowed: a larger --voxel" +
+                         (sufficient ? ", of " + shown(*sufficient) + " or more" : ""));
   }
 
   std::string input_;
@@ -136,7 +149,8 @@ class ExportCommand final : public Command {
   bool half_ = false;
   double time_ = 0.0;
   std::string frames_;
-  double fps_ = 30.0;           // as the timeline
+  double fps_ = 30.0;  // as the timeline
+  CommandFiles files_;
   std::optional<Scene> scene_;  // once read
 };
 

@@ -8,13 +8,14 @@
 #include "core/error.h"
 #include "core/fit/fit_error.h"
 #include "core/fit/volume_fitter.h"
-#include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/text_scanner.h"
 #include "tools/brume/command.h"
+#include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
 #include "tools/brume/frame_range.h"
+#include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
 
 namespace brume {
@@ -62,9 +63,17 @@ class FitCommand final : public Command {
       throw UsageError(
           "a sequence needs --frames FIRST-LAST and %04d for the frame in both file names");
     }
+    const std::string extension = lower_case_extension(output_);
+    if (extension != ".ply" && extension != ".csv") {
+      throw InputError(output_, "",
+                       "found the extension " + shown(extension) + "; allowed: .ply, .csv");
+    }
     how_.z_up = up_ == "z";
     fitter_.emplace(how_);
+    CommandFiles files;
     if (!is_sequence) {
+      files.add_input(volume_);
+      files.add_output(output_);
       fit(volume_, output_, {});
       return done;
     }
@@ -72,25 +81,24 @@ class FitCommand final : public Command {
       throw UsageError("--max-error: not for a sequence; allowed: --count");
     const FramePattern volumes = parse_pattern(volume_);
     const FramePattern outputs = parse_pattern(output_);
-    for (const int frame : parse_frames(frames_)) fit(volumes.of(frame), outputs.of(frame), frame);
+    const std::vector<int> frames = parse_frames(frames_);
+    for (const int frame : frames) {
+      files.add_input(volumes.of(frame));
+      files.add_output(outputs.of(frame));
+    }
+    for (const int frame : frames) fit(volumes.of(frame), outputs.of(frame), frame);
     return done;
   }
 
  private:
-  void check_output(const std::string& output) const {
-    const std::string extension = lower_case_extension(output);
-    if (extension != ".ply" && extension != ".csv") {
-      throw InputError(output, "",
-                       "found the extension " + shown(extension) + "; allowed: .ply, .csv");
-    }
-    check_writable(output);
+  FittedVolume fitted_volume(const std::string& volume) {
+    const ProgressLine line("fitting " + volume);
+    return finished(fitter_->next(volume, interruption(), line.progress()));
   }
 
   void fit(const std::string& volume, const std::string& output, std::optional<int> frame) {
-    check_output(output);
     const auto start = std::chrono::steady_clock::now();
-    const ProgressLine line(volume);
-    const FittedVolume fitted = *fitter_->next(volume, {}, line.progress());
+    const FittedVolume fitted = fitted_volume(volume);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const std::vector<Gaussian>& gaussians = fitted.fit.gaussians;
     write_gaussians(output, gaussians, frame ? fitter_->ids() : std::span<const GaussianNumber>());

@@ -2,8 +2,10 @@
 #include <string>
 
 #include "core/io/gather.h"
-#include "core/io/scene_file.h"
 #include "tools/brume/command.h"
+#include "tools/brume/interruption.h"
+#include "tools/brume/progress_line.h"
+#include "tools/brume/read_scene.h"
 
 namespace brume {
 namespace {
@@ -19,10 +21,13 @@ class GatherCommand final : public Command {
   }
 
   ExitCode run() override {
-    std::vector<std::string> warnings;
-    const Scene scene = load_scene(scene_, &warnings);
-    print_warnings(warnings);
-    gather_scene(scene, folder_, std::filesystem::path(scene_).stem().string());
+    CommandFiles files;
+    const Scene scene = read_scene(scene_, files);
+    const ProgressLine line("gathering " + scene_);
+    if (!gather_scene(scene, folder_, std::filesystem::path(scene_).stem().string(),
+                      interruption())) {
+      throw Interrupted();
+    }
     return done;
   }
 

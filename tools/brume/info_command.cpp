@@ -6,12 +6,13 @@
 #include "core/io/file_bytes.h"
 #include "core/io/gaussian_file.h"
 #include "core/io/number_domain.h"
-#include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume_file.h"
 #include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
 #include "tools/brume/command.h"
+#include "tools/brume/progress_line.h"
+#include "tools/brume/read_scene.h"
 
 namespace brume {
 namespace {
@@ -131,15 +132,17 @@ class InfoCommand final : public Command {
     json["file"] = file_;
     const std::string extension = lower_case_extension(file_);
     if (extension == ".vdb") {
+      const ProgressLine line("reading " + file_);
       json["grids"] = grids_json(file_);
     } else if (extension == ".ply" || extension == ".csv") {
+      const ProgressLine line("measuring " + file_);
       Medium medium;
       for (const Gaussian& gaussian : read_gaussians(file_)) medium.append(gaussian);
       json["medium"] = medium_json(medium);
     } else if (extension == ".brume") {
-      std::vector<std::string> warnings;
-      const Scene scene = load_scene(file_, &warnings);
-      print_warnings(warnings);
+      CommandFiles files;
+      const Scene scene = read_scene(file_, files);
+      const ProgressLine line("measuring " + file_);
       json.update(scene_json(scene));
     } else {
       throw InputError(

@@ -1,27 +1,32 @@
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "core/io/temporary_files.h"
+#include "core/printable_text.h"
 #include "render/frame_memory.h"
 #include "tools/brume/command.h"
+#include "tools/brume/interruption.h"
 #include "tools/brume/suggestion.h"
 
 namespace brume {
 namespace {
 
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
+// All that goes to standard error, but for progress.
+void print_line(const std::string& text) {
+  std::cerr << "brume: " << printable(text) << std::endl;
 }
 
-int fail(const std::string& message) {
-  std::cerr << "brume: error: " << one_line(message) << std::endl;
+int fail(std::string message) {
+  while (message.ends_with('\n')) message.pop_back();
+  print_line("error: " + message);
   return bad_input;
 }
 
@@ -84,7 +89,10 @@ int run(int argc, char** argv) {
     check_names(app, {argv + 1, argv + argc});
     app.parse(argc, argv);
   } catch (const CLI::Success& wish) {  // --help, --version
-    return app.exit(wish);
+    std::ostringstream text;
+    const int code = app.exit(wish, text, text);
+    print_result(text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
@@ -99,22 +107,32 @@ int run(int argc, char** argv) {
 }  // namespace
 
 void print_result(const std::string& text) {
-  std::cout << text << std::flush;
-  if (!std::cout) throw InputError("standard output", "", "cannot be written");
+  errno = 0;
+  std::cout << printable_lines(text) << std::flush;
+  if (std::cout) return;
+  throw InputError("standard output", "",
+                   std::string("cannot be written") +
+                       (errno == 0 ? std::string() : ": " + std::string(std::strerror(errno))));
+}
+
+void print_note(const std::string& text) {
+  print_line(text);
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) {
-    std::cerr << "brume: warning: " << one_line(warning) << '\n';
-  }
+  for (const std::string& warning : warnings) print_line("warning: " + warning);
 }
 
 }  // namespace brume
 
 int main(int argc, char** argv) {
   brume::keep_frame_memory();
+  brume::remove_temporary_files_on_signals();
   try {
+    const brume::InterruptionWatch watch;
     return brume::run(argc, argv);
+  } catch (const brume::Interrupted&) {
+    brume::end_interrupted();
   } catch (const std::bad_alloc&) {
     return brume::fail("not enough memory");
   } catch (const std::exception& error) {

@@ -2,13 +2,21 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <iostream>
+#include <memory>
 #include <utility>
+
+#include "core/io/text_scanner.h"
+#include "core/printable_text.h"
+#include "tools/brume/interruption.h"
 
 namespace brume {
 
-ProgressLine::ProgressLine(std::string what)
-    : what_(std::move(what)), is_watched_(::isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(const std::string& what)
+    : what_(printable(shown(what))), is_watched_(::isatty(STDERR_FILENO) != 0) {
+  if (is_watched_) std::cerr << '\r' + what_ + " ...\033[K" << std::flush;
+}
 
 ProgressLine::~ProgressLine() {
   if (is_watched_) std::cerr << "\r\033[K" << std::flush;
@@ -16,11 +24,15 @@ ProgressLine::~ProgressLine() {
 
 std::function<void(double)> ProgressLine::progress() const {
   if (!is_watched_) return {};
-  return [what = what_, shown = -1](double share) mutable {
+  return [what = what_, shown = std::make_shared<std::atomic<int>>(-1)](double share) {
     const int percent = static_cast<int>(100.0 * share);
-    if (percent == std::exchange(shown, percent)) return;
-    std::cerr << '\r' << what << ": " << percent << "%\033[K" << std::flush;
+    if (shown->exchange(percent) == percent) return;
+    std::cerr << '\r' + what + ": " + std::to_string(percent) + "%\033[K" << std::flush;
   };
+}
+
+Job ProgressLine::job() const {
+  return {interruption(), progress()};
 }
 
 }  // namespace brume

@@ -1,15 +1,14 @@
+#include <tbb/global_control.h>
 #include <tbb/info.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <iostream>
+#include <sstream>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/limits.h"
-#include "core/io/scene_file.h"
 #include "core/io/text_scanner.h"
 #include "core/scene/at_time.h"
 #include "render/auto_quality.h"
@@ -20,8 +19,11 @@
 #include "render/transfer/transfer_store.h"
 #include "tools/brume/backend_name.h"
 #include "tools/brume/command.h"
+#include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
+#include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
+#include "tools/brume/read_scene.h"
 #include "tools/brume/render_statistics.h"
 
 namespace brume {
@@ -129,14 +131,15 @@ class RenderCommand final : public Command {
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
     settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
+    // Frames have arenas of their own; this binds all else too.
+    const tbb::global_control bound(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(settings.threads));
     const Backend backend = parse_backend(backend_);
     const Film wanted = size_.empty() ? Film{} : parse_size(size_);
-    check_outputs();
+    CommandFiles files = outputs();
 
     const Clock::time_point start = Clock::now();
-    std::vector<std::string> warnings;
-    const Scene scene = at_time(load_scene(scene_file_, &warnings), time_);
-    print_warnings(warnings);
+    const Scene scene = at_time(read_scene(scene_file_, files), time_);
     const Film film = size_.empty() ? scene.film : wanted;
     const auto transfers = std::make_shared<TransferStore>();
     const double transfer_milliseconds = make_transfers(scene, settings, *transfers);
@@ -148,8 +151,9 @@ class RenderCommand final : public Command {
     if (is_chosen) {
       frame = render(renderer, scene, scene.camera, film, settings, 1);
     } else {
-      MeasuredFrame measured =
-          *render_auto(renderer, scene, scene.camera, film, settings, max_error_);
+      const ProgressLine line("auto");
+      MeasuredFrame measured = finished(render_auto(renderer, scene, scene.camera, film, settings,
+                                                    max_error_, interruption(), line.progress()));
       frame = std::move(measured.frame);
       settings = measured.settings;
       error = measured.error;
@@ -157,9 +161,11 @@ class RenderCommand final : public Command {
     const std::chrono::duration<double, std::milli> first = Clock::now() - start;
     if (backend == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error && error->high > max_error_) {
-      std::cerr << "brume: warning: no setting is sure to keep --max-error " << max_error_
-                << "; this one has a relative RMSE of " << error->rel_rmse << ", " << error->low
-                << " to " << error->high << '\n';
+      std::ostringstream text;
+      text << "no setting is sure to keep --max-error " << max_error_
+           << "; this one has a relative RMSE of " << error->rel_rmse << ", " << error->low
+           << " to " << error->high;
+      print_warnings({text.str()});
     }
 
     std::vector<FrameStatistics> moved;
@@ -169,11 +175,14 @@ class RenderCommand final : public Command {
       camera.eye += (1 + i % 1000) * 1e-6 * (camera.target - camera.eye);
       moved.push_back(render(renderer, scene, camera, film, settings, i + 1).statistics);
     }
+    check_interrupted();
     write_frame(output_, frame,
                 {scene_file_, airlight_name(settings), frame.statistics.backend, exposure_});
     if (!stats_file_.empty()) {
       if (!error && settings.airlight != AirlightMethod::reference) {
-        error = measure_error(scene, scene.camera, frame);
+        const ProgressLine line("measuring the error");
+        error =
+            finished(measure_error(scene, scene.camera, frame, interruption(), line.progress()));
       }
       const RenderRun run{scene_file_,           film, settings, repeat_, first.count(),
                           transfer_milliseconds, error};
@@ -187,20 +196,16 @@ class RenderCommand final : public Command {
   static void warn_of_cpu(std::string problem, const FrameStatistics& statistics) {
     if (statistics.backend == "gl") return;
     if (problem.empty() && !statistics.on_cpu.empty()) problem = statistics.on_cpu.front().why;
-    std::cerr << "brume: warning: --backend gl: rendered on the CPU: " << problem << '\n';
+    print_warnings({"--backend gl: rendered on the CPU: " + problem});
   }
 
   // Whatever would fail after the work fails before it.
-  void check_outputs() const {
+  [[nodiscard]] CommandFiles outputs() const {
     check_frame_extension(output_);
-    check_writable(output_);
-    if (stats_file_.empty()) return;
-    check_writable(stats_file_);
-    std::error_code error;
-    if (std::filesystem::weakly_canonical(stats_file_, error) ==
-        std::filesystem::weakly_canonical(output_, error)) {
-      throw InputError(stats_file_, "", "--stats and -o name the same file");
-    }
+    CommandFiles files;
+    files.add_output(output_);
+    if (!stats_file_.empty()) files.add_output(stats_file_);
+    return files;
   }
 
   // Frames rendered after the first, whose times are reported: in them everything is built.
@@ -213,7 +218,8 @@ class RenderCommand final : public Command {
                const Settings& settings, int number) const {
     const ProgressLine line("frame " + std::to_string(number) + " of " +
                             std::to_string(1 + moved_frames()));
-    return *renderer.render(scene, camera, film, settings, {}, line.progress());
+    return finished(
+        renderer.render(scene, camera, film, settings, interruption(), line.progress()));
   }
 
   // The radiance transfer that the scene needs, of the cache on disk or computed. Returns the time
@@ -222,12 +228,12 @@ class RenderCommand final : public Command {
                                TransferStore& transfers) {
     const Clock::time_point start = Clock::now();
     const RenderPlan plan(scene, settings.airlight);
+    if (plan.transfers.empty()) return 0.0;
     std::vector<std::string> warnings;
     {
       const ProgressLine line("radiance transfer");
-      tbb::task_arena(settings.threads).execute([&] {
-        transfers.make(plan.transfers, cache_folder(), {{}, line.progress()}, &warnings);
-      });
+      transfers.make(plan.transfers, cache_folder(), line.job(), &warnings);
+      check_interrupted();
     }
     print_warnings(warnings);
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();

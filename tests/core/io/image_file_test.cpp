@@ -13,6 +13,8 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "tests/core/io/input_error.h"
@@ -134,24 +136,118 @@ TEST(ExrFile, RefusesAHugeImageInASmallFile) {
   EXPECT_TRUE(contains(error, "b.exr")) << error;
 }
 
-// In an image just small enough not to be refused for its size.
-TEST(ExrFile, TakesNoMemoryForRowsThatAreNotThere) {
+long max_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;  // [KiB]
+}
+
+void put(std::string& bytes, std::size_t at, std::int32_t value) {
+  bytes.replace(at, sizeof(value), reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+// Where the value of an attribute begins.
+std::size_t value_of(const std::string& bytes, const std::string& name, const std::string& type) {
+  const std::string head = name + '\0' + type + '\0';
+  return bytes.find(head) + head.size() + sizeof(std::int32_t);
+}
+
+// Each was taken before the file was read on: 2 GB.
+TEST(ExrFile, TakesNoMemoryForAttributesThatAreNotThere) {
   const TemporaryFolder folder;
   write_exr(folder / "a.exr", some_image());
   std::string bytes = content_of(folder / "a.exr");
-  const std::size_t window = bytes.find(std::string("dataWindow\0box2i\0", 17)) + 17 + 4;
-  const std::int32_t last = 8000;  // four channels of 8001 x 8001 pixels: 977 MiB
-  bytes.replace(window + 8, 4, reinterpret_cast<const char*>(&last), 4);
-  bytes.replace(window + 12, 4, reinterpret_cast<const char*>(&last), 4);
-  const auto most_memory = [] {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss;  // [KiB]
-  };
-  const long before = most_memory();
-  bytes += std::string(8000, '\1');  // enough for the table of where rows are
-  EXPECT_THROW(read_exr(folder.write("b.exr", bytes)), InputError);
-  EXPECT_LT(most_memory() - before, 100 * 1024);
+  put(bytes, value_of(bytes, "scene", "string") - sizeof(std::int32_t), 0x7ffffff0);
+  const long before = max_memory();
+  const std::string error = error_of([&] { read_exr(folder.write("b.exr", bytes)); });
+  EXPECT_TRUE(contains(error, "attribute scene: claims 2147483632 bytes")) << error;
+  EXPECT_LT(max_memory() - before, 100 * 1024);
+}
+
+// The last row of tiles is there, the 249 before it are not: a gigabyte of zeros compressed.
+TEST(ExrFile, TakesNoMemoryForTilesThatAreNotThere) {
+  const TemporaryFolder folder;
+  constexpr int width = 16'000;
+  constexpr int rows = 250;  // of tiles
+  const std::vector<float> zeros(std::size_t{width} * 64);
+  Imf::Header header(width, 64);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  header.channels().insert("R", Imf::Channel(Imf::FLOAT));
+  header.setTileDescription(Imf::TileDescription(width, 64));
+  Imf::FrameBuffer frame;
+  frame.insert("R", Imf::Slice::Make(Imf::FLOAT, zeros.data(), header.dataWindow(), sizeof(float),
+                                     width * sizeof(float)));
+  {
+    Imf::TiledOutputFile out((folder / "t.exr").c_str(), header);
+    out.setFrameBuffer(frame);
+    out.writeTile(0, 0);
+  }
+  std::string bytes = content_of(folder / "t.exr");
+  std::uint64_t tile = 0;  // where it begins: the one entry of the table before it
+  std::size_t table = bytes.size() - sizeof(tile);
+  for (; table > 0 && tile != table + sizeof(tile); --table) {
+    std::memcpy(&tile, bytes.data() + table - 1, sizeof(tile));
+  }
+  const std::uint64_t moved = tile + (rows - 1) * sizeof(tile);
+  std::string entries;
+  for (int row = 0; row < rows; ++row) {
+    entries.append(reinterpret_cast<const char*>(&moved), sizeof(moved));
+  }
+  bytes.replace(table, sizeof(tile), entries);
+  put(bytes, static_cast<std::size_t>(moved) + 4, rows - 1);  // the tile's y
+  put(bytes, value_of(bytes, "dataWindow", "box2i") + 12, 64 * rows - 1);
+  const long before = max_memory();
+  const std::string error = error_of([&] { read_exr(folder.write("b.exr", bytes)); });
+  EXPECT_TRUE(contains(error, "16000 x 16000 pixels of 1 channel; the file is too short")) << error;
+  EXPECT_LT(max_memory() - before, 100 * 1024);
+}
+
+TEST(ExrFile, RefusesTilesMuchLargerThanTheImage) {
+  const TemporaryFolder folder;
+  Imf::Header header(8, 8);
+  header.channels().insert("R", Imf::Channel(Imf::FLOAT));
+  header.setTileDescription(Imf::TileDescription(16, 16));
+  const std::vector<float> values(64, 0.5f);
+  Imf::FrameBuffer frame;
+  frame.insert("R", Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(), sizeof(float),
+                                     8 * sizeof(float)));
+  {
+    Imf::TiledOutputFile out((folder / "t.exr").c_str(), header);
+    out.setFrameBuffer(frame);
+    out.writeTile(0, 0);
+  }
+  EXPECT_EQ(read_exr(folder / "t.exr").channels.at("R"), values);
+  std::string bytes = content_of(folder / "t.exr");
+  const std::size_t tiles = value_of(bytes, "tiles", "tiledesc");
+  put(bytes, tiles, 20'000);
+  put(bytes, tiles + 4, 20'000);
+  const std::string error = error_of([&] { read_exr(folder.write("b.exr", bytes)); });
+  EXPECT_TRUE(contains(error, "blocks of 20000 x 20000 pixels in an image of 8 x 8")) << error;
+}
+
+// What compresses best of each kind is still read: one colour in half precision.
+TEST(ExrFile, ReadsWhatCompressesBest) {
+  const TemporaryFolder folder;
+  constexpr int side = 1024;
+  const std::vector<half> values(std::size_t{side} * side, half(0.5f));
+  for (int compression = 0; compression < Imf::NUM_COMPRESSION_METHODS; ++compression) {
+    SCOPED_TRACE(compression);
+    Imf::Header header(side, side);
+    header.compression() = static_cast<Imf::Compression>(compression);
+    Imf::FrameBuffer frame;
+    for (const char* name : {"R", "G", "B"}) {
+      header.channels().insert(name, Imf::Channel(Imf::HALF));
+      frame.insert(name, Imf::Slice::Make(Imf::HALF, values.data(), header.dataWindow(),
+                                          sizeof(half), side * sizeof(half)));
+    }
+    {
+      Imf::OutputFile out((folder / "c.exr").c_str(), header);
+      out.setFrameBuffer(frame);
+      out.writePixels(side);
+    }
+    // DWA is lossy.
+    EXPECT_NEAR(read_exr(folder / "c.exr").channels.at("G").back(), 0.5f, 1e-3f);
+  }
 }
 
 TEST(ExrFile, KeepsTheOldFileWhenWritingFails) {

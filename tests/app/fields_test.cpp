@@ -1,0 +1,284 @@
+// Fields with keyboard, mouse and wheel: what is typed is not lost, the view has the focus again,
+// and the wheel changes nothing that one scrolls past.
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QToolBar>
+#include <functional>
+
+#include "app/commands/edit_medium.h"
+#include "app/panels/number_field.h"
+#include "app/panels/value_field.h"
+#include "app/timeline.h"
+#include "app/tools/paintbrush_tool.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/view_grid.h"
+#include "core/io/scene_file.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+NumberField& line_of(TestWindow& window, const char* field) {
+  return window->findChild<ValueField*>(field)->number();
+}
+
+// Shows the dock that a field is in.
+void show(QWidget& field) {
+  for (QWidget* above = &field; above; above = above->parentWidget()) {
+    if (auto* dock = qobject_cast<QDockWidget*>(above)) {
+      dock->show();
+      dock->raise();
+    }
+  }
+  QTRY_VERIFY(field.isVisible());
+}
+
+void type(QWidget& field, const QString& text) {
+  show(field);
+  field.setFocus();
+  QVERIFY(field.hasFocus());
+  if (auto* box = qobject_cast<QSpinBox*>(&field)) box->selectAll();
+  QTest::keyClicks(&field, text);
+}
+
+// Over what is under the mouse, from where it goes on to what that is in.
+void turn_wheel(QWidget& field, int notches) {
+  const QPoint middle = field.rect().center();
+  QWidget* inner = field.childAt(middle);
+  QWidget& over = inner ? *inner : field;
+  QWheelEvent wheel(over.rect().center(), field.mapToGlobal(middle), {}, {0, 120 * notches},
+                    Qt::NoButton, {}, Qt::NoScrollPhase, false);
+  QSpontaneKeyEvent::setSpontaneous(&wheel);  // as from the system: it may give the focus too
+  qApp->notify(&over, &wheel);
+}
+
+QWidget& tool_button(TestWindow& window, const char* tool) {
+  auto* action = window->findChild<QAction*>(QString("tool.") + tool);
+  return *window->findChild<QToolBar*>("tools")->widgetForAction(action);
+}
+
+QString active_tool(TestWindow& window) {
+  return window->tools().entries()[window->tools().active()].name;
+}
+
+}  // namespace
+
+class FieldsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void what_is_typed_is_taken_however_the_field_is_left() {
+    TestWindow window;
+    Document& document = window->document();
+    auto& radius = *window->findChild<NumberField*>("radius");
+    auto& filter = *window->findChild<QLineEdit*>("gaussian_filter");
+    const auto click = [](QWidget* at) { QTest::mouseClick(at, Qt::LeftButton); };
+    const std::function<void()> ways[]{
+        [&] { QTest::keyClick(&radius, Qt::Key_Tab); },
+        [&] { QTest::keyClick(&radius, Qt::Key_Return); },
+        [&] { click(&filter); },
+        [&] { QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, QPoint(3, 3)); },
+        [&] { click(&tool_button(window, "paintbrush")); },
+        [&] { click(window->statusBar()); },
+        [&] { QTest::keyClick(&radius, Qt::Key_S, Qt::ControlModifier); },
+    };
+    double value = 0.3;
+    for (const auto& leave : ways) {
+      document.select({1});
+      value += 0.01;
+      type(radius, QString::number(value));
+      const int steps = document.undo_stack().index();
+      leave();
+      QCOMPARE(document.medium().radii()[0], value);
+      QCOMPARE(document.undo_stack().text(steps),
+               QString("Set radius of Gaussian to %1").arg(value));
+      QVERIFY(!radius.hasFocus());
+    }
+    // Saved with it.
+    QCOMPARE(load_scene(document.file()).medium.radii()[0], value);
+  }
+
+  void fields_of_panels_tools_and_timeline_take_it_too() {
+    TestWindow window;
+    window.key(Qt::Key_B);
+    auto& brush = dynamic_cast<PaintbrushTool&>(window->tools().tool());
+    auto& last = *window->findChild<QSpinBox*>("last_frame_of_range");
+    type(line_of(window, "light_intensity"), "34");
+    QTest::mouseClick(&tool_button(window, "eraser"), Qt::LeftButton);
+    QCOMPARE(window->document().scene().lights[0].intensity.r, 34.0);
+    window.key(Qt::Key_B);
+    type(line_of(window, "brush_radius"), "0.77");
+    QTest::mouseClick(&tool_button(window, "eraser"), Qt::LeftButton);
+    QCOMPARE(brush.brush().radius, 0.77);
+    QCOMPARE(active_tool(window), QString("eraser"));
+    type(last, "60");
+    QTest::mouseClick(&tool_button(window, "paintbrush"), Qt::LeftButton);
+    QCOMPARE(window->timeline().last(), 60);
+  }
+
+  void after_enter_and_escape_keys_are_the_views() {
+    TestWindow window;
+    Document& document = window->document();
+    document.select({1});
+    const Scene before = document.scene();
+    QWidget* const fields[]{window->findChild<NumberField*>("density"),
+                            &line_of(window, "light_intensity"),
+                            window->findChild<QSpinBox*>("last_frame_of_range")};
+    for (QWidget* field : fields) {
+      window->tools().activate(0);
+      type(*field, "47");
+      QTest::keyClick(field, Qt::Key_Return);
+      QVERIFY(window->viewport().hasFocus());
+      QCOMPARE(document.undo_stack().index(), 1);
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_E);
+      QCOMPARE(active_tool(window), QString("eraser"));
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
+      QVERIFY(document.scene() == before);
+
+      const QString shown = field->property("text").toString();
+      type(*field, "53");
+      QTest::keyClick(field, Qt::Key_Escape);
+      QVERIFY(window->viewport().hasFocus());
+      QVERIFY(document.scene() == before);
+      QCOMPARE(document.undo_stack().index(), 0);
+      QCOMPARE(field->property("text").toString(), shown);
+    }
+    // The view that was used last.
+    window.key(Qt::Key_Q, Qt::ControlModifier | Qt::AltModifier);
+    Viewport& front = *window->views().panes()[2];
+    front.setFocus();
+    type(*fields[0], "1");
+    QTest::keyClick(fields[0], Qt::Key_Return);
+    QVERIFY(front.hasFocus());
+  }
+
+  void a_refused_value_is_said_once() {
+    TestWindow window;
+    window->document().select({1});
+    auto& radius = *window->findChild<NumberField*>("radius");
+    const QString before = radius.text();
+    QSignalSpy said(window->statusBar(), &QStatusBar::messageChanged);
+    type(radius, "-1");
+    QTest::keyClick(&radius, Qt::Key_Return);
+    QCOMPARE(said.count(), 1);
+    QVERIFY(window->statusBar()->currentMessage().contains("Radius"));
+    QCOMPARE(radius.text(), before);
+    QVERIFY(!window->document().is_modified());
+  }
+
+  // Another value may change meanwhile, as when something plays.
+  void what_is_being_typed_stays() {
+    TestWindow window;
+    Document& document = window->document();
+    document.select({1});
+    auto& radius = *window->findChild<NumberField*>("radius");
+    type(radius, "0.4");
+    set_field(document, document.selection(), GaussianField::density, 0.5);
+    QCOMPARE(radius.text(), QString("0.4"));
+    QTest::keyClicks(&radius, "2");
+    QTest::keyClick(&radius, Qt::Key_Return);
+    QCOMPARE(document.medium().radii()[0], 0.42);
+  }
+
+  void the_wheel_changes_only_what_has_the_focus() {
+    TestWindow window;
+    window->document().select({1});
+    window.key(Qt::Key_B);
+    auto& frame_slider = *window->findChild<QSlider*>("frame_slider");
+    window->timeline().set_frame(30);
+    struct Field {
+      QWidget* over;
+      QWidget* focus;
+      std::function<QString()> value;
+    };
+    const auto number = [](NumberField* line) {
+      return Field{line, line, [line] { return line->text(); }};
+    };
+    const auto spin = [](QSpinBox* box) {
+      return Field{box, box, [box] { return QString::number(box->value()); }};
+    };
+    const auto choice = [](QComboBox* box) {
+      return Field{box, box, [box] { return box->currentText(); }};
+    };
+    const Field fields[]{
+        number(window->findChild<NumberField*>("radius")),
+        number(window->findChild<NumberField*>("center_x")),
+        number(&line_of(window, "light_intensity")),
+        number(&line_of(window, "brush_radius")),
+        spin(window->findChild<QSpinBox*>("frame")),
+        choice(window->findChild<QComboBox*>("max_error")),
+        choice(window->findChild<QComboBox*>("brush_plane")),
+        {&frame_slider, &frame_slider, [&] { return QString::number(frame_slider.value()); }},
+    };
+    for (const Field& field : fields) {
+      show(*field.over);
+      window->viewport().setFocus();
+      QVERIFY(field.over->focusPolicy() != Qt::WheelFocus);  // nor does it get that by the wheel
+      const QString before = field.value();
+      turn_wheel(*field.over, -1);
+      QCOMPARE(field.value(), before);
+      QVERIFY(window->viewport().hasFocus());
+      field.focus->setFocus();
+      const QString exact = field.value();
+      turn_wheel(*field.over, -1);
+      QVERIFY2(field.value() != exact, qPrintable(field.over->objectName() + field.value()));
+      turn_wheel(*field.over, 1);
+    }
+  }
+
+  void elsewhere_the_wheel_scrolls_the_panel() {
+    TestWindow window;
+    NumberField& intensity = line_of(window, "light_intensity");
+    QScrollArea* area = nullptr;
+    for (QWidget* above = &intensity; above && !area; above = above->parentWidget()) {
+      area = qobject_cast<QScrollArea*>(above);
+    }
+    QVERIFY(area);
+    show(intensity);
+    area->widget()->setMinimumHeight(area->height() + 400);
+    QTRY_VERIFY(area->verticalScrollBar()->maximum() > 100);
+    area->ensureWidgetVisible(&intensity);
+    const int before = area->verticalScrollBar()->value();
+    turn_wheel(intensity, -1);
+    QVERIFY(area->verticalScrollBar()->value() > before);
+    QCOMPARE(window->document().undo_stack().index(), 0);
+  }
+
+  void a_title_of_the_panel_gaussians_is_dragged() {
+    TestWindow window;
+    Document& document = window->document();
+    document.select({1, 2});
+    const auto drag = [&](const char* name, int pixels) {
+      auto* title = window->findChild<QLabel*>(name);
+      QVERIFY(title);
+      QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
+      for (int k = 1; k <= 4; ++k) {
+        const QPointF to(3.0 + pixels * k / 4.0, 3);
+        QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton,
+                         Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(title, &move);
+      }
+      QTest::mouseRelease(title, Qt::LeftButton);
+    };
+    drag("density_title", 40);
+    const double expected = 0.8 * std::pow(1.01, 40.0);
+    for (const std::size_t k : {0U, 1U}) {
+      const double density = document.medium().densities()[k];
+      QVERIFY2(std::abs(density / expected - 1.0) < 1e-3, qPrintable(QString::number(density)));
+    }
+    QCOMPARE(document.undo_stack().index(), 1);
+    drag("radius_title", 40);  // which is mixed: no one value to begin from
+    QCOMPARE(document.undo_stack().index(), 1);
+  }
+};
+
+BRUME_TEST_MAIN(FieldsTest)
+#include "fields_test.moc"

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include "core/io/gaussian_file.h"
+#include "tests/tools/command_line.h"
+#include "tests/tools/running_program.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Work that would take many minutes.
+class Interruption : public CommandLine {
+ protected:
+  Interruption() {
+    std::vector<Gaussian> gaussians;
+    for (int i = 0; i < 20'000; ++i) {
+      gaussians.push_back({{std::sin(i), std::sin(7.0 * i), std::sin(31.0 * i)}, 0.4, 0.01});
+    }
+    write_gaussians(folder_ / "cloud.ply", gaussians);
+    slow_ = folder_
+                .write("slow.brume", R"({ "format": "brume-scene", "version": 1,
+  "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "film": { "width": 2000, "height": 2000 },
+  "medium": { "density": 0.02, "file": "cloud.ply" },
+  "lights": [ { "type": "point", "position": [2, 2, 2], "intensity": [30, 20, 10] } ],
+  "surfaces": [ { "mesh": "floor.obj" } ] })")
+                .string();
+  }
+
+  // Ctrl-C while `text` is shown ends the program as SIGINT does, and all files are what they were.
+  void expect_interruptible(const std::vector<std::string>& arguments, const std::string& text) {
+    SCOPED_TRACE(arguments.front() + ", " + text);
+    const std::size_t entries = folder_.entry_count();
+    RunningProgram program(arguments);
+    ASSERT_TRUE(program.wait_for(text)) << program.shown();
+    program.press_interrupt();
+    const int status = program.wait();
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+    EXPECT_EQ(program.shown().find("error"), std::string::npos) << program.shown();
+    EXPECT_EQ(folder_.entry_count(), entries);
+  }
+
+  std::string slow_;
+};
+
+TEST_F(Interruption, EndsEverySubcommand) {
+  const std::string old = folder_.write("old.png", "old").string();
+  expect_interruptible({"render", slow_, "-o", old, "--backend", "cpu"}, "auto: ");
+  expect_interruptible({"render", slow_, "-o", old, "--airlight", "reference", "--backend", "cpu"},
+                       "frame 1 of 1: ");
+  EXPECT_EQ(content_of(old), "old");
+  expect_interruptible({"export", slow_, "-o", file("o.vdb"), "--voxel", "0.02"}, "sampling ");
+  ASSERT_EQ(run_brume({"export", slow_, "-o", file("v.vdb"), "--voxel", "0.04"}).exit_code, 0);
+  expect_interruptible({"fit", file("v.vdb"), "-o", file("o.ply"), "--count", "100000"},
+                       "fitting ");
+  expect_interruptible({"bench", slow_, "-o", file("report")}, "brume: slow");
+}
+
+TEST_F(Interruption, AutoTellsItsProgressWhileItMeasures) {
+  RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu"});
+  EXPECT_TRUE(program.wait_for("auto: 1%")) << program.shown();
+  EXPECT_TRUE(program.wait_for("auto: 2%")) << program.shown();
+}
+
+// As scripts start what they put in the background.
+TEST_F(Interruption, IsHeardWhereItWasIgnored) {
+  const auto old = std::signal(SIGINT, SIG_IGN);
+  RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu"});
+  std::signal(SIGINT, old);
+  ASSERT_TRUE(program.wait_for("auto: ")) << program.shown();
+  ASSERT_EQ(::kill(program.pid(), SIGINT), 0);
+  const int status = program.wait();
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+}
+
+// How many threads of a program have worked: others, as libraries keep them, wait from the start.
+std::size_t working_threads(pid_t program) {
+  std::size_t count = 0;
+  std::error_code error;
+  const fs::path tasks = "/proc/" + std::to_string(program) + "/task";
+  for (fs::directory_iterator task(tasks, error); !error && task != fs::directory_iterator();
+       task.increment(error)) {
+    const std::string stat = content_of(task->path() / "stat");
+    std::istringstream fields(stat.substr(stat.rfind(')') + 1));
+    std::string skipped;
+    for (int i = 3; i < 14; ++i) fields >> skipped;
+    long user = 0;
+    long system = 0;
+    fields >> user >> system;  // [ticks], of 10 ms or so
+    if (user + system > 2) ++count;
+  }
+  return count;
+}
+
+// The measurement of the error too, which is most of the work here.
+TEST_F(Interruption, ThreadsBindAllWork) {
+  RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu", "--threads",
+                          "1", "--size", "64x48"});
+  std::size_t most = 0;
+  for (int percent = 1; percent < 60; ++percent) {
+    if (!program.wait_for("auto: " + std::to_string(percent) + "%")) break;
+    most = std::max(most, working_threads(program.pid()));
+  }
+  EXPECT_EQ(most, 1u);
+}
+
+}  // namespace
+}  // namespace brume

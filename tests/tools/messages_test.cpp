@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/printable_text.h"
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+using Messages = CommandLine;
+
+// Escape sequences of C0 and C1, and an override of the direction.
+constexpr const char* hostile =
+    "\x1b]0;title\x07\xc2\x9b"
+    "31m\xe2\x80\xaegpj\x7f";
+constexpr const char* harmless = "\\u001b]0;title\\u0007\\u009b31m\\u202egpj\\u007f";
+
+void expect_printable(const ProgramResult& result) {
+  EXPECT_EQ(printable_lines(result.out), result.out);
+  EXPECT_EQ(printable_lines(result.err), result.err);
+}
+
+TEST_F(Messages, DoNotDriveTheTerminal) {
+  const std::string key = hostile;
+  const std::string scene =
+      folder_
+          .write(key + ".brume", nlohmann::json{{"format", "brume-scene"},
+                                                {"version", 1},
+                                                {key, 1},
+                                                {"film", {{"width", 2}, {"height", 2}}}}
+                                     .dump())
+          .string();
+  const ProgramResult info = run_brume({"info", scene});
+  EXPECT_EQ(info.exit_code, 0);
+  expect_printable(info);
+  EXPECT_NE(info.out.find(harmless), std::string::npos) << info.out;
+  EXPECT_NE(info.err.find(std::string(harmless) + ": unknown key"), std::string::npos) << info.err;
+
+  const ProgramResult as_json = run_brume({"info", "--json", scene});
+  expect_printable(as_json);
+  EXPECT_EQ(nlohmann::json::parse(as_json.out)["file"], scene);
+
+  const std::string bad = folder_.write("bad.brume", nlohmann::json{{"format", key}}.dump());
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"info", bad},
+           {"info", scene + key},
+           {key},
+           {"--" + key},
+           {"render", scene, "-o", file("o.png"), "--size", key},
+           {"render", scene, "-o", file("o.png"), "--backend", key},
+           {"render", scene, "-o", file("o.png"), "--threads", key},
+           {"render", scene, "-o", folder_.path() / key / "o.png"},
+           {"export", scene, "-o", file("o.vdb"), "--frames", key}}) {
+    SCOPED_TRACE(arguments.front());
+    const ProgramResult result = run_brume(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    expect_printable(result);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+}
+
+TEST_F(Messages, ManyWarningsAreCounted) {
+  nlohmann::json scene{{"format", "brume-scene"}, {"version", 1}};
+  for (int i = 0; i < 500; ++i) scene["medium"]["unknown_" + std::to_string(i)] = i;
+  for (int i = 0; i < 500; ++i) scene["unknown_" + std::to_string(i)] = i;
+  const ProgramResult result = run_brume({"info", folder_.write("w.brume", scene.dump()).string()});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 21) << result.err;
+  EXPECT_NE(result.err.find("unknown_0: unknown key"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("w.brume: and 980 more warnings like these"), std::string::npos)
+      << result.err;
+}
+
+TEST_F(Messages, SayWhichVoxelWouldDo) {
+  const std::string scene =
+      folder_
+          .write("small.brume",
+                 R"({ "format": "brume-scene", "version": 1, "medium": { "gaussians": [
+  { "center": [0, 0, 0], "radius": 1, "density": 1 },
+  { "center": [1, 0, 0], "radius": 1e-12, "density": 1 } ] } })")
+          .string();
+  const ProgramResult refused = run_brume({"export", scene, "-o", file("o.vdb")});
+  EXPECT_EQ(refused.exit_code, 2);
+  const std::string before =
+      "voxels of 5e-13 needs more than 2148 MB; allowed: a larger --voxel, of ";
+  const std::size_t at = refused.err.find(before);
+  ASSERT_NE(at, std::string::npos) << refused.err;
+  const std::string rest = refused.err.substr(at + before.size());
+  ASSERT_NE(rest.find(" or more\n"), std::string::npos) << rest;
+  const std::string size = rest.substr(0, rest.find(' '));
+  EXPECT_LE(size.size(), 7u) << "two digits";
+  // What is named does, and is not much more than what would have to be; grids of gigabytes are not
+  // made here.
+  const double voxel = std::stod(size);
+  EXPECT_GT(voxel, 0.002);
+  EXPECT_LT(voxel, 0.02);
+  EXPECT_EQ(run_brume({"export", scene, "-o", file("o.vdb"), "--voxel", "0.1"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace brume

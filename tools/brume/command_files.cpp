@@ -1,0 +1,46 @@
+#include "tools/brume/command_files.h"
+
+#include <sys/stat.h>
+
+#include <optional>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void refuse(const fs::path& output, const std::string& other) {
+  throw InputError(output, "", "is the same file as the " + other + "; allowed: another file");
+}
+
+}  // namespace
+
+void CommandFiles::add_input(const fs::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return;
+  const auto [known, is_new] =
+      existing_.try_emplace({status.st_dev, status.st_ino}, Known{file, false});
+  if (known->second.is_output) refuse(known->second.file, "input " + file.string());
+}
+
+void CommandFiles::add_output(const fs::path& file) {
+  check_writable(file);
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0) {
+    const auto [known, is_new] =
+        existing_.try_emplace({status.st_dev, status.st_ino}, Known{file, true});
+    if (is_new) return;
+    refuse(file, (known->second.is_output ? "output " : "input ") + known->second.file.string());
+  }
+  // Not there yet: names are all there is to compare.
+  const fs::path target = link_target(file);
+  std::error_code error;
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!outputs_.insert(fs::weakly_canonical(folder, error) / target.filename()).second) {
+    refuse(file, "output " + target.string());
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "core/scene/scene.h"
+#include "tools/brume/command_files.h"
+
+namespace brume {
+
+// Loads the scene of a command, whose other files become inputs of it; prints what there is to warn
+// of. Throws InputError.
+Scene read_scene(const std::string& file, CommandFiles& files);
+
+}  // namespace brume
