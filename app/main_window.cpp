@@ -330,7 +330,9 @@ void MainWindow::update_error() {
     status = tr("error %1").arg(error_text(*error));
     corner += " · " + percent_text(error->rel_rmse);
     if (quality.is_exhausted()) {
-      status += tr(", %1 cannot be held").arg(bound_text(quality.max_error()));
+      const QString bound = bound_text(quality.max_error());
+      status += quality.control().may_keep_bound() ? tr(", may be above %1").arg(bound)
+                                                   : tr(", %1 cannot be held").arg(bound);
     }
   }
   error_->setText(status);

@@ -18,15 +18,10 @@ Film small_film(const Film& film) {
           std::max(1, static_cast<int>(std::lround(shrink * film.height)))};
 }
 
-// The reference takes time per pixel that grows with the number of Gaussians, and more where light
-// comes from all around; the sample shrinks with it, by count and not by clock, so that the same
-// scene always gets the same settings.
-std::size_t sample_pixels(const Scene& scene) {
-  const std::size_t most = scene.environment ? 96 : 192;
-  return std::clamp<std::size_t>(1'000'000 / (scene.medium.size() + 1), 48, most);
-}
+constexpr std::uint64_t seed_of_choice = 1;
 
-constexpr double sample_tolerance = 1e-3;
+// So much more error is as good as the least.
+constexpr double little_gain = 1.1;
 
 // The settings after these, if there are any better.
 std::optional<Settings> better_settings(const Settings& settings) {
@@ -47,14 +42,6 @@ std::vector<Settings> quality_ladder(const Settings& settings) {
   return ladder;
 }
 
-std::optional<ErrorSample> take_error_sample(const Scene& scene, const Camera& camera,
-                                             const Frame& guide, std::uint64_t seed,
-                                             std::stop_token stop,
-                                             const std::function<void(double)>& progress) {
-  return ErrorSample::take(scene, camera, guide, sample_pixels(scene), seed, sample_tolerance, stop,
-                           progress);
-}
-
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
                                         const Settings& settings, double max_error,
@@ -66,29 +53,31 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
   double begin = 0.6;
   const Film small = small_film(film);
   const std::vector<Settings> ladder = quality_ladder(settings);
-  std::optional<ErrorSample> sample;
+  FrameErrors errors(scene, camera, seed_of_choice);
+  std::vector<double> found;
   for (const Settings& tried : ladder) {
     const std::optional<Frame> frame = renderer.render(scene, camera, small, tried, stop);
     if (!frame) return std::nullopt;
-    if (!sample) {
-      sample = take_error_sample(scene, camera, *frame, 1, stop, measuring.progress);
-      if (!sample) return std::nullopt;
-    }
+    const std::optional<ErrorEstimate> error =
+        errors.measure(*frame, std::nullopt, stop, begin > 0.6 ? nullptr : measuring.progress);
+    if (!error) return std::nullopt;
     begin += 0.5 * (1.0 - begin);
     if (progress) progress(begin);
-    if (sample->measure(*frame).high <= max_error) return tried;
+    // In the middle between the estimate and what it may be at most: likely, not sure.
+    if (error->rel_rmse * error->high <= max_error * max_error) return tried;
+    found.push_back(error->rel_rmse);
   }
-  return ladder.back();
+  // A large frame is interpolated between nearer rays and may keep the bound all the same: where
+  // finer settings gain nothing they are not begun with.
+  const double good = little_gain * *std::ranges::min_element(found);
+  return ladder[static_cast<std::size_t>(
+      std::ranges::find_if(found, [=](double error) { return error <= good; }) - found.begin())];
 }
 
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
                                            const Frame& frame, std::stop_token stop,
                                            const std::function<void(double)>& progress) {
-  // Another seed than that of the choice: settings chosen to do well on some pixels must not be
-  // judged by the same ones.
-  const auto sample = take_error_sample(scene, camera, frame, 2, stop, progress);
-  if (!sample) return std::nullopt;
-  return sample->measure(frame);
+  return FrameErrors(scene, camera, seed_of_judgement).measure(frame, std::nullopt, stop, progress);
 }
 
 std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
@@ -100,6 +89,7 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
   double begin = 0.4;
   std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings,
                                                   max_error, stop, job.part(0.0, begin).progress);
+  FrameErrors errors(scene, camera, seed_of_judgement);
   std::optional<MeasuredFrame> result;
   while (tried) {
     // Seldom is more than one frame needed.
@@ -109,9 +99,13 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
         renderer.render(scene, camera, film, *tried, stop, job.part(begin, middle).progress);
     if (!frame) return std::nullopt;
     const std::optional<ErrorEstimate> error =
-        measure_error(scene, camera, *frame, stop, job.part(middle, end).progress);
+        errors.measure(*frame, max_error, stop, job.part(middle, end).progress);
     if (!error) return std::nullopt;
-    result = MeasuredFrame{std::move(*frame), *tried, *error};
+    // Finer settings that are no surer of the bound are only slower.
+    const bool may_keep = result && result->error.rel_rmse <= max_error;
+    if (error->high <= max_error || !may_keep) {
+      result = MeasuredFrame{std::move(*frame), *tried, *error};
+    }
     if (error->high <= max_error) break;
     tried = better_settings(*tried);
     begin = end;

@@ -2,93 +2,171 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <utility>
 
-#include "render/reference/reference_pixels.h"
+#include "render/reference/view_reference.h"
+#include "render/sample_chances.h"
 
 namespace brume {
+namespace {
+
+// In [0, 1), the same everywhere: a mixed counter (SplitMix64).
+double random_number(std::uint64_t seed, std::size_t index) {
+  std::uint64_t x = (seed << 32 ^ index) + 0x9e3779b97f4a7c15u;
+  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+  return static_cast<double>((x ^ x >> 31) >> 11) * 0x1p-53;
+}
+
+// Sums over RGB.
+struct Squares {
+  double error = 0.0;
+  double truth = 0.0;
+};
+
+Squares squares_of(const Frame& frame, std::size_t pixel, const glm::dvec3& truth) {
+  Squares squares;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double t = truth[static_cast<int>(k)];
+    const double d = static_cast<double>(frame.airlight[3 * pixel + k]) - t;
+    squares.error += d * d;
+    squares.truth += t * t;
+  }
+  return squares;
+}
+
+// The relative RMSE is the root of a ratio of sums of squares, which have long tails: its interval
+// is made on its logarithm, where it is nearly even, at 2.5 standard deviations instead of 1.96,
+// and at up to twice as many where few pixels tell how large those are.
+constexpr double deviations = 2.5;
+
+// What was not met may be wrong as well: this share of the most that any pixel adds to the sum.
+// With it the intervals of 300 random scenes held in 98% of cases, without in 96%.
+constexpr double not_met = 0.2;
+
+}  // namespace
+
+ErrorSample::ErrorSample(std::shared_ptr<ViewReference> reference, std::vector<double> chances,
+                         std::uint64_t seed)
+    : reference_(std::move(reference)), chances_(std::move(chances)), seed_(seed) {}
 
 std::optional<ErrorSample> ErrorSample::take(const Scene& scene, const Camera& camera,
                                              const Frame& guide, std::size_t count,
                                              std::uint64_t seed, double tolerance,
                                              std::stop_token stop,
                                              const std::function<void(double)>& progress) {
-  const std::size_t total = guide.depth.size();
-  std::vector<double> square(total);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < total; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double x = static_cast<double>(guide.airlight[3 * i + k]);
-      square[i] += x * x;
-    }
-    sum += square[i];
-  }
+  return take(std::make_shared<ViewReference>(scene, camera, guide.film, guide.time, tolerance),
+              scene, camera, guide, count, seed, std::move(stop), progress);
+}
 
-  // Systematic sampling: one random offset, then even steps through the cumulated probabilities,
-  // which spreads the pixels over the rows of the frame.
-  std::mt19937_64 random(seed);
-  const double offset = static_cast<double>(random() >> 11) * 0x1p-53;
-  ErrorSample sample;
-  double cumulated = 0.0;
-  for (std::size_t i = 0; i < total; ++i) {
-    const double even = 1.0 / static_cast<double>(total);
-    const double probability = sum > 0.0 ? 0.5 * even + 0.5 * square[i] / sum : even;
-    const double before = cumulated * static_cast<double>(count);
-    cumulated += probability;
-    const double after = cumulated * static_cast<double>(count);
-    // A bright pixel may be met several times; it is evaluated once and counts as often.
-    const double times = std::ceil(after - offset) - std::ceil(before - offset);
-    if (times > 0.0) {
-      sample.pixels_.push_back(
-          {i, times / (probability * static_cast<double>(count)), glm::dvec3(0.0)});
-    }
-  }
-
-  std::vector<std::size_t> indices;
-  for (const Pixel& pixel : sample.pixels_) indices.push_back(pixel.index);
-  const ReferencePixels reference(scene, camera, guide.film, guide.time, tolerance);
-  const std::vector<glm::dvec3> airlight = reference.airlight(indices, stop, progress);
-  if (airlight.size() != indices.size()) return std::nullopt;
-  for (std::size_t k = 0; k < airlight.size(); ++k) sample.pixels_[k].airlight = airlight[k];
+std::optional<ErrorSample> ErrorSample::take(std::shared_ptr<ViewReference> reference,
+                                             const Scene& scene, const Camera& camera,
+                                             const Frame& guide, std::size_t count,
+                                             std::uint64_t seed, std::stop_token stop,
+                                             const std::function<void(double)>& progress) {
+  ErrorSample sample(std::move(reference), sample_chances(scene, camera, guide, count), seed);
+  if (!sample.look_around_errors(guide, count / 4, stop)) return std::nullopt;
+  if (!sample.draw(stop, progress)) return std::nullopt;
   return sample;
 }
 
-ErrorEstimate ErrorSample::measure(const Frame& frame) const {
-  // The ratio of two estimated sums, and its variance by the spread of their linear combination.
-  std::vector<double> errors;
-  std::vector<double> squares;
-  double error = 0.0;
-  double square = 0.0;
-  for (const Pixel& pixel : pixels_) {
-    double e = 0.0;
-    double s = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double truth = pixel.airlight[static_cast<int>(k)];
-      const double d = static_cast<double>(frame.airlight[3 * pixel.index + k]) - truth;
-      e += d * d;
-      s += truth * truth;
+// Pixels that are always met do not depend on chance, and so neither do those around them.
+bool ErrorSample::look_around_errors(const Frame& guide, std::size_t most,
+                                     const std::stop_token& stop) {
+  constexpr double large_share = 0.01;
+  constexpr int rounds = 3;
+  const auto width = static_cast<std::size_t>(guide.film.width);
+  const auto height = static_cast<std::size_t>(guide.film.height);
+  for (int round = 0; round < rounds && most > 0; ++round) {
+    std::vector<std::size_t> sure;
+    for (std::size_t i = 0; i < chances_.size(); ++i) {
+      if (chances_[i] >= 1.0) sure.push_back(i);
     }
-    errors.push_back(pixel.weight * e);
-    squares.push_back(pixel.weight * s);
-    error += errors.back();
-    square += squares.back();
+    if (!reference_->evaluate(sure, stop)) return false;
+    std::vector<std::pair<double, std::size_t>> errors;
+    double sum = 0.0;
+    for (const std::size_t i : sure) {
+      errors.emplace_back(squares_of(guide, i, reference_->airlight(i)).error, i);
+      sum += errors.back().first;
+    }
+    std::ranges::sort(errors, std::greater());
+    const std::size_t before = most;
+    for (const auto& [error, i] : errors) {
+      if (!(error > large_share * sum)) break;
+      const std::size_t x = i % width;
+      const std::size_t y = i / width;
+      for (std::size_t v = y - std::min<std::size_t>(y, 1); v <= std::min(y + 1, height - 1); ++v) {
+        for (std::size_t u = x - std::min<std::size_t>(x, 1); u <= std::min(x + 1, width - 1);
+             ++u) {
+          double& chance = chances_[v * width + u];
+          if (chance >= 1.0 || most == 0) continue;
+          chance = 1.0;
+          --most;
+        }
+      }
+    }
+    if (most == before) break;
+  }
+  return true;
+}
+
+bool ErrorSample::grow(const std::stop_token& stop, const std::function<void(double)>& progress) {
+  const std::vector<double> before = chances_;
+  for (double& chance : chances_) chance = std::min(2.0 * chance, 1.0);
+  if (draw(stop, progress)) return true;
+  chances_ = before;
+  return false;
+}
+
+// Each pixel by a random number of its own (Poisson sampling): more chance adds pixels and loses
+// none, and no order of pixels can go along with that of interpolated airlight.
+bool ErrorSample::draw(const std::stop_token& stop, const std::function<void(double)>& progress) {
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < chances_.size(); ++i) {
+    if (random_number(seed_, i) < chances_[i]) pixels.push_back(i);
+  }
+  if (!reference_->evaluate(pixels, stop, progress)) return false;
+  pixels_ = std::move(pixels);
+  return true;
+}
+
+ErrorEstimate ErrorSample::measure(const Frame& frame) const {
+  // Sums over all pixels, estimated from those met (Horvitz and Thompson).
+  std::vector<Squares> weighted;
+  Squares sums;
+  for (const std::size_t i : pixels_) {
+    Squares squares = squares_of(frame, i, reference_->airlight(i));
+    squares.error /= chances_[i];
+    squares.truth /= chances_[i];
+    sums.error += squares.error;
+    sums.truth += squares.truth;
+    weighted.push_back(squares);
   }
   ErrorEstimate estimate;
   estimate.pixels = pixels_.size();
-  if (!(square > 0.0)) return estimate;
-  const double ratio = error / square;
-  double spread = 0.0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double d = errors[i] - ratio * squares[i];
-    spread += d * d;
+  if (!(sums.truth > 0.0)) {
+    // Black; what is shown of it is all wrong.
+    if (sums.error > 0.0) estimate.rel_rmse = estimate.low = estimate.high = 1.0;
+    return estimate;
   }
-  // The relative RMSE is the root of the ratio; squared errors have long tails, so the interval is
-  // made on its logarithm, where it is nearly even, at 2.5 standard deviations instead of 1.96.
-  const double relative = ratio > 0.0 ? std::sqrt(spread) / square / ratio : 0.0;
+  const double ratio = sums.error / sums.truth;
+  double spread = 0.0;
+  double fourth = 0.0;
+  double worst = 0.0;
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    const double d = weighted[k].error - ratio * weighted[k].truth;
+    const double square = (1.0 - chances_[pixels_[k]]) * d * d;
+    spread += square;
+    fourth += square * square;
+    worst = std::max(worst, weighted[k].error);
+  }
+  const double relative = ratio > 0.0 ? std::sqrt(spread) / sums.error : 0.0;
+  // As many pixels of one size would have this spread: 1 if one pixel rules it.
+  const double alike = fourth > 0.0 ? spread * spread / fourth : 1.0;
+  const double factor = std::exp(0.5 * deviations * (1.0 + 1.0 / alike) * relative);
   estimate.rel_rmse = std::sqrt(ratio);
-  const double factor = std::exp(0.5 * 2.5 * relative);
   estimate.low = estimate.rel_rmse / factor;
-  estimate.high = estimate.rel_rmse * factor;
+  estimate.high = std::sqrt(ratio * factor * factor + not_met * worst / sums.truth);
   return estimate;
 }
 

@@ -13,6 +13,8 @@
 
 namespace brume {
 
+class ViewReference;
+
 // How wrong a frame's airlight is, measured on a sample of its own pixels.
 struct ErrorEstimate {
   double rel_rmse = 0.0;  // rms(L - Lref) / rms(Lref) over RGB of the airlight
@@ -22,28 +24,41 @@ struct ErrorEstimate {
 };
 
 // Pixels of one view with the converged airlight of each: what frames of that view are held
-// against. Pixels are drawn half evenly and half in proportion to the radiance squared of a guide
-// frame, since that is how they count in the error; so a few hundred are enough.
+// against. sample_chances() says where to look; where pixels that are always met turn out to be
+// wrong, those around them are always met too. A few hundred are enough.
 class ErrorSample {
  public:
-  // Evaluates the reference at `count` pixels of the guide's film, in parallel: milliseconds a
-  // pixel. nullopt if `stop` was requested. The same for the same seed. `progress` as of
+  // Evaluates the reference at about `count` pixels of the guide's film, in parallel: milliseconds
+  // a pixel. nullopt if `stop` was requested. The same for the same seed. `progress` as of
   // FrameRenderer.
   static std::optional<ErrorSample> take(const Scene& scene, const Camera& camera,
                                          const Frame& guide, std::size_t count, std::uint64_t seed,
                                          double tolerance, std::stop_token stop = {},
                                          const std::function<void(double)>& progress = {});
+  // The same, with what is known already of the guide's view.
+  static std::optional<ErrorSample> take(std::shared_ptr<ViewReference> reference,
+                                         const Scene& scene, const Camera& camera,
+                                         const Frame& guide, std::size_t count, std::uint64_t seed,
+                                         std::stop_token stop = {},
+                                         const std::function<void(double)>& progress = {});
+
+  // Makes every pixel twice as likely to be met; those that were stay. False if `stop` was
+  // requested: nothing has changed then.
+  bool grow(const std::stop_token& stop, const std::function<void(double)>& progress = {});
 
   // The error of a frame of the same view and film as the guide.
   [[nodiscard]] ErrorEstimate measure(const Frame& frame) const;
 
  private:
-  struct Pixel {
-    std::size_t index;
-    double weight;  // 1 / (probability of the pixel * count)
-    glm::dvec3 airlight;
-  };
-  std::vector<Pixel> pixels_;
+  ErrorSample(std::shared_ptr<ViewReference> reference, std::vector<double> chances,
+              std::uint64_t seed);
+  bool look_around_errors(const Frame& guide, std::size_t most, const std::stop_token& stop);
+  bool draw(const std::stop_token& stop, const std::function<void(double)>& progress);
+
+  std::shared_ptr<ViewReference> reference_;
+  std::vector<double> chances_;  // of each pixel of being met
+  std::uint64_t seed_;
+  std::vector<std::size_t> pixels_;  // met
 };
 
 }  // namespace brume

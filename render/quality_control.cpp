@@ -82,13 +82,33 @@ bool QualityControl::may_go_down(double high) const {
   return next.in_other_view && high < far_better * max_error_;
 }
 
-// As far as what is known leads. It ends: up only from settings that broke the bound, down only to
-// others, or to those that broke it in another view, which are then tried here.
+// The next step up that has not broken the bound.
+std::size_t QualityControl::finer_step() const {
+  std::size_t step = step_ + 1;
+  while (step < trials_.size() && broke_bound(trials_[step])) ++step;
+  return step;
+}
+
+// Where none is sure to keep the bound: the cheapest that may keep it all the same, or the finest.
+// What is finer would only be slower.
+std::size_t QualityControl::step_to_settle() const {
+  const auto cheapest =
+      std::ranges::find_if(trials_, [this](const Trial& trial) { return may_keep_bound(trial); });
+  if (cheapest == trials_.end()) return trials_.size() - 1;
+  return static_cast<std::size_t>(cheapest - trials_.begin());
+}
+
+// As far as what is known leads. It ends: up only to settings that have not broken the bound, down
+// only to others, or to those that broke it in another view, which are then tried here.
 void QualityControl::move() {
   while (const std::optional<ErrorEstimate>& error = trials_[step_].error) {
     if (broke_bound(trials_[step_])) {
-      if (step_ + 1 == trials_.size()) return;
-      ++step_;
+      const std::size_t finer = finer_step();
+      if (finer == trials_.size()) {
+        step_ = step_to_settle();
+        return;
+      }
+      step_ = finer;
     } else if (may_go_down(error->high)) {
       --step_;
       if (broke_bound(trials_[step_])) trials_[step_].error.reset();

@@ -12,8 +12,8 @@ namespace brume {
 
 // `auto` for a program that shows one frame after another: renders at once with the present choice,
 // measures the frame when there is time, and moves along the ladder by what was measured. A choice
-// lasts while the scene changes little. With one bound and one view of a scene it never comes back
-// to settings that have broken the bound, so it comes to rest.
+// lasts while the scene changes little. With one bound and one view of a scene it comes back to
+// settings that have broken the bound only where all finer ones have, and rests there.
 class QualityControl {
  public:
   // What tells whether a scene has changed much.
@@ -50,16 +50,23 @@ class QualityControl {
   // The whole ladder from cheap to costly, and where on it the choice is.
   [[nodiscard]] const std::vector<Trial>& trials() const { return trials_; }
   [[nodiscard]] std::size_t step() const { return step_; }
-  // Whether settings have broken the bound in this scene.
+  // Whether settings have broken the bound in this scene, or are at least not sure to keep it.
   [[nodiscard]] bool broke_bound(const Trial& trial) const;
-  // Whether even the finest settings break it.
+  // Whether the present choice may keep the bound, though it is not sure to.
+  [[nodiscard]] bool may_keep_bound() const { return may_keep_bound(trials_[step_]); }
+  // Whether the present choice breaks it, and even the finest.
   [[nodiscard]] bool is_exhausted() const {
-    return step_ + 1 == trials_.size() && broke_bound(trials_.back());
+    return broke_bound(trials_[step_]) && broke_bound(trials_.back());
   }
 
  private:
   void move();
+  [[nodiscard]] bool may_keep_bound(const Trial& trial) const {
+    return trial.error && trial.error->rel_rmse <= max_error_;
+  }
   [[nodiscard]] bool may_go_down(double high) const;
+  [[nodiscard]] std::size_t finer_step() const;
+  [[nodiscard]] std::size_t step_to_settle() const;
 
   std::vector<Trial> trials_;
   std::size_t step_;

@@ -22,6 +22,10 @@ QString reason(const FrameQuality& quality) {
   if (!control.trials()[control.step()].error) {
     return PerformancePanel::tr("Not measured yet in this scene.");
   }
+  if (control.is_exhausted() && control.may_keep_bound()) {
+    return PerformancePanel::tr("The error may be above %1, and with finer settings as well.")
+        .arg(bound);
+  }
   if (control.is_exhausted()) {
     return PerformancePanel::tr("The finest there is: %1 cannot be held here.").arg(bound);
   }

@@ -11,19 +11,31 @@ ErrorMeter::ErrorMeter(QObject* parent)
     : QObject(parent),
       thread_([this](const Job& job, const std::stop_token& stop) { work(job, stop); }) {}
 
-void ErrorMeter::measure(std::shared_ptr<const RenderedFrame> frame, std::uint64_t seed) {
-  thread_.start({std::move(frame), seed});
+void ErrorMeter::measure(std::shared_ptr<const RenderedFrame> frame,
+                         std::optional<double> max_error) {
+  thread_.start({std::move(frame), max_error});
+}
+
+FrameErrors& ErrorMeter::errors_of_view(const std::shared_ptr<const RenderedFrame>& frame) {
+  const FrameRequest& request = frame->request;
+  if (!errors_ || request.scene != scene_ || request.camera != camera_ ||
+      frame->frame.film != film_ || frame->frame.time != time_) {
+    scene_ = request.scene;
+    camera_ = request.camera;
+    film_ = frame->frame.film;
+    time_ = frame->frame.time;
+    errors_.emplace(*scene_, camera_, seed_of_judgement);
+  }
+  return *errors_;
 }
 
 void ErrorMeter::work(const Job& job, const std::stop_token& stop) {
   try {
-    const FrameRequest& request = job.frame->request;
-    const auto sample =
-        take_error_sample(*request.scene, request.camera, job.frame->frame, job.seed, stop);
-    if (!sample) return;
-    const ErrorEstimate error = sample->measure(job.frame->frame);
+    const std::optional<ErrorEstimate> found =
+        errors_of_view(job.frame).measure(job.frame->frame, job.max_error, stop);
+    if (!found) return;
     QMetaObject::invokeMethod(
-        this, [this, frame = job.frame, error] { Q_EMIT measured(frame, error); },
+        this, [this, frame = job.frame, error = *found] { Q_EMIT measured(frame, error); },
         Qt::QueuedConnection);
   } catch (const std::exception& error) {
     const QString message = QString::fromUtf8(error.what());

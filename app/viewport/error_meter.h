@@ -1,11 +1,11 @@
 #pragma once
 
 #include <QObject>
-#include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "app/job_thread.h"
-#include "render/error_estimate.h"
+#include "render/frame_errors.h"
 
 namespace brume {
 
@@ -17,8 +17,9 @@ class ErrorMeter : public QObject {
  public:
   explicit ErrorMeter(QObject* parent = nullptr);
 
-  // Instead of what is being measured. Equal seeds give equal pixels of equal frames.
-  void measure(std::shared_ptr<const RenderedFrame> frame, std::uint64_t seed);
+  // Instead of what is being measured. `max_error` as of FrameErrors; frames of one view are
+  // measured on the same pixels.
+  void measure(std::shared_ptr<const RenderedFrame> frame, std::optional<double> max_error);
   // Does not wait: the thread is free within the reference's time for a pixel.
   void cancel() { thread_.cancel(); }
 
@@ -31,10 +32,17 @@ class ErrorMeter : public QObject {
  private:
   struct Job {
     std::shared_ptr<const RenderedFrame> frame;
-    std::uint64_t seed = 0;
+    std::optional<double> max_error;
   };
   void work(const Job& job, const std::stop_token& stop);
+  FrameErrors& errors_of_view(const std::shared_ptr<const RenderedFrame>& frame);
 
+  // Of the thread: the view that was measured last.
+  std::shared_ptr<const Scene> scene_;
+  Camera camera_;
+  Film film_;
+  double time_ = 0.0;
+  std::optional<FrameErrors> errors_;
   JobThread<Job> thread_;
 };
 

@@ -78,9 +78,9 @@ void FrameQuality::scene_replaced() {
 void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
   stop_measuring();
   frame_ = std::move(frame);
-  // Other pixels for each step: settings that do well on some must not be chosen for it and then
-  // judged by the same ones.
-  meter_.measure(frame_, airlight_ ? 0 : control_.step());
+  const std::optional<double> max_error =
+      airlight_ ? std::nullopt : std::optional(control_.max_error());
+  meter_.measure(frame_, max_error);
 }
 
 void FrameQuality::take(const std::shared_ptr<const RenderedFrame>& frame,

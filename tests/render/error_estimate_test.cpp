@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "render/auto_quality.h"
+#include "render/light_pixels.h"
+#include "render/reference/view_reference.h"
 #include "render/renderer.h"
+#include "render/sample_chances.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
@@ -37,15 +40,18 @@ TEST(ErrorEstimate, IntervalHoldsTheTruth) {
   for (Scene& scene : scenes()) {
     scene.film = {40, 40};
     const Frame truth = render_frame(scene, method(AirlightMethod::reference));
+    const auto reference =
+        std::make_shared<ViewReference>(scene, scene.camera, scene.film, 0.0, 1e-4);
     for (const Settings& settings :
          {method(AirlightMethod::paper), method(AirlightMethod::sliced, 8),
           method(AirlightMethod::sliced, 16)}) {
       const Frame frame = render_frame(scene, settings);
       const double error = difference(frame.airlight, truth.airlight).relative_rmse;
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        const auto sample = ErrorSample::take(scene, scene.camera, frame, 150, seed, 1e-4);
+        const auto sample = ErrorSample::take(reference, scene, scene.camera, frame, 150, seed);
         const ErrorEstimate estimate = sample->measure(frame);
-        EXPECT_LE(estimate.pixels, 150u);
+        // So many by chance, and a quarter more around errors.
+        EXPECT_NEAR(static_cast<double>(estimate.pixels), 170.0, 50.0);
         held += estimate.low <= error && error <= estimate.high ? 1 : 0;
         ++cases;
         narrow += estimate.high < 3.0 * estimate.low ? 1 : 0;
@@ -65,16 +71,200 @@ TEST(ErrorEstimate, OfTheReferenceItselfIsNothing) {
   EXPECT_LT(sample->measure(truth).high, 1e-6);
 }
 
+// The truth of a view, and a frame that is wrong where it is told to be.
+class WrongFrame {
+ public:
+  explicit WrongFrame(const Scene& scene)
+      : scene_(on_film(scene)),
+        frame(render_frame(scene_, method(AirlightMethod::reference))),
+        reference_(std::make_shared<ViewReference>(scene_, scene_.camera, scene_.film, 0.0, 1e-4)) {
+  }
+
+  [[nodiscard]] std::size_t pixel(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(scene_.film.width) +
+           static_cast<std::size_t>(x);
+  }
+  void lose(std::size_t pixel) {
+    for (std::size_t k = 0; k < 3; ++k) frame.airlight[3 * pixel + k] = 0.0f;
+  }
+  [[nodiscard]] ErrorSample sample(std::size_t count, std::uint64_t seed) const {
+    return *ErrorSample::take(reference_, scene_, scene_.camera, frame, count, seed);
+  }
+  [[nodiscard]] std::vector<double> chances(std::size_t count) const {
+    return sample_chances(scene_, scene_.camera, frame, count);
+  }
+
+ private:
+  static Scene on_film(Scene scene) {
+    scene.film = {40, 40};
+    return scene;
+  }
+
+  Scene scene_;
+
+ public:
+  Frame frame;
+
+ private:
+  std::shared_ptr<ViewReference> reference_;
+};
+
+// A cloud with a small thing in the middle of one pixel of 40 x 40, which holds nearly all light.
+constexpr int small_x = 22;
+constexpr int small_y = 13;
+
+Scene thin_cloud(glm::dvec3& middle) {
+  Scene scene = cloud_scene(30, 0.01);
+  scene.film = {40, 40};
+  const CameraRays rays(scene.camera, scene.film);
+  middle = rays.eye() + 3.0 * rays.direction(small_x + 0.52, small_y + 0.48);
+  return scene;
+}
+
+Scene light_in_view() {
+  glm::dvec3 middle;
+  Scene scene = thin_cloud(middle);
+  scene.medium.set_homogeneous_density(0.01);
+  scene.lights.push_back({middle, glm::dvec3(10.0)});
+  return scene;
+}
+
+Scene small_opaque_gaussian() {
+  glm::dvec3 middle;
+  Scene scene = thin_cloud(middle);
+  scene.medium.append({middle, 0.005, 2000.0});
+  return scene;
+}
+
+// Whatever the draw: one lost pixel of 1600, of which 60 are measured.
+TEST(ErrorEstimate, MeetsALightInViewThatAFrameLost) {
+  WrongFrame wrong(light_in_view());
+  wrong.lose(wrong.pixel(small_x, small_y));
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const ErrorEstimate error = wrong.sample(60, seed).measure(wrong.frame);
+    EXPECT_GT(error.low, 0.3) << seed;
+  }
+}
+
+TEST(ErrorEstimate, MeetsASmallGaussianThatAFrameLost) {
+  WrongFrame wrong(small_opaque_gaussian());
+  wrong.lose(wrong.pixel(small_x, small_y));
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const ErrorEstimate error = wrong.sample(60, seed).measure(wrong.frame);
+    EXPECT_GT(error.low, 0.3) << seed;
+  }
+}
+
+// Those around a pixel that turned out wrong are looked at too.
+TEST(ErrorEstimate, LooksAroundErrors) {
+  WrongFrame wrong(light_in_view());
+  for (int y = small_y - 1; y <= small_y + 1; ++y) {
+    for (int x = small_x - 2; x <= small_x + 2; ++x) wrong.lose(wrong.pixel(x, y));
+  }
+  const Frame truth = WrongFrame(light_in_view()).frame;
+  const double error = difference(wrong.frame.airlight, truth.airlight).relative_rmse;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    EXPECT_NEAR(wrong.sample(60, seed).measure(wrong.frame).rel_rmse, error, 0.01 * error) << seed;
+  }
+}
+
+TEST(ErrorEstimate, ChancesAddUpToTheSample) {
+  const WrongFrame even(cloud_scene(30, 1.0));
+  const WrongFrame peaked(light_in_view());
+  for (const WrongFrame* frame : {&even, &peaked}) {
+    for (const std::size_t count : {40u, 200u, 1000u}) {
+      double sum = 0.0;
+      for (const double chance : frame->chances(count)) {
+        EXPECT_GT(chance, 0.0);
+        EXPECT_LE(chance, 1.0);
+        sum += chance;
+      }
+      EXPECT_NEAR(sum, static_cast<double>(count), 0.01 * static_cast<double>(count));
+    }
+  }
+}
+
+// As many lights as pixels: they do not take all of the sample, whatever light is the brightest.
+TEST(ErrorEstimate, ManyLightsLeavePixelsForTheRest) {
+  Scene scene = light_in_view();
+  const CameraRays rays(scene.camera, scene.film);
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      scene.lights.push_back(
+          {rays.eye() + 3.0 * rays.direction(x + 0.5, y + 0.5), glm::dvec3(1.0)});
+    }
+  }
+  Frame guide;
+  guide.film = scene.film;
+  guide.airlight.assign(3 * 1600, 1.0f);
+  guide.depth.assign(1600, 1.0f);
+  const std::vector<double> chances = sample_chances(scene, scene.camera, guide, 80);
+  EXPECT_EQ(std::ranges::count(chances, 1.0), 20);
+  EXPECT_EQ(chances[small_y * 40 + small_x], 1.0);
+}
+
+TEST(ErrorEstimate, GrowingKeepsPixelsAndNarrowsTheInterval) {
+  Scene scene = cloud_scene(100, 3.0);
+  scene.film = {40, 40};
+  const Frame frame = render_frame(scene, method(AirlightMethod::paper));
+  auto sample = ErrorSample::take(scene, scene.camera, frame, 60, 1, 1e-3);
+  const ErrorEstimate small = sample->measure(frame);
+  ASSERT_TRUE(sample->grow({}));
+  ASSERT_TRUE(sample->grow({}));
+  const ErrorEstimate large = sample->measure(frame);
+  EXPECT_GT(large.pixels, 2 * small.pixels);  // not all may become more
+  EXPECT_LT(large.high / large.low, 0.8 * small.high / small.low);
+  // Until all are there.
+  for (int k = 0; k < 8; ++k) ASSERT_TRUE(sample->grow({}));
+  EXPECT_EQ(sample->measure(frame).pixels, 1600u);
+}
+
+// One pixel that is as wrong as all others together tells little of others like it.
+TEST(ErrorEstimate, OnePixelThatRulesWidensTheInterval) {
+  WrongFrame even(cloud_scene(30, 1.0));
+  for (float& x : even.frame.airlight) x *= 1.01f;
+  WrongFrame ruled(light_in_view());
+  ruled.lose(ruled.pixel(small_x, small_y));
+  const auto width = [](const ErrorEstimate& error) { return error.high / error.rel_rmse; };
+  EXPECT_LT(width(even.sample(60, 1).measure(even.frame)), 1.02);
+  EXPECT_GT(width(ruled.sample(60, 1).measure(ruled.frame)), 1.05);
+}
+
+TEST(ErrorEstimate, LightWhereAllIsBlackIsWrong) {
+  Scene scene = cloud_scene(30, 1.0);
+  scene.lights.clear();
+  WrongFrame wrong(scene);
+  EXPECT_EQ(wrong.sample(60, 1).measure(wrong.frame).high, 0.0);
+  for (float& x : wrong.frame.airlight) x = 1.0f;
+  EXPECT_EQ(wrong.sample(60, 1).measure(wrong.frame).low, 1.0);
+}
+
+// More pixels only while they may tell something.
+TEST(FrameErrors, GrowOnlyWhileTheBoundIsInTheInterval) {
+  Scene scene = cloud_scene(100, 3.0);
+  scene.film = {60, 60};
+  const Frame frame = render_frame(scene, method(AirlightMethod::sliced, 8));
+  const auto measured = [&](std::optional<double> bound) {
+    return *FrameErrors(scene, scene.camera, 1).measure(frame, bound);
+  };
+  const ErrorEstimate free = measured(std::nullopt);
+  EXPECT_EQ(measured(1.1 * free.high).pixels, free.pixels);
+  EXPECT_EQ(measured(0.9 * free.low).pixels, free.pixels);
+  const ErrorEstimate close = measured(free.rel_rmse);
+  EXPECT_GT(close.pixels, 1.5 * static_cast<double>(free.pixels));
+  EXPECT_LT(close.high / close.low, free.high / free.low);
+}
+
 TEST(AutoQuality, KeepsTheErrorAskedFor) {
   for (Scene& scene : scenes()) {
     scene.film = {60, 60};
     const Frame truth = render_frame(scene, method(AirlightMethod::reference));
     Renderer renderer;
     for (const double asked : {0.05, 0.01}) {
-      const auto settings =
-          choose_settings(renderer, scene, scene.camera, scene.film, Settings{}, asked);
-      const Frame frame = render_frame(scene, *settings);
-      EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, asked);
+      const MeasuredFrame made =
+          *render_auto(renderer, scene, scene.camera, scene.film, Settings{}, asked);
+      EXPECT_LE(made.error.high, asked);
+      EXPECT_LT(difference(made.frame.airlight, truth.airlight).relative_rmse, asked);
     }
   }
 }

@@ -112,6 +112,25 @@ TEST(QualityControl, SaysWhereTheFinestBreaksTheBound) {
   EXPECT_FALSE(control.is_exhausted());
 }
 
+// Where only the interval breaks the bound, and finer settings do not narrow it.
+TEST(QualityControl, RestsAtTheCheapestThatMayKeepTheBound) {
+  QualityControl control;
+  control.set_max_error(0.02);
+  const std::size_t first = control.step();
+  const auto learn = [&] {
+    const bool is_first = control.step() == first;
+    control.learn(Settings(control.settings()), {is_first ? 0.025 : 0.017, 0.011, 0.027, 96}, 10.0);
+  };
+  for (int k = 0; k < 20; ++k) learn();
+  EXPECT_EQ(control.step(), first + 1);
+  EXPECT_TRUE(control.is_exhausted());
+  EXPECT_TRUE(control.may_keep_bound());
+  learn();
+  EXPECT_EQ(control.step(), first + 1);
+  control.set_max_error(0.03);
+  EXPECT_FALSE(control.is_exhausted());
+}
+
 TEST(QualityControl, AnotherBoundIsAnsweredByWhatIsKnown) {
   QualityControl control;
   control.set_max_error(0.01);

@@ -10,4 +10,9 @@ namespace brume {
 // seed everywhere.
 Scene random_scene(unsigned seed);
 
+// Fog as somebody might make it, with what is hard to measure: lights in view, Gaussians smaller
+// than a pixel, opaque ones, edges and shadows of surfaces. 32 x 24 pixels. The same for the same
+// seed everywhere.
+Scene random_fog_scene(unsigned seed);
+
 }  // namespace brume

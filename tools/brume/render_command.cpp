@@ -162,8 +162,9 @@ class RenderCommand final : public Command {
     if (backend == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error && error->high > max_error_) {
       std::ostringstream text;
-      text << "no setting keeps --max-error " << max_error_
-           << "; the best one has a relative RMSE of " << error->rel_rmse;
+      text << "no setting is sure to keep --max-error " << max_error_
+           << "; this one has a relative RMSE of " << error->rel_rmse << ", " << error->low
+           << " to " << error->high;
       print_warnings({text.str()});
     }
 

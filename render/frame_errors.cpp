@@ -1,0 +1,53 @@
+#include "render/frame_errors.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/job.h"
+
+namespace brume {
+namespace {
+
+constexpr double sample_tolerance = 1e-3;
+constexpr int most_doublings = 3;
+
+// The reference takes time per pixel that grows with the number of Gaussians, and more where light
+// comes from all around; the sample shrinks with it, by count and not by clock, so that the same
+// scene always gets the same settings.
+std::size_t sample_pixels(const Scene& scene) {
+  const std::size_t most = scene.environment ? 64 : 128;
+  return std::clamp<std::size_t>(800'000 / (scene.medium.size() + 1), 40, most);
+}
+
+bool is_undecided(const ErrorEstimate& error, double max_error) {
+  return error.low <= max_error && max_error < error.high;
+}
+
+}  // namespace
+
+std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
+                                                  std::optional<double> max_error,
+                                                  const std::stop_token& stop,
+                                                  const std::function<void(double)>& progress) {
+  // Seldom is more than the first sample needed, and then it takes longer than what was before.
+  const Job job{stop, progress};
+  double begin = 0.0;
+  const auto next_part = [&] {
+    const double end = begin + 0.5 * (1.0 - begin);
+    return job.part(std::exchange(begin, end), end).progress;
+  };
+  if (!sample_) {
+    sample_ = ErrorSample::take(scene_, camera_, frame, sample_pixels(scene_), seed_,
+                                sample_tolerance, stop, next_part());
+    if (!sample_) return std::nullopt;
+  }
+  ErrorEstimate error = sample_->measure(frame);
+  while (max_error && is_undecided(error, *max_error) && times_grown_ < most_doublings) {
+    if (!sample_->grow(stop, next_part())) return std::nullopt;
+    ++times_grown_;
+    error = sample_->measure(frame);
+  }
+  return error;
+}
+
+}  // namespace brume
