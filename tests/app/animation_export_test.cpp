@@ -79,14 +79,14 @@ class AnimationExportTest : public QObject {
     auto* exporter = window->findChild<FrameExport*>();
     QSignalSpy finished(exporter, &FrameExport::finished);
     window->export_animation_to(window.file("a.exr"), 28, 30);
-    QVERIFY(finished.wait(60000));
+    QVERIFY(finished.wait(patience));
     QVERIFY(!fs::exists(window.file("a_0027.exr")) && !fs::exists(window.file("a_0031.exr")));
     const double before = brightness(window.file("a_0028.exr"));
     const double later = brightness(window.file("a_0029.exr"));
     QVERIFY(before > later && later > 0.0);
     QCOMPARE(brightness(window.file("a_0030.exr")), 0.0);
     window->export_animation_to(window.file("a.png"), 0, 0);
-    QVERIFY(finished.wait(60000));
+    QVERIFY(finished.wait(patience));
     QCOMPARE(QImage(to_qstring(window.file("a_0000.png"))).size(), QSize(31, 21));
   }
 
@@ -97,7 +97,7 @@ class AnimationExportTest : public QObject {
     TestWindow window(scene);
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
     window->export_animation_to(window.file("k.exr"), 0, 3);
-    QVERIFY(finished.wait(60000));
+    QVERIFY(finished.wait(patience));
     QVERIFY(brightness(window.file("k_0003.exr")) < 0.5 * brightness(window.file("k_0000.exr")));
   }
 
@@ -108,9 +108,9 @@ class AnimationExportTest : public QObject {
     fs::create_directory(folder);
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     window->export_animation_to(folder / "c.png", 0, 100'000);
-    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 2; }, 60000));
+    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 2; }, patience));
     exporter->cancel();
-    QVERIFY(cancelled.wait(60000));
+    QVERIFY(cancelled.wait(patience));
     const int written = cancelled[0][0].toInt();
     QCOMPARE(files_in(folder), static_cast<std::size_t>(written));
     for (int k = 0; k < written; ++k) {
@@ -123,7 +123,7 @@ class AnimationExportTest : public QObject {
     TestWindow window(dimming_scene());
     QSignalSpy finished(window->findChild<FrameExport*>(), &FrameExport::finished);
     window->export_animation_to(window.file("v.mp4"), 0, 4);
-    QVERIFY(finished.wait(60000));
+    QVERIFY(finished.wait(patience));
     QCOMPARE(fs::file_size(window.file("v.mp4")), std::uintmax_t{31 * 21 * 3 * 5});
   }
 
@@ -134,7 +134,7 @@ class AnimationExportTest : public QObject {
     fs::create_directory(folder);
     QSignalSpy failed(window->findChild<FrameExport*>(), &FrameExport::failed);
     window->export_animation_to(folder / "v.mp4", 0, 2);
-    QVERIFY(failed.wait(60000));
+    QVERIFY(failed.wait(patience));
     QVERIFY2(failed[0][0].toString().contains("v.mp4: cannot be written by ffmpeg: no such codec"),
              qPrintable(failed[0][0].toString()));
     QCOMPARE(files_in(folder), std::size_t{0});
@@ -148,9 +148,9 @@ class AnimationExportTest : public QObject {
     fs::create_directory(folder);
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     window->export_animation_to(folder / "v.mp4", 0, 100'000);
-    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 0; }, 60000));
+    QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 0; }, patience));
     exporter->cancel();
-    QVERIFY(cancelled.wait(60000));
+    QVERIFY(cancelled.wait(patience));
     QCOMPARE(files_in(folder), std::size_t{0});
   }
 

@@ -81,7 +81,7 @@ QString wait(TestWindow& window) {
   QString problem;
   const auto connection = QObject::connect(job, &BackgroundJob::failed,
                                            [&problem](const QString& text) { problem = text; });
-  const bool ended = QTest::qWaitFor([job] { return !job->is_running(); }, 120000);
+  const bool ended = QTest::qWaitFor([job] { return !job->is_running(); }, patience);
   QObject::disconnect(connection);
   return ended ? problem : QString("it did not end");
 }
@@ -249,7 +249,7 @@ class ImportTest : public QObject {
     QSignalSpy cancelled(job, &BackgroundJob::cancelled);
     QVERIFY(job->is_running());
     job->cancel();
-    QVERIFY(cancelled.wait(60000));
+    QVERIFY(cancelled.wait(patience));
     QVERIFY(!window->document().is_modified());
   }
 

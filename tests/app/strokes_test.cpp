@@ -59,7 +59,7 @@ class Mouse : public QObject {
     const auto are_there = [&] {
       return last_ == places.back() && moves_ - before >= std::ssize(places);
     };
-    return QTest::qWaitFor(are_there, 60000);
+    return QTest::qWaitFor(are_there, patience);
   }
 
   // A stroke in two such bursts, with a frame in between.
@@ -75,7 +75,7 @@ class Mouse : public QObject {
     const RenderedFrame* shown = view_.shown();
     if (!go(rest.first(half))) return false;
     const auto has_frame = [&] { return view_.shown() != shown; };
-    if (frames_ && !QTest::qWaitFor(has_frame, 60000)) return false;
+    if (frames_ && !QTest::qWaitFor(has_frame, patience)) return false;
     if (!go(rest.subspan(half))) return false;
     QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, in_window(places.back()));
     return true;

@@ -32,7 +32,7 @@ TestWindow::TestWindow(const Scene& scene) : window_(std::make_unique<MainWindow
   window_->resize(900, 560);
   window_->show();
   window_->activateWindow();
-  if (!open("scene.brume") || !QTest::qWaitForWindowActive(window_.get(), 60000) || !settle()) {
+  if (!open("scene.brume") || !QTest::qWaitForWindowActive(window_.get(), patience) || !settle()) {
     qFatal("the window did not come up");
   }
 }
@@ -40,7 +40,7 @@ TestWindow::TestWindow(const Scene& scene) : window_(std::make_unique<MainWindow
 bool TestWindow::open(const char* name) {
   QSignalSpy opened(&window_->files(), &SceneFiles::opened);
   window_->files().open_file(file(name));
-  return QTest::qWaitFor([this] { return !window_->files().loading().is_running(); }, 60000) &&
+  return QTest::qWaitFor([this] { return !window_->files().loading().is_running(); }, patience) &&
          opened.count() == 1;
 }
 
@@ -51,7 +51,7 @@ std::filesystem::path TestWindow::file(const char* name) const {
 bool TestWindow::settle() {
   Viewport& view = window_->viewport();
   return QTest::qWaitFor([&view] { return view.is_measured() && view.surfaces().is_ready(); },
-                         60000);
+                         patience);
 }
 
 QPoint TestWindow::handle(std::size_t index) {
@@ -80,7 +80,7 @@ void TestWindow::drag(QPoint from, QPoint to, Qt::MouseButton button,
 void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   // A question may have taken the activity, and shortcuts want it.
   window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowActive(window_.get(), 60000));
+  QVERIFY(QTest::qWaitForWindowActive(window_.get(), patience));
   window_->viewport().setFocus();
   QTest::keyClick(&window_->viewport(), key, modifiers);
 }
@@ -90,6 +90,8 @@ int start_test(int argc, char** argv, int (*run)(int, char**)) {
   qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
   qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
   qputenv("XDG_DATA_HOME", settings.path().toUtf8());
+  // Qt ends a test that takes five minutes; beside a full load some do.
+  qputenv("QTEST_FUNCTION_TIMEOUT", "1200000");
   prepare_application();
   QApplication application(argc, argv);
   set_up_application(application);

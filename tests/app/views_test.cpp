@@ -18,7 +18,7 @@ bool settle_all(const ViewGrid& views) {
         return std::ranges::all_of(views.panes(),
                                    [](const Viewport* pane) { return pane->is_settled(); });
       },
-      60000);
+      patience);
 }
 
 Viewport& pane(const ViewGrid& views, Projection projection) {
@@ -68,7 +68,7 @@ class ViewsTest : public QObject {
     window->findChild<QAction*>("view.four")->trigger();
     QVERIFY(!views.shows_four());
     QVERIFY(top.isVisible() && !views.perspective().isVisible());
-    QVERIFY(QTest::qWaitFor([&] { return top.is_measured(); }, 60000));
+    QVERIFY(QTest::qWaitFor([&] { return top.is_measured(); }, patience));
     QVERIFY(!views.perspective().is_measured());
     window->findChild<QAction*>("view.four")->trigger();
     QVERIFY(views.perspective().isVisible());
@@ -222,7 +222,7 @@ class ViewsTest : public QObject {
     request.view = 0;
     request.film = {60, 40};
     service.request(request);
-    QTRY_VERIFY_WITH_TIMEOUT(came.size() == 4, 120000);
+    QTRY_VERIFY(came.size() == 4);
     QCOMPARE(came, (std::vector<int>{0, 1, 2, 3}));
   }
 };
