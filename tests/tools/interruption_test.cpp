@@ -55,9 +55,8 @@ TEST_F(Interruption, EndsEverySubcommand) {
                        "frame 1 of 1: ");
   EXPECT_EQ(content_of(old), "old");
   expect_interruptible({"export", slow_, "-o", file("o.vdb"), "--voxel", "0.02"}, "sampling ");
-  ASSERT_EQ(run_brume({"export", slow_, "-o", file("v.vdb"), "--voxel", "0.04"}).exit_code, 0);
-  expect_interruptible({"fit", file("v.vdb"), "-o", file("o.ply"), "--count", "100000"},
-                       "fitting ");
+  const std::string volume = std::string(BRUME_VOLUMES) + "/smoke_0025.vdb";
+  expect_interruptible({"fit", volume, "-o", file("o.ply"), "--count", "100000"}, "fitting ");
   expect_interruptible({"bench", slow_, "-o", file("report")}, "brume: slow");
 }
 
