@@ -47,8 +47,9 @@ bool is_mesh(const fs::path& file) {
   return faces != nullptr && faces->count > 0;
 }
 
-std::vector<Gaussian> read_any_gaussians(const fs::path& file) {
-  return is_one_of(file, vtk_files) ? read_vtk_points(file) : read_gaussians(file);
+std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_token& stop) {
+  return is_one_of(file, vtk_files) ? read_vtk_points(file, nullptr, limits::gaussians, stop)
+                                    : read_gaussians(file);
 }
 
 Surface read_surface(const fs::path& file) {
@@ -117,7 +118,7 @@ void SceneImport::import_file(const fs::path& given) {
     dialog->show();
     return;
   }
-  start(file, [this, file](const Job&) -> BackgroundJob::Take {
+  start(file, [this, file](const Job& job) -> BackgroundJob::Take {
     if (is_one_of(file, environments)) {
       const auto map = read_radiance_map(file);
       return [this, file, map] {
@@ -136,7 +137,7 @@ void SceneImport::import_file(const fs::path& given) {
                        tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
       };
     }
-    return [this, gaussians = read_any_gaussians(file)] {
+    return [this, gaussians = read_any_gaussians(file, job.stop)] {
       add_gaussians(document_, gaussians, tr("Import"));
     };
   });
@@ -230,8 +231,12 @@ void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
 }
 
 void SceneImport::import_vtk_files(const FrameRun& run, const fs::path& folder) {
-  start_sequence(run, folder, [run](const Job&) {
-    return read_sequence(run.files, run.first, run.last, read_vtk_points);
+  start_sequence(run, folder, [run](const Job& job) {
+    const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
+                          std::size_t max_count) {
+      return read_vtk_points(file, ids, max_count, job.stop);
+    };
+    return read_sequence(run.files, run.first, run.last, read);
   });
 }
 
