@@ -212,6 +212,7 @@ void MainWindow::create_status_bar() {
   connect(file_job_, &BackgroundJob::cancelled, this, [this] { say(tr("Cancelled")); });
   connect(file_job_, &BackgroundJob::failed, message_bar_, &MessageBar::show_error);
   connect(import_, &SceneImport::failed, message_bar_, &MessageBar::show_error);
+  connect(&document_, &Document::refused, message_bar_, &MessageBar::show_error);
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(&files_->loading());
   statusBar()->addPermanentWidget(&views_->transfer_job());

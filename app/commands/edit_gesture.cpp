@@ -1,5 +1,6 @@
 #include "app/commands/edit_gesture.h"
 
+#include "app/commands/gaussian_budget.h"
 #include "app/document/document.h"
 
 namespace brume {
@@ -12,6 +13,7 @@ void EditGesture::begin() {
 
 void EditGesture::apply(MediumEdit edit, const QString& text) {
   if (!running_ || edit.empty()) return;
+  if (!has_room(document_, edit.added().size(), edit.removed().size())) return;
   edit_.merge(edit);
   push(std::move(edit), text);
 }

@@ -12,7 +12,7 @@ class EditGesture {
   explicit EditGesture(Document& document) : document_(document) {}
 
   void begin();
-  // Does an edit; `text` names the whole step so far.
+  // Does an edit, if there is room for what it adds; `text` names the whole step so far.
   void apply(MediumEdit edit, const QString& text);
   void cancel();  // takes all of it back, and the step with it
   void end() { running_ = false; }

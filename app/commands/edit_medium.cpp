@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <vector>
 
+#include "app/commands/gaussian_budget.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 
@@ -15,6 +16,7 @@ QString tr(const char* text) {
 
 void push(Document& document, MediumEdit edit, const QString& text, MergeId merge_id = no_merge) {
   if (edit.empty()) return;  // pushing it would cost the user what can be redone
+  if (!has_room(document, edit.added().size(), edit.removed().size())) return;
   document.undo_stack().push(new MediumCommand(document, std::move(edit), text, merge_id));
 }
 

@@ -9,7 +9,8 @@ namespace brume {
 
 class Document;
 
-// What users do to Gaussians, each one undo step.
+// What users do to Gaussians, each one undo step; nothing where there is no room for them
+// (gaussian_budget.h).
 
 // Numbers outside the domains of their fields are brought to their limits.
 void add_gaussian(Document& document, const Gaussian& gaussian);

@@ -1,5 +1,6 @@
 #include "app/commands/scene_part_command.h"
 
+#include "app/commands/gaussian_budget.h"
 #include "app/document/document.h"
 #include "app/document/key_rows.h"
 
@@ -33,6 +34,10 @@ bool ScenePartCommand::take(const SceneCommand& later) {
 void set_scene_part(Document& document, ScenePart part, const QString& text, MergeId merge_id) {
   const ScenePart before = scene_part(document.scene(), part.index());
   if (part == before) return;
+  if (!has_room(document, gaussian_count(part), gaussian_count(before))) {
+    Q_EMIT document.part_changed();  // fields show what is, not what was wanted
+    return;
+  }
   key_changes(before, part, document.time());
   document.undo_stack().push(new ScenePartCommand(document, std::move(part), text, merge_id));
 }

@@ -24,7 +24,8 @@ class ScenePartCommand : public SceneCommand {
   MergeId merge_id_;
 };
 
-// One step. Where the part has values with keys that it changes, keys of now are set for them.
+// One step; none where there is no room for the Gaussians of emitters and sequences. Where the part
+// has values with keys that it changes, keys of now are set for them.
 void set_scene_part(Document& document, ScenePart part, const QString& text,
                     MergeId merge_id = no_merge);
 

@@ -100,6 +100,7 @@ class Document : public QObject {
   void freedom_changed();  // what is hidden or locked
   void file_changed();
   void modified_changed();
+  void refused(const QString& why);  // what was wanted is beyond a limit, and was not done
 
  private:
   void scene_changed();  // the copies of it are stale

@@ -47,8 +47,9 @@ bool is_mesh(const fs::path& file) {
   return faces != nullptr && faces->count > 0;
 }
 
-std::vector<Gaussian> read_any_gaussians(const fs::path& file) {
-  return is_one_of(file, vtk_files) ? read_vtk_points(file) : read_gaussians(file);
+std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_token& stop) {
+  return is_one_of(file, vtk_files) ? read_vtk_points(file, nullptr, limits::gaussians, stop)
+                                    : read_gaussians(file);
 }
 
 // The run of frames that all these files are of, at least two; nothing where there is none.
@@ -130,10 +131,10 @@ void SceneImport::import_file(const fs::path& given) {
     dialog->show();
     return;
   }
-  start(file, [this, file](const Job&) { return read(file); });
+  start(file, [this, file](const Job& job) { return read(file, job.stop); });
 }
 
-BackgroundJob::Take SceneImport::read(const fs::path& file) {
+BackgroundJob::Take SceneImport::read(const fs::path& file, const std::stop_token& stop) {
   if (is_one_of(file, environments)) {
     return [this, file, map = read_radiance_map(file)] {
       Environment environment = document_.scene().environment.value_or(Environment{});
@@ -151,7 +152,7 @@ BackgroundJob::Take SceneImport::read(const fs::path& file) {
                      tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
     };
   }
-  return [this, gaussians = read_any_gaussians(file)] {
+  return [this, gaussians = read_any_gaussians(file, stop)] {
     add_gaussians(document_, gaussians, tr("Import"));
   };
 }
@@ -215,7 +216,7 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
           std::vector<BackgroundJob::Take> takes;
           for (const fs::path& file : files) {
             if (job.stop.stop_requested()) return {};
-            takes.push_back(read(file));
+            takes.push_back(read(file, job.stop));
             job.progress(static_cast<double>(takes.size()) / static_cast<double>(files.size()));
           }
           return [this, takes] {
@@ -306,8 +307,12 @@ void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
 }
 
 void SceneImport::import_vtk_files(const FrameRun& run, const fs::path& folder) {
-  start_sequence(run, folder, [run](const Job&) {
-    return read_sequence(run.files, run.first, run.last, read_vtk_points);
+  start_sequence(run, folder, [run](const Job& job) {
+    const auto read = [&](const fs::path& file, std::vector<GaussianNumber>* ids,
+                          std::size_t max_count) {
+      return read_vtk_points(file, ids, max_count, job.stop);
+    };
+    return read_sequence(run.files, run.first, run.last, read);
   });
 }
 

@@ -57,7 +57,7 @@ class SceneImport : public QObject {
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
   // In the background: what a file that is no volume, or a run of frames, adds to the scene.
-  BackgroundJob::Take read(const std::filesystem::path& file);
+  BackgroundJob::Take read(const std::filesystem::path& file, const std::stop_token& stop);
   BackgroundJob::Take read(const FrameRun& run);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);

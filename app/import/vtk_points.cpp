@@ -1,113 +1,81 @@
 #include "app/import/vtk_points.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPointSet.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
-
+#include <QCoreApplication>
+#include <QProcess>
+#include <QTemporaryDir>
 #include <algorithm>
-#include <cmath>
 #include <string>
 
+#include "app/document/paths.h"
 #include "core/error.h"
 #include "core/io/file_bytes.h"
-#include "core/io/gaussian_columns.h"
-#include "core/io/limits.h"
+#include "core/io/gaussian_ply.h"
 
 namespace brume {
 namespace {
 
-vtkSmartPointer<vtkPointSet> read_points(const std::filesystem::path& file) {
-  const auto read = [&file](auto reader) -> vtkSmartPointer<vtkPointSet> {
-    reader->SetFileName(file.c_str());
-    if (reader->CanReadFile(file.c_str()) == 0) {
-      throw InputError(file, "", "is not such a VTK file");
-    }
-    // What goes wrong is said by the error below, not on VTK's own channel.
-    vtkNew<vtkCallbackCommand> quiet;
-    quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-    reader->AddObserver(vtkCommand::ErrorEvent, quiet);
-    reader->Update();
-    if (reader->GetErrorCode() != 0 || reader->GetOutput() == nullptr) {
-      throw InputError(file, "", "VTK cannot read it");
-    }
-    return vtkPointSet::SafeDownCast(reader->GetOutput());
-  };
-  regular_file_size(file);  // says what is wrong with the file itself
-  if (lower_case_extension(file) == ".vtu") {
-    return read(vtkSmartPointer<vtkXMLUnstructuredGridReader>::New());
+// Points written as text take 20 times that, compressed ones more.
+constexpr std::uintmax_t memory_per_byte = 64;
+constexpr std::uintmax_t min_memory = std::uintmax_t{512} << 20;
+constexpr std::uintmax_t bytes_per_second = 1'000'000;
+constexpr std::uintmax_t min_seconds = 30;
+
+constexpr int poll_time = 50;  // milliseconds
+
+// Runs the program until it ends; false if it was stopped.
+bool run(QProcess& reader, const std::stop_token& stop) {
+  while (!reader.waitForFinished(poll_time) && reader.state() != QProcess::NotRunning) {
+    if (!stop.stop_requested()) continue;
+    reader.kill();
+    reader.waitForFinished(-1);
+    return false;
   }
-  return read(vtkSmartPointer<vtkXMLPolyDataReader>::New());
+  return true;
 }
 
-// The array of that name; nullptr where there is none.
-vtkDataArray* array_of(const std::filesystem::path& file, vtkPointSet& points, const char* name) {
-  vtkDataArray* array = points.GetPointData()->GetArray(name);
-  if (array == nullptr) return nullptr;
-  if (array->GetNumberOfComponents() != 1 ||
-      array->GetNumberOfTuples() != points.GetNumberOfPoints()) {
-    throw InputError(file, name, "found an array of another shape; allowed: one number per point");
-  }
-  return array;
-}
-
-double default_radius(vtkPointSet& points) {
-  double box[6];
-  points.GetBounds(box);
-  const double greatest = std::max({box[1] - box[0], box[3] - box[2], box[5] - box[4]});
-  if (!(greatest > 0.0)) return 1.0;
-  // A flat cloud has some thickness.
-  double volume = 1.0;
-  for (int k = 0; k < 3; ++k) volume *= std::max(box[2 * k + 1] - box[2 * k], 0.01 * greatest);
-  return std::cbrt(volume / static_cast<double>(points.GetNumberOfPoints()));
+// What the program says is wrong with the file, without the file's name.
+std::string said(QProcess& reader, const std::filesystem::path& file) {
+  std::string text = reader.readAllStandardOutput().trimmed().toStdString();
+  const std::string name = file.string() + ": ";
+  if (text.starts_with(name)) text.erase(0, name.size());
+  return text;
 }
 
 }  // namespace
 
 std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file,
-                                      std::vector<GaussianNumber>* ids) {
-  const vtkSmartPointer<vtkPointSet> points = read_points(file);
-  const vtkIdType count = points->GetNumberOfPoints();
-  if (count == 0) throw InputError(file, "", "has no points");
-  if (static_cast<std::size_t>(count) > limits::gaussians) {
+                                      std::vector<GaussianNumber>* ids, std::size_t max_count,
+                                      const std::stop_token& stop) {
+  const std::uintmax_t size = regular_file_size(file);
+  const std::uintmax_t memory =
+      std::min<std::uintmax_t>(min_memory + memory_per_byte * size, limits::scene_bytes);
+  const std::uintmax_t seconds = min_seconds + size / bytes_per_second;
+  if (stop.stop_requested()) return {};
+  const QTemporaryDir folder;
+  const std::filesystem::path points = to_path(folder.filePath("points.ply"));
+  QProcess reader;
+  const auto number = [](std::uintmax_t value) { return QString::number(value); };
+  QStringList arguments{to_qstring(file), to_qstring(points), number(max_count), number(memory),
+                        number(seconds)};
+  if (ids != nullptr) arguments << "ids";
+  reader.setStandardErrorFile(QProcess::nullDevice());
+  reader.start(QCoreApplication::applicationDirPath() + "/brume-vtk-points", arguments);
+  if (!reader.waitForStarted(-1)) {
     throw InputError(file, "",
-                     "found " + std::to_string(count) + " points; allowed: at most " +
-                         std::to_string(limits::gaussians));
+                     "needs the program brume-vtk-points beside the editor: " +
+                         reader.errorString().toStdString());
   }
-  vtkDataArray* radius = array_of(file, *points, "radius");
-  vtkDataArray* density = array_of(file, *points, "density");
-  vtkDataArray* id = ids ? array_of(file, *points, gaussian_columns::id_name.data()) : nullptr;
-  const double without = radius == nullptr ? default_radius(*points) : 0.0;
-  std::vector<Gaussian> gaussians;
-  gaussians.reserve(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i) {
-    double at[3];
-    points->GetPoint(i, at);
-    const double value[5]{at[0], at[1], at[2], radius ? radius->GetTuple1(i) : without,
-                          density ? density->GetTuple1(i) : 1.0};
-    for (std::size_t k = 0; k < 5; ++k) {
-      if (gaussian_columns::domains[k]->contains(value[k])) continue;
-      throw InputError(file, "point " + std::to_string(i),
-                       std::string(gaussian_columns::names[k]) + ": " +
-                           gaussian_columns::domains[k]->refusal(value[k]));
-    }
-    gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
-    if (id == nullptr) continue;
-    const double number = id->GetTuple1(i);
-    if (!gaussian_columns::is_id(number)) {
-      throw InputError(file, "point " + std::to_string(i),
-                       "id: " + gaussian_columns::id_domain.refusal(number));
-    }
-    ids->push_back(static_cast<GaussianNumber>(number));
+  if (!run(reader, stop)) return {};
+  if (reader.exitStatus() == QProcess::NormalExit && reader.exitCode() == 0) {
+    return read_gaussians_ply(points, ids, max_count);
   }
-  return gaussians;
+  if (reader.exitStatus() == QProcess::NormalExit && reader.exitCode() == 2) {
+    throw InputError(file, "", said(reader, file));
+  }
+  throw InputError(file, "",
+                   "VTK fails on it: it is damaged, or takes more than is allowed for its size, " +
+                       std::to_string(memory >> 20) + " MiB of memory or " +
+                       std::to_string(seconds) + " s");
 }
 
 }  // namespace brume

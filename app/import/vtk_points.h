@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <stop_token>
 #include <vector>
 
+#include "core/io/limits.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {
@@ -11,8 +14,13 @@ namespace brume {
 // The point arrays `radius` and `density`, one number each, give theirs; where there is none, a
 // density is 1 and a radius the edge of the cube that a point would have in the box around all.
 // `ids` gets the point array `id`, where there is one: what Gaussians of a sequence keep from frame
-// to frame. Throws InputError naming file and point.
+// to frame. Throws InputError naming file and point, also for more than `max_count`.
+//
+// The file is read by a process of its own (brume-vtk-points, beside the running program), whose
+// memory and time depend on the file's size. Gives nothing when it is stopped.
 std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file,
-                                      std::vector<GaussianNumber>* ids = nullptr);
+                                      std::vector<GaussianNumber>* ids = nullptr,
+                                      std::size_t max_count = limits::gaussians,
+                                      const std::stop_token& stop = {});
 
 }  // namespace brume

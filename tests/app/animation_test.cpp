@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <glm/geometric.hpp>
 
+#include "app/commands/edit_medium.h"
+#include "app/message_bar.h"
 #include "app/panels/number_field.h"
 #include "app/panels/value_field.h"
 #include "app/scene_files.h"
@@ -17,7 +19,9 @@
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
 #include "core/authoring/particles.h"
+#include "core/io/limits.h"
 #include "core/io/scene_file.h"
+#include "core/scene/at_time.h"
 #include "core/scene/mesh.h"
 #include "tests/app/test_window.h"
 
@@ -85,6 +89,37 @@ class AnimationTest : public QObject {
     QVERIFY(load_scene(window.file("steam.brume")).emitters == document.scene().emitters);
     QTest::mouseClick(window->findChild<QPushButton*>("delete_emitter"), Qt::LeftButton);
     QVERIFY(document.scene().emitters.empty());
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+  }
+
+  void gaussians_beyond_the_limit_are_refused() {
+    Scene scene = small_scene();
+    const Emitter full{.rate = 1e9, .lifetime = 1e3, .unknown = {}};
+    scene.emitters.assign(99, full);
+    scene.emitters.push_back({.rate = 99'989.0, .lifetime = 1.0, .unknown = {}});
+    QCOMPARE(gaussian_count(scene), limits::gaussians - 5);
+    TestWindow window(scene);
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto* bar = window->findChild<MessageBar*>();
+    const std::vector<Gaussian> gaussians(6);
+    add_gaussians(document, gaussians, "Paste");
+    QVERIFY2(bar->message().contains("10,000,001 Gaussians"), qUtf8Printable(bar->message()));
+    QVERIFY(document.scene() == before);
+    add_gaussians(document, std::span(gaussians).first(5), "Paste");
+    QCOMPARE(document.undo_stack().count(), 1);
+
+    document.set_active_emitter(99);
+    window.key(Qt::Key_P);
+    enter(window, "emitter_rate", "100000");
+    QVERIFY(bar->message().contains("10,000,010 Gaussians"));
+    QCOMPARE(document.scene().emitters[99].rate, 99'989.0);
+    auto* rate = window->findChild<ValueField*>("emitter_rate")->findChild<NumberField*>();
+    QCOMPARE(rate->text().toDouble(), 99'989.0);
+    enter(window, "emitter_rate", "1000");
+    QCOMPARE(document.scene().emitters[99].rate, 1000.0);
+    QCOMPARE(document.undo_stack().count(), 2);
     document.undo_stack().setIndex(0);
     QVERIFY(document.scene() == before);
   }

@@ -69,7 +69,7 @@ Ended run_editor(const QStringList& arguments, const QHash<QString, QString>& va
   }
   editor.setProcessEnvironment(environment);
   editor.start(BRUME_EDITOR, arguments);
-  if (!editor.waitForFinished(60000)) return {};
+  if (!editor.waitForFinished(patience)) return {};
   return {editor.exitStatus() == QProcess::NormalExit ? editor.exitCode() : -1,
           editor.readAllStandardOutput(), editor.readAllStandardError()};
 }

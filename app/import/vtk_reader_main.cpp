@@ -1,0 +1,58 @@
+// brume-vtk-points FILE OUT.ply MAX_GAUSSIANS MAX_BYTES MAX_SECONDS [ids]: the points of a VTK file
+// as Gaussians, with their ids if asked for, within so much memory and processor time. Exit code 0;
+// 2 with what is wrong with the file on standard output; any other end is VTK's, and so is what
+// stands on standard error.
+
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+
+#include "app/import/vtk_reader.h"
+#include "core/error.h"
+#include "core/io/gaussian_ply.h"
+
+namespace {
+
+void limit(int resource, rlim_t value) {
+  const rlimit both{value, value};
+  setrlimit(static_cast<__rlimit_resource>(resource), &both);
+}
+
+// What the libraries take of the address space.
+rlim_t address_space() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  if (argc < 6) return EXIT_FAILURE;
+  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);  // threads take much address space each
+  limit(RLIMIT_AS, address_space() + std::strtoull(argv[4], nullptr, 10));
+  limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));
+  limit(RLIMIT_CORE, 0);
+#ifdef M_PERTURB
+  // Where an array ends too early VTK leaves memory as it was. Of 0x7f bytes are numbers that are
+  // in no domain of a Gaussian.
+  mallopt(M_PERTURB, 0x80);
+#endif
+  try {
+    std::vector<brume::GaussianNumber> ids;
+    const auto gaussians = brume::read_points_with_vtk(argv[1], argc > 6 ? &ids : nullptr,
+                                                       std::strtoull(argv[3], nullptr, 10));
+    brume::write_gaussians_ply(argv[2], gaussians, ids);
+    return EXIT_SUCCESS;
+  } catch (const brume::InputError& error) {
+    std::puts(error.what());
+    return 2;
+  } catch (const std::exception&) {
+    return EXIT_FAILURE;
+  }
+}
