@@ -50,6 +50,7 @@ class SettingsTest : public QObject {
     QTest::keyClicks(radius, "0.5*3");
     QTest::keyClick(radius, Qt::Key_Return);
     QCOMPARE(window->document().medium().radii()[0], 1.5);
+    radius->setFocus();
     QTest::keyClicks(radius, "1/0");
     QTest::keyClick(radius, Qt::Key_Return);
     QCOMPARE(window->document().medium().radii()[0], 1.5);
