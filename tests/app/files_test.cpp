@@ -79,7 +79,7 @@ void choose(const fs::path& file, SeenDialog* seen = nullptr) {
       return;
     }
     if (seen) *seen = {dialog->directory().canonicalPath(), dialog->windowTitle()};
-    dialog->findChild<QLineEdit*>()->setText(to_qstring(file));
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(to_qstring(file));
     QMetaObject::invokeMethod(dialog, "accept");
   });
 }
