@@ -121,11 +121,18 @@ Scene thin_cloud(glm::dvec3& middle) {
   return scene;
 }
 
+PointLight light_at(const glm::dvec3& position, double intensity) {
+  PointLight light;
+  light.position = position;
+  light.intensity = glm::dvec3(intensity);
+  return light;
+}
+
 Scene light_in_view() {
   glm::dvec3 middle;
   Scene scene = thin_cloud(middle);
   scene.medium.set_homogeneous_density(0.01);
-  scene.lights.push_back({middle, glm::dvec3(10.0)});
+  scene.lights.push_back(light_at(middle, 10.0));
   return scene;
 }
 
@@ -190,8 +197,7 @@ TEST(ErrorEstimate, ManyLightsLeavePixelsForTheRest) {
   const CameraRays rays(scene.camera, scene.film);
   for (int y = 0; y < 40; ++y) {
     for (int x = 0; x < 40; ++x) {
-      scene.lights.push_back(
-          {rays.eye() + 3.0 * rays.direction(x + 0.5, y + 0.5), glm::dvec3(1.0)});
+      scene.lights.push_back(light_at(rays.eye() + 3.0 * rays.direction(x + 0.5, y + 0.5), 1.0));
     }
   }
   Frame guide;
