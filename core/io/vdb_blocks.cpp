@@ -52,11 +52,14 @@ class BlockReader {
 
   std::vector<DensityGrid::Block> read() {
     read_vdb_topology(reader_, values_,
-                      {[&](const VdbTile& tile) { add(tile); },
+                      {[&](const VdbTile& tile) { count(tile); },
                        [&](const VdbLeaf& leaf) {
                          count(1);
                          leaves_.push_back(leaf);
                        }});
+    // Once, not by doubling.
+    blocks_.reserve(static_cast<std::size_t>(count_));
+    for (const VdbTile& tile : tiles_) add(tile);
     read_vdb_leaves(
         reader_, values_, leaves_,
         [&](const VdbLeaf& leaf, std::span<const double> values) { add(leaf, values); });
@@ -74,12 +77,20 @@ class BlockReader {
     }
   }
 
+  float value_of(const VdbTile& tile) const {
+    return to_value_(tile.value[static_cast<int>(component_)]);
+  }
+
+  void count(const VdbTile& tile) {
+    if (value_of(tile) == 0.0f) return;
+    count(std::pow(tile.side / DensityGrid::side, 3.0));
+    tiles_.push_back(tile);
+  }
+
   // A tile becomes voxels.
   void add(const VdbTile& tile) {
-    const float value = to_value_(tile.value[static_cast<int>(component_)]);
-    if (value == 0.0f) return;
+    const float value = value_of(tile);
     const int across = tile.side / DensityGrid::side;
-    count(std::pow(across, 3.0));
     for (int i = 0; i < across * across * across; ++i) {
       const glm::ivec3 place(i / (across * across), i / across % across, i % across);
       blocks_.push_back({tile.corner + DensityGrid::side * place, {}});
@@ -107,6 +118,7 @@ class BlockReader {
   const std::function<float(double)>& to_value_;
   ByteReader reader_;
   double count_ = 0.0;
+  std::vector<VdbTile> tiles_;
   std::vector<VdbLeaf> leaves_;
   std::vector<DensityGrid::Block> blocks_;
 };

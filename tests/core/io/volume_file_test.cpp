@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <openvdb/openvdb.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -109,6 +110,24 @@ TEST(VolumeFile, TilesAreVoxels) {
   grid->setTransform(openvdb::math::Transform::createLinearTransform(0.1));
   write(folder / "a.vdb", "smoke", grid);
   EXPECT_NEAR(read_volume(folder / "a.vdb", "smoke").mass(), 0.5 * std::pow(3.2, 3.0), 1e-4);
+}
+
+// 36 tiles of 128^3 voxels in a small file: 304 MB of blocks, and not twice.
+TEST(VolumeFile, TilesTakeTheMemoryOfTheirVoxelsOnce) {
+  const TemporaryFolder folder;
+  openvdb::initialize();
+  const auto grid = openvdb::FloatGrid::create(0.0f);
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(127, 127, 36 * 128 - 1)), 0.5f);
+  write(folder / "a.vdb", "smoke", grid);
+  EXPECT_LT(std::filesystem::file_size(folder / "a.vdb"), 100'000u);
+  const auto max_memory = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // [KiB]
+  };
+  const long before = max_memory();
+  EXPECT_EQ(read_volume(folder / "a.vdb", "smoke").blocks.size(), std::size_t{36} * 4096);
+  EXPECT_LT(max_memory() - before, 400 * 1024);
 }
 
 TEST(VolumeFile, RefusesWhatIsNoDensity) {
