@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "core/io/gaussian_file.h"
@@ -60,10 +62,22 @@ TEST_F(Interruption, EndsEverySubcommand) {
   expect_interruptible({"bench", slow_, "-o", file("report")}, "brume: slow");
 }
 
-TEST_F(Interruption, AutoTellsItsProgressWhileItMeasures) {
+// The numbers of percent that were shown.
+std::set<int> percents(const std::string& shown) {
+  std::set<int> all;
+  const std::string before = "auto: ";
+  for (std::size_t at = shown.find(before); at != std::string::npos;
+       at = shown.find(before, at + 1)) {
+    all.insert(std::atoi(shown.c_str() + at + before.size()));
+  }
+  return all;
+}
+
+TEST_F(Interruption, AutoTellsItsProgress) {
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu"});
-  EXPECT_TRUE(program.wait_for("auto: 1%")) << program.shown();
-  EXPECT_TRUE(program.wait_for("auto: 2%")) << program.shown();
+  while (percents(program.shown()).size() < 4 && program.read()) {
+  }
+  EXPECT_GE(percents(program.shown()).size(), 4u) << program.shown();
 }
 
 // As scripts start what they put in the background.
@@ -101,8 +115,7 @@ TEST_F(Interruption, ThreadsBindAllWork) {
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu", "--threads",
                           "1", "--size", "64x48"});
   std::size_t most = 0;
-  for (int percent = 1; percent < 60; ++percent) {
-    if (!program.wait_for("auto: " + std::to_string(percent) + "%")) break;
+  for (int i = 0; i < 200 && program.read(); ++i) {
     most = std::max(most, working_threads(program.pid()));
   }
   EXPECT_EQ(most, 1u);

@@ -50,6 +50,16 @@ class RunningProgram {
     return true;
   }
 
+  // Reads what is shown next; false at the end, which a terminal tells as an error.
+  bool read() {
+    char bytes[4096];
+    const ssize_t count = ::read(terminal_, bytes, sizeof bytes);
+    if (count < 0 && errno == EINTR) return true;
+    if (count <= 0) return false;
+    shown_.append(bytes, static_cast<std::size_t>(count));
+    return true;
+  }
+
   // As somebody presses Ctrl-C.
   void press_interrupt() const {
     const char key = 3;
@@ -68,16 +78,6 @@ class RunningProgram {
   }
 
  private:
-  // False at the end, which a terminal tells as an error.
-  bool read() {
-    char bytes[4096];
-    const ssize_t count = ::read(terminal_, bytes, sizeof bytes);
-    if (count < 0 && errno == EINTR) return true;
-    if (count <= 0) return false;
-    shown_.append(bytes, static_cast<std::size_t>(count));
-    return true;
-  }
-
   pid_t pid_ = -1;
   int terminal_ = -1;
   int status_ = 0;
