@@ -2,6 +2,7 @@
 // runs on OpenGL in software, which shares objects between contexts and threads just as well.
 
 #include <QAction>
+#include <QDeadlineTimer>
 #include <QLabel>
 #include <QTreeWidget>
 #include <algorithm>
@@ -79,9 +80,10 @@ class GlWindow : public TestWindow {
       look(*view.shown());
     });
     // Again and again: a frame that comes too late would be one at rest.
-    for (int k = 0; k < 600; ++k) {
+    const QDeadlineTimer deadline(patience);
+    while (!seen && !deadline.hasExpired()) {
       turn(view);
-      if (QTest::qWaitFor([&] { return seen; }, 100)) break;
+      QTest::qWaitFor([&] { return seen; }, 100);
     }
     QObject::disconnect(connection);
     return seen;

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDeadlineTimer>
 #include <QLabel>
 #include <QStatusBar>
 #include <QTreeWidget>
@@ -271,7 +272,8 @@ class QualityTest : public QObject {
     });
     const QPoint middle = window->viewport().rect().center();
     // Again if a frame came so late that it was one at rest.
-    for (int k = 0; k < 600 && in_motion == 0; ++k) {
+    const QDeadlineTimer deadline(patience);
+    while (in_motion == 0 && !deadline.hasExpired()) {
       window.drag(middle, middle + QPoint(60, 20), Qt::MiddleButton);
       QTest::qWaitFor([&] { return in_motion > 0; }, 100);
     }
