@@ -21,8 +21,8 @@ double shown_error(double error) {
 
 // A power of ten in per cent; far beyond any use, only how far.
 QString axis_text(double error) {
-  return error > 99.0 ? QString("1e%1 %").arg(std::lround(std::log10(error)) + 2)
-                      : bound_text(error);
+  return error > 9.0 ? QString("1e%1 %").arg(std::lround(std::log10(error)) + 2)
+                     : bound_text(error);
 }
 
 double power_of_ten_below(double value) {
@@ -159,8 +159,12 @@ void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
   // Only the ends have room for their numbers.
   painter.setPen(text);
   const QRectF below(area.left() - 12, area.bottom(), area.width() + 18, height() - area.bottom());
-  painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, tr("%1 ms").arg(milliseconds_.low));
-  painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, tr("%1 ms").arg(milliseconds_.high));
+  const QString low = tr("%1 ms").arg(milliseconds_.low);
+  const QString high = tr("%1 ms").arg(milliseconds_.high);
+  if (QFontMetricsF(font()).horizontalAdvance(low + "  " + high) <= below.width()) {
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, low);
+  }
+  painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, high);
   const QColor accent = palette().color(QPalette::Highlight);
   painter.setPen(QPen(accent, 1, Qt::DashLine));
   painter.drawLine(QPointF(area.left(), height_of(max_error_)),

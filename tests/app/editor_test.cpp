@@ -308,8 +308,8 @@ class EditorTest : public QObject {
 
   void without_a_display_there_is_one_clear_error() {
     for (const char* display : {"", ":6789"}) {
-      const Ended editor =
-          run_editor({"x.brume"}, {{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", display}});
+      const Ended editor = run_editor(
+          {"x.brume"}, {{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", display}, {"WAYLAND_DISPLAY", ""}});
       QCOMPARE(editor.code, 2);
       QVERIFY2(editor.err.startsWith("brume-editor: error: no display: "), editor.err);
       QVERIFY2(editor.err.count('\n') == 1 && editor.err.contains("DISPLAY") == (*display == 0),
