@@ -81,10 +81,9 @@ class GlWindow : public TestWindow {
     });
     // Again and again: a frame that comes too late would be one at rest.
     const QDeadlineTimer deadline(patience);
-    while (!seen && !deadline.hasExpired()) {
+    do {
       turn(view);
-      QTest::qWaitFor([&] { return seen; }, 100);
-    }
+    } while (!QTest::qWaitFor([&] { return seen; }, 100) && !deadline.hasExpired());
     QObject::disconnect(connection);
     return seen;
   }

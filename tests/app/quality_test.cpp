@@ -273,10 +273,9 @@ class QualityTest : public QObject {
     const QPoint middle = window->viewport().rect().center();
     // Again if a frame came so late that it was one at rest.
     const QDeadlineTimer deadline(patience);
-    while (in_motion == 0 && !deadline.hasExpired()) {
+    do {
       window.drag(middle, middle + QPoint(60, 20), Qt::MiddleButton);
-      QTest::qWaitFor([&] { return in_motion > 0; }, 100);
-    }
+    } while (!QTest::qWaitFor([&] { return in_motion > 0; }, 100) && !deadline.hasExpired());
     QVERIFY(in_motion > 0);
     QVERIFY(window.settle());
     QVERIFY(!label(*window, "picture").contains("in motion"));
