@@ -20,6 +20,9 @@ Film small_film(const Film& film) {
 
 constexpr std::uint64_t seed_of_choice = 1;
 
+// An error of this share of the bound on a small frame is likely to be below the bound.
+constexpr double likely_share = 0.8;
+
 // So much more error is as good as the least.
 constexpr double little_gain = 1.1;
 
@@ -63,8 +66,9 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     if (!error) return std::nullopt;
     begin += 0.5 * (1.0 - begin);
     if (progress) progress(begin);
-    // In the middle between the estimate and what it may be at most: likely, not sure.
-    if (error->rel_rmse * error->high <= max_error * max_error) return tried;
+    // By the estimate and not by its interval, which is wide on a few pixels and would make finer
+    // settings look needed; the frame is judged by the interval.
+    if (error->rel_rmse <= likely_share * max_error) return tried;
     found.push_back(error->rel_rmse);
   }
   // A large frame is interpolated between nearer rays and may keep the bound all the same: where
