@@ -197,6 +197,20 @@ TEST_F(GlFrames, ComputePixelsNearestToALight) {
   }
 }
 
+// A wall whose plane the eye lies in, but for a rounding: see EdgeOn of test_render.
+TEST_F(GlFrames, DoNotShowWhatIsSeenEdgeOn) {
+  for (const double off : {0.0, 1e-9, -2e-8}) {
+    for (const glm::dvec3& eye : {glm::dvec3(0.3, 0.7, off), glm::dvec3(4.0, 3.0, off)}) {
+      Scene scene = cloud_scene(3, 1.0);
+      scene.surfaces.push_back(wall(0.0, 2.0));
+      scene.camera.eye = eye;
+      scene.camera.target = {0.1, 0.0, 0.0};
+      const Frame frame = render_on_device(scene, quick_slices(), "edge on");
+      for (const float t : frame.depth) ASSERT_TRUE(std::isinf(t));
+    }
+  }
+}
+
 // Light from all around, scattered alike all around, forward and back, in fog and without.
 TEST_F(GlFrames, Environments) {
   for (const double anisotropy : {0.0, 0.7, -0.5}) {
