@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <numeric>
 #include <tuple>
+#include <utility>
+
+#include "render/tiles.h"
 
 namespace brume {
 namespace {
@@ -45,6 +50,25 @@ std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const C
   const auto repeated = std::ranges::unique(pixels);
   pixels.erase(repeated.begin(), repeated.end());
   return pixels;
+}
+
+TilePixels sort_into_tiles(std::vector<glm::ivec2> pixels, const Film& samples, int scale) {
+  const Tiles tiles(samples);
+  // Cells stand between samples: there is one less in a row.
+  const glm::ivec2 last = glm::max(glm::ivec2(samples.width, samples.height) - 2, 0);
+  const auto tile_of = [&](const glm::ivec2& pixel) {
+    const glm::ivec2 cell = glm::min(pixel / scale, last);
+    return cell.y / Tiles::height * tiles.columns() + cell.x / Tiles::width;
+  };
+  std::ranges::stable_sort(pixels, {}, tile_of);
+  TilePixels sorted;
+  sorted.offsets.assign(tiles.count() + 1, 0);
+  for (const glm::ivec2& pixel : pixels) {
+    ++sorted.offsets[static_cast<std::size_t>(tile_of(pixel)) + 1];
+  }
+  std::partial_sum(sorted.offsets.begin(), sorted.offsets.end(), sorted.offsets.begin());
+  sorted.pixels = std::move(pixels);
+  return sorted;
 }
 
 }  // namespace brume

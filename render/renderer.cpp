@@ -4,9 +4,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 
 #include "render/albedo.h"
 #include "render/composite.h"
+#include "render/cpu/film_slices.h"
 #include "render/cpu/marched_airlight.h"
 #include "render/film_airlight.h"
 #include "render/frame_stages.h"
@@ -17,6 +19,7 @@ namespace brume {
 
 struct Renderer::Impl {
   FrameStages stages;
+  FilmSlices film_slices;
 
   std::optional<Frame> render(FrameWork& work);
   TileMethod airlight_method(FrameWork& work, StageClock& clock);
@@ -65,8 +68,9 @@ std::optional<Frame> Renderer::Impl::render(FrameWork& work) {
   if (!stages.prepare_source(work, clock)) return std::nullopt;
   if (work.plan.gaussians || work.plan.homogeneous) {
     const TileMethod method = airlight_method(work, clock);
-    const FilmAirlight film = film_airlight(stages.prepared().medium(), work.rays, work.settings,
-                                            method, stages.ray_ends(work), work.job, work.frame);
+    const FilmAirlight film =
+        film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.settings,
+                      method, stages.ray_ends(work), work.job, work.frame);
     statistics.gaussians_used = film.gaussians_used;
     statistics.exact_pixels = film.exact_pixels;
     statistics.view_pairs += film.pairs;
@@ -97,25 +101,34 @@ TileMethod Renderer::Impl::airlight_method(FrameWork& work, StageClock& clock) {
 }
 
 TileMethod Renderer::Impl::paper(FrameWork& work, StageClock& clock) {
-  return [this, &work, lights = stages.paper_lights(work, clock)](
-             auto gaussians, const TileRays& rays, const TileAirlight& out) {
-    const std::uint64_t pairs = paper_airlight(stages.prepared().medium(), gaussians, lights, rays,
-                                               work.settings.arithmetic, out);
-    if (const EnvironmentLight* environment = stages.shading().environment()) {
-      for (std::size_t k = 0; k < rays.directions.size(); ++k) {
-        out.airlight[k] += environment->glow(rays.directions[k], static_cast<float>(out.depths[k]));
-      }
-    }
-    return pairs;
-  };
+  return {[this, &work, lights = stages.paper_lights(work, clock)](
+              auto gaussians, const TileRays& rays, const TileAirlight& out) {
+            const std::uint64_t pairs = paper_airlight(stages.prepared().medium(), gaussians,
+                                                       lights, rays, work.settings.arithmetic, out);
+            if (const EnvironmentLight* environment = stages.shading().environment()) {
+              for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+                out.airlight[k] +=
+                    environment->glow(rays.directions[k], static_cast<float>(out.depths[k]));
+              }
+            }
+            return pairs;
+          },
+          {}};
 }
 
 TileMethod Renderer::Impl::sliced(FrameWork& work, StageClock& clock) {
-  return [this, &work, lights = stages.sliced_lights(work, clock)](
-             auto gaussians, const TileRays& rays, const TileAirlight& out) {
-    return sliced_airlight(stages.prepared().medium(), gaussians, lights,
-                           stages.scattered_environment(work), rays, work.settings.slices, out);
+  const auto lights =
+      std::make_shared<const std::vector<SlicedLight>>(stages.sliced_lights(work, clock));
+  const auto evaluate = [this, &work, lights](auto gaussians, const TileRays& rays,
+                                              const TileAirlight& out) {
+    return sliced_airlight(stages.prepared().medium(), gaussians, *lights,
+                           stages.scattered_environment(work), rays, film_slices.nodes(rays.tile),
+                           out);
   };
+  const auto prepare = [this, &work, lights](const FilmTiles& film) {
+    film_slices.choose(film, stages.prepared().medium(), *lights, work.settings.slices, work.job);
+  };
+  return {evaluate, prepare};
 }
 
 TileMethod Renderer::Impl::march(const FrameWork& work) const {
@@ -124,12 +137,13 @@ TileMethod Renderer::Impl::march(const FrameWork& work) const {
     lights.push_back({light.position, light.intensity,
                       least_light_distance(work.rays, work.camera, light.position)});
   }
-  return [this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
-                                                   const TileAirlight& out) {
-    return marched_airlight(stages.prepared().medium(), gaussians, stages.prepared().visibility(),
-                            lights, stages.scattered_environment(work), rays,
-                            work.settings.march_steps, out);
-  };
+  return {[this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
+                                                    const TileAirlight& out) {
+            return marched_airlight(
+                stages.prepared().medium(), gaussians, stages.prepared().visibility(), lights,
+                stages.scattered_environment(work), rays, work.settings.march_steps, out);
+          },
+          {}};
 }
 
 TileMethod Renderer::Impl::reference(FrameWork& work) const {
@@ -143,24 +157,25 @@ TileMethod Renderer::Impl::reference(FrameWork& work) const {
     environment.emplace(*work.scene.environment, work.scene.optics.anisotropy,
                         stages.fog_depth(work), work.settings.reference_tolerance);
   }
-  return [this, &work, lights = std::move(lights), environment = std::move(environment)](
-             auto, const TileRays& rays, const TileAirlight& out) {
-    std::uint64_t view_pairs = 0;
-    std::uint64_t light_pairs = 0;
-    for (std::size_t k = 0; k < rays.directions.size(); ++k) {
-      if (work.job.stop.stop_requested()) break;
-      const ReferenceRay ray =
-          reference_airlight(stages.prepared().medium(), stages.prepared().occluders(), lights,
-                             environment ? &*environment : nullptr, rays.eye, rays.directions[k],
-                             rays.lengths[k], work.settings.reference_tolerance);
-      out.airlight[k] = glm::vec3(ray.airlight);
-      out.depths[k] = ray.depth;
-      view_pairs += ray.view_pairs;
-      light_pairs += ray.light_pairs;
-    }
-    std::atomic_ref(work.frame.statistics.light_pairs) += light_pairs;
-    return view_pairs;
-  };
+  return {[this, &work, lights = std::move(lights), environment = std::move(environment)](
+              auto, const TileRays& rays, const TileAirlight& out) {
+            std::uint64_t view_pairs = 0;
+            std::uint64_t light_pairs = 0;
+            for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+              if (work.job.stop.stop_requested()) break;
+              const ReferenceRay ray = reference_airlight(
+                  stages.prepared().medium(), stages.prepared().occluders(), lights,
+                  environment ? &*environment : nullptr, rays.eye, rays.directions[k],
+                  rays.lengths[k], work.settings.reference_tolerance);
+              out.airlight[k] = glm::vec3(ray.airlight);
+              out.depths[k] = ray.depth;
+              view_pairs += ray.view_pairs;
+              light_pairs += ray.light_pairs;
+            }
+            std::atomic_ref(work.frame.statistics.light_pairs) += light_pairs;
+            return view_pairs;
+          },
+          {}};
 }
 
 }  // namespace brume

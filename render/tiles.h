@@ -20,6 +20,8 @@ class Tiles {
   explicit Tiles(const Film& film);
 
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(columns_) * rows_; }
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
 
   // Calls visit(x, y) for the pixels of a rectangle as large as a tile at most, in blocks of 4 x 4,
   // so that the lanes of a vector hold neighbours.

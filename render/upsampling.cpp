@@ -320,11 +320,23 @@ class Cells {
 }  // namespace
 
 void upsample(const AirlightSamples& samples, const CameraRays::PixelRectangle& tile,
-              float tolerance, Frame& frame, const std::function<void(int x, int y)>& exact) {
+              float tolerance, std::span<const glm::ivec2> exact_pixels, Frame& frame,
+              const std::function<void(int x, int y)>& exact) {
   const int last_column = std::max(samples.film().width - 1, 1);
   const int last_row = std::max(samples.film().height - 1, 1);
+  const auto unless_listed = [&](int x, int y) {
+    if (std::ranges::find(exact_pixels, glm::ivec2(x, y)) == exact_pixels.end()) exact(x, y);
+  };
   for (int row = tile.y0; row < std::min(tile.y1, last_row); ++row) {
-    Cells(samples, tile.x0, std::min(tile.x1, last_column), row).upsample(tolerance, frame, exact);
+    const Cells cells(samples, tile.x0, std::min(tile.x1, last_column), row);
+    if (exact_pixels.empty()) {
+      cells.upsample(tolerance, frame, exact);
+    } else {
+      cells.upsample(tolerance, frame, unless_listed);
+    }
+  }
+  for (const glm::ivec2& pixel : exact_pixels) {
+    if (!samples.is_sample(pixel)) exact(pixel.x, pixel.y);
   }
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <glm/ext/vector_int2.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 #include <vector>
 
 #include "core/scene/camera.h"
@@ -38,6 +40,10 @@ class AirlightSamples {
   [[nodiscard]] std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(film_.width) +
            static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] bool is_sample(const glm::ivec2& pixel) const {
+    const auto is_on = [this](int at, int size) { return at % scale_ == 0 || at == size - 1; };
+    return is_on(pixel.x, frame_.film.width) && is_on(pixel.y, frame_.film.height);
   }
   glm::vec4& value(std::size_t i) { return values_[i]; }
   [[nodiscard]] const glm::vec4& value(int column, int row) const {
@@ -93,8 +99,9 @@ void set_airlight(Frame& frame, std::size_t pixel, const glm::vec4& value);
 //   linear interpolation;
 //   others from those of the four samples around them whose surface they are on.
 // Calls exact(x, y) for pixels that neither is good enough for: there are no halos and no thin
-// objects lost.
+// objects lost; and for the tile's `exact_pixels`, which nothing between samples tells.
 void upsample(const AirlightSamples& samples, const CameraRays::PixelRectangle& tile,
-              float tolerance, Frame& frame, const std::function<void(int x, int y)>& exact);
+              float tolerance, std::span<const glm::ivec2> exact_pixels, Frame& frame,
+              const std::function<void(int x, int y)>& exact);
 
 }  // namespace brume

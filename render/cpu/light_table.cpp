@@ -179,7 +179,9 @@ std::uint64_t LightTable::find_depths(const MediumIndex& medium, const Block& pa
   PathBatch rays;
   rays.assign(light_, part.ends, std::vector<std::int32_t>(part.ends.size(), -1));
   std::vector<float> increments((radii - 1) * rays.padded_size(), 0.0f);
-  const std::uint64_t evaluated = accumulate_increments(batch, rays, boundaries, increments.data());
+  RaySlices slices;
+  slices.assign(boundaries, rays);
+  const std::uint64_t evaluated = accumulate_increments(batch, rays, slices, increments.data());
   std::vector<float> depths(radii, 0.0f);
   for (std::size_t i = 0; i < part.cells.size(); ++i) {
     for (std::size_t k = 1; k < radii; ++k) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "render/cpu/edge_on.h"
 #include "render/cpu/kernels.h"
 
 // Highway includes this file once per instruction set.
@@ -101,6 +102,20 @@ HWY_INLINE Raster::Turn TurnOf(const std::array<Raster::Vertex, 3>& corners) {
   return along.x * across.y > along.y * across.x ? Raster::Turn::one : Raster::Turn::other;
 }
 
+// is_edge_on() of a triangle; few need it in double.
+HWY_INLINE bool IsEdgeOn(const RasterTriangles& triangles, const glm::uvec3& c,
+                         const Raster::View& view) {
+  const auto corner = [&](std::uint32_t vertex) {
+    return triangles.relative(vertex, glm::vec3(0.0f));
+  };
+  const std::array<glm::vec3, 3> corners{corner(c.x), corner(c.y), corner(c.z)};
+  const glm::vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const float above = glm::dot(normal, view.eye - corners[0]);
+  const auto far = 100.0f * static_cast<float>(view.edge_on_height);
+  if (above * above > far * far * glm::dot(normal, normal)) return false;
+  return is_edge_on(corners, glm::dvec3(view.eye), view.edge_on_height);
+}
+
 Raster::TurnDepths FindBounds(const RasterTriangles& triangles, const Raster::View& view,
                               std::span<const Raster::Vertex> vertices, std::size_t first,
                               std::size_t last, Raster::Bounds* bounds, Raster::Turn* turns) {
@@ -110,6 +125,10 @@ Raster::TurnDepths FindBounds(const RasterTriangles& triangles, const Raster::Vi
     const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
     bounds[i] = BoundsOf(corners, view);
     if (bounds[i].empty()) continue;
+    if (IsEdgeOn(triangles, c, view)) {
+      bounds[i] = {};
+      continue;
+    }
     turns[i] = TurnOf(corners);
     depths.sum[static_cast<std::size_t>(turns[i])] += static_cast<double>(corners[0].z);
     ++depths.count[static_cast<std::size_t>(turns[i])];
@@ -373,12 +392,14 @@ void RasterTriangles::pad() {
 }
 
 Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const glm::dvec3& eye,
-               const Film& film, const Job& job)
+               double edge_on_height, const Film& film, const Job& job)
     : triangles_(triangles),
       film_(film),
       bands_(static_cast<std::size_t>((film.height + band_rows - 1) / band_rows)) {
   const CameraRays::FilmPlane plane = rays.plane();
   view_ = {glm::vec3(eye),
+           edge_on_height,
+
            glm::vec3(rays.forward()),
            glm::vec3(plane.corner + 0.5 * plane.per_x + 0.5 * plane.per_y),
            glm::vec3(plane.per_x),

@@ -43,10 +43,11 @@ class Raster {
  public:
   static constexpr int band_rows = 8;
 
-  // `eye` is relative to where the vertices are. Refers to `triangles`. After a stop of the job the
+  // `eye` is relative to where the vertices are; triangles whose plane is nearer to it than
+  // `edge_on_height` are not seen. Refers to `triangles`. After a stop of the job the
   // raster is of no use.
   Raster(const RasterTriangles& triangles, const CameraRays& rays, const glm::dvec3& eye,
-         const Film& film, const Job& job);
+         double edge_on_height, const Film& film, const Job& job);
 
   [[nodiscard]] std::size_t bands() const { return bands_; }
   // Sets the hits and distances of a band, in arrays of the whole film. Thread-safe.
@@ -64,6 +65,7 @@ class Raster {
   // corner + x per_x + y per_y, which stands at distance 1 along forward.
   struct View {
     glm::vec3 eye{0.0f};
+    double edge_on_height = 0.0;
     glm::vec3 forward{0.0f};
     glm::vec3 corner{0.0f}, per_x{0.0f}, per_y{0.0f};
     glm::vec3 to_x{0.0f}, to_y{0.0f};  // per_x and per_y over the squares of their lengths

@@ -13,14 +13,15 @@ namespace brume {
 namespace {
 
 // Where light falls off within a medium, slices of equal angle as seen from the light.
-void add_equi_angular(const SlicedLight& light, const glm::dvec3& eye, const glm::dvec3& w,
-                      const RayRange& range, int count, std::vector<double>& boundaries) {
+void add_equi_angular(const SlicedLight& light, const TileCone& rays, const RayRange& range,
+                      int count, std::vector<double>& boundaries) {
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
   // what is near the light if the medium is endless.
-  const double near = 16.0 * glm::length(light.position - (eye + range.begin * w));
+  const double near = 16.0 * glm::length(light.position - (rays.eye + range.begin * rays.center));
   const double least = 0.25 * std::min(range.end - range.begin, near) / count;
-  const EquiAngular<double> angular(
-      LightPath<double>(light.position, eye, w, std::max(light.h_min, least)), range.end);
+  LightPath<double> path(light.position, rays.eye, rays.center, std::max(light.h_min, least));
+  path.ts = rays.nearest_pass(light.position - rays.eye).t;
+  const EquiAngular<double> angular(path, range.end);
   const double begin = angular.angle(range.begin);
   for (int k = 1; k < count; ++k) {
     const double t = angular.t(begin + (angular.span - begin) * k / count);
@@ -124,20 +125,25 @@ class SliceDemand {
 
 }  // namespace
 
+int slices_per_light(int slices, std::size_t lights) {
+  const int count = std::max(slices / static_cast<int>(std::clamp<std::size_t>(lights, 1, 4)), 4);
+  // The Gaussians have `slices` boundaries and four ends, the fog as many again.
+  const int room = static_cast<int>(max_slice_boundaries) - 2 * slices - 4;
+  return std::clamp(room / std::max(static_cast<int>(lights), 1), 1, count);
+}
+
+std::size_t max_boundaries(int slices, std::size_t lights, bool in_fog) {
+  const auto count = static_cast<std::size_t>(slices);
+  const auto per_light = static_cast<std::size_t>(slices_per_light(slices, lights));
+  return 4 + count + lights * (per_light - 1) + (in_fog ? count : 0);
+}
+
 void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                   std::span<const SlicedLight> lights, const TileRays& rays, int slices,
+                   std::span<const SlicedLight> lights, const TileCone& rays, int slices,
                    std::vector<double>& boundaries) {
   boundaries.clear();
-  glm::dvec3 sum(0.0);
-  for (const glm::dvec3& direction : rays.directions) sum += direction;
-  const glm::dvec3 w = glm::normalize(sum);
-  const double longest = *std::max_element(rays.lengths.begin(), rays.lengths.end());
-  // How far a ray of the tile is from the middle one, at distance 1.
-  double spread = 0.0;
-  for (const glm::dvec3& direction : rays.directions) {
-    spread = std::max(spread, glm::dot(direction - w, direction - w));
-  }
-  spread = std::sqrt(spread);
+  const glm::dvec3& w = rays.center;
+  const double longest = rays.max_length;
 
   // The Gaussians: slices over two radii or more to both sides, and one more for the tail at each
   // end.
@@ -145,9 +151,10 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   RayRange core;
   for (const std::uint32_t i : gaussians) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
-    const double t = glm::dot(g.b - rays.eye, w);
+    const glm::dvec3 q = g.b - rays.eye;
+    const double t = rays.nearest_pass(q).t;
     const double r = medium.reach()[i];
-    reach.add(t - r, t + r);
+    reach.add(std::min(glm::dot(q, w), t) - r, t + r);
     const double half = std::min(core_reach(1.0 / g.a, g.c), r);
     core.add(t - half, t + half);
   }
@@ -168,11 +175,11 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
       for (const std::uint32_t i : gaussians) {
         const GaussianTerm<double>& g = medium.gaussians()[i];
         const glm::dvec3 q = g.b - rays.eye;
-        const double t = glm::dot(q, w);
+        const TileCone::Pass pass = rays.nearest_pass(q);
         const double half = core_reach(1.0 / g.a, g.c);
-        if (t + half < core.begin || t - half > core.end) continue;
-        const double h = g.a * std::max(glm::length(q - t * w) - spread * std::max(t, 0.0), 0.0);
-        demand.add(t, 1.0 / g.a, g.c * std::exp(-h * h));
+        if (pass.t + half < core.begin || pass.t - half > core.end) continue;
+        const double h = g.a * pass.h;
+        demand.add(pass.t, 1.0 / g.a, g.c * std::exp(-h * h));
       }
       demand.cut(slices - 2, boundaries);
     }
@@ -187,9 +194,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const double h = glm::length(q - ts * w);
     const double gap = std::max({lit.begin - ts, ts - lit.end, 0.0});
     if (lit.empty() || std::hypot(gap, h) > 0.5 * (lit.end - lit.begin)) continue;
-    const int count =
-        std::max(slices / static_cast<int>(std::min<std::size_t>(lights.size(), 4)), 4);
-    add_equi_angular(light, rays.eye, w, lit, count, boundaries);
+    add_equi_angular(light, rays, lit, slices_per_light(slices, lights.size()), boundaries);
   }
   if (b0 > 0.0) {
     // Slices of equal loss in the fog.

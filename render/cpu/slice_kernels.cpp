@@ -32,15 +32,16 @@ HWY_INLINE V FastErf(V x) {
 
 template <bool kBent>
 HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
-                                    std::span<const float> boundaries, float* increments) {
+                                    const RaySlices& slices, float* increments) {
   const D d;
   const std::size_t stride = rays.padded_size();
-  const std::size_t last = boundaries.size() - 1;
+  const std::size_t last = slices.count() - 1;
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
                    hn::LoadU(d, rays.z.data() + i)};
-    const V length = hn::LoadU(d, rays.length.data() + i);
+    const float* const nearest = slices.nearest(i).data();
+    const std::span<const float> farthest = slices.farthest(i);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
       const Crossing<D> crossing = BatchCrossing<kBent>(d, g, j, w);
@@ -51,12 +52,12 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       const float reach = std::sqrt(g.cutoff[j]) / g.a[j];
       const float from = hn::GetLane(hn::MinOfLanes(d, crossing.t0)) - reach;
       const float to = hn::GetLane(hn::MaxOfLanes(d, crossing.t0)) + reach;
-      const auto begin = boundaries.begin();
-      const auto after = std::upper_bound(begin, boundaries.end(), from) - begin;
+      const auto begin = farthest.begin();
+      const auto after = std::upper_bound(begin, farthest.end(), from) - begin;
       std::size_t k = after > 0 ? static_cast<std::size_t>(after - 1) : 0;
-      if (k >= last || boundaries[0] >= to) continue;
+      if (k >= last || nearest[0] >= to) continue;
       const auto u = [&](std::size_t boundary) HWY_ATTR {
-        return hn::Mul(a, hn::Sub(hn::Min(set(boundaries[boundary]), length), crossing.t0));
+        return hn::Mul(a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), crossing.t0));
       };
       const auto add = [&](std::size_t slice, V depth) HWY_ATTR {
         float* increment = increments + slice * stride + i;
@@ -64,7 +65,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       };
       V before = u(k);
       if (g.scale[j] > exact_above) {
-        for (; k < last && boundaries[k] < to; ++k) {
+        for (; k < last && nearest[k] < to; ++k) {
           const V now = u(k + 1);
           add(k, hn::Mul(set(g.scale[j]),
                          SegmentIntegral(d, crossing.e, before, now, hn::Sub(now, before))));
@@ -74,7 +75,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       }
       const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(crossing.e)));
       before = FastErf(before);
-      for (; k < last && boundaries[k] < to; ++k) {
+      for (; k < last && nearest[k] < to; ++k) {
         const V now = FastErf(u(k + 1));
         add(k, hn::Mul(scale, hn::Sub(now, before)));
         before = now;
@@ -85,9 +86,9 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
 }
 
 std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
-                                   std::span<const float> boundaries, float* increments) {
-  return g.noise.on() ? Increments<true>(g, rays, boundaries, increments)
-                      : Increments<false>(g, rays, boundaries, increments);
+                                   const RaySlices& slices, float* increments) {
+  return g.noise.on() ? Increments<true>(g, rays, slices, increments)
+                      : Increments<false>(g, rays, slices, increments);
 }
 
 // Where a direction lies in a table over a map: the lower of the cells to mix, and by how much.
@@ -226,18 +227,16 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
 // SliceShares::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
 // (G' + b0) exp(-b0 t) dt, or of (G' + b0) exp(-2 G - b0 t) dt for light from the eye. The exponent
 // grows evenly within a slice.
-void SumAlongRays(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
-                  float b0, bool from_eye, float* sums) {
+void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments, float b0,
+                  bool from_eye, float* sums) {
   const D d;
-  const std::size_t stride = rays.padded_size();
   const V per_depth = set(from_eye ? 2.0f : 0.0f);
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
-    const V length = hn::LoadU(d, rays.length.data() + i);
-    V begin = hn::Min(set(boundaries[0]), length);
+    V begin = hn::LoadU(d, slices.at(i, 0));
     V passes = hn::Exp(d, hn::Mul(set(-b0), begin));
     V sum = hn::Zero(d);
-    for (std::size_t k = 0; k + 1 < boundaries.size(); ++k) {
-      const V end = hn::Min(set(boundaries[k + 1]), length);
+    for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
+      const V end = hn::LoadU(d, slices.at(i, k + 1));
       const V fog = hn::Mul(set(b0), hn::Sub(end, begin));
       const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), hn::Zero(d));
       const V exponent = hn::MulAdd(per_depth, gaussians, fog);
@@ -254,15 +253,15 @@ void SumAlongRays(const PathBatch& rays, std::span<const float> boundaries, cons
   }
 }
 
-void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
-               float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
+void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
+               float anisotropy, float negligible, std::span<const SliceLight> lights,
                float* depths, const SliceShares& shares,
                const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
   if (shares.along_rays) {
-    SumAlongRays(rays, boundaries, increments, b0, anisotropy < 0.0f, shares.along_rays);
+    SumAlongRays(slices, stride, increments, b0, anisotropy < 0.0f, shares.along_rays);
   }
   std::array<LightTable::View, light_pack> tables{};
   for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -271,7 +270,6 @@ void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const f
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
                    hn::LoadU(d, rays.z.data() + i)};
-    const V length = hn::LoadU(d, rays.length.data() + i);
     V ts[light_pack];
     V h2[light_pack];
     V sum[light_pack];
@@ -284,9 +282,9 @@ void SumSlices(const PathBatch& rays, std::span<const float> boundaries, const f
       sum[l] = zero;
     }
     V depth = zero;
-    V begin = hn::Min(set(boundaries[0]), length);
-    for (std::size_t k = 0; k + 1 < boundaries.size(); ++k) {
-      const V end = hn::Min(set(boundaries[k + 1]), length);
+    V begin = hn::LoadU(d, slices.at(i, 0));
+    for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
+      const V end = hn::LoadU(d, slices.at(i, k + 1));
       const V width = hn::Sub(end, begin);
       const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), zero);
       const V increment = hn::MulAdd(set(b0), width, gaussians);
@@ -345,8 +343,8 @@ HWY_EXPORT(LookUpDepths);
 HWY_EXPORT(SumSlices);
 
 std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
-                                    std::span<const float> boundaries, float* increments) {
-  return HWY_DYNAMIC_DISPATCH(AccumulateIncrements)(gaussians, rays, boundaries, increments);
+                                    const RaySlices& slices, float* increments) {
+  return HWY_DYNAMIC_DISPATCH(AccumulateIncrements)(gaussians, rays, slices, increments);
 }
 
 void look_up_depths(const LightTable& table, const PathBatch& paths, float* depths) {
@@ -357,12 +355,12 @@ void look_up_depths(const LightTable& table, const PathBatch& paths, float* dept
   HWY_DYNAMIC_DISPATCH(LookUpDepths)(table.view(), paths, depths);
 }
 
-void sum_slices(const PathBatch& rays, std::span<const float> boundaries, const float* increments,
-                float b0, float anisotropy, float negligible, std::span<const SliceLight> lights,
+void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
+                float anisotropy, float negligible, std::span<const SliceLight> lights,
                 float* depths, const SliceShares& shares,
                 const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, boundaries, increments, b0, anisotropy, negligible, lights, depths, shares, radiance);
+  (rays, slices, increments, b0, anisotropy, negligible, lights, depths, shares, radiance);
 }
 
 }  // namespace brume

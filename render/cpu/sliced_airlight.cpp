@@ -5,15 +5,13 @@
 #include <glm/common.hpp>
 
 #include "render/cpu/kernels.h"
-#include "render/cpu/slice_boundaries.h"
 #include "render/cpu/slice_kernels.h"
 
 namespace brume {
 namespace {
 
 struct Scratch {
-  std::vector<double> exact_boundaries;
-  std::vector<float> boundaries;
+  RaySlices slices;
   GaussianBatch batch;
   PathBatch rays;
   std::vector<float> increments;
@@ -30,12 +28,12 @@ void add_environment(const EnvironmentSource& environment, const TileRays& rays,
                      std::span<glm::vec3> airlight) {
   const SourceLookUp source(environment.grid(), rays.eye);
   const std::size_t stride = s.rays.padded_size();
-  const std::size_t slices = s.boundaries.size() - 1;
+  const std::size_t slices = s.slices.count() - 1;
   s.middles.resize(slices);
   s.ray_shares.resize(slices);
   for (std::size_t i = 0; i < rays.directions.size(); ++i) {
     for (std::size_t k = 0; k < slices; ++k) {
-      s.middles[k] = 0.5f * (s.boundaries[k] + std::min(s.boundaries[k + 1], s.rays.length[i]));
+      s.middles[k] = 0.5f * (*s.slices.at(i, k) + *s.slices.at(i, k + 1));
       s.ray_shares[k] = s.shares[k * stride + i];
     }
     const glm::dvec3& w = rays.directions[i];
@@ -53,21 +51,20 @@ void add_environment(const EnvironmentSource& environment, const TileRays& rays,
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                               std::span<const SlicedLight> lights,
                               const EnvironmentSource* environment, const TileRays& rays,
-                              int slices, const TileAirlight& out) {
+                              const SliceNodes& slices, const TileAirlight& out) {
   thread_local Scratch s;
   const std::size_t count = rays.directions.size();
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
   std::fill(out.depths.begin(), out.depths.end(), 0.0);
-  choose_slices(medium, gaussians, lights, rays, slices, s.exact_boundaries);
-  if (s.exact_boundaries.size() < 2) return 0;
-  s.boundaries.assign(s.exact_boundaries.begin(), s.exact_boundaries.end());
+  if (slices.count == 0) return 0;
 
   s.batch.assign(medium, rays.eye, gaussians, medium.noise());
   s.rays.assign(rays.directions, rays.lengths);
+  s.slices.interpolate(slices, rays.places, s.rays);
   const std::size_t stride = s.rays.padded_size();
-  s.increments.assign((s.boundaries.size() - 1) * stride, 0.0f);
-  const std::uint64_t pairs =
-      accumulate_increments(s.batch, s.rays, s.boundaries, s.increments.data());
+  const std::size_t last = s.slices.count() - 1;
+  s.increments.assign(last * stride, 0.0f);
+  const std::uint64_t pairs = accumulate_increments(s.batch, s.rays, s.slices, s.increments.data());
 
   const double b0 = medium.homogeneous_density();
   const auto negligible = static_cast<float>(medium.negligible_depth());
@@ -98,7 +95,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       s.radiance[l].assign(stride, 0.0f);
       radiance[l] = s.radiance[l].data();
     }
-    sum_slices(s.rays, s.boundaries, s.increments.data(), static_cast<float>(b0),
+    sum_slices(s.rays, s.slices, s.increments.data(), static_cast<float>(b0),
                static_cast<float>(medium.anisotropy()), negligible, std::span(pack).first(size),
                s.depths.data(), first == 0 ? shares : SliceShares(), radiance);
     for (std::size_t l = 0; l < size; ++l) {
@@ -108,10 +105,10 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   }
   if (environment) add_environment(*environment, rays, s, out.airlight);
   for (std::size_t k = 0; k < count; ++k) {
-    const double length = rays.lengths[k];
-    const double sliced = std::min(length, s.exact_boundaries.back());
     // Fog goes on where slices end; the Gaussians do not.
-    out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * (length - sliced) : 0.0);
+    const auto sliced = static_cast<double>(*s.slices.at(k, last));
+    const double rest = std::max(rays.lengths[k] - sliced, 0.0);
+    out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rest : 0.0);
   }
   return pairs;
 }

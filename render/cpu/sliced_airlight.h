@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/cpu/light_table.h"
+#include "render/cpu/ray_slices.h"
 #include "render/cpu/shadow_map.h"
 #include "render/cpu/tile_rays.h"
 #include "render/environment_source.h"
@@ -21,10 +22,11 @@ struct SlicedLight {
 };
 
 // Overwrites `out`. `gaussians`: the medium's that reach the tile; `environment`: null if there is
-// none; `slices` >= 2. Returns the number of Gaussian x ray pairs evaluated. Thread-safe.
+// none; `slices`: those of the tile. Returns the number of Gaussian x ray pairs evaluated.
+// Thread-safe.
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                               std::span<const SlicedLight> lights,
                               const EnvironmentSource* environment, const TileRays& rays,
-                              int slices, const TileAirlight& out);
+                              const SliceNodes& slices, const TileAirlight& out);
 
 }  // namespace brume

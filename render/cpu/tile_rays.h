@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -10,6 +14,29 @@ struct TileRays {
   glm::dvec3 eye{0.0};
   std::span<const glm::dvec3> directions;  // unit
   std::span<const double> lengths;         // to the surface [u], or +inf
+  std::size_t tile = 0;                    // of the film
+  std::span<const glm::vec2> places;       // in the tile, from (0, 0) to (1, 1)
+};
+
+// All rays that a tile's pixels may ask for.
+struct TileCone {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 center{0.0};   // unit
+  double spread = 0.0;      // how far a ray is from the center at most, at distance 1
+  double max_length = 0.0;  // [u], or +inf
+
+  // Where and how closely the ray of them that comes nearest to a point, relative to the eye,
+  // passes it [u]. Behind the eye it is the center's place.
+  struct Pass {
+    double t = 0.0;
+    double h = 0.0;
+  };
+  [[nodiscard]] Pass nearest_pass(const glm::dvec3& q) const {
+    const double t = glm::dot(q, center);
+    const double h = std::max(glm::length(q - t * center) - spread * std::max(t, 0.0), 0.0);
+    if (!(t > 0.0)) return {t, h};
+    return {std::sqrt(std::max(glm::dot(q, q) - h * h, t * t)), h};
+  }
 };
 
 struct TileAirlight {

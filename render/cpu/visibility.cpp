@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "core/scene/mesh.h"
+#include "render/cpu/edge_on.h"
 #include "render/cpu/lamp_sights.h"
+
 #include "render/cpu/surface_kernels.h"
 
 namespace brume {
@@ -84,7 +86,7 @@ struct Visibility::Impl {
     device = rtcNewDevice(nullptr);
     if (!device) throw std::bad_alloc();
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     for (const Surface& surface : surfaces) add(surface);
     raster.pad();
     rtcCommitScene(scene);
@@ -170,6 +172,40 @@ struct Visibility::Impl {
 
 namespace {
 
+// Rays that start at one point, and see no triangle edge-on.
+struct ViewContext {
+  RTCIntersectContext context;  // the first member: Embree hands out where it is
+  const std::vector<std::vector<Vertex>>& vertices;
+  const std::vector<std::vector<glm::uvec3>>& triangles;
+  glm::dvec3 eye;
+  double height;
+
+  ViewContext(const auto& impl, const glm::dvec3& origin, RTCIntersectContextFlags flags)
+      : vertices(impl.vertices),
+        triangles(impl.triangles),
+        eye(origin - impl.middle),
+        height(edge_on_height(eye, impl.radius)) {
+    rtcInitIntersectContext(&context);
+    context.flags = flags;
+    context.filter = refuse_edge_on;
+  }
+
+ private:
+  static void refuse_edge_on(const RTCFilterFunctionNArguments* found) {
+    const auto& view = *reinterpret_cast<const ViewContext*>(found->context);
+    for (unsigned i = 0; i < found->N; ++i) {
+      if (found->valid[i] == 0) continue;
+      const unsigned surface = RTCHitN_geomID(found->hit, found->N, i);
+      const unsigned triangle = RTCHitN_primID(found->hit, found->N, i);
+      const std::vector<Vertex>& all = view.vertices[surface];
+      const glm::uvec3& corners = view.triangles[surface][triangle];
+      const std::array<glm::vec3, 3> positions{all[corners.x].position, all[corners.y].position,
+                                               all[corners.z].position};
+      if (is_edge_on(positions, view.eye, view.height)) found->valid[i] = 0;
+    }
+  }
+};
+
 SurfaceHit hit(const Part& part, float tfar, unsigned geometry, unsigned triangle, float u,
                float v) {
   // Triangles near the end of float's range come out infinitely far.
@@ -248,8 +284,8 @@ SurfaceHit Visibility::first_hit(const glm::dvec3& origin, const glm::dvec3& dir
   RTCRayHit query{};
   impl_->set(query.ray, 0, origin, direction, part);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
-  rtcIntersect1(impl_->scene, &context, &query);
+  ViewContext view(*impl_, origin, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  rtcIntersect1(impl_->scene, &view.context, &query);
   return hit(part, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
 }
 
@@ -258,7 +294,7 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
   const bool near = is_near(origin);
-  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  ViewContext view(*impl_, origin, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
   for (std::size_t first = 0; first < directions.size(); first += packet) {
     alignas(64) std::array<int, packet> valid{};
     std::array<Part, packet> parts;
@@ -272,7 +308,7 @@ void Visibility::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3
       query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
       valid[k] = -1;
     }
-    rtcIntersect16(valid.data(), impl_->scene, &context, &query);
+    rtcIntersect16(valid.data(), impl_->scene, &view.context, &query);
     for (std::size_t k = 0; k < count; ++k) {
       hits[first + k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
                             query.hit.u[k], query.hit.v[k]);
@@ -287,7 +323,8 @@ bool Visibility::suits_raster(const CameraRays& rays, const Film& film) const {
 }
 
 Raster Visibility::raster(const CameraRays& rays, const Film& film, const Job& job) const {
-  return {impl_->raster, rays, rays.eye() - impl_->middle, film, job};
+  const glm::dvec3 eye = rays.eye() - impl_->middle;
+  return {impl_->raster, rays, eye, edge_on_height(eye, impl_->radius), film, job};
 }
 
 SurfaceHit Visibility::hit_of(const RasterPixel& pixel) const {

@@ -79,7 +79,8 @@ class Visibility {
   // Whether surfaces() still are these, mesh by mesh and place by place (materials do not count).
   [[nodiscard]] bool shows(std::span<const Surface> surfaces) const;
 
-  // The nearest hit of a ray (unit direction). Thread-safe.
+  // The nearest hit of a ray (unit direction); triangles in whose plane it starts are not seen
+  // (render/cpu/edge_on.h). Thread-safe.
   [[nodiscard]] SurfaceHit first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
   // The same for rays that lie close to each other, several times as fast. Hits nearer than

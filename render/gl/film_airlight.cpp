@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "render/light_pixels.h"
 #include "render/tiles.h"
 
 namespace brume::gl {
@@ -75,6 +76,11 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   asked_.reserve((tile_count * capacity + 3 * batches) * sizeof(std::uint32_t));
   totals_.reserve(3 * sizeof(std::uint32_t));
   totals_.clear();
+  const TilePixels near_lights =
+      sort_into_tiles(light_pixels(view.lights, view.rays, view.film, light_block),
+                      {sample_film.x, sample_film.y}, scale);
+  light_offsets_.upload(std::span<const std::uint32_t>(near_lights.offsets));
+  light_pixels_.upload(std::span<const glm::ivec2>(near_lights.pixels));
   clock.time("upsample", [&] {
     samples_.bind_image(1);
     totals_.bind(4);
@@ -90,6 +96,8 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     interpolate.set("batches_at", batches_at);
     textures.depth.bind_image(0);
     textures.airlight.bind_image(2);
+    light_offsets_.bind(0);
+    light_pixels_.bind(1);
     lists.seen().bind(2);
     lists.offsets().bind(3);
     asked_.bind(5);

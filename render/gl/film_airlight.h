@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/scene/camera.h"
+#include "core/scene/scene.h"
 #include "render/gl/device_clock.h"
 #include "render/gl/programs.h"
 #include "render/gl/tile_lists.h"
@@ -30,6 +31,7 @@ struct FilmView {
   double ray_end;  // of rays that hit nothing [u]; may be +inf
   double b0;
   const Settings& settings;
+  std::span<const PointLight> lights;  // that nothing is interpolated beside
 };
 
 // An airlight method over the pixels of a film: film_airlight() of render/film_airlight.h.
@@ -46,6 +48,7 @@ class FilmAirlight {
  private:
   Texture samples_;
   Buffer asked_, totals_;
+  Buffer light_offsets_, light_pixels_;
 };
 
 // Sets the uniforms of shaders/rays.glsl.

@@ -324,15 +324,16 @@ std::optional<Frame> GlRenderer::Impl::render(FrameWork& work, tbb::task_arena& 
   if (!arena.execute([&] { return group.stages.prepare_source(work, cpu_clock); })) {
     return std::nullopt;
   }
-  DeviceFrame frame{programs,
-                    clock,
-                    group.medium,
-                    group.mesh,
-                    group.lists,
-                    textures,
-                    {work.frame.film, work.rays, work.fog_end.of_rays(work.rays.eye()),
-                     group.stages.prepared().medium().homogeneous_density(), work.settings},
-                    arena};
+  DeviceFrame frame{
+      programs,
+      clock,
+      group.medium,
+      group.mesh,
+      group.lists,
+      textures,
+      {work.frame.film, work.rays, work.fog_end.of_rays(work.rays.eye()),
+       group.stages.prepared().medium().homogeneous_density(), work.settings, work.plan.lights},
+      arena};
   find_airlight(work, group, cpu_clock, frame);
   if (work.plan.lit_surfaces) {
     if (!work.plan.transfers.empty()) {

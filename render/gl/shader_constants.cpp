@@ -97,7 +97,8 @@ std::string shader_constants() {
   constants.add("group_size", Tiles::pixels);
   constants.add("chunk", slice_chunk);
   constants.add("most_bins", 4 * most_slices);
-  constants.add("most_boundaries", most_boundaries);
+  constants.add("most_boundaries", static_cast<int>(max_slice_boundaries));
+  constants.add("node_texture_width", node_texture_width);
   constants.add("most_bend_of_surroundings", most_bend_of_surroundings);
   constants.add("least_surface_share", least_surface_share);
   constants.add("radii_per_tolerance", radii_per_tolerance);

@@ -4,10 +4,10 @@
 
 namespace brume::gl {
 
-// What shaders have room for: slices per ray that a user may ask for, and where slices of a tile
-// may begin and end in all.
+// What shaders have room for: slices per ray that a user may ask for, and floats in a row and in a
+// column of the texture that holds their boundaries.
 constexpr int most_slices = 256;
-constexpr int most_boundaries = 1024;
+constexpr int node_texture_width = 16384;
 // Slices whose sums are in registers at a time.
 constexpr int slice_chunk = 8;
 

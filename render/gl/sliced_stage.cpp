@@ -28,10 +28,11 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, DeviceFrame& 
   make_shadows(work, lights, maps, device);
   lights_.upload(lights, &shadows_, eye);
 
+  slices_.choose(device.programs, device.clock, lights_, lights.size(), work.settings.slices,
+                 device.lists, device.view, device.textures);
   const Program& program = device.programs["sliced"];
   set_noise(program, medium.noise(), eye);
   program.set("light_count", static_cast<int>(lights.size()));
-  program.set("slices", work.settings.slices);
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("anisotropy", static_cast<float>(medium.anisotropy()));
   program.set("negligible", static_cast<float>(medium.negligible_depth()));
@@ -42,6 +43,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, DeviceFrame& 
         lights_.bind();
         shadows_.values().bind(6);
         source_.bind(7);
+        slices_.bind(program);
       },
       device.lists, device.view, device.textures);
 }

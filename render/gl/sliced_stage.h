@@ -7,6 +7,7 @@
 #include "render/gl/film_airlight.h"
 #include "render/gl/light_tables.h"
 #include "render/gl/shadow_maps.h"
+#include "render/gl/slice_texture.h"
 
 namespace brume::gl {
 
@@ -38,6 +39,7 @@ class SlicedStage {
 
   LightTables lights_;
   ShadowMaps shadows_;
+  SliceTexture slices_;
   FilmAirlight film_;
   Buffer source_;
   std::uint64_t source_revision_ = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
@@ -11,8 +12,8 @@
 namespace brume {
 namespace {
 
-Settings at_scale(int scale, AirlightMethod method = AirlightMethod::sliced) {
-  Settings settings = sliced_settings({}, 64);  // so that slicing differs less than is tested
+Settings at_scale(int scale, AirlightMethod method = AirlightMethod::sliced, int slices = 64) {
+  Settings settings = sliced_settings({}, slices);  // so that slicing differs less than is tested
   settings.airlight = method;
   settings.airlight_scale = scale;
   settings.upsampling_tolerance = 0.01;
@@ -101,9 +102,10 @@ TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
   ball.scale = 0.35;
   ball.translate = {0.6, 0.1, 1.2};
   scene.lights[0].position = {-2.0, 3.0, 4.0};
-  Settings settings = at_scale(4);
+  // Slicing differs most where steps cast shadows, by up to 4% in a pixel at 64 slices.
+  Settings settings = at_scale(4, AirlightMethod::sliced, 128);
   settings.upsampling_tolerance = 0.03;
-  const Frame full = render_frame(scene, at_scale(1));
+  const Frame full = render_frame(scene, at_scale(1, AirlightMethod::sliced, 128));
   const Frame frame = render_frame(scene, settings);
   const Errors light = errors(frame.airlight, full.airlight);
   const Errors taken = errors(frame.transmittance, full.transmittance);
@@ -127,6 +129,32 @@ TEST(AirlightScale, AnyFilmIsCovered) {
       SCOPED_TRACE(height);
       expect_finite(frame);
       EXPECT_LT(errors(frame.airlight, full.airlight).greatest, 0.1);
+    }
+  }
+}
+
+// A light between samples, alone in thin fog or in a Gaussian smaller than they are apart: what is
+// bright is nearer to it than any sample.
+TEST(AirlightScale, PixelsNearestToALightAreComputed) {
+  for (const glm::dvec2 offset :
+       {glm::dvec2(1.0, 2.0), glm::dvec2(2.4, 2.3), glm::dvec2(3.1, 0.4)}) {
+    Scene scene;
+    scene.film = {161, 120};
+    scene.camera = {{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
+    const CameraRays rays(scene.camera, scene.film);
+    const glm::dvec3 w = rays.direction(80.5 + offset.x, 60.5 + offset.y);
+    scene.lights.push_back({scene.camera.eye + 4.0 * w, glm::dvec3(10.0), {}});
+    for (const double b0 : {0.01, 0.0}) {
+      scene.medium = {};
+      scene.medium.set_homogeneous_density(b0);
+      if (b0 == 0.0) scene.medium.append({scene.lights[0].position, 0.01, 1.0});
+      const Frame full = render_frame(scene, at_scale(1));
+      for (const int scale : {2, 4}) {
+        SCOPED_TRACE(testing::Message()
+                     << offset.x << ' ' << offset.y << ", b0 " << b0 << ", scale " << scale);
+        const Frame frame = render_frame(scene, at_scale(scale));
+        EXPECT_LT(errors(frame.airlight, full.airlight).relative_rmse, 0.01);
+      }
     }
   }
 }

@@ -193,7 +193,7 @@ TEST(Kernels, PaperAirlightAgreesWithDouble) {
           directions.push_back(glm::normalize(random.point(1.0) - 0.2 * eye));
           lengths.push_back(k % 3 == 0 ? INFINITY : random.power(-1, 1));
         }
-        const TileRays rays{eye, directions, lengths};
+        const TileRays rays{eye, directions, lengths, 0, {}};
         std::vector<glm::vec3> fast(50), plain(50);
         std::vector<double> fast_depth(50), plain_depth(50);
         paper_airlight(index, all, paper, rays, Settings::Arithmetic::simd_float,

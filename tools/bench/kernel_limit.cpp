@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "render/cpu/slice_boundaries.h"
@@ -20,7 +21,8 @@ namespace {
 struct ViewTile {
   GaussianBatch batch;
   PathBatch rays;
-  std::vector<float> boundaries;
+  std::vector<float> boundaries;  // those of all rays
+  RaySlices slices;
 };
 
 using Lights = std::array<SliceLight, light_pack>;
@@ -60,13 +62,16 @@ void add_tile(View& view, const Scene& scene, const CameraRays& rays, int slices
   for (const PointLight& light : scene.lights) lights.push_back({light.position, light.intensity});
 
   std::vector<double> boundaries;
-  choose_slices(view.prepared.medium(), gaussians, lights, {rays.eye(), directions, lengths},
-                slices, boundaries);
+  const glm::dvec3 center = glm::normalize(directions.front() + directions.back());
+  const TileCone cone{rays.eye(), center, glm::length(directions.front() - center),
+                      *std::ranges::max_element(lengths)};
+  choose_slices(view.prepared.medium(), gaussians, lights, cone, slices, boundaries);
   if (boundaries.size() < 2) return;
   ViewTile& tile = view.tiles.emplace_back();
   tile.boundaries.assign(boundaries.begin(), boundaries.end());
   tile.batch.assign(view.prepared.medium(), rays.eye(), gaussians);
   tile.rays.assign(directions, lengths);
+  tile.slices.assign(tile.boundaries, tile.rays);
 }
 
 void make_view(const Scene& scene, const Settings& settings, View& view) {
@@ -101,11 +106,10 @@ Seconds run_kernels(const View& view, float negligible) {
   };
   for (const ViewTile& tile : view.tiles) {
     increments.assign((tile.boundaries.size() - 1) * tile.rays.padded_size(), 0.0f);
-    timed(seconds.view, [&] {
-      accumulate_increments(tile.batch, tile.rays, tile.boundaries, increments.data());
-    });
+    timed(seconds.view,
+          [&] { accumulate_increments(tile.batch, tile.rays, tile.slices, increments.data()); });
     const auto sum = [&](const Lights& lights) {
-      sum_slices(tile.rays, tile.boundaries, increments.data(), 0.0f, 0.0f, negligible,
+      sum_slices(tile.rays, tile.slices, increments.data(), 0.0f, 0.0f, negligible,
                  std::span(lights).first(view.light_count), depths.data(), {}, out);
     };
     timed(seconds.sum, [&] { sum(view.lights); });

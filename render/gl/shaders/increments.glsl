@@ -1,6 +1,6 @@
 // The optical depth of Gaussians on `chunk` slices of a ray at a time, in registers: see
 // accumulate_increments() in render/cpu/slice_kernels.h. The including shader declares the shared
-// boundaries[], ascending.
+// nearest[] and farthest[], ascending: between them each boundary of all rays of the group is.
 #include "gaussian.glsl"
 #pragma optionNV(unroll all)
 
@@ -9,29 +9,32 @@ ivec2 touched_slices(float from, float to, int first, int last) {
   ivec2 range = ivec2(0);
   const int count = min(chunk, last - first);
   for (int k = 0; k < count; ++k) {
-    if (boundaries[first + k + 1] <= from) range.x = k + 1;
-    if (boundaries[first + k] < to) range.y = k + 1;
+    if (farthest[first + k + 1] <= from) range.x = k + 1;
+    if (nearest[first + k] < to) range.y = k + 1;
   }
   return range;
 }
 
+// `ends`: where the slices of the chunk begin and end on this ray.
 void add_increments(inout float increments[chunk], Crossing crossing, float a, float scale,
-                    float length_, int first, ivec2 range) {
+                    float ends[chunk + 1], ivec2 range) {
   if (scale > exact_above) {
-    float before = a * (min(boundaries[first + range.x], length_) - crossing.t0);
+    float before = 0.0;
     for (int k = 0; k < chunk; ++k) {
       if (k < range.x || k >= range.y) continue;
-      const float now = a * (min(boundaries[first + k + 1], length_) - crossing.t0);
+      if (k == range.x) before = a * (ends[k] - crossing.t0);
+      const float now = a * (ends[k + 1] - crossing.t0);
       increments[k] += scale * segment_integral(crossing.e, before, now, now - before);
       before = now;
     }
     return;
   }
   const float weight = scale * exp(-crossing.e);
-  float before = erf_fast(a * (min(boundaries[first + range.x], length_) - crossing.t0));
+  float before = 0.0;
   for (int k = 0; k < chunk; ++k) {
     if (k < range.x || k >= range.y) continue;
-    const float now = erf_fast(a * (min(boundaries[first + k + 1], length_) - crossing.t0));
+    if (k == range.x) before = erf_fast(a * (ends[k] - crossing.t0));
+    const float now = erf_fast(a * (ends[k + 1] - crossing.t0));
     increments[k] += weight * (now - before);
     before = now;
   }

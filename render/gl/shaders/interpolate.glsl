@@ -9,6 +9,9 @@ layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; <
 layout(rgba32f, binding = 1) readonly uniform image2D samples;
 layout(rgba32f, binding = 2) writeonly uniform image2D airlight_image;
 
+// The pixels nearest to lights, and where those of each tile begin: TilePixels.
+layout(std430, binding = 0) readonly buffer LightOffsets { uint light_offsets[]; };
+layout(std430, binding = 1) readonly buffer LightPixels { ivec2 light_pixels[]; };
 layout(std430, binding = 2) readonly buffer Seen { vec4 seen[]; };
 layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
 layout(std430, binding = 4) buffer Totals {
@@ -208,11 +211,29 @@ bool of_surface(Surroundings corners[4], Cell cell, ivec2 pixel, float near, out
   return true;
 }
 
+bool is_sample(ivec2 pixel) {
+  return all(equal(mix(pixel % scale, ivec2(0), equal(pixel, film - 1)), ivec2(0)));
+}
+
+// Which of a cell's pixels are nearest to a light, a bit for each.
+uint near_lights(Cell cell, int tile) {
+  uint bits = 0u;
+  const int columns = cell.end.x - cell.begin.x;
+  for (uint k = light_offsets[tile]; k < light_offsets[tile + 1]; ++k) {
+    const ivec2 pixel = light_pixels[k];
+    if (any(lessThan(pixel, cell.begin)) || any(greaterThanEqual(pixel, cell.end))) continue;
+    if (is_sample(pixel)) continue;
+    bits |= 1u << ((pixel.y - cell.begin.y) * columns + pixel.x - cell.begin.x);
+  }
+  return bits;
+}
+
 // Fills a cell's pixels. Returns those that must be asked for, a bit for each, row by row.
-uint fill(Cell cell, ivec2 at, float near) {
+uint fill(Cell cell, ivec2 at, float near, uint exact) {
   const ivec2 size = cell.end - cell.begin;
   uint uneven = 0u;
   for (int k = 0; k < size.x * size.y; ++k) {
+    if ((exact >> k & 1u) != 0u) continue;
     const ivec2 pixel = cell.begin + ivec2(k % size.x, k / size.x);
     const vec2 f = shares_at(cell, pixel);
     if (on_sample(f)) continue;
@@ -223,12 +244,12 @@ uint fill(Cell cell, ivec2 at, float near) {
       uneven |= 1u << k;
     }
   }
-  if (uneven == 0u) return 0u;
+  if (uneven == 0u) return exact;
   Surroundings corners[4];
   for (int k = 0; k < 4; ++k) {
     corners[k] = surroundings(min(at + ivec2(k % 2, k / 2), sample_film - 1));
   }
-  uint left = 0u;
+  uint left = exact;
   for (uint bits = uneven; bits != 0u; bits &= bits - 1u) {
     const int k = findLSB(bits);
     const ivec2 pixel = cell.begin + ivec2(k % size.x, k / size.x);
@@ -252,7 +273,7 @@ void main() {
   const bool live = all(lessThan(at, last));
   const float near = depth_tolerance(tile);
   const Cell cell = cell_at(min(at, sample_film - 1), last);
-  const uint left = live ? fill(cell, at, near) : 0u;
+  const uint left = live ? fill(cell, at, near, near_lights(cell, tile)) : 0u;
   const uint own = uint(bitCount(left));
   // Pixels are listed cell by cell, so that neighbours share their slices.
   sums[id] = own;

@@ -4,7 +4,8 @@
 layout(local_size_x = 64) in;
 
 const int most_radii = 1024;
-shared float boundaries[most_radii];
+shared float nearest[most_radii];  // all rays have the same boundaries
+#define farthest nearest
 
 #include "cone.glsl"
 #include "direction_map.glsl"
@@ -42,7 +43,7 @@ void main() {
   const vec3 w = map_direction(map, cell - 1);
   directions[id] = w;
   for (int k = int(id); k < radii; k += 64) {
-    boundaries[k] = first_radius + float(k) / (radii_per_unit - bend * float(k));
+    nearest[k] = first_radius + float(k) / (radii_per_unit - bend * float(k));
   }
   barrier();
   if (id == 0u) find_cone();
@@ -54,7 +55,9 @@ void main() {
   uint evaluated = 0u;
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
+    float ends[chunk + 1];
     for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
+    for (int k = 0; k <= chunk; ++k) ends[k] = nearest[min(first + k, last)];
     for (uint base = 0u; base < count; base += 64u) {
       barrier();
       if (id == 0u) found = 0u;
@@ -72,7 +75,7 @@ void main() {
           gaussians[slot] = vec4(b, shape.x);
           shapes_of[slot] = shape;
           ranges[slot] = range;
-          counted[slot] = first == 0 || distance_ - shape.w > boundaries[first] ? 1u : 0u;
+          counted[slot] = first == 0 || distance_ - shape.w > nearest[first] ? 1u : 0u;
         }
       }
       barrier();
@@ -81,7 +84,7 @@ void main() {
         const Crossing crossing = crossing_of(g.xyz, w, g.w);
         if (crossing.e > shapes_of[j].z) continue;
         evaluated += counted[j];
-        add_increments(increments, crossing, g.w, shapes_of[j].y, endless, first, ranges[j]);
+        add_increments(increments, crossing, g.w, shapes_of[j].y, ends, ranges[j]);
       }
     }
     // A word holds a radius and the next; so the first of a chunk ends the last one of the former.

@@ -1,55 +1,14 @@
-// Where the slices of a work group's rays begin and end: choose_slices() of
-// render/cpu/slice_boundaries.h, by all invocations of the group together. Leaves them in
-// boundaries[0 .. boundary_count), ascending.
+// Where the slices of a tile's rays begin and end: choose_slices() of render/cpu/slice_boundaries.h, by
+// all invocations of the group together. Leaves them in boundaries[0 .. boundary_count), ascending.
+shared float boundaries[most_boundaries];
 shared float unsorted[most_boundaries];
 shared uint unsorted_count;
 shared int boundary_count;
 shared float demand_rate[most_bins];
 shared float demand_curvature[most_bins];
 shared vec4 demand_of[group_size];  // a Gaussian: place on the ray, radius, peak, radii that matter
-shared float reduced[group_size];
 
-float reduce_min(float value) {
-  const int id = int(gl_LocalInvocationID.x);
-  barrier();
-  reduced[id] = value;
-  for (int half_ = group_size / 2; half_ > 0; half_ /= 2) {
-    barrier();
-    if (id < half_) reduced[id] = min(reduced[id], reduced[id + half_]);
-  }
-  barrier();
-  return reduced[0];
-}
-
-float reduce_max(float value) { return -reduce_min(-value); }
-
-float reduce_sum(float value) {
-  const int id = int(gl_LocalInvocationID.x);
-  barrier();
-  reduced[id] = value;
-  for (int half_ = group_size / 2; half_ > 0; half_ /= 2) {
-    barrier();
-    if (id < half_) reduced[id] += reduced[id + half_];
-  }
-  barrier();
-  return reduced[0];
-}
-
-// The middle ray of a group and the others' greatest distance from it, at distance 1.
-struct MiddleRay {
-  vec3 w;
-  float spread;
-  float longest;
-};
-
-MiddleRay middle_ray(bool live, vec3 w, float length_) {
-  MiddleRay ray;
-  const vec3 own = live ? w : vec3(0.0);
-  ray.w = normalize(vec3(reduce_sum(own.x), reduce_sum(own.y), reduce_sum(own.z)));
-  ray.spread = sqrt(reduce_max(live ? dot(w - ray.w, w - ray.w) : 0.0));
-  ray.longest = reduce_max(live ? length_ : 0.0);
-  return ray;
-}
+#include "middle_ray.glsl"
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
 
@@ -76,11 +35,11 @@ void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
     if (base + id < end) {
       const uint i = list[base + id];
       const vec4 g = seen[2 * i];
-      const float t = dot(g.xyz, ray.w);
+      const vec2 pass = nearest_pass(ray, g.xyz);
+      const float t = pass.x;
       const float half_ = core_radii(2.0 * seen[2 * i + 1].x) / g.w;
       if (t + half_ >= core.x && t - half_ <= core.y) {
-        const float h =
-            g.w * max(length(g.xyz - t * ray.w) - ray.spread * max(t, 0.0), 0.0);
+        const float h = g.w * pass.y;
         const float peak = seen[2 * i + 1].x * g.w / 0.886226925 * exp(-h * h);
         const float depth = 1.77245385 * peak / g.w;
         demand_of[id] =
@@ -141,14 +100,15 @@ void cut_demand(vec2 core, int bins, int count) {
 }
 
 // Where light falls off within a medium, slices of equal angle as seen from the light.
-void add_equi_angular(int l, vec3 w, vec2 range, int count) {
+void add_equi_angular(int l, MiddleRay ray, vec2 range, int count) {
   const int k = int(gl_LocalInvocationID.x) + 1;
   const vec3 q = lights[l].position.xyz;
-  const float ts = dot(q, w);
+  const vec3 w = ray.w;
+  const float ts = nearest_pass(ray, q).x;
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
   // what is near the light if the medium is endless.
   const float least = 0.25 * min(range.y - range.x, 16.0 * length(q - range.x * w)) / float(count);
-  const float h = max(max(length(q - ts * w), max(lights[l].position.w, least)),
+  const float h = max(max(length(q - dot(q, w) * w), max(lights[l].position.w, least)),
                       max(1e-6 * abs(ts), 1e-30));
   // From the light's foot on the ray, where angles are well known in single precision.
   const float begin = atan((range.x - ts) / h);
@@ -183,7 +143,7 @@ void sort_boundaries(float least) {
   barrier();
 }
 
-void choose_slices(MiddleRay ray, uint begin, uint end, int slices, float b0) {
+void choose_slices(MiddleRay ray, uint begin, uint end, int slices, int per_light, float b0) {
   const int id = int(gl_LocalInvocationID.x);
   barrier();
   if (id == 0) {
@@ -195,10 +155,10 @@ void choose_slices(MiddleRay ray, uint begin, uint end, int slices, float b0) {
   for (uint k = begin + id; k < end; k += group_size) {
     const uint i = list[k];
     const vec4 g = seen[2 * i];
-    const float t = dot(g.xyz, ray.w);
+    const float t = nearest_pass(ray, g.xyz).x;
     const float r = seen[2 * i + 1].w;
     const float half_ = min(core_radii(2.0 * seen[2 * i + 1].x) / g.w, r);
-    reach = vec2(min(reach.x, t - r), max(reach.y, t + r));
+    reach = vec2(min(reach.x, min(dot(g.xyz, ray.w), t) - r), max(reach.y, t + r));
     core = vec2(min(core.x, t - half_), max(core.y, t + half_));
   }
   const vec2 ends = vec2(0.0, ray.longest);
@@ -233,7 +193,7 @@ void choose_slices(MiddleRay ray, uint begin, uint end, int slices, float b0) {
     const float h = length(q - ts * ray.w);
     const float gap = max(max(bright.x - ts, ts - bright.y), 0.0);
     if (!(bright.x < bright.y) || length(vec2(gap, h)) > 0.5 * (bright.y - bright.x)) continue;
-    add_equi_angular(l, ray.w, bright, max(slices / min(light_count, 4), 4));
+    add_equi_angular(l, ray, bright, per_light);
   }
   if (b0 > 0.0) {
     // Slices of equal loss in the fog.

@@ -3,17 +3,15 @@
 #include "constants.glsl"
 #include "tile_list.glsl"
 
-shared float boundaries[most_boundaries];
-
 #include "film.glsl"
 #include "noise.glsl"
 #include "lights.glsl"
 #include "shadows.glsl"
+#include "ray_slices.glsl"
 #include "increments.glsl"
-#include "slice_boundaries.glsl"
+#include "middle_ray.glsl"
 #include "source.glsl"
 
-uniform int slices;
 uniform float b0;
 uniform float anisotropy;
 uniform float negligible;
@@ -23,6 +21,7 @@ shared vec4 batch_position[group_size];
 shared vec4 batch_shape[group_size];
 shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
 shared float spilled[chunk * group_size];
+shared float spilled_ends[chunk * group_size];
 
 // The slices of the chunk at `first` that any ray of the group may meet Gaussian i in.
 ivec4 slices_of(uint i, MiddleRay ray, int first, int last) {
@@ -33,7 +32,7 @@ ivec4 slices_of(uint i, MiddleRay ray, int first, int last) {
   const float slack =
       sqrt(seen[2 * i + 1].y) / g.w + ray.spread * (h + 0.5 * ray.spread * abs(t));
   const ivec2 range = touched_slices(t - slack, t + slack, first, last);
-  return ivec4(range, first == 0 || t - slack > boundaries[first] ? 1 : 0, 0);
+  return ivec4(range, first == 0 || t - slack >= farthest[first] ? 1 : 0, 0);
 }
 
 void main() {
@@ -43,17 +42,18 @@ void main() {
   const float length_ = pixel.live ? ray_length(pixel.at) : 0.0;
   const uint begin = offsets[pixel.tile];
   const uint end = offsets[pixel.tile + 1];
-  const MiddleRay ray = middle_ray(pixel.live, w, length_);
+  const MiddleRay ray = middle_ray(pixel.live, w);
   set_source_weights(w);
-  choose_slices(ray, begin, end, slices, b0);
-  barrier();
+  find_slice_bounds(pixel.tile);
+  const SlicePlace place = slice_place(pixel.tile, pixel.at);
 
   const int last = boundary_count - 1;
   float depth = 0.0;
   vec3 airlight = vec3(0.0);
   vec3 scattered = vec3(0.0);
   uint pairs = 0u;
-  float from = last > 0 ? min(boundaries[0], length_) : 0.0;
+  float boundary = last > 0 ? slice_boundary(place, 0) : 0.0;
+  float from = min(boundary, length_);
   // SliceShares::along_rays.
   const bool has_peak = source_levels > 0 && source_bands > 1;
   const bool needs_line = has_peak && anisotropy > 0.0;
@@ -62,7 +62,14 @@ void main() {
   float passes = exp(-b0 * from);
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
+    float ends[chunk + 1];
     for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
+    ends[0] = from;
+    for (int k = 0; k < chunk; ++k) {
+      // Rounding must not turn slices round.
+      boundary = max(boundary, slice_boundary(place, min(first + k + 1, last)));
+      ends[k + 1] = min(boundary, length_);
+    }
     for (uint base = begin; base < end; base += group_size) {
       barrier();
       if (id == 0u) found = 0u;
@@ -87,14 +94,17 @@ void main() {
         if (needs_line && first == 0) {
           line_depth += shape.x * crossing_depth(crossing, g.w, 1e18);
         }
-        add_increments(increments, crossing, g.w, shape.x, length_, first, batch_slices[j].xy);
+        add_increments(increments, crossing, g.w, shape.x, ends, batch_slices[j].xy);
       }
     }
     // From here on slices are taken one by one, which registers cannot be.
-    for (int k = 0; k < chunk; ++k) spilled[k * group_size + id] = increments[k];
+    for (int k = 0; k < chunk; ++k) {
+      spilled[k * group_size + id] = increments[k];
+      spilled_ends[k * group_size + id] = ends[k + 1];
+    }
     const int count = min(chunk, last - first);
     for (int k = 0; k < count; ++k) {
-      const float to = min(boundaries[first + k + 1], length_);
+      const float to = spilled_ends[k * group_size + id];
       const float gaussians = max(spilled[k * group_size + id], 0.0);
       const float fog = b0 * (to - from);
       const float increment = fog + gaussians;
@@ -137,6 +147,6 @@ void main() {
     scattered += along_ray * source_peak(anisotropy < 0.0, line_depth);
   }
   // Fog goes on where slices end; the Gaussians do not.
-  if (b0 > 0.0 && last > 0) depth += b0 * (length_ - min(length_, boundaries[last]));
+  if (b0 > 0.0 && last > 0) depth += b0 * (length_ - from);
   store_pixel(pixel, airlight + max(scattered, vec3(0.0)), depth, pairs);
 }

@@ -19,6 +19,16 @@ struct Hit {
   int triangle;  // < 0: none
 };
 
+// Rays from `seen_from` see no triangle edge-on: see render/cpu/edge_on.h. < 0: other rays.
+dvec3 seen_from = dvec3(0.0LF);
+double edge_on_height = -1.0LF;
+
+bool is_edge_on(vec3 a, vec3 b, vec3 c) {
+  const dvec3 normal = cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
+  const double above = dot(normal, seen_from - dvec3(a));
+  return above * above <= edge_on_height * edge_on_height * dot(normal, normal);
+}
+
 vec3 corner_of(int triangle, int k) { return intBitsToFloat(corners[3 * triangle + k].xyz); }
 
 // a x b or b x c, which are equal for edges that close: by component that which cancels less.
@@ -46,6 +56,11 @@ void meet_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit) {
   if (den == 0.0) return;
   const float t = 2.0 * dot(v0, normal) / den;
   if (!(t >= tnear && t < hit.t)) return;
+  if (edge_on_height >= 0.0LF &&
+      is_edge_on(corner_of(triangle, 0), corner_of(triangle, 1), corner_of(triangle, 2))) {
+    return;
+  }
+
   const float share = all == 0.0 ? 0.0 : 1.0 / all;
   hit = Hit(t, min(U * share, 1.0), min(V * share, 1.0), triangle);
 }
@@ -100,6 +115,10 @@ Hit first_hit(dvec3 origin, dvec3 direction, float nearest, out float skip) {
     start = max(-dot(origin, direction) - 1.01LF * surfaces_radius, 0.0LF);
   }
   skip = float(start);
-  return trace(vec3(origin + start * direction), vec3(direction), max(nearest - skip, 0.0), 1e38,
-               false);
+  seen_from = origin;
+  edge_on_height = 1e-6LF * max(length(origin), surfaces_radius);
+  const Hit hit = trace(vec3(origin + start * direction), vec3(direction),
+                        max(nearest - skip, 0.0), 1e38, false);
+  edge_on_height = -1.0LF;
+  return hit;
 }

@@ -1,0 +1,77 @@
+// The slices of the nodes between tiles: merge_slices() of render/cpu/film_slices.h. A work group takes a
+// node.
+#include "constants.glsl"
+#include "linear.glsl"
+#include "slice_nodes.glsl"
+
+layout(local_size_x = 128) in;
+
+layout(r32f, binding = 4) writeonly uniform image2D slice_nodes;
+layout(std430, binding = 5) readonly buffer Chosen { float chosen[]; };  // see choose_slices.glsl
+
+uniform ivec2 tiles;
+uniform int stride;
+
+shared float merged[4 * most_boundaries];
+
+// How many of an ascending list are less than a value, or no greater.
+int count_before(int first, int count, float value, bool or_equal) {
+  int low = 0;
+  int high = count;
+  while (low < high) {
+    const int at = (low + high) / 2;
+    const float known = chosen[first + at];
+    if (known < value || (or_equal && known == value)) {
+      low = at + 1;
+    } else {
+      high = at;
+    }
+  }
+  return low;
+}
+
+void main() {
+  const int id = int(gl_LocalInvocationID.x);
+  const int columns = 2 * tiles.x + 1;
+  const int node = int(linear_group());
+  if (node >= columns * (2 * tiles.y + 1)) return;  // all of the group alike
+  const ivec2 at = ivec2(node % columns, node / columns);
+  const ivec2 begin = max(at - 1, 0) / 2;
+  const ivec2 end = min(at / 2, tiles - 1);
+  int firsts[4];
+  int counts[4];
+  int lists = 0;
+  int total = 0;
+  for (int y = begin.y; y <= end.y; ++y) {
+    for (int x = begin.x; x <= end.x; ++x) {
+      const int first = (y * tiles.x + x) * (stride + 1);
+      const int count = int(chosen[first]);
+      if (count == 0) continue;
+      firsts[lists] = first + 1;
+      counts[lists++] = count;
+      total += count;
+    }
+  }
+  for (int j = 0; j < lists; ++j) {
+    for (int i = id; i < counts[j]; i += 128) {
+      const float value = chosen[firsts[j] + i];
+      int rank = i;
+      for (int other = 0; other < lists; ++other) {
+        if (other != j) rank += count_before(firsts[other], counts[other], value, other < j);
+      }
+      merged[rank] = value;
+    }
+  }
+  barrier();
+  const int count = lists > 0 ? (total + lists - 1) / lists : 0;
+  const int place = node * (stride + 1);
+  if (id == 0) imageStore(slice_nodes, node_texel(place), vec4(float(count)));
+  for (int k = id; k < stride && lists > 0; k += 128) {
+    float value = 0.0;
+    for (int j = 0; j < lists; ++j) value += merged[min(lists * k + j, total - 1)];
+    value /= float(lists);
+    if (k == 0) value = merged[0];
+    if (k >= count - 1) value = merged[total - 1];
+    imageStore(slice_nodes, node_texel(place + 1 + k), vec4(value));
+  }
+}

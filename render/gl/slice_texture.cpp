@@ -1,0 +1,58 @@
+#include "render/gl/slice_texture.h"
+
+#include <algorithm>
+
+#include "render/cpu/slice_boundaries.h"
+#include "render/gl/shader_constants.h"
+
+namespace brume::gl {
+
+void SliceTexture::choose(Programs& programs, DeviceClock& clock, LightTables& lights,
+                          std::size_t light_count, int slices, TileLists& lists,
+                          const FilmView& view, const FilmTextures& textures) {
+  const glm::ivec2 tiles = lists.tiles();
+  const auto tile_count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
+  const auto node_count =
+      static_cast<std::size_t>(2 * tiles.x + 1) * static_cast<std::size_t>(2 * tiles.y + 1);
+  stride_ = static_cast<int>(max_boundaries(slices, light_count, view.b0 > 0.0));
+  const auto record = static_cast<std::size_t>(stride_) + 1;
+  chosen_.reserve(tile_count * record * sizeof(float));
+  const std::size_t rows = node_count * record / node_texture_width + 1;
+  if (rows > node_texture_width) throw OutOfMemory("the device has no room for so many slices");
+  nodes_.reserve(Texture::Format::r32f, glm::ivec2(node_texture_width, static_cast<int>(rows)));
+
+  clock.time("airlight", [&] {
+    const Program& choose = programs["choose_slices"];
+    set_rays(choose, view.rays);
+    choose.set("film", glm::ivec2(view.film.width, view.film.height));
+    choose.set("tiles", tiles);
+    choose.set("scale", view.settings.airlight_scale);
+    choose.set("ray_end", static_cast<float>(std::min(view.ray_end, 1e30)));
+    choose.set("light_count", static_cast<int>(light_count));
+    choose.set("slices", slices);
+    choose.set("per_light", slices_per_light(slices, light_count));
+    choose.set("b0", static_cast<float>(view.b0));
+    choose.set("stride", stride_);
+    lights.bind();
+    lists.seen().bind(2);
+    lists.offsets().bind(3);
+    lists.entries().bind(4);
+    chosen_.bind(5);
+    textures.depth.bind_image(0);
+    choose.dispatch_linear(tile_count);
+
+    const Program& merge = programs["merge_slices"];
+    merge.set("tiles", tiles);
+    merge.set("stride", stride_);
+    chosen_.bind(5);
+    nodes_.bind_image(4);
+    merge.dispatch_linear(node_count);
+  });
+}
+
+void SliceTexture::bind(const Program& program) const {
+  program.set("stride", stride_);
+  nodes_.bind_image(4);
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+#include "core/scene/scene.h"
+
+#include "render/frame.h"
+
+namespace brume {
+
+// Steps in the error of a frame's airlight where tiles meet, beside those within tiles. Each is the
+// mean along the side of a tile.
+struct Seams {
+  // Absolute values, ascending, relative to the truth's rms.
+  std::vector<double> borders, insides;
+
+  void add(const Seams& more);
+  // How many times those at borders are those within tiles, at this share of each.
+  [[nodiscard]] double ratio(double share) const;
+};
+
+// A scene of a few Gaussians, lights in and beside them, and now and then homogeneous fog, noise or
+// a ball: what is wrong with its airlight is smooth but for tiles. The same for the same seed.
+Scene seam_scene(unsigned seed);
+
+// `frame` with its airlight at 1 / `scale`, `truth` of the same view. Where the eye sees edges of
+// surfaces, nothing is compared.
+Seams find_seams(const Frame& frame, const Frame& truth, int scale);
+
+}  // namespace brume
