@@ -58,13 +58,13 @@ void RaySlices::interpolate(const SliceNodes& nodes, std::span<const glm::vec2> 
     const float* const lengths = rays.length.data() + first;
     float* const nearest = nearest_.data() + first / group * count_;
     float* const farthest = farthest_.data() + first / group * count_;
+    const Cell first_cell(nodes, cells[0]);
     std::array<float, group> before{};
     for (std::size_t k = 0; k < count_; ++k) {
       float* const t = t_.data() + (first / group * count_ + k) * group;
       std::array<float, group> now;
       if (share_cell) {
-        const Cell cell(nodes, cells[0]);
-        for (std::size_t i = 0; i < group; ++i) now[i] = cell.at(k, x[i], y[i]);
+        for (std::size_t i = 0; i < group; ++i) now[i] = first_cell.at(k, x[i], y[i]);
       } else {
         for (std::size_t i = 0; i < group; ++i) now[i] = Cell(nodes, cells[i]).at(k, x[i], y[i]);
       }
@@ -72,8 +72,16 @@ void RaySlices::interpolate(const SliceNodes& nodes, std::span<const glm::vec2> 
       for (std::size_t i = 0; i < group; ++i) before[i] = before[i] < now[i] ? now[i] : before[i];
       for (std::size_t i = 0; i < group; ++i)
         t[i] = before[i] < lengths[i] ? before[i] : lengths[i];
-      nearest[k] = *std::ranges::min_element(before);
-      farthest[k] = *std::ranges::max_element(before);
+      std::array<float, group> low = before;
+      std::array<float, group> high = before;
+      for (std::size_t half = group / 2; half > 0; half /= 2) {
+        for (std::size_t i = 0; i < half; ++i) {
+          low[i] = low[i] < low[i + half] ? low[i] : low[i + half];
+          high[i] = high[i] < high[i + half] ? high[i + half] : high[i];
+        }
+      }
+      nearest[k] = low[0];
+      farthest[k] = high[0];
     }
   }
 }
