@@ -399,7 +399,6 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
   const CameraRays::FilmPlane plane = rays.plane();
   view_ = {glm::vec3(eye),
            edge_on_height,
-
            glm::vec3(rays.forward()),
            glm::vec3(plane.corner + 0.5 * plane.per_x + 0.5 * plane.per_y),
            glm::vec3(plane.per_x),
