@@ -42,6 +42,21 @@ double core_reach(double r, double c) {
   return line_depth(c, r) < slice_opaque ? 2.0 * r : reach(r, c, tail_depth);
 }
 
+// How a tile's rays pass a Gaussian of exponent g.a^2 at q from the eye, and where it wants slices.
+struct Passing {
+  double t;  // [u]
+  double h;  // in radii, of the nearest ray
+};
+
+// A Gaussian among the rays wants them where the nearest ray passes it. Of one whose tail alone is
+// met the light tells where: there the center's place is as good, and does not lean to one side.
+Passing passing(const TileCone& rays, const glm::dvec3& q, double a) {
+  const TileCone::Pass nearest = rays.nearest_pass(q);
+  const double center = glm::dot(q, rays.center);
+  const double h = a * nearest.h;
+  return {center + std::exp(-h * h) * (nearest.t - center), h};
+}
+
 // How many boundaries a stretch of a ray wants: the midpoint rule is off by the second derivative
 // of what it sums, so slices go with its cube root (c / r^2 within a Gaussian, seen through what
 // lies before it), over an even share that keeps thin media in view.
@@ -152,9 +167,9 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   for (const std::uint32_t i : gaussians) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
     const glm::dvec3 q = g.b - rays.eye;
-    const double t = rays.nearest_pass(q).t;
     const double r = medium.reach()[i];
-    reach.add(std::min(glm::dot(q, w), t) - r, t + r);
+    reach.add(glm::dot(q, w) - r, rays.nearest_pass(q).t + r);
+    const double t = passing(rays, q, g.a).t;
     const double half = std::min(core_reach(1.0 / g.a, g.c), r);
     core.add(t - half, t + half);
   }
@@ -175,11 +190,10 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
       for (const std::uint32_t i : gaussians) {
         const GaussianTerm<double>& g = medium.gaussians()[i];
         const glm::dvec3 q = g.b - rays.eye;
-        const TileCone::Pass pass = rays.nearest_pass(q);
+        const auto [t, h] = passing(rays, q, g.a);
         const double half = core_reach(1.0 / g.a, g.c);
-        if (pass.t + half < core.begin || pass.t - half > core.end) continue;
-        const double h = g.a * pass.h;
-        demand.add(pass.t, 1.0 / g.a, g.c * std::exp(-h * h));
+        if (t + half < core.begin || t - half > core.end) continue;
+        demand.add(t, 1.0 / g.a, g.c * std::exp(-h * h));
       }
       demand.cut(slices - 2, boundaries);
     }

@@ -26,9 +26,9 @@ constexpr double bound = 0.02;
 // environment: its reference takes a tenth of a second a pixel.
 Scene scene_of(unsigned seed) {
   Scene scene = seed % 2 == 0 ? random_fog_scene(seed) : random_scene(seed);
-  // Enough pixels for the sample to be a small part, few enough for all of them to be computed; and
-  // one pixel of 768 is 3.6% of their rms, so that a single one may break the bound.
-  scene.film = {32, 24};
+  // Three times as many pixels as a sample takes, few enough for all of them to be computed; and
+  // one pixel of 432 is 4.8% of their rms, so that a single one may break the bound.
+  scene.film = {24, 18};
   scene.environment.reset();
   return scene;
 }

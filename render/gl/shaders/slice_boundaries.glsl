@@ -21,6 +21,14 @@ vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float
   return bin >= ends.x && bin <= ends.y ? demand : vec2(0.0);
 }
 
+// As passing() of the CPU: t, and h in radii.
+vec2 passing(MiddleRay ray, vec3 q, float a) {
+  const vec2 nearest = nearest_pass(ray, q);
+  const float center = dot(q, ray.w);
+  const float h = a * nearest.y;
+  return vec2(center + exp(-h * h) * (nearest.x - center), h);
+}
+
 // Slice demand: see SliceDemand.
 void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
   const int id = int(gl_LocalInvocationID.x);
@@ -35,12 +43,11 @@ void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
     if (base + id < end) {
       const uint i = list[base + id];
       const vec4 g = seen[2 * i];
-      const vec2 pass = nearest_pass(ray, g.xyz);
+      const vec2 pass = passing(ray, g.xyz, g.w);
       const float t = pass.x;
       const float half_ = core_radii(2.0 * seen[2 * i + 1].x) / g.w;
       if (t + half_ >= core.x && t - half_ <= core.y) {
-        const float h = g.w * pass.y;
-        const float peak = seen[2 * i + 1].x * g.w / 0.886226925 * exp(-h * h);
+        const float peak = seen[2 * i + 1].x * g.w / 0.886226925 * exp(-pass.y * pass.y);
         const float depth = 1.77245385 * peak / g.w;
         demand_of[id] =
             vec4(t, 1.0 / g.w, peak, depth < slice_opaque ? 1.5 : core_radii(depth));
@@ -155,10 +162,11 @@ void choose_slices(MiddleRay ray, uint begin, uint end, int slices, int per_ligh
   for (uint k = begin + id; k < end; k += group_size) {
     const uint i = list[k];
     const vec4 g = seen[2 * i];
-    const float t = nearest_pass(ray, g.xyz).x;
+    const float t = passing(ray, g.xyz, g.w).x;
     const float r = seen[2 * i + 1].w;
     const float half_ = min(core_radii(2.0 * seen[2 * i + 1].x) / g.w, r);
-    reach = vec2(min(reach.x, min(dot(g.xyz, ray.w), t) - r), max(reach.y, t + r));
+    reach = vec2(min(reach.x, dot(g.xyz, ray.w) - r),
+                 max(reach.y, nearest_pass(ray, g.xyz).x + r));
     core = vec2(min(core.x, t - half_), max(core.y, t + half_));
   }
   const vec2 ends = vec2(0.0, ray.longest);
