@@ -19,23 +19,21 @@ ivec2 touched_slices(float from, float to, int first, int last) {
 void add_increments(inout float increments[chunk], Crossing crossing, float a, float scale,
                     float ends[chunk + 1], ivec2 range) {
   if (scale > exact_above) {
-    float before = 0.0;
+    float before = a * (ends[0] - crossing.t0);
     for (int k = 0; k < chunk; ++k) {
-      if (k < range.x || k >= range.y) continue;
-      if (k == range.x) before = a * (ends[k] - crossing.t0);
       const float now = a * (ends[k + 1] - crossing.t0);
-      increments[k] += scale * segment_integral(crossing.e, before, now, now - before);
+      if (k >= range.x && k < range.y) {
+        increments[k] += scale * segment_integral(crossing.e, before, now, now - before);
+      }
       before = now;
     }
     return;
   }
   const float weight = scale * exp(-crossing.e);
-  float before = 0.0;
+  float before = erf_fast(a * (ends[0] - crossing.t0));
   for (int k = 0; k < chunk; ++k) {
-    if (k < range.x || k >= range.y) continue;
-    if (k == range.x) before = erf_fast(a * (ends[k] - crossing.t0));
     const float now = erf_fast(a * (ends[k + 1] - crossing.t0));
-    increments[k] += weight * (now - before);
+    increments[k] += k >= range.x && k < range.y ? weight * (now - before) : 0.0;
     before = now;
   }
 }
