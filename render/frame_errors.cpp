@@ -9,7 +9,7 @@ namespace brume {
 namespace {
 
 constexpr double sample_tolerance = 1e-3;
-constexpr int most_doublings = 3;
+constexpr int max_doublings = 3;
 
 // The reference takes time per pixel that grows with the number of Gaussians, and more where light
 // comes from all around; the sample shrinks with it, by count and not by clock, so that the same
@@ -42,7 +42,7 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
     if (!sample_) return std::nullopt;
   }
   ErrorEstimate error = sample_->measure(frame);
-  while (max_error && is_undecided(error, *max_error) && times_grown_ < most_doublings) {
+  while (max_error && is_undecided(error, *max_error) && times_grown_ < max_doublings) {
     if (!sample_->grow(stop, next_part())) return std::nullopt;
     ++times_grown_;
     error = sample_->measure(frame);

@@ -88,7 +88,7 @@ double fitting_voxel_size(const Medium& medium) {
 std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double voxel_size,
                                                    std::size_t most) {
   MediumSampling result(medium, voxel_size);
-  const std::size_t most_pairs = most * (sizeof(DensityGrid::Block) / sizeof(std::uint32_t));
+  const std::size_t max_pairs = most * (sizeof(DensityGrid::Block) / sizeof(std::uint32_t));
   std::unordered_map<glm::ivec3, std::size_t, CornerHash> places;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const Gaussian g = medium.gaussian(i);
@@ -101,7 +101,7 @@ std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double 
         result.gaussians_.emplace_back();
       }
       result.gaussians_[place->second].push_back(static_cast<std::uint32_t>(i));
-      return ++result.pairs_ <= most_pairs;
+      return ++result.pairs_ <= max_pairs;
     });
     if (!fits) return std::nullopt;
   }
