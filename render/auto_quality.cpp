@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "render/job.h"
@@ -25,6 +26,21 @@ constexpr double likely_share = 0.8;
 
 // So much more error is as good as the least.
 constexpr double little_gain = 1.1;
+
+// So many finer settings in a row that gain no more than that end the search.
+constexpr int max_vain_trials = 3;
+
+// Many times the light that is there: the view is black but for what no settings resolve. Smaller
+// errors may stay for long and then fall, once the slices are as short as what they miss.
+constexpr double hopeless_error = 10.0;
+
+// Whether the last errors found are no better than what was found before them.
+bool is_vain(std::span<const double> found) {
+  if (found.size() <= max_vain_trials) return false;
+  const auto last = found.end() - max_vain_trials;
+  return little_gain * *std::min_element(last, found.end()) >=
+         *std::min_element(found.begin(), last);
+}
 
 // The settings after these, if there are any better.
 std::optional<Settings> better_settings(const Settings& settings) {
@@ -70,6 +86,7 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     // settings look needed; the frame is judged by the interval.
     if (error->rel_rmse <= likely_share * max_error) return tried;
     found.push_back(error->rel_rmse);
+    if (is_vain(found) && *std::ranges::min_element(found) > hopeless_error) break;
   }
   // A large frame is interpolated between nearer rays and may keep the bound all the same: where
   // finer settings gain nothing they are not begun with.
@@ -95,6 +112,7 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
                                                   max_error, stop, job.part(0.0, begin).progress);
   FrameErrors errors(scene, camera, seed_of_judgement);
   std::optional<MeasuredFrame> result;
+  std::vector<double> found;
   while (tried) {
     // Seldom is more than one frame needed.
     const double end = begin + 0.8 * (1.0 - begin);
@@ -111,6 +129,8 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
       result = MeasuredFrame{std::move(*frame), *tried, *error};
     }
     if (error->high <= max_error) break;
+    found.push_back(error->rel_rmse);
+    if (error->low > max_error && is_vain(found)) break;
     tried = better_settings(*tried);
     begin = end;
   }
