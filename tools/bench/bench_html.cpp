@@ -82,16 +82,16 @@ ReportTable all_settings(const SceneReport& scene) {
 }
 
 void put_scene(const SceneReport& scene, std::string& html) {
-  put(html, "<h2>%s</h2>\n<p>%zu Gaussians, %zu lamps%s, %d x %d pixels.</p>\n<div class=row>",
+  put(html, "<h2>%s</h2>\n<p>%zu Gaussians, %zu lights%s, %d x %d pixels.</p>\n<div class=row>",
       escaped(scene.name).c_str(), scene.gaussians, scene.lights,
       scene.environment ? ", an environment" : "", scene.film.width, scene.film.height);
   html += frontier_plot(scene);
   html += "<div>";
   html += picture_cell(escaped(scene.picture.setting), scene.picture.frame);
   html += picture_cell("reference", scene.picture.reference);
-  html +=
-      picture_cell(formatted("error; white: %.0f%% of the mean", 100.0 * scene.picture.error_scale),
-                   scene.picture.error);
+  html += picture_cell(
+      formatted("error (white is %.0f%% of the mean)", 100.0 * scene.picture.error_scale),
+      scene.picture.error);
   html += "</div></div>\n<details><summary>All settings</summary>";
   put_table(all_settings(scene), html);
   html += "</details>\n";
@@ -101,7 +101,7 @@ void put_curve(const CostCurve& curve, std::string& html) {
   const auto [least, most] = std::ranges::minmax(curve.points, {}, &CostPoint::cpu_milliseconds);
   LogPlot plot({curve.points.front().size, curve.points.back().size},
                {least.cpu_milliseconds, most.cpu_milliseconds}, curve.over.c_str(),
-               "CPU time of a frame [ms]");
+               "CPU time per frame [ms]");
   std::vector<std::pair<double, double>> line;
   for (const CostPoint& p : curve.points) {
     line.emplace_back(p.size, p.cpu_milliseconds);
@@ -127,7 +127,7 @@ std::string to_html(const BenchReport& report) {
   html +=
       "<p>In the plots, <b style=\"color:#c4a000\">paper</b>, <b "
       "style=\"color:#1f77b4\">sliced</b> "
-      "and <b style=\"color:#d62728\">march</b>, pale at full resolution, other programs in other "
+      "and <b style=\"color:#d62728\">march</b>, pale at full resolution, other renderers in other "
       "colours; the line is the frontier.</p>\n";
   for (const SceneReport& scene : report.scenes) put_scene(scene, html);
   for (const CostCurve& curve : report.curves) put_curve(curve, html);

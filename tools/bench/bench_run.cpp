@@ -96,17 +96,17 @@ std::vector<BenchScene> chosen_scenes(const BenchOptions& options) {
 
 // For which two minutes are too short.
 void measure_errors(BenchReport& report, const std::function<void(const std::string&)>& tell) {
-  tell("errors under skies");
+  tell("errors of environment inscattering");
   report.skies = measure_skies();
   report.patches = measure_patches();
   report.glow = measure_glow();
-  tell("errors where airlight is interpolated, and in noise");
+  tell("errors of interpolation and noise");
   report.scales = measure_scales();
   report.noise_depths = measure_noise_depths();
   report.noise = measure_noise_errors(400);
-  tell("light on surfaces: of lamps");
+  tell("light on surfaces: lights");
   report.lamp_light = measure_lamp_light(40'000);
-  tell("light on surfaces: of an environment");
+  tell("light on surfaces: environment");
   report.arriving_light = measure_arriving_light(2'000);
   tell("light on surfaces: radiance transfer");
   report.transfer = measure_transfer(2'000);
@@ -154,17 +154,17 @@ BenchReport run_bench(const BenchOptions& options,
     report.scenes.push_back(measure_scene(scene, options, gl.get()));
   }
   if (!options.scenes.empty()) return report;
-  tell("errors over thickness");
+  tell("errors over optical depth");
   report.thickness = measure_thickness(options.quick ? 100 : 400);
   if (!options.quick) measure_errors(report, tell);
   report.curves = measure_cost_curves(options, tell);
   tell("threads");
   report.thread_rows = measure_threads(options);
-  tell("what the plan leaves out");
+  tell("skipped stages");
   for (const PlanDecision& decision : plan_decisions()) {
     report.savings.push_back(measure_saving(decision, options.quick ? 3 : 9));
   }
-  tell("hard cases");
+  tell("edge cases");
   for (HardCase& hard_case : load_hard_cases()) {
     const HardCaseErrors errors = measure_hard_case(hard_case, gl.get());
     report.hard_cases.push_back({std::move(hard_case), errors});

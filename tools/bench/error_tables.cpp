@@ -40,7 +40,7 @@ ReportTable setting_table(const std::vector<SceneReport>& scenes) {
              (column.method == AirlightMethod::paper || m.settings.slices == column.slices);
     });
   };
-  ReportTable table{"The error of a setting", "", {"scene"}, {}, ""};
+  ReportTable table{"Error per setting", "", {"scene"}, {}, ""};
   for (const Column& column : columns) {
     const auto found = find(scenes[0], column);
     if (found == scenes[0].settings.end()) return {};
@@ -58,9 +58,9 @@ ReportTable setting_table(const std::vector<SceneReport>& scenes) {
 
 ReportTable thickness_table(const std::vector<ThicknessRow>& rows) {
   ReportTable table{
-      "Thin and thick fog",
-      "The sample scene dense_cloud, all densities times a factor.",
-      {"factor", "greatest optical depth", "`paper`", "`--paper-energy`", "`sliced` 24"},
+      "Error over optical depth",
+      "The sample scene dense_cloud with all densities scaled by a factor.",
+      {"factor", "maximum optical depth", "`paper`", "`--paper-energy`", "`sliced` 24"},
       {},
       ""};
   for (const ThicknessRow& row : rows) {
@@ -72,10 +72,10 @@ ReportTable thickness_table(const std::vector<ThicknessRow>& rows) {
 }
 
 ReportTable sky_table(const std::vector<SkyRow>& rows) {
-  ReportTable table{"Light of an environment",
-                    "The error of `sliced` 24 in clouds that only a sky lights: an even one, and "
-                    "one that is brighter above and has a sun.",
-                    {"Gaussians", "optical depth", "anisotropy", "even sky", "sky with a sun"},
+  ReportTable table{"Environment inscattering",
+                    "The error of `sliced` 24 in clouds lit only by an environment: a uniform sky, "
+                    "and a sky that is brighter towards the zenith and has a sun.",
+                    {"Gaussians", "optical depth", "anisotropy", "uniform sky", "sky with a sun"},
                     {},
                     ""};
   for (const SkyRow& row : rows) {
@@ -88,8 +88,8 @@ ReportTable sky_table(const std::vector<SkyRow>& rows) {
 
 ReportTable patch_table(const std::vector<ComparedError>& rows) {
   ReportTable table{"",
-                    "Where the grid of that light is at its worst: small Gaussians in patches over "
-                    "a landscape, the sample scene ground_fog, under a sun near the horizon.",
+                    "The worst case of the environment grid: small Gaussians in patches over a "
+                    "landscape, the sample scene ground_fog, under a sun near the horizon.",
                     {"`sliced`", "error"},
                     {},
                     ""};
@@ -99,8 +99,8 @@ ReportTable patch_table(const std::vector<ComparedError>& rows) {
 
 ReportTable glow_table(const std::vector<GlowRow>& rows) {
   ReportTable table{"",
-                    "The glow of `paper` (eq. 28) before a white sky, in the middle of a Gaussian, "
-                    "over the light that single scattering gives there.",
+                    "The environment inscattering of `paper` (eq. 28) before a white sky, at the "
+                    "centre of a Gaussian, as a share of exact single scattering.",
                     {"optical depth", "share"},
                     {},
                     ""};
@@ -111,9 +111,10 @@ ReportTable glow_table(const std::vector<GlowRow>& rows) {
 }
 
 ReportTable scale_table(const std::vector<ScaleRow>& rows) {
-  ReportTable table{"Fewer pixels",
-                    "`sliced` 24 at 800 x 600 with `--airlight-scale`: the share of the pixels "
-                    "that is computed, and the relative RMSE of the airlight against all of them.",
+  ReportTable table{"Lower airlight resolution",
+                    "`sliced` 24 at 800 x 600 with `--airlight-scale`: the share of pixels that "
+                    "are computed rather than interpolated, and the relative RMSE of the airlight "
+                    "against computing all of them.",
                     {"scene", "scale", "computed", "change"},
                     {},
                     ""};
@@ -127,10 +128,10 @@ ReportTable scale_table(const std::vector<ScaleRow>& rows) {
 
 ReportTable noise_depth_table(const std::vector<NoiseDepthRow>& rows) {
   ReportTable table{"Noise",
-                    "How the optical depth, averaged over a picture of a cloud of 30 Gaussians, "
-                    "changes by noise of the amplitude 0.5: medians over eight seeds, least and "
-                    "greatest in parentheses.",
-                    {"cells per u", "from afar", "from near"},
+                    "The change that noise of amplitude 0.5 makes to the mean optical depth of a "
+                    "picture of a cloud of 30 Gaussians: medians over eight seeds, with minimum "
+                    "and maximum in parentheses.",
+                    {"cells per u", "distant view", "close view"},
                     {},
                     ""};
   for (const NoiseDepthRow& row : rows) {
@@ -141,7 +142,7 @@ ReportTable noise_depth_table(const std::vector<NoiseDepthRow>& rows) {
 
 ReportTable noise_table(const std::vector<ComparedError>& rows) {
   ReportTable table{"",
-                    "The error of `sliced` 24 in noise, and in the same cloud without it.",
+                    "The error of `sliced` 24 with noise, and for the same cloud without.",
                     {"cloud", "with noise", "without"},
                     {},
                     ""};
@@ -152,13 +153,14 @@ ReportTable noise_table(const std::vector<ComparedError>& rows) {
 ReportTable lamp_light_table(const std::vector<ComparedError>& rows) {
   ReportTable table{
       "Light on surfaces",
-      "What surfaces reflect, held against unbiased Monte Carlo: relative RMSE over pixels or "
-      "places, the noise of the Monte Carlo taken out, and its 95% interval. First the light of a "
-      "lamp that fog scatters onto a ball, relative to what is scattered unless all light is "
-      "named: in even fog, which scatters 60% of the blue light, with the lamp in it; and in "
-      "clouds of 30 random Gaussians 3 deep, the lamp outside behind more and more of it. Beside "
-      "it the paper's one point spread function.",
-      {"receiver", "here", "`--paper-spread`"},
+      "Light reflected by surfaces, compared with unbiased Monte Carlo: relative RMSE over pixels "
+      "or points, with the noise of the Monte Carlo estimate subtracted, and its 95% interval. "
+      "First the light of a point light (lamp) that fog scatters onto a ball, relative to the "
+      "scattered light alone unless the row says all light. The lamp is inside homogeneous (even) "
+      "fog with an albedo of 60% for blue, or outside clouds of 30 random Gaussians of optical "
+      "depth 3, behind more and more of the cloud. Beside it the paper's single point spread "
+      "function.",
+      {"receiver", "Brume", "`--paper-spread`"},
       {},
       ""};
   add_rows(rows, table);
@@ -168,9 +170,10 @@ ReportTable lamp_light_table(const std::vector<ComparedError>& rows) {
 ReportTable arriving_light_table(const std::vector<ComparedError>& rows) {
   ReportTable table{
       "",
-      "The light of an environment, straight and scattered, on a white surface that casts no "
-      "shadow: by the grid of `sliced` 24, and by the average optical depth (eq. 27) as `paper` "
-      "takes it. An even sky but where a sun is named, clouds of 30 Gaussians.",
+      "Light of an environment, direct and scattered, on a white surface that casts no shadow: "
+      "with the grid of `sliced` 24, and with the average optical depth (eq. 27) used by `paper`. "
+      "The sky is uniform unless the row names a sun; the clouds have 30 Gaussians, and their "
+      "depth is an optical depth.",
       {"receiver", "grid", "eq. 27"},
       {},
       ""};
@@ -180,8 +183,8 @@ ReportTable arriving_light_table(const std::vector<ComparedError>& rows) {
 
 ReportTable transfer_table(const std::vector<ComparedError>& rows) {
   ReportTable table{"",
-                    "Objects with radiance transfer and without. The last rows are of the light "
-                    "alone that is reflected once or twice before it is seen.",
+                    "Objects with and without radiance transfer. The last rows compare only the "
+                    "light that is reflected once or twice before it reaches the eye.",
                     {"object", "with transfer", "without"},
                     {},
                     ""};
@@ -193,30 +196,29 @@ ReportTable hard_case_table(const std::vector<HardCaseRow>& rows) {
   if (rows.empty()) return {};
   const bool with_gl = rows[0].errors.gl.has_value();
   ReportTable table{
-      "Hard cases",
+      "Edge cases",
       formatted(
-          "%zu scenes that break careless arithmetic (resources/hard_cases), against what their "
-          "pixels are, computed elsewhere to eleven digits: the relative RMSE of the airlight of "
-          "the reference, in double, and of `sliced` with 24 slices, in float; the last number is "
-          "that of `paper` in float against the same in double. `auto` is to keep %g%%; told: it "
-          "says "
-          "that its error may be larger, by the upper end of what it measured. A test holds all to "
-          "these bounds: reference %g%%, paper %g%%, transmittance everywhere %g, `sliced` 1%% or "
-          "what is stated, `auto` within its own or told.",
+          "%zu scenes that break careless arithmetic (resources/hard_cases), compared with pixels "
+          "computed independently to eleven digits. The columns are the relative RMSE of the "
+          "airlight: of the reference, in double; of `sliced` with 24 slices, in float; of `auto` "
+          "with a bound of %g%%; and of `paper` in float against the same in double. \"Reported\" "
+          "means that `auto` warned that its error may exceed the bound. A test enforces these "
+          "bounds: reference %g%%, `paper` %g%%, transmittance %g everywhere, `sliced` 1%% or the "
+          "stated bound, `auto` its own bound unless it reported otherwise.",
           rows.size(), 100.0 * hard_case_max_error, 100.0 * hard_case_reference_bound,
           100.0 * hard_case_paper_bound, hard_case_transmittance_bound),
-      {"case", "what breaks", "what Brume does", "reference", "sliced"},
+      {"case", "what breaks", "remedy", "reference", "sliced"},
       {},
       ""};
   if (with_gl) table.heads.emplace_back("OpenGL");
-  table.heads.insert(table.heads.end(), {"auto", "paper", "bound of sliced"});
+  table.heads.insert(table.heads.end(), {"auto", "paper", "bound of `sliced`"});
   for (const auto& [hard_case, errors] : rows) {
     std::vector<std::string> row = {hard_case.name, hard_case.breaks, hard_case.remedy,
                                     formatted("%.0g", errors.reference.airlight),
                                     formatted("%.2f%%", 100.0 * errors.sliced.airlight)};
     if (errors.gl) row.push_back(formatted("%.2f%%", 100.0 * errors.gl->airlight));
     row.push_back(formatted("%.2f%%", 100.0 * errors.automatic.airlight) +
-                  (errors.automatic.is_told ? ", told" : ""));
+                  (errors.automatic.is_told ? ", reported" : ""));
     row.push_back(formatted("%.0g", errors.paper));
     row.push_back(formatted("%g%%", 100.0 * hard_case.bound) +
                   (hard_case.why.empty() ? "" : ": " + hard_case.why));

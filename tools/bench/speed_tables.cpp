@@ -30,8 +30,9 @@ std::vector<PeerRow> best_of_programs(const SceneReport& scene, double level) {
 
 ReportTable fastest_table(const std::vector<SceneReport>& scenes) {
   ReportTable table{
-      "The fastest setting",
-      "CPU milliseconds of a frame; the last column is what the reference would take.",
+      "Fastest setting per error bound",
+      "CPU milliseconds per frame of the fastest setting that meets each error bound. The last "
+      "column is the time that the reference would take.",
       {"scene"},
       {},
       ""};
@@ -55,22 +56,21 @@ ReportTable fastest_table(const std::vector<SceneReport>& scenes) {
     }
     row.push_back(formatted("%.0f", scene.reference_cpu_milliseconds));
   }
-  table.remark = marched == 0
-                     ? "Nowhere is it `march`."
-                     : formatted("`march` is the fastest in %zu of these places.", marched);
+  table.remark = marched == 0 ? "`march` is never the fastest."
+                              : formatted("`march` is the fastest in %zu of these cells.", marched);
   return table;
 }
 
 ReportTable peer_table(const std::vector<SceneReport>& scenes) {
   constexpr double level = 0.02;
   ReportTable table{
-      "Other programs",
-      "CPU time for the same picture, as `tools/compare-peers` measured it: the cheapest setting "
-      "tried within 2%, or the most exact one where none is. The last column is that time over "
-      "Brume's at 2%: over that of a frame with the camera moving, and over that of the first "
-      "frame, which makes what the others keep.",
-      {"scene", "Brume", "its first frame", "program", "setting", "CPU time", "error",
-       "times Brume's"},
+      "Other renderers",
+      "CPU time for the same picture, measured by `tools/compare-peers`: the cheapest setting "
+      "within 2%, or the most accurate one if none is. The last column divides it by Brume's time "
+      "at 2%: by that of a frame with a moving camera, and by that of the first frame, which also "
+      "builds the caches of later ones.",
+      {"scene", "Brume", "first frame", "renderer", "setting", "CPU time", "error",
+       "ratio to Brume"},
       {},
       ""};
   for (const SceneReport& scene : scenes) {
@@ -85,7 +85,7 @@ ReportTable peer_table(const std::vector<SceneReport>& scenes) {
         first = formatted("%.1f ms", m.first_cpu_milliseconds);
         times = formatted("%.0f, %.0f%s", peer.cpu_milliseconds / m.cpu_milliseconds.median,
                           peer.cpu_milliseconds / m.first_cpu_milliseconds,
-                          peer.rel_rmse > level ? "; without keeping 2%" : "");
+                          peer.rel_rmse > level ? "; does not meet 2%" : "");
       }
       table.rows.push_back({scene.name, setting, first, peer.program, peer.setting,
                             formatted("%.2f s", 1e-3 * peer.cpu_milliseconds),
@@ -96,12 +96,11 @@ ReportTable peer_table(const std::vector<SceneReport>& scenes) {
 }
 
 ReportTable gl_table(const BenchReport& report) {
-  ReportTable table{
-      "OpenGL",
-      "On " + report.gl_device + ", frames with the camera moving.",
-      {"scene", "setting", "milliseconds", "on the processor", "error", "error there"},
-      {},
-      ""};
+  ReportTable table{"OpenGL",
+                    "On " + report.gl_device + ", frames with a moving camera.",
+                    {"scene", "setting", "milliseconds", "on the CPU", "error", "error on the CPU"},
+                    {},
+                    ""};
   for (const SceneReport& scene : report.scenes) {
     for (const Measurement& m : scene.on_gl) {
       const auto cpu = std::ranges::find(scene.settings, m.settings, &Measurement::settings);
@@ -116,17 +115,17 @@ ReportTable gl_table(const BenchReport& report) {
 
 ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
   ReportTable table{
-      "The scenes of the paper's Table 1",
-      "Of its kinds and sizes, at 800 x 600, the airlight at every fourth pixel, the fewest slices "
-      "that keep 2%; from frame to frame the camera turns around the scene by half a degree. The "
-      "paper's frames per second are those of a GPU of 2007. The first 40 frames of a light also "
-      "find out what lamps see of surfaces and what these send, for those after them to look up: "
-      "how long these first ones take, and how far light so looked up is from light that is not, "
-      "rms and at most, of the brightest channel of a pixel. What the kernel reaches is the least "
-      "time of the view pass's arithmetic, on data in registers, over the view pass's time, on one "
-      "thread.",
-      {"scene", "frames per second", "the paper's", "setting", "error", "stages, ms",
-       "first frames, ms", "looked up", "the kernel reaches"},
+      "Scenes like those of the paper's Table 1",
+      "The same kinds and sizes, at 800 x 600 with airlight scale 4 and the fewest slices that "
+      "meet 2%. The camera orbits the scene by half a degree per frame. The paper's frame rates "
+      "are those of a GPU of 2007. The first 40 frames after a change of the lights also fill the "
+      "caches of light visibility and of outgoing radiance; their time is listed separately. The "
+      "cache error is the difference between cached and uncached light on surfaces, rms and "
+      "maximum, relative to the brightest channel of a pixel. The share of the arithmetic limit is "
+      "the minimum time of the view pass's arithmetic, on data in registers, over the time of the "
+      "view pass, on one thread.",
+      {"scene", "frames per second", "paper", "setting", "error", "stages, ms", "first frames, ms",
+       "cache error", "share of the arithmetic limit"},
       {},
       ""};
   for (const TableOneRow& row : rows) {
@@ -146,10 +145,11 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
 
 ReportTable curve_table(const std::vector<CostCurve>& curves) {
   ReportTable table{
-      "How the cost grows",
-      "A box of 1,000 Gaussians of constant depth, one lamp, 200 x 150 pixels, sliced 24, where "
-      "one thing grows: CPU milliseconds of a frame.",
-      {"over", "", "power"},
+      "Cost scaling",
+      "CPU milliseconds per frame for a box of 1,000 Gaussians of constant optical depth, with one "
+      "light, 200 x 150 pixels and sliced 24, as one quantity grows. The exponent is that of a "
+      "power law.",
+      {"quantity", "", "exponent"},
       {},
       ""};
   for (const CostCurve& curve : curves) {
@@ -164,8 +164,8 @@ ReportTable curve_table(const std::vector<CostCurve>& curves) {
 
 ReportTable thread_table(const std::vector<ThreadRow>& rows) {
   ReportTable table{"Threads",
-                    "That box at 800 x 600.",
-                    {"threads", "milliseconds of a frame", "times as fast as one"},
+                    "The same box at 800 x 600.",
+                    {"threads", "milliseconds per frame", "speed-up over one"},
                     {},
                     ""};
   for (const ThreadRow& row : rows) {
@@ -178,11 +178,11 @@ ReportTable thread_table(const std::vector<ThreadRow>& rows) {
 
 ReportTable saving_table(const std::vector<PlanSaving>& savings) {
   ReportTable table{
-      "What a scene needs",
-      "A stage that a scene does not need is left out. Beside it the same scene with as good as "
-      "nothing for the stage to do (a billionth of a density, light or amplitude), so that it "
-      "runs: CPU milliseconds of a frame of 200 x 150, and how far the pictures are apart.",
-      {"stage", "left out because", "without", "with", "the picture changes by"},
+      "Skipped stages",
+      "Stages that a scene does not need are skipped. For comparison, the same scene with almost "
+      "nothing for the stage to do (a density, light or amplitude of a billionth), so that it "
+      "runs. CPU milliseconds per frame of 200 x 150, and the relative difference of the pictures.",
+      {"stage", "skipped because", "skipped", "run", "difference"},
       {},
       ""};
   for (const PlanSaving& saving : savings) {
