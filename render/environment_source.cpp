@@ -8,7 +8,8 @@
 
 #include "core/scene/environment.h"
 #include "core/scene/radiance_map.h"
-#include "core/transport/phase_function.h"
+#include "render/cpu/kernels.h"
+#include "render/cpu/phase_kernels.h"
 
 namespace brume {
 namespace {
@@ -29,21 +30,34 @@ RadianceMap empty_map(double anisotropy) {
 std::shared_ptr<const RadianceMap> scattered_by_peak(const PhaseBands& bands, double anisotropy,
                                                      std::span<const LightGroup* const> family,
                                                      const Job& job) {
+  std::vector<PhasedLight> parts;
+  for (const LightGroup* group : family) {
+    for (const DistantLight& part : group->parts) parts.push_back({part.direction, part.flux});
+  }
   auto map = std::make_shared<RadianceMap>(empty_map(anisotropy));
   const auto width = static_cast<std::size_t>(map->width);
   job.each(static_cast<std::size_t>(map->height), [&](std::size_t y) {
+    std::array<std::vector<float>, 3> w;
+    std::array<std::vector<float>, 3> sums;
+    w.fill(std::vector<float>(padded(width), 0.0f));
+    sums.fill(std::vector<float>(padded(width), 0.0f));
     for (std::size_t x = 0; x < width; ++x) {
-      const glm::dvec3 w =
+      const glm::dvec3 direction =
           map_direction(*map, {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5});
-      glm::dvec3 sum(0.0);
+      glm::dvec3 in_bands(0.0);
       for (const LightGroup* group : family) {
-        for (const DistantLight& part : group->parts) {
-          sum +=
-              henyey_greenstein(glm::dot(w, part.direction), anisotropy) / (4.0 * pi) * part.flux;
-        }
-        sum -= bands.phase(glm::dot(w, group->whole.direction)) * group->whole.flux;
+        const DistantLight& whole = group->whole;
+        in_bands += bands.phase(glm::dot(direction, whole.direction)) * whole.flux;
       }
-      map->pixels[y * width + x] = glm::vec3(sum);
+      for (int c = 0; c < 3; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        w[k][x] = static_cast<float>(direction[c]);
+        sums[k][x] = static_cast<float>(-in_bands[c]);
+      }
+    }
+    add_phased(parts, anisotropy, {w[0], w[1], w[2]}, {sums[0], sums[1], sums[2]});
+    for (std::size_t x = 0; x < width; ++x) {
+      map->pixels[y * width + x] = {sums[0][x], sums[1][x], sums[2][x]};
     }
   });
   return map;

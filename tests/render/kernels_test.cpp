@@ -8,12 +8,15 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "core/scene/scene.h"
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
+#include "core/transport/phase_function.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/path_depths.h"
+#include "render/cpu/phase_kernels.h"
 #include "tests/random.h"
 
 namespace brume {
@@ -254,30 +257,86 @@ TEST(Kernels, HomogeneousAirlightAgreesWithDouble) {
 
 // A light straight ahead, where the detour of the light's path is a difference of two large
 // numbers, in fog from thin to far denser than the light's distance.
+// A light straight ahead or nearly so, and the airlight before it.
+struct LightAhead {
+  double distance, b0, off, length, exact;
+
+  [[nodiscard]] glm::dvec3 light() const { return {off * distance, 0.0, distance}; }
+  [[nodiscard]] double h_min() const { return 1e-4 * distance; }
+};
+
+constexpr glm::dvec3 ahead(0.0, 0.0, 1.0);
+
+std::vector<LightAhead> lights_ahead() {
+  std::vector<LightAhead> all;
+  Random random(16);
+  for (int i = 0; i < 500; ++i) {
+    LightAhead one{};
+    one.distance = random.power(0, 6);
+    one.b0 = random.power(-2, 9) / one.distance;
+    one.off = i % 3 == 0 ? 0.0 : random.power(-7, -1);
+    for (const double length : {0.5 * one.distance, static_cast<double>(INFINITY)}) {
+      const LightPath<double> path(one.light(), glm::dvec3(0.0), ahead, one.h_min());
+      one.length = length;
+      one.exact = homogeneous_airlight(one.b0, path, length);
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
 TEST(Kernels, HomogeneousAirlightOfALightStraightAhead) {
-  for_each_target([] {
-    Random random(16);
-    for (int i = 0; i < 500; ++i) {
-      const double distance = random.power(0, 6);
-      const double b0 = random.power(-2, 9) / distance;
-      const double off = i % 3 == 0 ? 0.0 : random.power(-7, -1);
-      const glm::dvec3 w(0.0, 0.0, 1.0);
-      const glm::dvec3 light(off * distance, 0.0, distance);
-      const double h_min = 1e-4 * distance;
-      for (const double length : {0.5 * distance, static_cast<double>(INFINITY)}) {
-        PathBatch ray;
-        ray.assign(std::array{w}, std::array{length});
-        std::vector<float> radiance(ray.padded_size(), 0.0f);
-        accumulate_homogeneous_airlight(static_cast<float>(b0), 1.0f, glm::vec3(light),
-                                        static_cast<float>(h_min), 0.0f, ray, radiance.data());
-        const LightPath<double> path(light, glm::dvec3(0.0), w, h_min);
-        const double exact = homogeneous_airlight(b0, path, length);
-        // The rule's worst case, and float below exp(-b0 distance) = 1e-30.
-        ASSERT_NEAR(static_cast<double>(radiance[0]), exact, 1e-3 * exact + 1e-30)
-            << "b0 " << b0 << " distance " << distance << " off " << off;
-      }
+  const std::vector<LightAhead> all = lights_ahead();  // once for all targets: it takes long
+  for_each_target([&] {
+    for (const LightAhead& one : all) {
+      PathBatch ray;
+      ray.assign(std::array{ahead}, std::array{one.length});
+      std::vector<float> radiance(ray.padded_size(), 0.0f);
+      accumulate_homogeneous_airlight(static_cast<float>(one.b0), 1.0f, glm::vec3(one.light()),
+                                      static_cast<float>(one.h_min()), 0.0f, ray, radiance.data());
+      // The rule's worst case, and float below exp(-b0 distance) = 1e-30.
+      ASSERT_NEAR(static_cast<double>(radiance[0]), one.exact, 1e-3 * one.exact + 1e-30)
+          << "b0 " << one.b0 << " distance " << one.distance << " off " << one.off;
     }
   });
+}
+
+TEST(Kernels, PhasedLightIsThatOfThePhaseFunction) {
+  Random random(17);
+  std::vector<PhasedLight> lights;
+  for (int i = 0; i < 30; ++i) {
+    lights.push_back({glm::normalize(random.point(1.0)),
+                      {random.power(-3, 3), random.uniform(0.0, 1.0), i == 7 ? 1.0 : 0.0}});
+  }
+  constexpr std::size_t count = 64;
+  std::array<std::vector<float>, 3> w;
+  for (std::size_t k = 0; k < count; ++k) {
+    // In the peak of some, before and behind, and anywhere.
+    const glm::vec3 d = k < 30   ? lights[k].direction
+                        : k < 50 ? -lights[k - 30].direction
+                                 : glm::vec3(glm::normalize(random.point(1.0)));
+    for (int c = 0; c < 3; ++c) w[static_cast<std::size_t>(c)].push_back(d[c]);
+  }
+  for (const double g : {0.0, 0.6, 0.95, -0.95}) {
+    for_each_target([&] {
+      std::array<std::vector<float>, 3> sums;
+      sums.fill(std::vector<float>(count, 0.5f));
+      add_phased(lights, g, {w[0], w[1], w[2]}, {sums[0], sums[1], sums[2]});
+      for (std::size_t k = 0; k < count; ++k) {
+        glm::dvec3 exact(0.0);
+        for (const PhasedLight& light : lights) {
+          // Unit in double too: in the peak it matters.
+          const double cosine = glm::dot(glm::normalize(glm::dvec3(light.direction)),
+                                         glm::normalize(glm::dvec3(w[0][k], w[1][k], w[2][k])));
+          exact += henyey_greenstein(cosine, g) / (4.0 * std::numbers::pi) * glm::dvec3(light.flux);
+        }
+        for (int c = 0; c < 3; ++c) {
+          const double got = static_cast<double>(sums[static_cast<std::size_t>(c)][k]);
+          ASSERT_NEAR(got, 0.5 + exact[c], 1e-5 * (0.5 + exact[c])) << g << ' ' << k << ' ' << c;
+        }
+      }
+    });
+  }
 }
 
 }  // namespace
