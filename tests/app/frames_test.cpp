@@ -250,7 +250,7 @@ class FramesTest : public QObject {
   void radiance_transfer_is_made_in_the_background() {
     TestWindow window;
     Viewport& view = window->viewport();
-    save_scene(scene_with_transfer(window.file("ball.off"), 200), window.file("transfer.brume"));
+    save_scene(scene_with_transfer(window.file("ball.off"), 100), window.file("transfer.brume"));
     QSignalSpy made(&view.transfer_job(), &TransferJob::made);
     QVERIFY(window.open("transfer.brume"));
     QTRY_VERIFY(view.transfer_job().isVisible());
@@ -272,7 +272,7 @@ class FramesTest : public QObject {
   void radiance_transfer_can_be_cancelled() {
     TestWindow window;
     Viewport& view = window->viewport();
-    save_scene(scene_with_transfer(window.file("big.off"), 900), window.file("transfer.brume"));
+    save_scene(scene_with_transfer(window.file("big.off"), 300), window.file("transfer.brume"));
     QVERIFY(window.open("transfer.brume"));
     QTRY_VERIFY(view.transfer_job().isVisible());
     view.transfer_job().findChild<QToolButton*>()->click();

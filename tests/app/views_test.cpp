@@ -211,7 +211,7 @@ class ViewsTest : public QObject {
     request.scene = std::make_shared<const Scene>(small_scene());
     request.camera = request.scene->camera;
     request.serial = 1;
-    request.film = {700, 500};  // long enough to be interrupted
+    request.film = {350, 250};  // long enough to be interrupted
     request.settings.airlight = AirlightMethod::march;
     request.settings.march_steps = 400;
     for (const int view : {1, 2, 3}) {

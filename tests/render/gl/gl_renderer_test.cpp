@@ -8,12 +8,11 @@
 #include "core/io/scene_file.h"
 #include "core/scene/measured_brdf.h"
 #include "core/scene/radiance_map.h"
-#include "render/compare.h"
+#include "render/render_plan.h"
 #include "render/renderer.h"
 #include "tests/random.h"
-#include "tests/render/gl/gl_test.h"
+#include "tests/render/gl/gl_frames.h"
 #include "tests/render/random_scene.h"
-#include "tests/render/seams.h"
 #include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
 #include "tools/bench/benchmark_scenes.h"
@@ -23,13 +22,6 @@ namespace {
 
 // What the backends may differ by.
 constexpr double bound = 2e-3;
-
-double rel_rmse(std::span<const float> a, std::span<const float> b) {
-  const ChannelPair pair{a, b};
-  const Comparison difference = compare(std::span(&pair, 1));
-  return difference.incomparable > 0 ? std::numeric_limits<double>::infinity()
-                                     : difference.rel_rmse;
-}
 
 // How far two frames' layers are from each other.
 struct LayerErrors {
@@ -52,10 +44,6 @@ void expect_within(const LayerErrors& error, double most, const std::string& wha
   EXPECT_LE(error.depth, most) << what;
 }
 
-Frame on_cpu(const Scene& scene, const Settings& settings) {
-  return *Renderer().render(scene, scene.camera, scene.film, settings);
-}
-
 // The scene as single precision may see it: lights and view are off by a rounding of their distance
 // to the eye.
 Scene rounded(Scene scene) {
@@ -68,54 +56,6 @@ Scene rounded(Scene scene) {
   return scene;
 }
 
-// Both backends make tables alike; small ones are quicker.
-Settings quick_slices() {
-  Settings settings = sliced_settings({}, 12);
-  settings.light_table = {48, 24};
-  settings.shadow_cells = 96;
-  settings.source_grid = {200, 12};
-  return settings;
-}
-
-// A renderer whose driver's messages are failures.
-class GlFrames : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string problem;
-    objects_ = live_objects();
-    gl_ = GlRenderer::create(nullptr, problem, true);
-    ASSERT_TRUE(gl_) << problem;
-    ASSERT_TRUE(gl_->context().make_current());
-    messages_ = std::make_unique<Messages>();
-    gl_->context().done_current();
-  }
-  void TearDown() override {
-    failures() = {};
-    if (!gl_) return;
-    ASSERT_TRUE(gl_->context().make_current());
-    for (const std::string& message : messages_->take()) ADD_FAILURE() << message;
-    messages_.reset();
-    gl_.reset();
-    EXPECT_EQ(live_objects(), objects_) << "objects were left over";
-  }
-  Frame render(const Scene& scene, const Settings& settings) {
-    return *gl_->render(scene, scene.camera, scene.film, settings);
-  }
-  // A frame that the device has made.
-  Frame render_on_device(const Scene& scene, const Settings& settings, const std::string& what) {
-    Frame frame = render(scene, settings);
-    EXPECT_EQ(frame.statistics.backend, "gl") << what;
-    for (const SkippedStage& stage : frame.statistics.on_cpu) {
-      EXPECT_NE(stage.stage, "frame") << what << ": " << stage.why;
-    }
-    return frame;
-  }
-
-  std::unique_ptr<GlRenderer> gl_;
-  std::unique_ptr<Messages> messages_;
-  std::size_t objects_ = 0;
-};
-
 TEST_F(GlFrames, SampleScenes) {
   Settings paper;
   paper.paper = {true, true};
@@ -126,11 +66,14 @@ TEST_F(GlFrames, SampleScenes) {
     std::vector<std::string> warnings;
     Scene scene = load_scene(entry.path(), &warnings);
     scene.film = {61, 40};
+    // Made once: it takes longer than all frames.
+    const auto transfers = std::make_shared<TransferStore>();
+    transfers->make(RenderPlan(scene, AirlightMethod::paper).transfers, {});
     for (const Settings& settings : {Settings{}, paper, quick_slices(), scaled}) {
       const std::string name = entry.path().filename().string() + ", " + airlight_name(settings) +
                                ", scale " + std::to_string(settings.airlight_scale);
       const Frame gl = render_on_device(scene, settings, name);
-      const Frame cpu = on_cpu(scene, settings);
+      const Frame cpu = *Renderer(transfers).render(scene, scene.camera, scene.film, settings);
       expect_within({gl, cpu}, bound, name);
       // The same pixels are upsampled, but where a sample is at the limit, which is decisive for
       // four cells of 16 pixels: in one of these frames two such cells differ.
@@ -162,53 +105,6 @@ TEST_F(GlFrames, RandomScenes) {
     }
   }
   EXPECT_LE(unstable, 5);
-}
-
-// See TileSeams of test_render.
-TEST_F(GlFrames, StepNoMoreAtBordersOfTilesThanWithin) {
-  Seams seams;
-  for (unsigned seed = 1; seed <= 4; ++seed) {
-    const Scene scene = seam_scene(seed);
-    Settings settings = sliced_settings({}, 8);
-    settings.airlight_scale = 4;
-    const std::string name = "seed " + std::to_string(seed);
-    seams.add(find_seams(render_on_device(scene, settings, name),
-                         on_cpu(scene, sliced_settings({}, 128)), 4));
-  }
-  EXPECT_LT(seams.ratio(0.75), 2.5);
-  EXPECT_LT(seams.ratio(0.9), 2.5);
-}
-
-// A light in a Gaussian smaller than samples are apart.
-TEST_F(GlFrames, ComputePixelsNearestToALight) {
-  Scene scene;
-  scene.film = {61, 40};
-  scene.camera = {{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
-  const CameraRays rays(scene.camera, scene.film);
-  scene.lights.push_back(
-      {scene.camera.eye + 4.0 * rays.direction(30.5, 22.5), glm::dvec3(10.0), {}});
-  scene.medium.append({scene.lights[0].position, 0.02, 1.0});
-  Settings settings = sliced_settings({}, 64);
-  const Frame full = on_cpu(scene, settings);
-  for (const int scale : {2, 4}) {
-    settings.airlight_scale = scale;
-    const Frame frame = render_on_device(scene, settings, "scale " + std::to_string(scale));
-    EXPECT_LT(rel_rmse(frame.airlight, full.airlight), 0.02) << scale;
-  }
-}
-
-// A wall whose plane the eye lies in, but for a rounding: see EdgeOn of test_render.
-TEST_F(GlFrames, DoNotShowWhatIsSeenEdgeOn) {
-  for (const double off : {0.0, 1e-9, -2e-8}) {
-    for (const glm::dvec3& eye : {glm::dvec3(0.3, 0.7, off), glm::dvec3(4.0, 3.0, off)}) {
-      Scene scene = cloud_scene(3, 1.0);
-      scene.surfaces.push_back(wall(0.0, 2.0));
-      scene.camera.eye = eye;
-      scene.camera.target = {0.1, 0.0, 0.0};
-      const Frame frame = render_on_device(scene, quick_slices(), "edge on");
-      for (const float t : frame.depth) ASSERT_TRUE(std::isinf(t));
-    }
-  }
 }
 
 // Light from all around, scattered alike all around, forward and back, in fog and without.

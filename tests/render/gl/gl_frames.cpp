@@ -1,0 +1,63 @@
+#include "tests/render/gl/gl_frames.h"
+
+#include <limits>
+
+#include "render/compare.h"
+#include "render/renderer.h"
+
+namespace brume::gl {
+
+double rel_rmse(std::span<const float> a, std::span<const float> b) {
+  const ChannelPair pair{a, b};
+  const Comparison difference = compare(std::span(&pair, 1));
+  return difference.incomparable > 0 ? std::numeric_limits<double>::infinity()
+                                     : difference.rel_rmse;
+}
+
+Frame on_cpu(const Scene& scene, const Settings& settings) {
+  return *Renderer().render(scene, scene.camera, scene.film, settings);
+}
+
+Settings quick_slices() {
+  Settings settings = sliced_settings({}, 12);
+  settings.light_table = {48, 24};
+  settings.shadow_cells = 96;
+  settings.source_grid = {200, 12};
+  return settings;
+}
+
+void GlFrames::SetUp() {
+  std::string problem;
+  objects_ = live_objects();
+  gl_ = GlRenderer::create(nullptr, problem, true);
+  ASSERT_TRUE(gl_) << problem;
+  ASSERT_TRUE(gl_->context().make_current());
+  messages_ = std::make_unique<Messages>();
+  gl_->context().done_current();
+}
+
+void GlFrames::TearDown() {
+  failures() = {};
+  if (!gl_) return;
+  ASSERT_TRUE(gl_->context().make_current());
+  for (const std::string& message : messages_->take()) ADD_FAILURE() << message;
+  messages_.reset();
+  gl_.reset();
+  EXPECT_EQ(live_objects(), objects_) << "objects were left over";
+}
+
+Frame GlFrames::render(const Scene& scene, const Settings& settings) {
+  return *gl_->render(scene, scene.camera, scene.film, settings);
+}
+
+Frame GlFrames::render_on_device(const Scene& scene, const Settings& settings,
+                                 const std::string& what) {
+  Frame frame = render(scene, settings);
+  EXPECT_EQ(frame.statistics.backend, "gl") << what;
+  for (const SkippedStage& stage : frame.statistics.on_cpu) {
+    EXPECT_NE(stage.stage, "frame") << what << ": " << stage.why;
+  }
+  return frame;
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/scene/scene.h"
+#include "render/gl/device.h"
+#include "render/gl/failures.h"
+#include "render/gl/gl_renderer.h"
+#include "render/gl/resources.h"
+
+namespace brume::gl {
+
+// Of a layer; infinite where one of the two is not a number.
+double rel_rmse(std::span<const float> a, std::span<const float> b);
+
+Frame on_cpu(const Scene& scene, const Settings& settings);
+
+// Both backends make tables alike; small ones are quicker.
+Settings quick_slices();
+
+// A renderer whose driver's messages are failures.
+class GlFrames : public testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+  Frame render(const Scene& scene, const Settings& settings);
+  // A frame that the device has made.
+  Frame render_on_device(const Scene& scene, const Settings& settings, const std::string& what);
+
+  std::unique_ptr<GlRenderer> gl_;
+  std::unique_ptr<Messages> messages_;
+  std::size_t objects_ = 0;
+};
+
+}  // namespace brume::gl
