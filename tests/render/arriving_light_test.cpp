@@ -54,12 +54,10 @@ TEST(ArrivingLight, IsTheReferenceUnderASkyThatIsBrighterAbove) {
 
 TEST(ArrivingLight, ConvergesAsTheGridGrows) {
   const Scene scene = under(even_sky(), cloud(30, 10.0).medium);
-  const auto error = [&](const SourceGridSize& size) {
-    return arriving_light_error("", scene, receivers_around({0, -2, 0}), 1'000, size)
-        .error.rel_rmse;
-  };
-  EXPECT_LT(error({.nodes = 300'000, .directions = 96}),
-            0.5 * error({.nodes = 5'000, .directions = 96}));
+  constexpr SourceGridSize sizes[] = {{.nodes = 300'000, .directions = 96},
+                                      {.nodes = 5'000, .directions = 96}};
+  const auto rows = arriving_light_errors("", scene, receivers_around({0, -2, 0}), 1'000, sizes);
+  EXPECT_LT(rows[0].error.rel_rmse, 0.5 * rows[1].error.rel_rmse);
 }
 
 }  // namespace

@@ -126,6 +126,7 @@ TEST(TransferredLight, IsRenewedWhenWhatItDependsOnChanges) {
   scene.surfaces = {surface};
   Renderer renderer;
   Settings settings;
+  settings.source_grid = {1000, 24};  // everything is made anew each time
   std::vector<float> last;
   const auto expect_as_new = [&](const char* what) {
     const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);

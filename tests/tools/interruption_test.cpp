@@ -20,11 +20,7 @@ namespace fs = std::filesystem;
 class Interruption : public CommandLine {
  protected:
   Interruption() {
-    std::vector<Gaussian> gaussians;
-    for (int i = 0; i < 20'000; ++i) {
-      gaussians.push_back({{std::sin(i), std::sin(7.0 * i), std::sin(31.0 * i)}, 0.4, 0.01});
-    }
-    write_gaussians(folder_ / "cloud.ply", gaussians);
+    write_cloud(20'000);
     slow_ = folder_
                 .write("slow.brume", R"({ "format": "brume-scene", "version": 1,
   "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "film": { "width": 2000, "height": 2000 },
@@ -32,6 +28,15 @@ class Interruption : public CommandLine {
   "lights": [ { "type": "point", "position": [2, 2, 2], "intensity": [30, 20, 10] } ],
   "surfaces": [ { "mesh": "floor.obj" } ] })")
                 .string();
+  }
+
+  // The fog of the scene.
+  void write_cloud(int count) {
+    std::vector<Gaussian> gaussians;
+    for (int i = 0; i < count; ++i) {
+      gaussians.push_back({{std::sin(i), std::sin(7.0 * i), std::sin(31.0 * i)}, 0.4, 0.01});
+    }
+    write_gaussians(folder_ / "cloud.ply", gaussians);
   }
 
   // Ctrl-C while `text` is shown ends the program as SIGINT does, and all files are what they were.
@@ -112,6 +117,7 @@ std::size_t working_threads(pid_t program) {
 
 // The measurement of the error too, which is most of the work here.
 TEST_F(Interruption, ThreadsBindAllWork) {
+  write_cloud(3'000);  // a second or two: this one is waited for
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu", "--threads",
                           "1", "--size", "64x48"});
   std::size_t most = 0;

@@ -54,6 +54,29 @@ Scene cloud_under(std::shared_ptr<const RadianceMap> sky, double depth, double a
   return scene;
 }
 
+ComparedError error_on_grid(const std::string& what, const Scene& scene,
+                            const std::vector<Receiver>& receivers, const EnvironmentLight& light,
+                            const Runs& truth, const SourceGridSize& size) {
+  ArrivalOptics optics;
+  optics.anisotropy = scene.optics.anisotropy;
+  EnvironmentSource source;
+  source.update({*scene.environment, scene.medium, scene.optics.anisotropy, 0.0,
+                 SourceGrid::Receivers{box_around(receivers), optics}, size},
+                Job{});
+  Runs grid = truth;
+  Runs average = truth;
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const Receiver& r = receivers[i];
+    const ArrivingLight arriving = SourceLookUp(source.grid(), r.position).arriving({});
+    const auto depth = static_cast<float>(average_depth(scene.medium, 0.0, r.position));
+    for (std::size_t k = 0; k < independent_runs; ++k) {
+      grid[k][i] -= glm::dvec3(light.diffuse(r.normal, arriving));
+      average[k][i] -= glm::dvec3(light.diffuse(r.normal, light.arriving(depth, 1.0)));
+    }
+  }
+  return {what, unbiased_error(grid, truth), unbiased_error(average, truth)};
+}
+
 }  // namespace
 
 std::vector<Receiver> receivers_around(const glm::dvec3& middle) {
@@ -69,26 +92,20 @@ std::vector<Receiver> receivers_around(const glm::dvec3& middle) {
 ComparedError arriving_light_error(const std::string& what, const Scene& scene,
                                    const std::vector<Receiver>& receivers, std::size_t samples,
                                    const SourceGridSize& size) {
+  return arriving_light_errors(what, scene, receivers, samples, std::span(&size, 1)).front();
+}
+
+std::vector<ComparedError> arriving_light_errors(const std::string& what, const Scene& scene,
+                                                 const std::vector<Receiver>& receivers,
+                                                 std::size_t samples,
+                                                 std::span<const SourceGridSize> sizes) {
   const EnvironmentLight light(*scene.environment, ScatterTable::distant());
-  ArrivalOptics optics;
-  optics.anisotropy = scene.optics.anisotropy;
-  EnvironmentSource source;
-  source.update({*scene.environment, scene.medium, scene.optics.anisotropy, 0.0,
-                 SourceGrid::Receivers{box_around(receivers), optics}, size},
-                Job{});
   const Runs truth = truth_at(scene, receivers, samples);
-  Runs grid = truth;
-  Runs average = truth;
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
-    const Receiver& r = receivers[i];
-    const ArrivingLight arriving = SourceLookUp(source.grid(), r.position).arriving({});
-    const auto depth = static_cast<float>(average_depth(scene.medium, 0.0, r.position));
-    for (std::size_t k = 0; k < independent_runs; ++k) {
-      grid[k][i] -= glm::dvec3(light.diffuse(r.normal, arriving));
-      average[k][i] -= glm::dvec3(light.diffuse(r.normal, light.arriving(depth, 1.0)));
-    }
+  std::vector<ComparedError> rows;
+  for (const SourceGridSize& size : sizes) {
+    rows.push_back(error_on_grid(what, scene, receivers, light, truth, size));
   }
-  return {what, unbiased_error(grid, truth), unbiased_error(average, truth)};
+  return rows;
 }
 
 std::vector<ComparedError> measure_arriving_light(std::size_t samples) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -24,6 +25,11 @@ std::vector<Receiver> receivers_around(const glm::dvec3& middle);
 ComparedError arriving_light_error(const std::string& what, const Scene& scene,
                                    const std::vector<Receiver>& receivers, std::size_t samples,
                                    const SourceGridSize& size = {});
+// The same on several grids: Monte Carlo takes longest, and is the same for all.
+std::vector<ComparedError> arriving_light_errors(const std::string& what, const Scene& scene,
+                                                 const std::vector<Receiver>& receivers,
+                                                 std::size_t samples,
+                                                 std::span<const SourceGridSize> sizes);
 
 // Inside, at the edge of and below clouds, and before and behind a dense one.
 std::vector<ComparedError> measure_arriving_light(std::size_t samples);

@@ -29,10 +29,15 @@ int status_of(const std::function<void()>& work) {
   return status;
 }
 
-void write_and_raise(const fs::path& file, int signal) {
-  write_atomically(file, [signal](const fs::path& temporary) {
-    std::ofstream(temporary) << "half of it";
-    ::raise(signal);
+// Of a program that gets a signal in the middle of a file and began with that signal's disposition.
+int status_of_writing(const fs::path& file, int signal, void (*disposition)(int)) {
+  return status_of([&] {
+    ::signal(signal, disposition);
+    remove_temporary_files_on_signals();
+    write_atomically(file, [signal](const fs::path& temporary) {
+      std::ofstream(temporary) << "half of it";
+      ::raise(signal);
+    });
   });
 }
 
@@ -41,11 +46,7 @@ TEST(TemporaryFiles, GoWhenASignalEndsTheProgram) {
     SCOPED_TRACE(signal);
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.txt", "old");
-    const int status = status_of([&] {
-      ::signal(signal, SIG_DFL);  // whatever runs the tests may ignore it
-      remove_temporary_files_on_signals();
-      write_and_raise(file, signal);
-    });
+    const int status = status_of_writing(file, signal, SIG_DFL);  // what runs us may ignore it
     EXPECT_TRUE(WIFSIGNALED(status));
     EXPECT_EQ(WTERMSIG(status), signal) << "a shell must see what ended the program";
     EXPECT_EQ(content_of(file), "old");
@@ -72,11 +73,7 @@ TEST(TemporaryFiles, GoWithTheFoldersTheyAreIn) {
 TEST(TemporaryFiles, StayWhereTheSignalIsIgnored) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");
-  const int status = status_of([&] {
-    ::signal(SIGHUP, SIG_IGN);  // as nohup does before the program begins
-    remove_temporary_files_on_signals();
-    write_and_raise(file, SIGHUP);
-  });
+  const int status = status_of_writing(file, SIGHUP, SIG_IGN);  // as nohup does
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(content_of(file), "half of it");
 }
