@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 #include "core/io/text_scanner.h"
 
@@ -12,31 +11,42 @@ namespace {
 
 constexpr std::size_t most_digits = 9;
 
-const std::regex& number_place() {
-  static const std::regex place("%(0?[0-9])?d");
-  return place;
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+
+struct NumberPlace {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// The first of %d, %4d or %04d that begins at `first` or later.
+std::optional<NumberPlace> find_number_place(const std::string& text, std::size_t first) {
+  for (std::size_t begin = text.find('%', first); begin != std::string::npos;
+       begin = text.find('%', begin + 1)) {
+    std::size_t end = begin + 1;
+    if (text[end] == '0') ++end;
+    if (is_digit(text[end])) ++end;
+    if (text[end] == 'd') return NumberPlace{begin, end + 1};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 bool FramePattern::is_pattern(const std::string& text) {
-  return std::regex_search(text, number_place());
+  return find_number_place(text, 0).has_value();
 }
 
 std::optional<FramePattern> FramePattern::parse(const std::string& text) {
-  std::smatch found;
-  if (!std::regex_search(text, found, number_place()) || is_pattern(found.suffix())) {
-    return std::nullopt;
-  }
+  const auto place = find_number_place(text, 0);
+  if (!place || find_number_place(text, place->end)) return std::nullopt;
   FramePattern pattern;
-  pattern.before_ = found.prefix();
-  pattern.place_ = found.str();
-  pattern.after_ = found.suffix();
-  if (found[1].matched) pattern.width_ = static_cast<std::size_t>(std::stoi(found[1]));
+  pattern.before_ = text.substr(0, place->begin);
+  pattern.place_ = text.substr(place->begin, place->end - place->begin);
+  pattern.after_ = text.substr(place->end);
+  const std::string width = pattern.place_.substr(1, pattern.place_.size() - 2);
+  if (!width.empty()) pattern.width_ = static_cast<std::size_t>(std::stoi(width));
   return pattern;
 }
 

@@ -1,7 +1,5 @@
 #include "core/io/volume_file.h"
 
-#include <openvdb/openvdb.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -17,6 +15,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/limits.h"
 #include "core/io/number_domain.h"
+#include "core/io/openvdb_grid.h"
 #include "core/io/text_scanner.h"
 #include "core/io/vdb_blocks.h"
 #include "core/io/vdb_file.h"
@@ -26,14 +25,6 @@ namespace brume {
 namespace {
 
 using Path = std::filesystem::path;
-
-void initialize_openvdb() {
-  static const bool once = [] {
-    openvdb::initialize();
-    return true;
-  }();
-  static_cast<void>(once);
-}
 
 std::string names_of(const std::vector<VdbGrid>& grids) {
   std::string names;
@@ -172,8 +163,7 @@ std::vector<VolumeGridInfo> volume_grids(const Path& path) {
 }
 
 void write_volume(const Path& path, const DensityGrid& grid, bool half) {
-  initialize_openvdb();
-  const auto result = openvdb::FloatGrid::create(0.0f);
+  const auto result = new_grid<openvdb::FloatGrid>();
   result->setName("density");
   result->setGridClass(openvdb::GRID_FOG_VOLUME);
   result->setSaveFloatAsHalf(half);

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <QtTest/QtTest>
+#include <atomic>
 #include <fstream>
 #include <functional>
 #include <limits>

@@ -7,7 +7,7 @@
 
 #include "render/cpu/slice_boundaries.h"
 #include "render/cpu/slice_kernels.h"
-#include "render/job.h"
+#include "render/flush_denormals.h"
 #include "render/prepared_scene.h"
 #include "render/renderer.h"
 #include "render/tiles.h"

@@ -3,10 +3,10 @@
 #include "core/io/vdb_file.h"
 
 #include <gtest/gtest.h>
-#include <openvdb/openvdb.h>
 
 #include <map>
 
+#include "core/io/openvdb_grid.h"
 #include "core/io/volume_file.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
@@ -20,8 +20,7 @@ using Coord = openvdb::Coord;
 // Voxels alone, full leaves and tiles of both levels, on both sides of the origin.
 template <class Grid>
 typename Grid::Ptr some_grid(typename Grid::ValueType unit) {
-  openvdb::initialize();
-  const auto grid = Grid::create();
+  const auto grid = new_grid<Grid>();
   Random random(1);
   for (int i = 0; i < 300; ++i) {
     const glm::ivec3 voxel(random.point(300.0));
@@ -163,14 +162,14 @@ TEST(VdbFile, HoldsEachLinearTransform) {
 TEST(VdbFile, GridsThatShareATreeAndGridsThatAreNoNumbers) {
   const TemporaryFolder folder;
   const auto grid = some_grid<openvdb::FloatGrid>(0.37f);
-  const auto twin = openvdb::FloatGrid::create(*grid);
+  const auto twin = new_grid<openvdb::FloatGrid>();
   twin->setTree(grid->treePtr());
   twin->setName("twin");
   const auto frustum = some_grid<openvdb::FloatGrid>(0.37f);
   frustum->setName("frustum");
   frustum->setTransform(openvdb::math::Transform::createFrustumTransform(
       openvdb::BBoxd(openvdb::Vec3d(0.0), openvdb::Vec3d(10.0)), 0.5, 10.0));
-  const auto text = openvdb::GridBase::Ptr(openvdb::MaskGrid::create());
+  const auto text = openvdb::GridBase::Ptr(new_grid<openvdb::MaskGrid>());
   text->setName("mask");
   openvdb::io::File((folder / "a.vdb").string()).write({grid, twin, frustum, text});
   std::map<std::string, std::uint64_t> voxels;

@@ -1,13 +1,13 @@
 #include "core/io/volume_file.h"
 
 #include <gtest/gtest.h>
-#include <openvdb/openvdb.h>
 #include <sys/resource.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/io/openvdb_grid.h"
 #include "core/volume/medium_grid.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
@@ -32,7 +32,6 @@ DensityGrid some_grid() {
 
 template <class Grid>
 void write(const std::filesystem::path& file, const std::string& name, Grid grid) {
-  openvdb::initialize();
   grid->setName(name);
   openvdb::io::File(file.string()).write({grid});
 }
@@ -68,12 +67,11 @@ TEST(VolumeFile, ReadsSmokeOfASimulation) {
 // At the voxels' points, or each component in the middle of its face.
 TEST(VolumeFile, ReadsVelocities) {
   const TemporaryFolder folder;
-  openvdb::initialize();
   const auto field = [](const openvdb::Vec3d& x) {
     return openvdb::Vec3d(1.0 + x.y(), 2.0 * x.x() - x.z(), -0.5 * x.z());
   };
   for (const bool staggered : {false, true}) {
-    const auto grid = openvdb::Vec3SGrid::create();
+    const auto grid = new_grid<openvdb::Vec3SGrid>();
     grid->setTransform(openvdb::math::Transform::createLinearTransform(0.5));
     if (staggered) grid->setGridClass(openvdb::GRID_STAGGERED);
     for (int i = 0; i < 1000; ++i) {
@@ -104,8 +102,7 @@ TEST(VolumeFile, ReadsVelocities) {
 
 TEST(VolumeFile, TilesAreVoxels) {
   const TemporaryFolder folder;
-  openvdb::initialize();
-  const auto grid = openvdb::DoubleGrid::create(0.0);
+  const auto grid = new_grid<openvdb::DoubleGrid>();
   grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(31)), 0.5);
   grid->setTransform(openvdb::math::Transform::createLinearTransform(0.1));
   write(folder / "a.vdb", "smoke", grid);
@@ -115,8 +112,7 @@ TEST(VolumeFile, TilesAreVoxels) {
 // 36 tiles of 128^3 voxels in a small file: 304 MB of blocks, and not twice.
 TEST(VolumeFile, TilesTakeTheMemoryOfTheirVoxelsOnce) {
   const TemporaryFolder folder;
-  openvdb::initialize();
-  const auto grid = openvdb::FloatGrid::create(0.0f);
+  const auto grid = new_grid<openvdb::FloatGrid>();
   grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(127, 127, 36 * 128 - 1)), 0.5f);
   write(folder / "a.vdb", "smoke", grid);
   EXPECT_LT(std::filesystem::file_size(folder / "a.vdb"), 100'000u);
@@ -138,13 +134,12 @@ TEST(VolumeFile, RefusesWhatIsNoDensity) {
   write_volume(folder / "a.vdb", some_grid(), false);
   EXPECT_TRUE(contains(refusal("smoke"), "its grids: density"));
 
-  openvdb::initialize();
-  const auto vectors = openvdb::Vec3SGrid::create();
+  const auto vectors = new_grid<openvdb::Vec3SGrid>();
   vectors->tree().setValue(openvdb::Coord(1, 2, 3), openvdb::Vec3s(1.0f));
   write(folder / "a.vdb", "density", vectors);
   EXPECT_TRUE(contains(refusal("density"), "vec3s"));
 
-  const auto number = openvdb::FloatGrid::create();
+  const auto number = new_grid<openvdb::FloatGrid>();
   number->tree().setValue(openvdb::Coord(1, 2, 3), std::numeric_limits<float>::quiet_NaN());
   write(folder / "a.vdb", "density", number);
   EXPECT_TRUE(contains(refusal("density"), "nan"));
@@ -159,12 +154,12 @@ TEST(VolumeFile, RefusesWhatIsNoDensity) {
   write(folder / "a.vdb", "density", number);
   EXPECT_TRUE(contains(refusal("density"), "active voxels"));
 
-  const auto far = openvdb::FloatGrid::create();
+  const auto far = new_grid<openvdb::FloatGrid>();
   far->tree().setValue(openvdb::Coord(1 << 30, 0, 0), 1.0f);
   write(folder / "a.vdb", "density", far);
   EXPECT_TRUE(contains(refusal("density"), "too far"));
 
-  const auto sheared = openvdb::FloatGrid::create();
+  const auto sheared = new_grid<openvdb::FloatGrid>();
   openvdb::math::Mat4d matrix = openvdb::math::Mat4d::identity();
   matrix(0, 1) = 0.5;
   sheared->setTransform(openvdb::math::Transform::createLinearTransform(matrix));
@@ -180,8 +175,7 @@ TEST(VolumeFile, RefusesWhatIsNoDensity) {
 // A box of 10^23 voxels, two of which there are.
 TEST(VolumeFile, TakesNoMemoryForWhatIsEmpty) {
   const TemporaryFolder folder;
-  openvdb::initialize();
-  const auto grid = openvdb::FloatGrid::create();
+  const auto grid = new_grid<openvdb::FloatGrid>();
   constexpr int far = 1 << 25;
   grid->tree().setValue(openvdb::Coord(-far), 1.0f);
   grid->tree().setValue(openvdb::Coord(far), 1.0f);
