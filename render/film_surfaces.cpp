@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <glm/ext/vector_int2.hpp>
-#include <mutex>
 #include <vector>
 
 #include "render/cpu/surface_kernels.h"
@@ -40,74 +39,18 @@ std::uint64_t shade_points(const FilmSurfaces& film, const Seen& seen, SurfacePo
   return pairs;
 }
 
-bool is_same_from_everywhere(const FilmSurfaces& film, std::int32_t surface) {
-  const auto s = static_cast<std::size_t>(surface);
-  const ShMaterial* material = film.shading.surfaces()[s].material;
-  return film.surfaces[s].material.type == Material::Type::diffuse &&
-         (!material || material->is_diffuse());
-}
-
-// Pixels of a tile whose triangles are kept.
-class Known {
- public:
-  void add(std::size_t pixel, const RadiancePatch& patch, const glm::vec2& uv) {
-    pixels_[count_] = pixel;
-    patches_[count_] = &patch;
-    uv_[count_++] = uv;
-  }
-
-  void look_up(std::span<glm::vec3> radiance) const {
-    std::array<glm::vec3, Tiles::pixels> sent;
-    evaluate_patches(std::span(patches_).first(count_), std::span(uv_).first(count_), sent);
-    for (std::size_t k = 0; k < count_; ++k) radiance[pixels_[k]] = sent[k];
-  }
-
- private:
-  std::array<std::size_t, Tiles::pixels> pixels_;
-  std::array<const RadiancePatch*, Tiles::pixels> patches_;
-  std::array<glm::vec2, Tiles::pixels> uv_;
-  std::size_t count_ = 0;
-};
-
-// A triangle that is to be kept, and a direction in which it is seen.
-struct Asked {
-  std::uint32_t triangle;
-  glm::vec3 direction;
-};
-
 // What one thread does.
 class Shader {
  public:
   Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits, std::span<glm::vec3> radiance)
-      : film_(film),
-        hits_(hits),
-        radiance_(radiance),
-        eye_(film.rays.eye() - film.visibility.middle()),
-        waiting_(film.surfaces.size()) {}
+      : film_(film), hits_(hits), radiance_(radiance), waiting_(film.surfaces.size()) {}
 
   void shade(const CameraRays::PixelRectangle& tile) {
-    std::array<glm::ivec2, Tiles::pixels> pixels;
-    std::size_t count = 0;
     Tiles::each_pixel(tile, [&](int x, int y) {
       const std::size_t i = index_of({x, y});
       radiance_[i] = glm::vec3(0.0f);
-      if (!std::isfinite(hits_[i].distance)) return;
-      pixels[count++] = {x, y};
-      // Asked for all of a tile before the first is read.
-      if (film_.kept) film_.kept->prefetch(hits_[i].triangle);
+      if (std::isfinite(hits_[i].distance)) shade_later({x, y});
     });
-    Known known;
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = index_of(pixels[k]);
-      const RasterPixel& hit = hits_[i];
-      const RadiancePatch* patch = film_.kept ? film_.kept->of(hit.triangle, eye_) : nullptr;
-      if (patch) {
-        known.add(i, *patch, {hit.u, hit.v});
-      } else {
-        shade_later(pixels[k]);
-      }
-    }
-    known.look_up(radiance_);
   }
 
   // Before the tile is shaded: its rows are far apart in memory.
@@ -126,7 +69,6 @@ class Shader {
   }
 
   [[nodiscard]] std::uint64_t pairs() const { return pairs_; }
-  [[nodiscard]] const std::vector<Asked>& asked() const { return asked_; }
 
  private:
   [[nodiscard]] std::size_t index_of(const glm::ivec2& pixel) const {
@@ -159,42 +101,14 @@ class Shader {
       radiance_[index_of(pixels[k])] = {sent.r[k], sent.g[k], sent.b[k]};
     }
     pixels.clear();
-    if (!film_.kept || !is_same_from_everywhere(film_, seen.hits[0].surface)) return;
-    for (std::size_t k = 0; k < seen.count; ++k) {
-      if (film_.kept->is_due(points.triangle[k], eye_)) {
-        asked_.push_back({points.triangle[k], seen.directions[k]});
-      }
-    }
   }
 
   const FilmSurfaces& film_;
   std::span<const RasterPixel> hits_;
   std::span<glm::vec3> radiance_;
-  glm::vec3 eye_;
   std::vector<std::vector<glm::ivec2>> waiting_;  // per surface
   std::uint64_t pairs_ = 0;
-  std::vector<Asked> asked_;
 };
-
-// The probes of as many triangles as fill a tile, of one surface each.
-std::vector<Seen> probes_of(const std::vector<Asked>& asked, const Visibility& visibility) {
-  constexpr std::size_t probes = TriangleRadiance::probes;
-  std::vector<Seen> batches;
-  for (const Asked& of : asked) {
-    const auto hit_at = [&](const glm::vec2& place) {
-      return visibility.hit_of({0.0f, of.triangle, place.x, place.y});
-    };
-    const bool fits = !batches.empty() && batches.back().count + probes <= Tiles::pixels &&
-                      batches.back().hits[0].surface == hit_at({}).surface;
-    if (!fits) batches.emplace_back();
-    Seen& seen = batches.back();
-    for (const glm::vec2& place : TriangleRadiance::probe_places) {
-      seen.hits[seen.count] = hit_at(place);
-      seen.directions[seen.count++] = of.direction;
-    }
-  }
-  return batches;
-}
 
 }  // namespace
 
@@ -202,8 +116,6 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& 
                                   std::span<glm::vec3> radiance) const {
   const Tiles tiles(film);
   std::atomic<std::uint64_t> pairs = 0;
-  std::mutex mutex;
-  std::vector<Asked> asked;
   job.each((tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t part) {
     Shader shader(*this, hits, radiance);
     const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
@@ -213,18 +125,6 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& 
     }
     shader.finish();
     pairs += shader.pairs();
-    const std::lock_guard lock(mutex);
-    asked.insert(asked.end(), shader.asked().begin(), shader.asked().end());
-  });
-  std::ranges::sort(asked, {}, &Asked::triangle);
-  const auto again = std::ranges::unique(asked, {}, &Asked::triangle);
-  asked.erase(again.begin(), again.end());
-  const std::vector<Seen> batches = probes_of(asked, visibility);
-  job.each(batches.size(), [&](std::size_t b) {
-    SurfacePoints points;
-    PointRadiance sent;
-    pairs += shade_points(*this, batches[b], points, sent);
-    kept->keep(points, lighting.lights, sent);
   });
   return pairs;
 }

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "render/cpu/surfaces.h"
-#include "render/cpu/triangle_radiance.h"
 #include "render/cpu/visibility.h"
 #include "render/job.h"
 #include "render/medium_index.h"
@@ -24,11 +23,9 @@ struct FilmSurfaces {
   const CameraRays& rays;
   Film film;
   Settings::Arithmetic arithmetic;
-  TriangleRadiance* kept;  // null: everything is shaded
 
-  // Sets the radiance that each pixel's hit sends to the eye, black where there is none: looks up
-  // what is kept, shades the others surface by surface, and finds out about some of their triangles
-  // for frames to come. Returns the Gaussian x path pairs evaluated.
+  // Sets the exitant radiance of each pixel's hit towards the eye, black where there is none.
+  // Returns the Gaussian x path pairs evaluated.
   std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
                       std::span<glm::vec3> radiance) const;
 };

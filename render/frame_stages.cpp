@@ -260,28 +260,10 @@ std::span<const glm::vec3> FrameStages::shade_surfaces(FrameWork& work, StageClo
   if (!work.plan.lit_surfaces) return {};
   surface_radiance_.resize(hits_.size());
   take_light(work);
-  SurfaceLighting lighting = tabled_lighting(work);
-  const Settings::Arithmetic arithmetic = arithmetic_of(work.settings);
-  TriangleRadiance* kept = nullptr;
-  // Where triangles are smaller than pixels, it is rays that are few.
-  if (prepared_.visibility().size() <= hits_.size()) {
-    for (SurfaceLight& light : lighting.lights) {
-      light.sights = prepared_.lamp_sights(light.light.position);
-    }
-    if (arithmetic == Settings::Arithmetic::simd_float) {
-      kept = shading_.kept_radiance(work.scene, lighting, work.settings, arithmetic,
-                                    prepared_.visibility().size());
-    }
-  }
-  const FilmSurfaces film{work.scene.surfaces,
-                          prepared_.medium(),
-                          prepared_.visibility(),
-                          shading_,
-                          lighting,
-                          work.rays,
-                          work.frame.film,
-                          arithmetic,
-                          kept};
+  const SurfaceLighting lighting = tabled_lighting(work);
+  const FilmSurfaces film{
+      work.scene.surfaces, prepared_.medium(), prepared_.visibility(),      shading_, lighting,
+      work.rays,           work.frame.film,    arithmetic_of(work.settings)};
   work.frame.statistics.light_pairs += film.shade(hits_, work.job, surface_radiance_);
   clock.finish("surfaces");
   return surface_radiance_;

@@ -38,6 +38,7 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     if (depth_error_ != depth_error) tables_.clear();
     auto index = std::make_unique<MediumIndex>(
         scene.medium, depth_tolerance(scene.medium, depth_error), scene.optics.anisotropy);
+    if (!settings.patch_light_tables) tables_.clear();
     const std::vector<TableGaussian> changed =
         tables_.empty() ? std::vector<TableGaussian>{}
                         : changed_gaussians(medium_, *index_, scene.medium, *index);
@@ -55,8 +56,6 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
   }
   index_->set_noise(RayNoise(scene.optics.noise, settings.time));
   if (!visibility_ || !visibility_->shows(scene.surfaces)) {
-    lamps_.clear();
-    beams_.reset();
     visibility_.reset();
     occluders_.reset();
     shadows_.clear();
@@ -71,14 +70,10 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
   };
   std::erase_if(depths_, [&](const auto& known) { return gone(known->light); });
   std::erase_if(tables_, [&](const auto& known) {
-    return gone(known->table.light()) || !(known->size == settings.light_table);
+    return gone(known->table.light()) || !(known->size == settings.light_table) ||
+           (known->is_patched && !settings.patch_light_tables);
   });
   std::erase_if(shadows_, [&](const auto& known) { return gone(known->light()); });
-  std::erase_if(lamps_, [&](const SightedLamp& known) { return gone(known.light); });
-  for (SightedLamp& lamp : lamps_) {
-    lamp.stayed = true;
-    if (lamp.sights) lamp.sights->begin_frame();
-  }
 }
 
 const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
@@ -104,6 +99,7 @@ const LightTable& PreparedScene::light_table(const glm::dvec3& light, const Ligh
     const std::vector<TableGaussian> changed = std::move(found.changed);
     found.changed.clear();
     if (found.table.update(*index_, changed)) {
+      found.is_patched = true;
       pairs += found.table.pairs;
       return found.table;
     }
@@ -112,21 +108,6 @@ const LightTable& PreparedScene::light_table(const glm::dvec3& light, const Ligh
   tables_.push_back(std::make_unique<Table>(size, LightTable(*index_, light, size)));
   pairs += tables_.back()->table.pairs;
   return tables_.back()->table;
-}
-
-const LampSights* PreparedScene::lamp_sights(const glm::dvec3& light) {
-  const auto known =
-      std::ranges::find_if(lamps_, [&](const SightedLamp& s) { return s.light == light; });
-  if (known == lamps_.end()) {
-    lamps_.push_back({light});
-    return nullptr;
-  }
-  if (!known->stayed) return nullptr;
-  if (!known->sights) {
-    if (!beams_) beams_ = std::make_unique<TriangleBeams>(*visibility_);
-    known->sights = std::make_unique<LampSights>(*beams_, light - visibility_->middle());
-  }
-  return known->sights.get();
 }
 
 const ShadowMap& PreparedScene::shadow_map(const glm::dvec3& light, const DirectionMap& map) {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "render/cpu/lamp_sights.h"
 #include "render/cpu/light_table.h"
 #include "render/cpu/path_depths.h"
 #include "render/cpu/shadow_map.h"
@@ -43,8 +42,6 @@ class PreparedScene {
                                    std::uint64_t& pairs);
   const LightTable& light_table(const glm::dvec3& light, const LightTableSize& size,
                                 std::uint64_t& pairs);
-  // Null until an update() has found the light and the surfaces as they were when first asked.
-  const LampSights* lamp_sights(const glm::dvec3& light);
   const ShadowMap& shadow_map(const glm::dvec3& light, const DirectionMap& map);
 
  private:
@@ -67,19 +64,12 @@ class PreparedScene {
     LightTableSize size;
     LightTable table;
     std::vector<TableGaussian> changed = {};  // since it was made
+    bool is_patched = false;
   };
   // Pointers, so that references live on when a vector grows.
   std::vector<std::unique_ptr<Depths>> depths_;
   std::vector<std::unique_ptr<Table>> tables_;
   std::vector<std::unique_ptr<ShadowMap>> shadows_;
-
-  struct SightedLamp {
-    glm::dvec3 light;
-    bool stayed = false;  // since the update() before
-    std::unique_ptr<LampSights> sights = nullptr;
-  };
-  std::unique_ptr<TriangleBeams> beams_;  // for lamps_
-  std::vector<SightedLamp> lamps_;
 };
 
 }  // namespace brume

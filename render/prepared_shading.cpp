@@ -103,6 +103,7 @@ PreparedShading::LitBy PreparedShading::lit_by(const Scene& scene, const Surface
   by.settings.depth_error = settings.depth_error;
   by.settings.paper_spread = settings.paper_spread;
   by.settings.arithmetic = arithmetic;
+  by.settings.patch_light_tables = settings.patch_light_tables;
   return by;
 }
 
@@ -129,25 +130,6 @@ void PreparedShading::take_light(const Scene& scene, const MediumIndex& medium,
     }
     shading_[i].transferred = light.get();
   }
-}
-
-TriangleRadiance* PreparedShading::kept_radiance(const Scene& scene,
-                                                 const SurfaceLighting& lighting,
-                                                 const Settings& settings,
-                                                 Settings::Arithmetic arithmetic,
-                                                 std::size_t triangles) {
-  Lit lit{lit_by(scene, lighting, settings, arithmetic), scene.surfaces, light_revision_};
-  if (!(lit == lit_)) {
-    lit_ = std::move(lit);
-    radiance_.reset();
-    return nullptr;
-  }
-  if (radiance_) {
-    radiance_->begin_frame();
-  } else {
-    radiance_ = std::make_unique<TriangleRadiance>(triangles);
-  }
-  return radiance_.get();
 }
 
 const ShMaterial& PreparedShading::sh_material_of(const Material& material) {

@@ -7,7 +7,6 @@
 #include "core/scene/scene.h"
 #include "render/cpu/average_depth_grid.h"
 #include "render/cpu/transferred_light.h"
-#include "render/cpu/triangle_radiance.h"
 #include "render/environment_light.h"
 #include "render/job.h"
 #include "render/medium_index.h"
@@ -39,12 +38,6 @@ class PreparedShading {
   void take_light(const Scene& scene, const MediumIndex& medium, const SurfaceLighting& lighting,
                   const Settings& settings, Settings::Arithmetic arithmetic, const Job& job,
                   std::uint64_t& pairs);
-
-  // What surfaces of as many triangles send, if they and `lighting` have stayed since this was
-  // last asked for; null: they have not. Asked for once a frame.
-  TriangleRadiance* kept_radiance(const Scene& scene, const SurfaceLighting& lighting,
-                                  const Settings& settings, Settings::Arithmetic arithmetic,
-                                  std::size_t triangles);
 
   // From here on, of the last update(). One for each surface of the scene.
   [[nodiscard]] const std::vector<SurfaceShading>& surfaces() const { return shading_; }
@@ -83,14 +76,6 @@ class PreparedShading {
   };
   static LitBy lit_by(const Scene& scene, const SurfaceLighting& lighting, const Settings& settings,
                       Settings::Arithmetic arithmetic);
-  // All that decides what surfaces send.
-  struct Lit {
-    LitBy by;
-    std::vector<Surface> surfaces;
-    std::uint64_t light_revision = 0;
-
-    bool operator==(const Lit&) const = default;
-  };
   std::uint64_t light_revision_ = 0;
   struct VertexLight {
     Surface surface;
@@ -107,8 +92,6 @@ class PreparedShading {
   std::vector<std::unique_ptr<Depths>> depths_;
   LitBy lit_by_;  // of vertex_lights_
   std::vector<VertexLight> vertex_lights_;
-  Lit lit_;  // when radiance was last asked for
-  std::unique_ptr<TriangleRadiance> radiance_;
   std::vector<SurfaceShading> shading_;
 };
 

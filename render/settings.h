@@ -82,6 +82,12 @@ struct Settings {
   enum class Arithmetic { simd_float, plain_double };
   Arithmetic arithmetic = Arithmetic::simd_float;
 
+  // Where few Gaussians have changed since the frame before, only the parts of the lights' tables
+  // that they are seen in are made again. Faster while one edits, but a pixel then depends on the
+  // edits before it, by the steps in which tables store optical depths. Not for frames that are
+  // kept.
+  bool patch_light_tables = false;
+
   bool operator==(const Settings&) const = default;
 };
 

@@ -316,6 +316,7 @@ FrameRequest Viewport::frame_request(bool moving) const {
   if (moving) {
     settings = sliced_settings(rest, motion_slices);
     settings.airlight = rest.airlight;
+    settings.patch_light_tables = true;
     if (scene == rested_scene_) {
       // What was prepared for them: going back and forth between two would do it anew each time.
       settings.light_table = rest.light_table;

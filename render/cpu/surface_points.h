@@ -31,7 +31,6 @@ struct PointVectors {
 struct SurfacePoints {
   const Surface* surface = nullptr;
   std::size_t count = 0;
-  std::array<std::uint32_t, Tiles::pixels> triangle;  // index in Visibility::triangles()
   PointArray u, v;             // barycentric, of the triangle's second and third corner
   glm::dvec3 origin{0.0};      // what positions are relative to
   PointVectors position;       // [u]

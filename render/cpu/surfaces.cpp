@@ -119,7 +119,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const Visibility& visi
     const glm::vec3 position(light.light.position - points.origin);
     see_light(points, position, at);
     pairs += find_depths(medium, light, points, arithmetic, at);
-    visibility.find_lit(points, position, light.sights, at);
+    visibility.find_lit(points, position, at);
     PointLightShading reflected = point_light_shading(material, light.light);
     if (material.type == Material::Type::measured) {
       add_measured_light(points, at, reflected.intensity, radiance);

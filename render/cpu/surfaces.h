@@ -22,7 +22,6 @@ struct SurfaceLight {
   PointLight light;
   double density = 0.0;                // b(s) of the medium [1/u]
   const LightTable* table = nullptr;   // where T(s, p) is taken from; null: it is summed exactly
-  const LampSights* sights = nullptr;  // of the surfaces' triangles; null: not known
 };
 
 struct SurfaceLighting {

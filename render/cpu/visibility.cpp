@@ -14,7 +14,6 @@
 
 #include "core/scene/mesh.h"
 #include "render/cpu/edge_on.h"
-#include "render/cpu/lamp_sights.h"
 
 #include "render/cpu/surface_kernels.h"
 
@@ -398,7 +397,6 @@ void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::v
   for (std::size_t i = 0; i < points.padded_size(); ++i) {
     const std::size_t from = std::min(i, hits.size() - 1);
     const SurfaceHit& hit = hits[from];
-    points.triangle[i] = index_of(hit);
     const glm::uvec3& corners = all_corners[hit.triangle];
     for (std::size_t c = 0; c < 3; ++c) {
       const Vertex& vertex = vertices[corners[static_cast<int>(c)]];
@@ -413,20 +411,15 @@ void Visibility::points(std::span<const SurfaceHit> hits, std::span<const glm::v
 }
 
 void Visibility::find_lit(const SurfacePoints& points, const glm::vec3& position,
-                          const LampSights* sights, LightAtPoints& light) const {
-  std::array<std::uint8_t, Tiles::pixels> asked;
+                          LightAtPoints& light) const {
+  std::array<std::uint8_t, Tiles::pixels> facing;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.padded_size(); ++i) {
-    const bool faces = i < points.count && light.cosine[i] > 0.0f;
-    const TriangleSight sight =
-        faces && sights ? sights->of(points.triangle[i], points.side[i], points.u[i], points.v[i])
-                        : TriangleSight::unknown;
-    light.lit[i] = sight == TriangleSight::whole ? 1.0f : 0.0f;
-    const bool is_known = sight == TriangleSight::whole || sight == TriangleSight::none;
-    if (faces && !is_known) asked[count++] = static_cast<std::uint8_t>(i);
+    light.lit[i] = 0.0f;
+    if (i < points.count && light.cosine[i] > 0.0f) facing[count++] = static_cast<std::uint8_t>(i);
   }
   for (std::size_t first = 0; first < count; first += packet) {
-    cast_shadow_rays(points, position, std::span(asked).first(count).subspan(first), light);
+    cast_shadow_rays(points, position, std::span(facing).first(count).subspan(first), light);
   }
 }
 

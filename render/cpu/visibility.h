@@ -16,8 +16,6 @@
 
 namespace brume {
 
-class LampSights;
-
 // The nearest surface on a ray, as little as is kept per pixel.
 struct SurfaceHit {
   double distance = std::numeric_limits<double>::infinity();
@@ -110,10 +108,8 @@ class Visibility {
   void points(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
               std::span<const Surface> surfaces, SurfacePoints& points) const;
 
-  // Sets `lit` of a light at `position` relative to points.origin that see_light() has seen. Where
-  // its `sights` tell, points need no ray; null: all do.
-  void find_lit(const SurfacePoints& points, const glm::vec3& position, const LampSights* sights,
-                LightAtPoints& light) const;
+  // Sets `lit` of a light at `position` relative to points.origin that see_light() has seen.
+  void find_lit(const SurfacePoints& points, const glm::vec3& position, LightAtPoints& light) const;
 
   // Whether a surface stands between two points, ends excluded. Thread-safe.
   [[nodiscard]] bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;

@@ -107,6 +107,9 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   entries_.bind(6);
   list.set("fill", 1);
   list.dispatch_linear(groups_of(8 * count, 64));
+  const Program& sort = programs["sort_list"];
+  sort.set("tiles", static_cast<unsigned>(tile_count));
+  sort.dispatch_linear(tile_count);
 }
 
 }  // namespace brume::gl

@@ -31,14 +31,14 @@ std::vector<glm::dvec3> points_in_the_cloud(int count) {
 }
 
 // Far away (a perspective map), close by and inside (octahedral ones).
-constexpr std::array<glm::dvec3, 3> lights = {glm::dvec3(2, 9, 3), glm::dvec3(0.5, 1.8, 0.3),
+constexpr std::array<glm::dvec3, 3> light_positions = {glm::dvec3(2, 9, 3), glm::dvec3(0.5, 1.8, 0.3),
                                               glm::dvec3(0.1, 0.2, -0.1)};
 
 TEST(LightTable, FindsTheDepthOfTheMedium) {
   const Scene scene = cloud_scene(100, 2.0);
   const MediumIndex medium(scene.medium, 1e-6);
   const std::vector<glm::dvec3> points = points_in_the_cloud(500);
-  for (const glm::dvec3& light : lights) {
+  for (const glm::dvec3& light : light_positions) {
     SCOPED_TRACE(light.y);
     double coarse = 0.0;
     for (const LightTableSize size : {LightTableSize{32, 16}, LightTableSize{128, 64}}) {
@@ -102,7 +102,7 @@ TEST(LightTable, UpdatesAreExact) {
   for (int i = 0; i < 200; ++i) start.append({random.point(0.7), 0.08, random.uniform(1.0, 4.0)});
   const LightTableSize size{64, 32};
   const std::vector<glm::dvec3> points = points_in_the_cloud(2000);
-  for (const glm::dvec3& light : lights) {
+  for (const glm::dvec3& light : light_positions) {
     SCOPED_TRACE(light.y);
     Medium medium = start;
     MediumIndex index(medium, 1e-6);
@@ -119,7 +119,7 @@ TEST(LightTable, UpdatesAreExact) {
       changed.emplace_back(index, which);
       ASSERT_TRUE(table.update(index, changed));
       // A light within the edited Gaussian sees it in all directions.
-      if (light != lights[2]) {
+      if (light != light_positions[2]) {
         EXPECT_LT(table.pairs, whole * 3 / 4);
       }
       EXPECT_GT(table.pairs, 0u);
@@ -135,7 +135,7 @@ TEST(LightTable, UpdatesAreExact) {
 TEST(LightTable, SaysWhenAnUpdateIsNotEnough) {
   Scene scene = cloud_scene(50, 1.0);
   MediumIndex index(scene.medium, 1e-6);
-  const glm::dvec3 light = lights[0];
+  const glm::dvec3 light = light_positions[0];
   LightTable table(index, light, {32, 16});
   scene.medium.append({{6.0, 0.0, 0.0}, 0.3, 1.0});
   index = MediumIndex(scene.medium, 1e-6);

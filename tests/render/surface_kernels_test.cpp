@@ -121,7 +121,7 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
 
     LightAtPoints at;
     see_light(points, glm::vec3(light - points.origin), at);
-    seen.visibility->find_lit(points, glm::vec3(light - points.origin), nullptr, at);
+    seen.visibility->find_lit(points, glm::vec3(light - points.origin), at);
     for (float& depth : at.depths) depth = static_cast<float>(random.power(-3.0, 1.3));
     PointLightShading shading;
     shading.intensity = {3.0f, 2.0f, 1.0f};

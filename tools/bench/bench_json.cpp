@@ -198,8 +198,6 @@ std::string to_json(const BenchReport& report) {
     entry["fps"] = 1e3 / row.measurement.milliseconds.median;
     entry["paper_fps"] = row.paper_fps;
     entry["kernel"] = to_json(row.share);
-    entry["first_frames_ms"] = to_json(row.learning_milliseconds);
-    entry["looked_up"] = {{"rms", row.kept.rms}, {"greatest", row.kept.greatest}};
     rows.push_back(std::move(entry));
   }
   json["table_one"] = std::move(rows);

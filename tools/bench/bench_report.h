@@ -53,20 +53,11 @@ struct ThreadRow {
   Spread milliseconds;
 };
 
-// How far light on surfaces that is looked up is from light that is not: of the brightest channel
-// of each pixel with a surface.
-struct KeptLightError {
-  double rms = 0.0;
-  double greatest = 0.0;
-};
-
 struct TableOneRow {
   std::string name;
   double paper_fps = 0.0;
-  Measurement measurement;  // when all has been found out about that is kept from frame to frame
+  Measurement measurement;
   KernelShare share;
-  Spread learning_milliseconds;  // of the frames before, after the first
-  KeptLightError kept;
 };
 
 struct HardCaseRow {

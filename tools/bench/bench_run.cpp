@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "core/io/scene_file.h"
-#include "render/cpu/lamp_sights.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
@@ -25,26 +24,6 @@ namespace {
 
 constexpr Film frontier_film{200, 150};
 
-KeptLightError kept_light_error(const Frame& kept, const Frame& shaded) {
-  KeptLightError error;
-  double square = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < shaded.depth.size(); ++i) {
-    const float* a = &kept.beauty[4 * i];
-    const float* b = &shaded.beauty[4 * i];
-    const float brightest = std::max({b[0], b[1], b[2]});
-    if (!std::isfinite(shaded.depth[i]) || !(brightest > 0.0f)) continue;
-    for (int c = 0; c < 3; ++c) {
-      const double off = static_cast<double>(std::abs(a[c] - b[c]) / brightest);
-      square += off * off;
-      error.greatest = std::max(error.greatest, off);
-      ++count;
-    }
-  }
-  error.rms = count > 0 ? std::sqrt(square / static_cast<double>(count)) : 0.0;
-  return error;
-}
-
 TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options) {
   const Scene scene = kind.make();
   const auto transfers = std::make_shared<TransferStore>();
@@ -53,20 +32,12 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   Settings settings = fewest_slices(chooser, scene);
   settings.threads = options.threads;
   const Truth truth = find_truth(scene, 300, 1e-3);
-  TableOneRow row{kind.name, kind.frames_per_second, {}, {}, {}, {}};
+  TableOneRow row{kind.name, kind.frames_per_second, {}, {}};
   Renderer renderer(transfers);
-  const auto look = [&](Renderer& by) {
-    return *by.render(scene, scene.camera, scene.film, settings);
-  };
-  look(renderer);
+  static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
   // As one turns a scene in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
-  constexpr int learning = 5 * LampSights::rounds;
-  row.learning_milliseconds =
-      moved_frames(renderer, scene, settings, learning, 0.0, {turn}).milliseconds;
-  row.measurement = measure(renderer, scene, settings, truth.sample, 2.0, {turn, learning + 1});
-  Renderer anew(transfers);
-  row.kept = kept_light_error(look(renderer), look(anew));
+  row.measurement = measure(renderer, scene, settings, truth.sample, 2.0, {turn, 1});
   row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);
   return row;
 }

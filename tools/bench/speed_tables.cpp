@@ -118,27 +118,23 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
       "Scenes like those of the paper's Table 1",
       "The same kinds and sizes, at 800 x 600 with airlight scale 4 and the fewest slices that "
       "meet 2%. The camera orbits the scene by half a degree per frame. The paper's frame rates "
-      "are those of a GPU of 2007. The first 40 frames after a change of the lights also fill the "
-      "caches of light visibility and of outgoing radiance; their time is listed separately. The "
-      "cache error is the difference between cached and uncached light on surfaces, rms and "
-      "maximum, relative to the brightest channel of a pixel. The share of the arithmetic limit is "
+      "are those of a GPU of 2007. The share of the arithmetic limit is "
       "the minimum time of the view pass's arithmetic, on data in registers, over the time of the "
       "view pass, on one thread.",
-      {"scene", "frames per second", "paper", "setting", "error", "stages, ms", "first frames, ms",
-       "cache error", "share of the arithmetic limit"},
+      {"scene", "frames per second", "paper", "setting", "error", "stages, ms",
+       "share of the arithmetic limit"},
       {},
       ""};
   for (const TableOneRow& row : rows) {
     const Measurement& m = row.measurement;
     const Spread& ms = m.milliseconds;
     const Spread& reached = row.share.of_limit_with_pairs;
-    table.rows.push_back(
-        {row.name, with_spread({1e3 / ms.median, 1e3 / ms.greatest, 1e3 / ms.least}, 1),
-         formatted("%.0f", row.paper_fps), m.setting, formatted("%.2f%%", 100.0 * m.error.rel_rmse),
-         stage_times(m), with_spread(row.learning_milliseconds, 1),
-         formatted("%.2g%%, %.2g%%", 100.0 * row.kept.rms, 100.0 * row.kept.greatest),
-         formatted("%.0f%% (%.0f to %.0f)", 100.0 * reached.median, 100.0 * reached.least,
-                   100.0 * reached.greatest)});
+    table.rows.push_back({row.name,
+                          with_spread({1e3 / ms.median, 1e3 / ms.greatest, 1e3 / ms.least}, 1),
+                          formatted("%.0f", row.paper_fps), m.setting,
+                          formatted("%.2f%%", 100.0 * m.error.rel_rmse), stage_times(m),
+                          formatted("%.0f%% (%.0f to %.0f)", 100.0 * reached.median,
+                                    100.0 * reached.least, 100.0 * reached.greatest)});
   }
   return table;
 }

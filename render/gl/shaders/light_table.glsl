@@ -10,6 +10,7 @@ shared float nearest[most_radii];  // all rays have the same boundaries
 #include "cone.glsl"
 #include "direction_map.glsl"
 #include "increments.glsl"
+#include "compact.glsl"
 
 layout(std430, binding = 0) readonly buffer Centers { double centers[]; };
 layout(std430, binding = 1) readonly buffer Shapes { vec4 shapes[]; };  // a, scale, cutoff, reach
@@ -27,7 +28,6 @@ uniform float first_radius;
 uniform float radii_per_unit;
 uniform float bend;  // see TableRadii
 
-shared uint found;
 shared vec4 gaussians[64];
 shared vec4 shapes_of[64];
 shared ivec2 ranges[64];
@@ -59,24 +59,24 @@ void main() {
     for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
     for (int k = 0; k <= chunk; ++k) ends[k] = nearest[min(first + k, last)];
     for (uint base = 0u; base < count; base += 64u) {
-      barrier();
-      if (id == 0u) found = 0u;
-      barrier();
       const uint i = base + id;
-      if (i < count) {
-        const vec4 shape = shapes[i];
-        const vec3 b =
-            vec3(dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - light);
-        const float distance_ = length(b);
-        const ivec2 range =
-            touched_slices(distance_ - shape.w, distance_ + shape.w, first, last);
-        if (shape.w > 0.0 && range.x < range.y && touches_cone(b, shape.w)) {
-          const uint slot = atomicAdd(found, 1u);
-          gaussians[slot] = vec4(b, shape.x);
-          shapes_of[slot] = shape;
-          ranges[slot] = range;
-          counted[slot] = first == 0 || distance_ - shape.w > nearest[first] ? 1u : 0u;
-        }
+      vec4 shape = vec4(0.0);
+      vec3 b = vec3(0.0);
+      ivec2 range = ivec2(0);
+      bool matters = i < count;
+      if (matters) {
+        shape = shapes[i];
+        b = vec3(dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - light);
+        range = touched_slices(length(b) - shape.w, length(b) + shape.w, first, last);
+        matters = shape.w > 0.0 && range.x < range.y && touches_cone(b, shape.w);
+      }
+      uint found;
+      const uint slot = compact_slot(matters, found);
+      if (matters) {
+        gaussians[slot] = vec4(b, shape.x);
+        shapes_of[slot] = shape;
+        ranges[slot] = range;
+        counted[slot] = first == 0 || length(b) - shape.w > nearest[first] ? 1u : 0u;
       }
       barrier();
       for (uint j = 0u; j < found; ++j) {

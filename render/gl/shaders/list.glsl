@@ -1,5 +1,5 @@
 // The lists of tiles: counts what each gets, or fills them from where scan.glsl says. Eight
-// invocations share a Gaussian. The order within a list is any.
+// invocations share a Gaussian. The order within a list is any until sort_list.glsl has sorted it.
 #include "linear.glsl"
 
 layout(local_size_x = 64) in;

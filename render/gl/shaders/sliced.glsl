@@ -11,12 +11,12 @@
 #include "increments.glsl"
 #include "middle_ray.glsl"
 #include "source.glsl"
+#include "compact.glsl"
 
 uniform float b0;
 uniform float anisotropy;
 uniform float negligible;
 
-shared uint found;
 shared vec4 batch_position[group_size];
 shared vec4 batch_shape[group_size];
 shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
@@ -71,18 +71,20 @@ void main() {
       ends[k + 1] = min(boundary, length_);
     }
     for (uint base = begin; base < end; base += group_size) {
-      barrier();
-      if (id == 0u) found = 0u;
-      barrier();
-      if (base + id < end) {
-        const uint i = list[base + id];
-        const ivec4 range = slices_of(i, ray, first, last);
-        if (range.x < range.y || (needs_line && first == 0)) {
-          const uint slot = atomicAdd(found, 1u);
-          batch_position[slot] = seen[2 * i];
-          batch_shape[slot] = seen[2 * i + 1];
-          batch_slices[slot] = range;
-        }
+      uint i = 0u;
+      ivec4 range = ivec4(0);
+      bool matters = base + id < end;
+      if (matters) {
+        i = list[base + id];
+        range = slices_of(i, ray, first, last);
+        matters = range.x < range.y || (needs_line && first == 0);
+      }
+      uint found;
+      const uint slot = compact_slot(matters, found);
+      if (matters) {
+        batch_position[slot] = seen[2 * i];
+        batch_shape[slot] = seen[2 * i + 1];
+        batch_slices[slot] = range;
       }
       barrier();
       for (uint j = 0u; j < found; ++j) {

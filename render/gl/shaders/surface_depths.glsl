@@ -6,6 +6,7 @@
 #include "surface_point.glsl"
 
 layout(local_size_x = 64) in;
+#include "compact.glsl"
 
 layout(std430, binding = 0) readonly buffer Centers { double centers[]; };
 layout(std430, binding = 1) readonly buffer Shapes { vec4 shapes[]; };  // a, scale, cutoff, reach
@@ -19,7 +20,6 @@ uniform ivec2 film;
 uniform int first;  // where the light's depths begin
 
 shared uint longest;  // path, as bits: floats >= 0 are in the order of their bits
-shared uint found;
 shared vec4 gaussians[64];
 shared vec2 shapes_of[64];  // scale, cutoff
 
@@ -44,18 +44,20 @@ void main() {
   uint evaluated = 0u;
   const float end = uintBitsToFloat(longest);
   for (uint base = 0u; base < count && end > 0.0; base += 64u) {
-    barrier();
-    if (id == 0u) found = 0u;
-    barrier();
     const uint i = base + id;
-    if (i < count) {
-      const vec4 shape = shapes[i];
-      const vec3 b = vec3(dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - light);
-      if (shape.w > 0.0 && length(b) - shape.w <= end && touches_cone(b, shape.w)) {
-        const uint slot = atomicAdd(found, 1u);
-        gaussians[slot] = vec4(b, shape.x);
-        shapes_of[slot] = shape.yz;
-      }
+    vec4 shape = vec4(0.0);
+    vec3 b = vec3(0.0);
+    bool matters = i < count;
+    if (matters) {
+      shape = shapes[i];
+      b = vec3(dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - light);
+      matters = shape.w > 0.0 && length(b) - shape.w <= end && touches_cone(b, shape.w);
+    }
+    uint found;
+    const uint slot = compact_slot(matters, found);
+    if (matters) {
+      gaussians[slot] = vec4(b, shape.x);
+      shapes_of[slot] = shape.yz;
     }
     barrier();
     for (uint j = 0u; j < found && length_ > 0.0; ++j) {

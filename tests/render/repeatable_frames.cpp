@@ -1,0 +1,82 @@
+#include "tests/render/repeatable_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "core/medium/medium_edit.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+constexpr int frame_count = 5;
+
+// A few Gaussians of many move, as in an edit, so that a renderer could patch what it has.
+Scene scene_at(int frame) {
+  Scene scene = cloud_scene(60, 2.0);
+  scene.film = {53, 37};
+  scene.camera.eye += glm::dvec3(0.3 * frame, 0.1 * frame, -0.05 * frame);
+  scene.medium.set_homogeneous_density(0.02);
+  scene.environment.emplace().map = constant_sky(0.3f);
+  PointLight light;
+  light.position = {-1.5 + 0.2 * (frame / 2), 1.2, 1.4};
+  light.intensity = {3.0, 4.0, 5.0};
+  scene.lights.push_back(light);
+  scene.surfaces.push_back(wall(-1.0, 2.0));
+  Surface ball;
+  ball.mesh = ball_mesh(16);
+  ball.scale = 0.4;
+  ball.translate = {0.1 * (frame / 3), -0.5, 0.3};
+  scene.surfaces.push_back(ball);
+  const std::vector<GaussianId> ids{scene.medium.ids()[2], scene.medium.ids()[30]};
+  std::vector<Gaussian> moved{scene.medium.gaussian(2), scene.medium.gaussian(30)};
+  moved[0].center.x += 0.07 * frame;
+  moved[1].density *= 1.0 + 0.2 * frame;
+  MediumEdit::change(scene.medium, ids, moved).apply(scene.medium);
+  return scene;
+}
+
+bool are_same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+void expect_same_bits(const Frame& a, const Frame& b, const std::string& what) {
+  EXPECT_TRUE(are_same_bits(a.beauty, b.beauty)) << what << ": beauty";
+  EXPECT_TRUE(are_same_bits(a.airlight, b.airlight)) << what << ": airlight";
+  EXPECT_TRUE(are_same_bits(a.transmittance, b.transmittance)) << what << ": transmittance";
+  EXPECT_TRUE(are_same_bits(a.depth, b.depth)) << what << ": depth";
+}
+
+}  // namespace
+
+void expect_repeatable(const std::function<std::unique_ptr<FrameRenderer>()>& create_renderer,
+                       Settings settings) {
+  std::vector<Scene> scenes;
+  for (int i = 0; i < frame_count; ++i) scenes.push_back(scene_at(i));
+  const auto render = [&](FrameRenderer& renderer, int i) {
+    const Scene& scene = scenes[static_cast<std::size_t>(i)];
+    return *renderer.render(scene, scene.camera, scene.film, settings);
+  };
+  std::vector<Frame> forwards;
+  const auto expect_same = [&](FrameRenderer& renderer, int i, const char* order) {
+    expect_same_bits(render(renderer, i), forwards[static_cast<std::size_t>(i)],
+                     order + (", frame " + std::to_string(i)));
+  };
+
+  const auto first = create_renderer();
+  for (int i = 0; i < frame_count; ++i) forwards.push_back(render(*first, i));
+  for (int i = frame_count - 1; i >= 0; --i) expect_same(*first, i, "backwards");
+  const auto other = create_renderer();
+  for (int i = 3; i < frame_count; ++i) expect_same(*other, i, "second piece");
+  for (int i = 0; i < 3; ++i) expect_same(*other, i, "first piece");
+  for (int repeat = 0; repeat < 12; ++repeat) expect_same(*other, 2, "again");
+  settings.threads = 1;
+  const auto single = create_renderer();
+  for (int i = 0; i < frame_count; i += 2) expect_same(*single, i, "one thread");
+}
+
+}  // namespace brume
