@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/application.h"
 #include "app/document/paths.h"
-#include "app/main_window.h"
-#include "app/scene_files.h"
+#include "app/files/scene_files.h"
+#include "app/widgets/application.h"
+#include "app/window/main_window.h"
 #include "core/io/temporary_files.h"
-#include "render/frame_memory.h"
+#include "render/util/frame_memory.h"
 
 namespace {
 
@@ -22,13 +22,13 @@ QSize parse_size(const QString& text) {
 }
 
 void declare_options(QCommandLineParser& parser) {
-  parser.setApplicationDescription("The Brume editor: lights and edits fog, smoke and steam.");
+  parser.setApplicationDescription("The Brume editor for fog, smoke and steam.");
   // As Qt reads its own options, such as -platform.
   parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("scene", "The scene to open.", "[SCENE]");
-  parser.addOptions({{"screenshot", "Save a picture of the window to FILE and quit.", "FILE"},
+  parser.addOptions({{"screenshot", "Save a screenshot of the window to FILE and quit.", "FILE"},
                      {"size", "The size of the window.", "WxH"}});
 }
 

@@ -6,9 +6,9 @@
 
 namespace brume {
 
-// A mistake in what the user gave us: a file that cannot be read, a value outside its domain.
-// what() is one line, "FILE: PLACE: MESSAGE", printable (core/printable_text.h) and fit to be shown
-// as it is. `place` says where in the file (a JSON path, a line, a byte) and may be empty.
+// An error in the user's input: an unreadable file, a value outside its domain. what() is one
+// printable line, "FILE: PLACE: MESSAGE" (core/printable_text.h). `place` is the position in the
+// file (JSON path, line, byte) and may be empty.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::filesystem::path& file, const std::string& place,

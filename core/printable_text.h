@@ -5,13 +5,12 @@
 
 namespace brume {
 
-// A text fit for a terminal and for one line: control characters (C0, DEL, C1), those that change
-// the direction or the lines of a text, and bytes that are not UTF-8 are shown as \u001b or \x9b.
-// File names and keys of hostile files must neither drive the terminal nor hide what they are.
-// Printable text stays as it is, so the function may be applied again.
+// Escapes text for one line on a terminal: control characters (C0, DEL, C1), bidirectional and line
+// controls, and invalid UTF-8 become \u001b or \x9b, so names in hostile files can neither control
+// the terminal nor disguise themselves. Idempotent.
 std::string printable(std::string_view text);
 
-// The same for a text of several lines, whose ends stay. JSON stays the same JSON.
+// The same for text of several lines. JSON stays equivalent JSON.
 std::string printable_lines(std::string_view text);
 
 }  // namespace brume

@@ -10,15 +10,15 @@
 
 namespace brume {
 
-// Renders frames of scenes, on whatever it runs. Keeps between frames what has not changed. Not
-// thread-safe: one frame at a time.
+// Interface of all renderers. Caches data between frames. Not thread-safe.
 class FrameRenderer {
  public:
   virtual ~FrameRenderer() = default;
 
-  // The frame that `camera` sees on `film` (the scene's own are not used). Every value of the
-  // frame is finite except the depth where nothing is hit. nullopt if `stop` was requested.
-  // `progress` hears the share that is done, in [0, 1], from the rendering threads, one at a time.
+  // Renders the scene as seen by `camera` on `film` (the scene's own are ignored). All values of
+  // the frame are finite except the depth where nothing is hit. nullopt if `stop` was requested.
+  // `progress` gets the completed fraction in [0, 1], from the rendering threads, one call at a
+  // time.
   virtual std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
                                       const Settings& settings, std::stop_token stop = {},
                                       const std::function<void(double)>& progress = {}) = 0;

@@ -31,7 +31,7 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   scattered_on_surfaces = medium && surfaces && !lights.empty();
 
   if (!surfaces) skip("visibility", "the scene has no surfaces");
-  if (surfaces && !lit_surfaces) skip("surfaces", "no light shines");
+  if (surfaces && !lit_surfaces) skip("surfaces", "nothing emits light");
   bool is_asked_for = false;
   for (const Surface& surface : scene.surfaces) {
     is_asked_for |= surface.transfer != Surface::Transfer::none;
@@ -40,16 +40,16 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
     if (std::ranges::find(transfers, request) == transfers.end()) transfers.push_back(request);
   }
   if (transfers.empty()) {
-    skip("transfer", !is_asked_for   ? "no surface asks for it"
-                     : !lit_surfaces ? "no light shines"
-                                     : "all light comes straight from lamps");
+    skip("transfer", !is_asked_for   ? "no surface requests it"
+                     : !lit_surfaces ? "nothing emits light"
+                                     : "all light is direct");
   }
   if (lit_surfaces && !medium) skip("surface_scattering", "the medium is empty");
   if (!environment) {
     skip("environment", scene.environment ? "its intensity is 0" : "the scene has none");
   }
   // What goes before the airlight is the method's own.
-  const char* const no_lights = "no light shines";
+  const char* const no_lights = "nothing emits light";
   const char* const no_medium = "the medium is empty";
   const char* const no_gaussians = lights.empty() ? no_lights : "the medium has no Gaussians";
   if (!gaussians || lights.empty()) {
@@ -76,7 +76,7 @@ RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
   if (black > 0) skip("lights", std::to_string(black) + " lights of intensity 0");
 }
 
-// What comes straight from lamps is shadowed ray by ray.
+// Direct light of point lights uses shadow rays.
 bool RenderPlan::needs_transfer(const Surface& surface) const {
   if (surface.transfer == Surface::Transfer::none || !lit_surfaces) return false;
   return environment || scattered_on_surfaces ||

@@ -9,23 +9,23 @@
 
 namespace brume {
 
-// What a scene needs to be rendered, and why the rest is left out: the one place that decides.
+// The stages a scene needs, and why the others are skipped: the single place that decides.
 struct RenderPlan {
-  bool surfaces = false;                   // any to be seen and to cast shadows
+  bool surfaces = false;                   // visible, and casting shadows
   bool lit_surfaces = false;               // surfaces, and lights or an environment
-  bool gaussians = false;                  // any that takes light away
+  bool gaussians = false;                  // with non-zero extinction
   bool homogeneous = false;                // b0 > 0
-  bool noise = false;                      // Gaussians and noise that bends view rays through them
-  bool environment = false;                // one that gives light
+  bool noise = false;                      // Gaussians, and noise that displaces view rays
+  bool environment = false;                // with non-zero radiance
   bool airlight = false;                   // a medium, and lights or an environment
-  bool scattered_on_surfaces = false;      // surfaces, lights and a medium that scatters on the way
-  std::vector<PointLight> lights;          // those that give light
-  std::vector<TransferRequest> transfers;  // each once
+  bool scattered_on_surfaces = false;      // surfaces, lights and a scattering medium between them
+  std::vector<PointLight> lights;          // lights that are on
+  std::vector<TransferRequest> transfers;  // without duplicates
   std::vector<SkippedStage> skipped;
 
   RenderPlan(const Scene& scene, AirlightMethod method);
 
-  // Whether there is light for the transfer that a surface asks for.
+  // Whether the transfer requested by a surface is used by any light.
   [[nodiscard]] bool needs_transfer(const Surface& surface) const;
 };
 

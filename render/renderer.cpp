@@ -6,13 +6,15 @@
 #include <chrono>
 #include <memory>
 
-#include "render/albedo.h"
-#include "render/composite.h"
+#include "render/cpu/composite.h"
+#include "render/cpu/film_airlight.h"
 #include "render/cpu/film_slices.h"
 #include "render/cpu/marched_airlight.h"
-#include "render/film_airlight.h"
-#include "render/frame_stages.h"
-#include "render/light_limits.h"
+#include "render/cpu/paper_airlight.h"
+#include "render/cpu/sliced_airlight.h"
+#include "render/prepare/albedo.h"
+#include "render/prepare/frame_stages.h"
+#include "render/prepare/light_limits.h"
 #include "render/reference/reference_airlight.h"
 
 namespace brume {
@@ -21,12 +23,12 @@ struct Renderer::Impl {
   FrameStages stages;
   FilmSlices film_slices;
 
-  std::optional<Frame> render(FrameWork& work);
-  TileMethod airlight_method(FrameWork& work, StageClock& clock);
-  TileMethod paper(FrameWork& work, StageClock& clock);
-  TileMethod sliced(FrameWork& work, StageClock& clock);
-  TileMethod march(const FrameWork& work) const;
-  TileMethod reference(FrameWork& work) const;
+  std::optional<Frame> render(FrameContext& work);
+  AirlightIntegrator airlight_method(FrameContext& work, StageClock& clock);
+  AirlightIntegrator paper(FrameContext& work, StageClock& clock);
+  AirlightIntegrator sliced(FrameContext& work, StageClock& clock);
+  AirlightIntegrator march(const FrameContext& work) const;
+  AirlightIntegrator reference(FrameContext& work) const;
 };
 
 Renderer::Renderer() : own_transfers_(std::make_shared<TransferStore>()) {
@@ -43,10 +45,11 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
                                       const std::function<void(double)>& progress) {
   const Job job{std::move(stop), progress};
   tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-  const FogEnd fog_end(scene);
-  const auto render_one = [&](const Scene& of, std::size_t which, double albedo, const Job& part) {
-    FrameWork work(of, camera, film, settings, *transfers_, own_transfers_.get(), part, albedo,
-                   fog_end);
+  const FogExtent fog_extent(scene);
+  const auto render_one = [&](const Scene& group_scene, std::size_t which, double albedo,
+                              const Job& group_job) {
+    FrameContext work(group_scene, camera, film, settings, *transfers_, own_transfers_.get(),
+                      group_job, albedo, fog_extent);
     return arena.execute([&] { return impls_[which]->render(work); });
   };
 
@@ -56,7 +59,7 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
   return render_groups(scene, job, render_one);
 }
 
-std::optional<Frame> Renderer::Impl::render(FrameWork& work) {
+std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   const auto start = std::chrono::steady_clock::now();
   FrameStatistics& statistics = work.frame.statistics;
   statistics.skipped = work.plan.skipped;
@@ -67,7 +70,7 @@ std::optional<Frame> Renderer::Impl::render(FrameWork& work) {
   stages.find_hits(work, clock);
   if (!stages.prepare_source(work, clock)) return std::nullopt;
   if (work.plan.gaussians || work.plan.homogeneous) {
-    const TileMethod method = airlight_method(work, clock);
+    const AirlightIntegrator method = airlight_method(work, clock);
     const FilmAirlight film =
         film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.settings,
                       method, stages.ray_ends(work), work.job, work.frame);
@@ -86,7 +89,7 @@ std::optional<Frame> Renderer::Impl::render(FrameWork& work) {
   return std::move(work.frame);
 }
 
-TileMethod Renderer::Impl::airlight_method(FrameWork& work, StageClock& clock) {
+AirlightIntegrator Renderer::Impl::airlight_method(FrameContext& work, StageClock& clock) {
   switch (work.settings.airlight) {
     case AirlightMethod::paper:
       return paper(work, clock);
@@ -100,15 +103,15 @@ TileMethod Renderer::Impl::airlight_method(FrameWork& work, StageClock& clock) {
   return {};
 }
 
-TileMethod Renderer::Impl::paper(FrameWork& work, StageClock& clock) {
+AirlightIntegrator Renderer::Impl::paper(FrameContext& work, StageClock& clock) {
   return {[this, &work, lights = stages.paper_lights(work, clock)](
               auto gaussians, const TileRays& rays, const TileAirlight& out) {
             const std::uint64_t pairs = paper_airlight(stages.prepared().medium(), gaussians,
-                                                       lights, rays, work.settings.arithmetic, out);
+                                                       lights, rays, work.settings.precision, out);
             if (const EnvironmentLight* environment = stages.shading().environment()) {
               for (std::size_t k = 0; k < rays.directions.size(); ++k) {
-                out.airlight[k] +=
-                    environment->glow(rays.directions[k], static_cast<float>(out.depths[k]));
+                out.airlight[k] += environment->environment_inscattering(
+                    rays.directions[k], static_cast<float>(out.depths[k]));
               }
             }
             return pairs;
@@ -116,7 +119,7 @@ TileMethod Renderer::Impl::paper(FrameWork& work, StageClock& clock) {
           {}};
 }
 
-TileMethod Renderer::Impl::sliced(FrameWork& work, StageClock& clock) {
+AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock) {
   const auto lights =
       std::make_shared<const std::vector<SlicedLight>>(stages.sliced_lights(work, clock));
   const auto evaluate = [this, &work, lights](auto gaussians, const TileRays& rays,
@@ -131,26 +134,26 @@ TileMethod Renderer::Impl::sliced(FrameWork& work, StageClock& clock) {
   return {evaluate, prepare};
 }
 
-TileMethod Renderer::Impl::march(const FrameWork& work) const {
+AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {
   std::vector<MarchedLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,
-                      least_light_distance(work.rays, work.camera, light.position)});
+                      min_light_distance(work.rays, work.camera, light.position)});
   }
   return {[this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
                                                     const TileAirlight& out) {
             return marched_airlight(
-                stages.prepared().medium(), gaussians, stages.prepared().visibility(), lights,
+                stages.prepared().medium(), gaussians, stages.prepared().ray_caster(), lights,
                 stages.scattered_environment(work), rays, work.settings.march_steps, out);
           },
           {}};
 }
 
-TileMethod Renderer::Impl::reference(FrameWork& work) const {
+AirlightIntegrator Renderer::Impl::reference(FrameContext& work) const {
   std::vector<ReferenceLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,
-                      least_light_distance(work.rays, work.camera, light.position)});
+                      min_light_distance(work.rays, work.camera, light.position)});
   }
   std::optional<ReferenceEnvironment> environment;
   if (work.plan.environment) {
@@ -164,7 +167,7 @@ TileMethod Renderer::Impl::reference(FrameWork& work) const {
             for (std::size_t k = 0; k < rays.directions.size(); ++k) {
               if (work.job.stop.stop_requested()) break;
               const ReferenceRay ray = reference_airlight(
-                  stages.prepared().medium(), stages.prepared().occluders(), lights,
+                  stages.prepared().medium(), stages.prepared().exact_occlusion(), lights,
                   environment ? &*environment : nullptr, rays.eye, rays.directions[k],
                   rays.lengths[k], work.settings.reference_tolerance);
               out.airlight[k] = glm::vec3(ray.airlight);

@@ -9,15 +9,14 @@ namespace brume {
 
 class TransferStore;
 
-// Renders frames of scenes on the CPU. Keeps between frames what has not changed (ray-tracing and
-// culling structures, optical depths from lights), so rendering again after a camera move is
-// cheap; what changed is found by comparing values.
+// The CPU renderer. Caches acceleration structures and optical depths of lights between frames, so
+// a camera move is cheap; detects changes by comparing values.
 class Renderer final : public FrameRenderer {
  public:
   Renderer();
-  // Takes the radiance transfer that surfaces ask for from there and makes none: where it is
-  // missing, surfaces are lit without, and the statistics say so. A renderer without makes its own,
-  // which may take longer than the frame.
+  // Uses only transfer already in `transfers`; surfaces lacking it are lit without self-shadowing,
+  // and the statistics say so. A default-constructed renderer computes transfer itself, which may
+  // take longer than the frame.
   explicit Renderer(std::shared_ptr<const TransferStore> transfers);
   ~Renderer() override;
   Renderer(Renderer&&) noexcept;
@@ -29,9 +28,9 @@ class Renderer final : public FrameRenderer {
 
  private:
   struct Impl;
-  std::shared_ptr<TransferStore> own_transfers_;  // null: those of another
+  std::shared_ptr<TransferStore> own_transfers_;  // null: transfers_ is shared
   std::shared_ptr<const TransferStore> transfers_;
-  // One for each albedo among the colour channels; see albedo.h.
+  // One per albedo group; see albedo.h.
   std::vector<std::unique_ptr<Impl>> impls_;
 };
 

@@ -32,13 +32,13 @@ std::string airlight_name(const Settings& settings) {
 
 namespace {
 
-constexpr LightTableSize min_light_table{64, 32};
+constexpr OpticalDepthTableSize min_light_table{64, 32};
 constexpr int min_shadow_cells = 256;
 
-// Of one light: LightTable's depths, ShadowMap's distances and ranges.
+// Of one light: OpticalDepthTable's depths, ShadowMap's distances and ranges.
 std::size_t light_map_bytes(const Settings& settings, bool shadows) {
-  const auto directions = static_cast<std::size_t>(settings.light_table.directions);
-  const auto radii = static_cast<std::size_t>(settings.light_table.radii);
+  const auto directions = static_cast<std::size_t>(settings.optical_depth_table.directions);
+  const auto radii = static_cast<std::size_t>(settings.optical_depth_table.radii);
   const auto cells = static_cast<std::size_t>(settings.shadow_cells);
   return directions * directions * radii * sizeof(std::uint16_t) +
          (shadows ? cells * cells * 3 * sizeof(float) : 0);
@@ -46,16 +46,17 @@ std::size_t light_map_bytes(const Settings& settings, bool shadows) {
 
 }  // namespace
 
-Settings with_fitting_light_maps(Settings settings, std::size_t lights, bool shadows) {
+Settings limit_light_map_memory(Settings settings, std::size_t lights, bool shadows) {
   const Settings wanted = settings;
   const auto shrink = [](int& value, int size, int min, int eighths) {
     value = std::max(std::min(size, min), size * eighths / 8);
   };
   for (int eighths = 7; eighths > 0; --eighths) {
     if (lights * light_map_bytes(settings, shadows) <= max_light_map_bytes) break;
-    LightTableSize& table = settings.light_table;
-    shrink(table.directions, wanted.light_table.directions, min_light_table.directions, eighths);
-    shrink(table.radii, wanted.light_table.radii, min_light_table.radii, eighths);
+    OpticalDepthTableSize& table = settings.optical_depth_table;
+    shrink(table.directions, wanted.optical_depth_table.directions, min_light_table.directions,
+           eighths);
+    shrink(table.radii, wanted.optical_depth_table.radii, min_light_table.radii, eighths);
     shrink(settings.shadow_cells, wanted.shadow_cells, min_shadow_cells, eighths);
   }
   return settings;
@@ -64,10 +65,10 @@ Settings with_fitting_light_maps(Settings settings, std::size_t lights, bool sha
 Settings sliced_settings(Settings settings, int slices) {
   settings.airlight = AirlightMethod::sliced;
   settings.slices = slices;
-  settings.light_table = slices < 12   ? min_light_table
-                         : slices < 24 ? LightTableSize{96, 48}
-                         : slices < 48 ? LightTableSize{128, 64}
-                                       : LightTableSize{256, 128};
+  settings.optical_depth_table = slices < 12   ? min_light_table
+                                 : slices < 24 ? OpticalDepthTableSize{96, 48}
+                                 : slices < 48 ? OpticalDepthTableSize{128, 64}
+                                               : OpticalDepthTableSize{256, 128};
   settings.upsampling_tolerance = slices < 16   ? 0.03
                                   : slices < 32 ? 0.01
                                   : slices < 64 ? 0.005

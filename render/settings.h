@@ -8,79 +8,79 @@ namespace brume {
 enum class AirlightMethod {
   paper,      // the paper's approximation, as published
   sliced,     // exact optical depths per slice of the ray, light from a table
-  march,      // the midpoint rule with exact optical depths: what the others are measured against
-  reference,  // the integral itself, converged
+  march,      // ray marching: midpoint rule with exact optical depths, for comparison
+  reference,  // the converged integral
 };
 
-// How fine the table of a light's optical depths is.
-struct LightTableSize {
-  int directions = 128;  // its square is the number of cells of the map of directions
+// Resolution of the optical depth table of a light.
+struct OpticalDepthTableSize {
+  int directions = 128;  // cells of the direction map = directions^2
   int radii = 64;
 
-  bool operator==(const LightTableSize&) const = default;
+  bool operator==(const OpticalDepthTableSize&) const = default;
 };
 
-// How fine the grid of an environment's light in the medium is; see SourceGrid.
+// Resolution of the grid of environment light in the medium; see SourceGrid.
 struct SourceGridSize {
-  int nodes = 80'000;   // at most, > 8
-  int directions = 96;  // that light comes from, at most
+  int nodes = 80'000;   // maximum, > 8
+  int directions = 96;  // maximum
 
   bool operator==(const SourceGridSize&) const = default;
 };
 
-// Departures of `paper` from what was published.
+// Deviations of `paper` from the publication.
 struct PaperOptions {
-  // The light of a Gaussian is taken at its mean on the ray, not at the projection of its centre:
+  // Evaluates light at the Gaussian's mean on the ray instead of the projection of its center:
   // right where a surface or the eye cuts it.
   bool at_mean = false;
-  // The airlight of the Gaussians on a ray is scaled so that they scatter as much as they take
-  // away, 1 - exp(-T(v, p)); not where the eye or the light stands in a dense Gaussian.
+  // Scales the airlight of the Gaussians on a ray to the absorbed fraction 1 - exp(-T(v, p)); not
+  // where eye or light are inside a dense Gaussian.
   bool conserve_energy = false;
 
   bool operator==(const PaperOptions&) const = default;
 };
 
-// How a frame is rendered; what is rendered is the Scene's.
+// Parameters of rendering; the content is in Scene.
 struct Settings {
   AirlightMethod airlight = AirlightMethod::paper;
 
-  // The time that is shown [s]: noise goes with the wind.
+  // Time [s]; moves the noise with the wind.
   double time = 0.0;
 
-  // Worker threads; 0 takes all.
+  // Worker threads; 0: all.
   int threads = 0;
 
-  // Airlight at 1 / airlight_scale of the film's width and height: 1, 2 or 4; see film_airlight().
+  // Airlight is sampled at 1 / airlight_scale of the film's width and height: 1, 2 or 4; see
+  // film_airlight().
   int airlight_scale = 1;
   double upsampling_tolerance = 0.01;
 
   PaperOptions paper;
 
-  // `sliced`: slices per ray, and how fine the table of each light is.
+  // `sliced`: slices per ray, and the optical depth tables of lights.
   int slices = 24;
-  LightTableSize light_table;
-  // `sliced`: its square is the number of cells of the map of surfaces around a light.
+  OpticalDepthTableSize optical_depth_table;
+  // `sliced`: cells of a light's shadow map = shadow_cells^2.
   int shadow_cells = 384;
-  // `sliced` and `march`: the light of an environment in the medium.
+  // `sliced` and `march`: environment light in the medium.
   SourceGridSize source_grid;
 
-  // Light that the medium scatters onto surfaces, and the glow of an environment: by the paper's
-  // one point spread function for all lights and depths, not by that of each.
+  // Uses the paper's single point spread function for light scattered onto surfaces and environment
+  // inscattering, instead of one per optical depth.
   bool paper_spread = false;
 
-  // How far the optical depth of a ray may be off because Gaussians far from it are left out; the
-  // reference has its own.
+  // Maximum error of a ray's optical depth from culling far Gaussians; the reference has its own.
   double depth_error = 1e-3;
 
-  // `march`: steps per ray through the medium, >= 1.
+  // `march`: steps per ray, >= 1.
   int march_steps = 64;
 
-  // `reference`: the relative tolerance of each ray's quadrature.
+  // `reference`: relative tolerance of each ray's quadrature.
   double reference_tolerance = 1e-4;
 
-  // `paper`: SIMD in float, or the plain double path that the tests hold it against.
-  enum class Arithmetic { simd_float, plain_double };
-  Arithmetic arithmetic = Arithmetic::simd_float;
+  // `paper`: SIMD in single precision, or the scalar double path that tests compare with.
+  enum class Precision { simd_float, plain_double };
+  Precision precision = Precision::simd_float;
 
   // Where few Gaussians have changed since the frame before, only the parts of the lights' tables
   // that they are seen in are made again. Faster while one edits, but a pixel then depends on the
@@ -93,16 +93,15 @@ struct Settings {
 
 const char* to_string(AirlightMethod method);
 
-// The method as the command line takes it, with the number that belongs to it: "march:64".
+// The method as on the command line, with its parameter: "march:64".
 std::string airlight_name(const Settings& settings);
 
-// The same with the tables and shadow maps of lights as fine as fit into memory where there are so
-// many: all of them take at most max_light_map_bytes, or are as small as `sliced` ever has them.
+// Reduces the resolution of light tables and shadow maps so that all lights together fit
+// max_light_map_bytes, down to a minimum.
 inline constexpr std::size_t max_light_map_bytes = std::size_t{1} << 30;
-Settings with_fitting_light_maps(Settings settings, std::size_t lights, bool shadows);
+Settings limit_light_map_memory(Settings settings, std::size_t lights, bool shadows);
 
-// `sliced` with a number of slices, and tables and tolerances that go with it, so that no error
-// dominates.
+// `sliced` with a number of slices and balanced table sizes and tolerances.
 Settings sliced_settings(Settings settings, int slices);
 
 }  // namespace brume

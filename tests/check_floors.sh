@@ -23,4 +23,54 @@ refuse "a floor above itself" 'render/|app/|tools/' core
 refuse "a floor above itself" 'app/|tools/' render
 refuse "the editor" 'app/' tools
 refuse "the command line" 'tools/' app
+refuse "a relative path" '\.\./' core render app tools
+
+# Within a floor: files, and what else of the floor they may include beside their own folder. Each
+# row names only rows above it, so there are no circles.
+values='render/frame.h render/settings.h render/view_transform.h'
+surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
+while IFS=: read -r files allowed; do
+  [[ $files ]] || continue
+  floor=${files%%/*} folder=${files%/*}
+  pattern=$(tr -s ' ' '|' <<<"${allowed# }${allowed:+ }$folder/[^/]*\$")
+  found=$(compgen -G "$files" >/dev/null && grep -HoE '^\s*#\s*include\s*"[^"]+' $files |
+    sed -nE "s/^([^:]+):[^\"]*\"($floor\/.*)/\1 includes \2/p" |
+    awk -v pattern="^($pattern)" '$3 !~ pattern' || true)
+  if [[ $found ]]; then
+    echo "$found"
+    echo "$files: may include of $floor only:$allowed"
+    failed=1
+  fi
+done <<ROWS
+render/util/*.[hc]*:
+render/geometry/*.[hc]*:
+render/frame.*:render/view_transform.h
+render/settings.*:render/frame.h
+render/simd/*.[hc]*:$values render/geometry/
+render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/
+render/transfer/*.[hc]*:render/util/ render/simd/ render/visibility/
+render/render_plan.*:$values render/transfer/
+render/lighting/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/
+render/shading/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
+render/prepare/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
+render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
+render/gl/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
+render/reference/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
+render/output/*.[hc]*:$values
+render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/prepare/ render/reference/
+app/document/*.[hc]*:
+app/commands/*.[hc]*:app/document/
+app/widgets/*.[hc]*:app/document/ app/commands/
+app/jobs/*.[hc]*:app/widgets/
+app/files/*.[hc]*:app/document/ app/widgets/ app/jobs/
+app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/
+app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
+app/viewport/*.[hc]*:app/document/ app/widgets/ app/jobs/
+app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/viewport/
+app/panels/*.[hc]*:app/document/ app/commands/ app/widgets/ app/files/ app/viewport/ app/tools/
+tools/bench/scenes/*.[hc]*:tools/make_scenes/
+tools/bench/measure/*.[hc]*:tools/bench/scenes/
+tools/bench/errors/*.[hc]*:tools/make_scenes/ tools/bench/scenes/ tools/bench/measure/
+tools/bench/report/*.[hc]*:tools/bench/measure/ tools/bench/errors/
+ROWS
 exit "$failed"

@@ -28,7 +28,7 @@ std::vector<Gaussian> selected(const Document& document) {
   return gaussians;
 }
 
-glm::dvec3 middle_of(const std::vector<Gaussian>& gaussians) {
+glm::dvec3 center_of(const std::vector<Gaussian>& gaussians) {
   glm::dvec3 low = gaussians.front().center;
   glm::dvec3 high = low;
   for (const Gaussian& gaussian : gaussians) {
@@ -44,8 +44,8 @@ QString gaussians_to_text(const std::vector<Gaussian>& gaussians) {
   QString text = heading + '\n';
   for (const Gaussian& gaussian : gaussians) {
     QStringList numbers;
-    for (const GaussianField field : gaussian_fields) {
-      numbers << exact_number_text(field_value(gaussian, field));
+    for (const GaussianAttribute field : gaussian_attributes) {
+      numbers << exact_number_text(attribute_value(gaussian, field));
     }
     text += numbers.join('\t') + '\n';
   }
@@ -58,12 +58,12 @@ std::vector<Gaussian> gaussians_from_text(const QString& text) {
   std::vector<Gaussian> gaussians;
   for (const QString& line : lines) {
     const QStringList numbers = line.split('\t');
-    if (numbers.size() != static_cast<qsizetype>(gaussian_fields.size())) return {};
+    if (numbers.size() != static_cast<qsizetype>(gaussian_attributes.size())) return {};
     Gaussian& gaussian = gaussians.emplace_back();
-    for (std::size_t k = 0; k < gaussian_fields.size(); ++k) {
+    for (std::size_t k = 0; k < gaussian_attributes.size(); ++k) {
       const double value = parse_number(numbers[static_cast<qsizetype>(k)]);
-      if (!field_problem(gaussian_fields[k], value).isEmpty()) return {};
-      set_field_value(gaussian, gaussian_fields[k], value);
+      if (!attribute_problem(gaussian_attributes[k], value).isEmpty()) return {};
+      set_attribute_value(gaussian, gaussian_attributes[k], value);
     }
   }
   return gaussians;
@@ -82,7 +82,7 @@ void cut_selection(Document& document) {
 double clipboard_radius() {
   const auto gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
   if (gaussians.empty()) return 0.0;
-  const glm::dvec3 middle = middle_of(gaussians);
+  const glm::dvec3 middle = center_of(gaussians);
   double radius = 0.0;
   for (const Gaussian& gaussian : gaussians) {
     radius = std::max(radius, glm::distance(gaussian.center, middle) + gaussian.radius);
@@ -94,7 +94,7 @@ void paste_gaussians(Document& document, std::optional<glm::dvec3> middle) {
   std::vector<Gaussian> gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
   if (gaussians.empty()) return;
   if (middle) {
-    const glm::dvec3 shift = *middle - middle_of(gaussians);
+    const glm::dvec3 shift = *middle - center_of(gaussians);
     for (Gaussian& gaussian : gaussians) gaussian.center += shift;
   }
   add_gaussians(document, gaussians, tr("Paste"));

@@ -6,7 +6,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "core/authoring/particles.h"
-#include "core/io/limits.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {
@@ -66,7 +66,7 @@ void freeze_particles(Document& document, double time) {
     const auto gaussians = sequence_at(sequence, time);
     frozen.insert(frozen.end(), gaussians.begin(), gaussians.end());
   }
-  add_gaussians(document, frozen, tr("Freeze"));
+  add_gaussians(document, frozen, tr("Bake"));
 }
 
 }  // namespace brume

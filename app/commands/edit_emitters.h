@@ -11,9 +11,9 @@ namespace brume {
 
 class Document;
 
-// What users do to emitters, each one undo step. `index` is of the scene's emitters.
+// Edits of emitters, each one undo step. `index`: of the scene's emitters.
 
-// One whose particles suit a view `size` u wide.
+// Adds an emitter sized for a view `size` u wide.
 void add_emitter(Document& document, const glm::dvec3& position, double size);
 void delete_emitter(Document& document, std::size_t index);
 // `verb` is the text of the step, with %1 for the emitter's name.
@@ -21,8 +21,8 @@ void change_emitter(Document& document, std::size_t index, const QString& verb, 
                     const std::function<void(Emitter&)>& change);
 QString emitter_name(std::size_t index);  // "emitter 2"
 
-// Makes Gaussians of the particles and the Gaussians of sequences that are there at a time [s]; the
-// emitters and sequences stay.
+// Converts particles and sequences at a time [s] to Gaussians of the medium; emitters and sequences
+// stay.
 void freeze_particles(Document& document, double time);
 
 }  // namespace brume

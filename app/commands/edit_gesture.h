@@ -6,21 +6,21 @@ namespace brume {
 
 class Document;
 
-// The edits of the medium that one gesture of the mouse makes: together one undo step.
+// Merges the medium edits of one mouse gesture into one undo step.
 class EditGesture {
  public:
   explicit EditGesture(Document& document) : document_(document) {}
 
   void begin();
-  // Does an edit, if there is room for what it adds; `text` names the whole step so far.
+  // Applies an edit if the Gaussian budget allows; `text` names the whole step.
   void apply(MediumEdit edit, const QString& text);
-  void cancel();  // takes all of it back, and the step with it
+  void cancel();  // reverts everything and removes the step
   void end() { running_ = false; }
 
   [[nodiscard]] bool is_running() const { return running_; }
-  // Whether the document is being changed by this gesture just now, and by nobody else.
+  // Whether a current change of the document comes from this gesture.
   [[nodiscard]] bool is_applying() const { return applying_; }
-  // All that was done so far.
+  // The merged edit so far.
   [[nodiscard]] const MediumEdit& edit() const { return edit_; }
 
  private:

@@ -1,26 +1,26 @@
 #pragma once
 
 #include "app/commands/merge_id.h"
-#include "app/document/key_rows.h"
+#include "app/document/keyframe_tracks.h"
 
 namespace brume {
 
 class Document;
 
-// What users do to keys, each one undo step; at the document's time where none is given.
+// Edits of keyframes, each one undo step; at the document's time if none is given.
 
-// The values of a row as they are become keys of now.
-void set_keys(Document& document, const KeyRow& row);
-// The same of the camera, which becomes `camera` before.
+// Sets keyframes of a track from its current values.
+void set_keys(Document& document, const Track& row);
+// Moves the camera to `camera` and sets its keyframe.
 void set_camera_keys(Document& document, const Camera& camera);
-void delete_keys(Document& document, const KeyRow& row, double time);
-// `before` is the part as it was when the gesture began.
-void move_keys(Document& document, const KeyRow& row, const ScenePart& before, double from,
-               double to, MergeId merge_id);
-void set_interpolation(Document& document, const KeyRow& row, double time,
+void delete_keys(Document& document, const Track& row, double time);
+// `before`: the scene part at the start of the gesture.
+void move_keys(Document& document, const Track& row, const ScenePart& before, double old_time,
+               double new_time, MergeId merge_id);
+void set_interpolation(Document& document, const Track& row, double time,
                        Interpolation interpolation);
 
-// The scene's camera, and if it has keys that of now.
+// Sets the scene's camera, and its keyframe if it has any.
 void set_scene_camera(Document& document, const Camera& camera, const QString& text);
 
 }  // namespace brume

@@ -5,7 +5,7 @@
 
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "core/io/limits.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {

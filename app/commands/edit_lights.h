@@ -11,7 +11,7 @@ namespace brume {
 
 class Document;
 
-// What users do to lights, each one undo step. `index` is of the scene's lights.
+// Edits of lights, each one undo step. `index`: of the scene's lights.
 void add_light(Document& document, const glm::dvec3& position);
 void delete_light(Document& document, std::size_t index);
 // `verb` is the text of the step, with %1 for the light's name.
@@ -19,7 +19,7 @@ void change_light(Document& document, std::size_t index, const QString& verb, Me
                   const std::function<void(PointLight&)>& change);
 QString light_name(std::size_t index);  // "light 2"
 
-// A light's intensity as strength [W/sr] times a colour whose greatest part is 1; white if dark.
+// Intensity = strength [W/sr] * colour, whose maximum channel is 1; white if zero.
 double light_strength(const PointLight& light);
 glm::dvec3 light_color(const PointLight& light);
 

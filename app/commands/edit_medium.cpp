@@ -41,7 +41,7 @@ void delete_selection(Document& document, const QString& verb) {
 }
 
 void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {
-  const QString text = tr("Set density everywhere to %1").arg(number_text(b0));
+  const QString text = tr("Set homogeneous density to %1").arg(number_text(b0));
   const Keys<double>& keys = document.scene().density_keys;
   if (keys.empty()) {
     push(document, MediumEdit::set_homogeneous_density(document.medium(), b0), text, merge_id);
@@ -50,19 +50,19 @@ void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {
   }
 }
 
-QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
-                  double value, MergeId merge_id) {
-  if (QString problem = field_problem(field, value); !problem.isEmpty()) return problem;
+QString set_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
+                      double value, MergeId merge_id) {
+  if (QString problem = attribute_problem(field, value); !problem.isEmpty()) return problem;
   const Medium& medium = document.medium();
   std::vector<Gaussian> after;
   after.reserve(ids.size());
   for (const GaussianId id : ids) {
     after.push_back(medium.gaussian(*medium.index_of(id)));
-    set_field_value(after.back(), field, value);
+    set_attribute_value(after.back(), field, value);
   }
   push(document, MediumEdit::change(medium, ids, after),
        tr("Set %1 of %2 to %3")
-           .arg(field_name(field), gaussians_text(ids.size()), number_text(value)),
+           .arg(attribute_name(field), gaussians_text(ids.size()), number_text(value)),
        merge_id);
   return {};
 }

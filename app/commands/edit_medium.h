@@ -3,30 +3,29 @@
 #include <span>
 
 #include "app/commands/medium_command.h"
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 
 namespace brume {
 
 class Document;
 
-// What users do to Gaussians, each one undo step; nothing where there is no room for them
-// (gaussian_budget.h).
+// Edits of Gaussians, each one undo step; no effect beyond the Gaussian budget (gaussian_budget.h).
 
-// Numbers outside the domains of their fields are brought to their limits.
+// Values are clamped to their domains.
 void add_gaussian(Document& document, const Gaussian& gaussian);
-// They become the selection. `verb` begins the text of the step: "Paste 3 Gaussians".
+// Adds and selects Gaussians. `verb` begins the undo text: "Paste 3 Gaussians".
 void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb);
 void delete_selection(Document& document, const QString& verb);
 
 void set_homogeneous_density(Document& document, double b0, MergeId merge_id);
 
-// Writes one number into Gaussians. A value outside the field's domain changes nothing; the answer
-// then says why (empty: done).
-QString set_field(Document& document, std::span<const GaussianId> ids, GaussianField field,
-                  double value, MergeId merge_id = no_merge);
+// Sets one attribute of Gaussians. A value outside its domain changes nothing; returns the reason
+// (empty: done).
+QString set_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
+                      double value, MergeId merge_id = no_merge);
 
-// Gives Gaussians other values, after[k] to ids[k], as one move of a gesture called `text`; numbers
-// outside the domains of their fields are brought to their limits.
+// Sets Gaussians ids[k] to after[k] within a gesture named `text`; values are clamped to their
+// domains.
 void change_gaussians(Document& document, std::span<const GaussianId> ids,
                       std::span<const Gaussian> after, const QString& text, MergeId merge_id);
 

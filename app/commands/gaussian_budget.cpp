@@ -5,7 +5,7 @@
 
 #include "app/document/document.h"
 #include "core/authoring/particles.h"
-#include "core/io/limits.h"
+#include "core/limits.h"
 #include "core/scene/at_time.h"
 
 namespace brume {
@@ -27,8 +27,7 @@ bool has_room(Document& document, std::size_t added, std::size_t removed) {
   if (count <= limits::gaussians) return true;
   const QLocale english(QLocale::English);
   const QString text = QCoreApplication::translate(
-      "Undo",
-      "The scene would have %1 Gaussians with those of emitters and sequences; allowed: %2");
+      "Undo", "The scene would have %1 Gaussians, including emitters and sequences; allowed: %2");
   Q_EMIT document.refused(text.arg(english.toString(static_cast<qulonglong>(count)),
                                    english.toString(static_cast<qulonglong>(limits::gaussians))));
   return false;

@@ -8,11 +8,11 @@ namespace brume {
 
 class Document;
 
-// The Gaussians that a part of a scene stands for, as gaussian_count() of a scene counts them.
+// The Gaussians of a scene part, as counted by gaussian_count() of a scene.
 std::size_t gaussian_count(const ScenePart& part);
 
-// Whether a scene may get `added` Gaussians for `removed` ones: limits::gaussians holds for all of
-// it. If not, the document says why.
+// Whether `added` Gaussians may replace `removed` ones within limits::gaussians. If not, the
+// document reports it.
 bool has_room(Document& document, std::size_t added, std::size_t removed);
 
 }  // namespace brume

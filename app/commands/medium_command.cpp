@@ -32,7 +32,7 @@ bool MediumCommand::changes_ids() const {
   return !edit_.added().empty() || !edit_.removed().empty();
 }
 
-bool MediumCommand::take(const SceneCommand& later) {
+bool MediumCommand::merge(const SceneCommand& later) {
   const auto* command = dynamic_cast<const MediumCommand*>(&later);
   if (!command) return false;
   edit_.merge(command->edit_);

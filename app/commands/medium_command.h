@@ -6,11 +6,10 @@
 
 namespace brume {
 
-// Whether Gaussians that come (pasted, back from the dead) become the selection.
+// Whether added Gaussians (pasted, restored by undo) become the selection.
 enum class AfterAdding { select, keep_selection };
 
-// Any change of the medium. An edit that changes nothing leaves no step, and a gesture that comes
-// back to where it began takes its step back.
+// A medium edit as a command. Empty edits, and gestures that return to the start, leave no step.
 class MediumCommand : public SceneCommand {
  public:
   MediumCommand(Document& document, MediumEdit edit, const QString& text,
@@ -21,7 +20,7 @@ class MediumCommand : public SceneCommand {
  protected:
   void apply() override;
   void revert() override;
-  bool take(const SceneCommand& later) override;
+  bool merge(const SceneCommand& later) override;
 
  private:
   [[nodiscard]] bool changes_ids() const;
@@ -29,7 +28,7 @@ class MediumCommand : public SceneCommand {
   MediumEdit edit_;
   MergeId merge_id_;
   AfterAdding after_adding_;
-  std::vector<GaussianId> selection_before_;  // if Gaussians come or go
+  std::vector<GaussianId> selection_before_;  // if Gaussians are added or removed
 };
 
 }  // namespace brume

@@ -2,8 +2,7 @@
 
 namespace brume {
 
-// Commands of one gesture (a drag, a scrub) carry one merge id and become one step; ids are never
-// used twice, so that the next drag is a step of its own.
+// Commands of one gesture share a merge id and become one undo step; ids are never reused.
 using MergeId = int;
 inline constexpr MergeId no_merge = -1;
 MergeId new_merge_id();

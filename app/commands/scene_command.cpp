@@ -23,7 +23,7 @@ void SceneCommand::redo() {
 
 bool SceneCommand::mergeWith(const QUndoCommand* later) {
   const auto* command = dynamic_cast<const SceneCommand*>(later);
-  if (!command || !take(*command)) return false;
+  if (!command || !merge(*command)) return false;
   setText(command->text());
   after_ = command->after_;
   // Back where it began: the step goes, and with it all trace of a change.

@@ -7,8 +7,8 @@ namespace brume {
 
 class Document;
 
-// A change of the scene, as opposed to one of the selection: what makes a document unsaved. A
-// command that is obsolete from the start does nothing.
+// Base of commands that change the scene and so mark the document as modified. A command that is
+// obsolete from the start does nothing.
 class SceneCommand : public QUndoCommand {
  public:
   SceneCommand(Document& document, const QString& text);
@@ -20,8 +20,8 @@ class SceneCommand : public QUndoCommand {
  protected:
   virtual void apply() = 0;
   virtual void revert() = 0;
-  // Whether a later command of the same id could be taken into this one. It may set this obsolete.
-  virtual bool take(const SceneCommand& later) = 0;
+  // Merges a later command of the same id; false if not possible. May set this obsolete.
+  virtual bool merge(const SceneCommand& later) = 0;
 
   Document& document_;
 

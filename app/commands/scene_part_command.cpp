@@ -2,7 +2,7 @@
 
 #include "app/commands/gaussian_budget.h"
 #include "app/document/document.h"
-#include "app/document/key_rows.h"
+#include "app/document/keyframe_tracks.h"
 
 namespace brume {
 
@@ -23,7 +23,7 @@ void ScenePartCommand::revert() {
   document_.set_part(before_);
 }
 
-bool ScenePartCommand::take(const SceneCommand& later) {
+bool ScenePartCommand::merge(const SceneCommand& later) {
   const auto* command = dynamic_cast<const ScenePartCommand*>(&later);
   if (!command || command->after_.index() != after_.index()) return false;
   after_ = command->after_;

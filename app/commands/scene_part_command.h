@@ -6,7 +6,7 @@
 
 namespace brume {
 
-// Gives a part of the scene another value. One that is the same leaves no step.
+// Replaces a part of the scene. No step if equal.
 class ScenePartCommand : public SceneCommand {
  public:
   ScenePartCommand(Document& document, ScenePart part, const QString& text, MergeId merge_id);
@@ -16,7 +16,7 @@ class ScenePartCommand : public SceneCommand {
  protected:
   void apply() override;
   void revert() override;
-  bool take(const SceneCommand& later) override;
+  bool merge(const SceneCommand& later) override;
 
  private:
   ScenePart before_;
@@ -24,8 +24,8 @@ class ScenePartCommand : public SceneCommand {
   MergeId merge_id_;
 };
 
-// One step; none where there is no room for the Gaussians of emitters and sequences. Where the part
-// has values with keys that it changes, keys of now are set for them.
+// Replaces a part as one undo step, if the Gaussian budget allows. Sets keyframes for changed
+// values that have any.
 void set_scene_part(Document& document, ScenePart part, const QString& text,
                     MergeId merge_id = no_merge);
 

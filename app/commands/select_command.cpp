@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "app/document/document.h"
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 #include "core/authoring/neighbours.h"
 
 namespace brume {
@@ -30,8 +30,7 @@ SelectCommand::SelectCommand(Document& document, std::vector<GaussianId> ids, Me
       before_(document.selection()),
       after_(std::move(ids)),
       merge_id_(merge_id) {
-  setText(after_.empty() ? tr("Select nothing")
-                         : tr("Select %1").arg(gaussians_text(after_.size())));
+  setText(after_.empty() ? tr("Deselect all") : tr("Select %1").arg(gaussians_text(after_.size())));
 }
 
 void SelectCommand::undo() {

@@ -10,7 +10,7 @@ namespace brume {
 
 class Document;
 
-// A change of the selection: a step of the history, but no change of the scene.
+// A change of the selection: an undo step that does not modify the scene.
 class SelectCommand : public QUndoCommand {
  public:
   SelectCommand(Document& document, std::vector<GaussianId> ids, MergeId merge_id);
@@ -27,12 +27,13 @@ class SelectCommand : public QUndoCommand {
   MergeId merge_id_;
 };
 
-// Selects Gaussians, in any order; those that are not there or cannot be selected are left out. No
-// step if they are selected already.
+// Selects Gaussians (ids in any order); missing and unselectable ones are skipped. No step if
+// unchanged.
 void select_gaussians(Document& document, std::vector<GaussianId> ids, MergeId merge_id = no_merge);
 void select_all(Document& document);
 void invert_selection(Document& document);
-// Takes to the selection whatever its balls of one radius touch, and away what touches the rest.
+// Grows the selection to touching Gaussians (spheres of one radius); shrinks it by those that touch
+// the rest.
 void grow_selection(Document& document);
 void shrink_selection(Document& document);
 

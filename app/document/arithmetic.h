@@ -5,8 +5,8 @@
 
 namespace brume {
 
-// The value of an expression of numbers, + - * /, signs and parentheses, such as "0.5*3" or
-// "(1 + 2) / 4"; nullopt where the text is something else. Numbers are written with a point.
+// Evaluates an expression of numbers, + - * /, signs and parentheses, such as "0.5*3" or "(1 + 2) /
+// 4"; nullopt for other text. Decimal point only.
 std::optional<double> evaluate(const QString& text);
 
 }  // namespace brume

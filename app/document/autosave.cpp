@@ -12,7 +12,7 @@
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/document/private_files.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 
 namespace brume {
 namespace {
@@ -96,7 +96,7 @@ void Autosave::written(std::uint64_t revision, const QString& problem) {
   writing_ = false;
   if (!problem.isEmpty()) {
     // Once: it will hardly be better in half a minute.
-    if (!complained_) Q_EMIT failed(tr("Unsaved work is not being kept: %1").arg(problem));
+    if (!complained_) Q_EMIT failed(tr("Autosave failed: %1").arg(problem));
     complained_ = true;
     return;
   }
@@ -117,9 +117,9 @@ void Autosave::remove_copy() {
   std::filesystem::remove(beside(copy_, ".ini"), ignored);
 }
 
-std::vector<LeftBehind> Autosave::left_behind() {
-  std::vector<LeftBehind> all;
-  std::vector<LeftBehind> old;
+std::vector<RecoveryFile> Autosave::recovery_files() {
+  std::vector<RecoveryFile> all;
+  std::vector<RecoveryFile> old;
   const QDateTime now = QDateTime::currentDateTimeUtc();
   for (const QFileInfo& info : QDir(to_qstring(folder_)).entryInfoList({"*.brume"}, QDir::Files)) {
     const std::filesystem::path scene = to_path(info.absoluteFilePath());
@@ -128,15 +128,15 @@ std::vector<LeftBehind> Autosave::left_behind() {
     if (scene.filename() == copy_.filename() || !lock.tryLock(0)) continue;  // its session lives
     make_private(scene);  // older versions were less careful
     About about(scene);
-    const LeftBehind work{scene, to_path(about->value("file").toString()), info.lastModified(),
-                          FileVersion::parse(about->value("version").toString().toStdString())};
+    const RecoveryFile work{scene, to_path(about->value("file").toString()), info.lastModified(),
+                            FileVersion::parse(about->value("version").toString().toStdString())};
     const bool is_old = about->value("offered", now).toDateTime().daysTo(now) > days_offered;
     (is_old ? old : all).push_back(work);
   }
-  for (const LeftBehind& work : old) forget(work);
+  for (const RecoveryFile& work : old) forget(work);
   sweep();
   std::sort(all.begin(), all.end(),
-            [](const LeftBehind& a, const LeftBehind& b) { return a.when > b.when; });
+            [](const RecoveryFile& a, const RecoveryFile& b) { return a.when > b.when; });
   return all;
 }
 
@@ -159,13 +159,13 @@ void Autosave::sweep() {
   }
 }
 
-void Autosave::note_offered(const LeftBehind& work) {
+void Autosave::mark_offered(const RecoveryFile& work) {
   About about(work.scene);
   if (about->contains("offered")) return;
   about->setValue("offered", QDateTime::currentDateTimeUtc());
 }
 
-void Autosave::forget(const LeftBehind& work) {
+void Autosave::forget(const RecoveryFile& work) {
   std::error_code ignored;
   for (const char* extension : {".brume", ".ini", ".lock"}) {
     std::filesystem::remove(beside(work.scene, extension), ignored);

@@ -14,40 +14,39 @@ namespace brume {
 
 class Document;
 
-// Unsaved work that a session which did not end properly has left in the recovery folder.
-struct LeftBehind {
-  std::filesystem::path scene;  // what can be restored
-  std::filesystem::path file;   // of which this is a later state; empty for a new scene
+// Unsaved work of a crashed session.
+struct RecoveryFile {
+  std::filesystem::path scene;  // the recovery copy
+  std::filesystem::path file;   // the original scene file; empty for a new scene
   QDateTime when;
-  std::optional<FileVersion> version = {};  // of `file`, when this state of it was begun
+  std::optional<FileVersion> version = {};  // of `file`, when editing began
 };
 
-// Keeps a copy of unsaved work in a folder, so that a crash costs half a minute at most. Each
-// session has a file of its own, with a lock that says that it lives, so several sessions never
-// meet. A session deletes its own copy when the work is saved or given up; what others left behind
-// goes when the user says so, or a month after it was first offered. Nobody else can read any.
+// Backs up unsaved work every 20 seconds. Each session has its own file, with a lock while it runs.
+// The copy is deleted when work is saved or discarded; those of crashed sessions by the user, or a
+// month after first being offered. Files are private to the user.
 class Autosave : public QObject {
   Q_OBJECT
  public:
   static constexpr int interval = 20'000;  // milliseconds
 
   Autosave(Document& document, const std::filesystem::path& folder, QObject* parent);
-  ~Autosave() override;  // keeps the copy: only end() gives it up
+  ~Autosave() override;  // keeps the copy; only end() deletes it
 
-  // Begins to write the present state in the background, unless it is saved or written already.
+  // Starts writing the current state in the background, unless saved or written already.
   void save_soon();
-  void wait();  // until what has begun is done
-  void end();   // the work is saved, or the user does not want it
+  void wait();  // until writing has finished
+  void end();   // the work is saved or discarded
 
   [[nodiscard]] bool has_copy() const { return written_revision_ != 0; }
 
   static constexpr int days_offered = 30;
 
-  // The newest first. Deletes those that were offered first more than `days_offered` ago, and what
-  // else dead sessions left in the folder.
-  std::vector<LeftBehind> left_behind();
-  static void note_offered(const LeftBehind& work);  // the user sees it
-  static void forget(const LeftBehind& work);
+  // Recovery files, newest first. Deletes those first offered more than `days_offered` ago, and
+  // other remains of crashed sessions.
+  std::vector<RecoveryFile> recovery_files();
+  static void mark_offered(const RecoveryFile& work);  // shown to the user
+  static void forget(const RecoveryFile& work);
 
  Q_SIGNALS:
   void failed(const QString& message);

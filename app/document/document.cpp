@@ -5,7 +5,7 @@
 
 #include "app/document/paths.h"
 #include "core/io/atomic_file.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "core/scene/animation.h"
 
 namespace brume {
@@ -15,7 +15,7 @@ namespace {
 Scene new_scene() {
   Scene scene;
   scene.lights.push_back(
-      {.position = {2.0, 3.0, 3.0}, .intensity = glm::dvec3(20.0), .unknown = {}});
+      {.position = {2.0, 3.0, 3.0}, .intensity = glm::dvec3(20.0), .extra_json = {}});
   return scene;
 }
 
@@ -105,7 +105,7 @@ void Document::open(Scene scene, const std::filesystem::path& file,
   revision_ = saved_revision_ = new_revision();
   Q_EMIT scene_replaced();
   Q_EMIT selection_changed();
-  Q_EMIT freedom_changed();
+  Q_EMIT hidden_or_locked_changed();
   Q_EMIT file_changed();
   Q_EMIT modified_changed();
 }
@@ -132,11 +132,11 @@ void Document::select(std::vector<GaussianId> ids) {
 
 std::vector<GaussianId> Document::selectable(std::vector<GaussianId> ids) const {
   sort_unique(ids);
-  std::erase_if(ids, [this](GaussianId id) { return !medium().index_of(id) || !is_free(id); });
+  std::erase_if(ids, [this](GaussianId id) { return !medium().index_of(id) || !is_editable(id); });
   return ids;
 }
 
-bool Document::is_free(GaussianId id) const {
+bool Document::is_editable(GaussianId id) const {
   return !contains(hidden_, id) && !contains(locked_, id);
 }
 
@@ -145,14 +145,14 @@ void Document::hide(std::vector<GaussianId> ids) {
   hidden_ = std::move(ids);
   visible_.reset();
   select(selection_);
-  Q_EMIT freedom_changed();
+  Q_EMIT hidden_or_locked_changed();
 }
 
 void Document::lock(std::vector<GaussianId> ids) {
   sort_unique(ids);
   locked_ = std::move(ids);
   select(selection_);
-  Q_EMIT freedom_changed();
+  Q_EMIT hidden_or_locked_changed();
 }
 
 void Document::set_active_light(std::size_t index) {
@@ -170,7 +170,7 @@ void Document::set_active_emitter(std::size_t index) {
 void Document::apply(const MediumEdit& edit) {
   edit.apply(scene_.medium);
   scene_changed();
-  // What was removed leaves these lists before anybody can ask for it.
+  // Remove deleted ids from these lists before any signal.
   const std::size_t selected = selection_.size();
   if (!edit.removed().empty()) {
     for (auto* ids : {&selection_, &hidden_, &locked_}) {

@@ -14,8 +14,8 @@
 
 namespace brume {
 
-// The scene being edited, its history and its selection. Views read it and listen to its signals;
-// they change it only by pushing commands (app/commands) onto the undo stack.
+// The edited scene, its history and selection. Views read it and listen to its signals; all changes
+// are commands (app/commands) on the undo stack.
 class Document : public QObject {
   Q_OBJECT
  public:
@@ -23,69 +23,68 @@ class Document : public QObject {
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Medium& medium() const { return scene_.medium; }
-  // The scene as it is now, for other threads; copied only when it changed since the last call.
+  // An immutable snapshot for other threads; copied only after changes.
   [[nodiscard]] std::shared_ptr<const Scene> snapshot() const;
-  // The same without hidden Gaussians.
+  // A snapshot without hidden Gaussians.
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
-  // Whether the scene differs from the file; what is selected does not count.
+  // Whether the scene differs from the file; the selection does not count.
   [[nodiscard]] bool is_modified() const { return revision_ != saved_revision_; }
 
   // The file this scene was loaded from or saved to; empty for a new scene.
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] QString name() const;
-  [[nodiscard]] QString folder() const;  // of the file, or the user's own
+  [[nodiscard]] QString folder() const;  // of the file, or the home folder
 
-  // What that file held when it was loaded or saved; nothing if that is not known.
+  // Version of the file when it was loaded or saved; nullopt if unknown.
   [[nodiscard]] const std::optional<FileVersion>& file_version() const { return file_version_; }
-  // What the file holds by now is known, and may be replaced.
+  // Accepts the file's current content as known, so it may be overwritten.
   void set_file_version(const FileVersion& version) { file_version_ = version; }
 
-  // Both forget history and selection. `file` is where the scene was loaded from.
+  // Both clear history and selection. `file`: where the scene was loaded from.
   void create();
   void open(Scene scene, const std::filesystem::path& file,
             const std::optional<FileVersion>& version = {});
-  // The same with work that the file does not have yet.
+  // Opens a scene as modified.
   void open_unsaved(Scene scene, const std::filesystem::path& file,
                     const std::optional<FileVersion>& version = {});
-  // What a file gets: whatever moment is looked at, values with keys are those of the beginning.
+  // The scene as written to files: keyframed values as of time 0.
   [[nodiscard]] Scene scene_to_save() const;
-  // Keeps the history and marks its present state as saved, or throws InputError.
+  // Saves, keeping the history. Throws InputError.
   void save(const std::filesystem::path& file);
 
-  // The moment that is being looked at [s]; a state of the editor, 0 in the beginning. Values of
-  // the scene that have keys are always those of this moment.
+  // Current time [s]; editor state, initially 0. Keyframed values of the scene always have their
+  // values at this time.
   [[nodiscard]] double time() const { return time_; }
   void set_time(double time);
 
   // Ordered by id; always Gaussians of this medium.
   [[nodiscard]] const std::vector<GaussianId>& selection() const { return selection_; }
   [[nodiscard]] bool is_selected(GaussianId id) const;
-  // Of some ids in any order those that may be selected, sorted.
+  // The selectable ones of some ids, sorted.
   [[nodiscard]] std::vector<GaussianId> selectable(std::vector<GaussianId> ids) const;
 
-  // State of the editor, in no file and no history. What is hidden or locked cannot be selected and
-  // is left alone by brushes; what is hidden is not seen either. Both ordered by id.
+  // Editor state, neither saved nor undoable. Hidden and locked Gaussians cannot be selected and
+  // are skipped by brushes; hidden ones are invisible. Both ordered by id.
   [[nodiscard]] const std::vector<GaussianId>& hidden() const { return hidden_; }
   [[nodiscard]] const std::vector<GaussianId>& locked() const { return locked_; }
-  [[nodiscard]] bool is_free(GaussianId id) const;  // neither
-  void hide(std::vector<GaussianId> ids);           // and nothing else
-  void lock(std::vector<GaussianId> ids);           // and nothing else
+  [[nodiscard]] bool is_editable(GaussianId id) const;  // neither hidden nor locked
+  void hide(std::vector<GaussianId> ids);               // and nothing else
+  void lock(std::vector<GaussianId> ids);               // and nothing else
 
-  // The light and the emitter that panels and handles are about; an index that may be of none.
-  // State of the editor.
+  // Active light and emitter of panels and handles; the index may be invalid. Editor state.
   [[nodiscard]] std::size_t active_light() const { return active_light_; }
   void set_active_light(std::size_t index);
 
   [[nodiscard]] std::size_t active_emitter() const { return active_emitter_; }
   void set_active_emitter(std::size_t index);
 
-  // For commands only: changes without history.
+  // For commands only: changes without undo.
   void apply(const MediumEdit& edit);
   void set_part(const ScenePart& part);
   void select(std::vector<GaussianId> ids);
-  // Names the state of the scene; two states of one document with the same number are the same.
+  // Identifies a state of the scene; equal revisions of a document are equal states.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] std::uint64_t new_revision() { return ++last_revision_; }
   void set_revision(std::uint64_t revision);
@@ -93,17 +92,17 @@ class Document : public QObject {
  Q_SIGNALS:
   void scene_replaced();
   void medium_changed(const brume::MediumEdit& edit);
-  void part_changed();  // of the scene, other than its Gaussians
+  void part_changed();  // a part other than the Gaussians
   void selection_changed();
   void active_light_changed();
   void active_emitter_changed();
-  void freedom_changed();  // what is hidden or locked
+  void hidden_or_locked_changed();  // hidden or locked Gaussians
   void file_changed();
   void modified_changed();
-  void refused(const QString& why);  // what was wanted is beyond a limit, and was not done
+  void refused(const QString& why);  // an edit was rejected by a limit
 
  private:
-  void scene_changed();  // the copies of it are stale
+  void scene_changed();  // invalidates the snapshots
 
   Scene scene_;
   mutable std::shared_ptr<const Scene> snapshot_;

@@ -5,16 +5,16 @@
 
 namespace brume {
 
-// Files that are nobody else's to read: what a user works on, and pictures of it. Folders get 0700
-// and files 0600, also those that are there with other permissions.
+// Files private to the user: backups and scene pictures. Folders get mode 0700, files 0600, also
+// existing ones.
 
-// Makes a folder, and those it is in. Where that fails, writing into it will say why.
+// Creates a folder and its parents. On failure, writing into it will report the error.
 std::filesystem::path make_private_folder(const std::filesystem::path& folder);
 
-// As write_atomically(); the file is never readable by others, not even while it is written.
+// write_atomically() with mode 0600 from the start.
 void write_private(const std::filesystem::path& file, std::string_view content);
 
-// Of a file that somebody else has written.
+// Restricts an existing file to mode 0600.
 void make_private(const std::filesystem::path& file);
 
 }  // namespace brume

@@ -6,7 +6,7 @@
 
 namespace brume {
 
-// What of a scene is edited as a whole, the Gaussians being edited one by one.
+// Parts of a scene that are edited as a whole, unlike Gaussians.
 using Lights = std::vector<PointLight>;
 using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
@@ -17,7 +17,7 @@ struct KeyedCamera {
 
   bool operator==(const KeyedCamera&) const = default;
 };
-// The homogeneous density while it has keys; without, it is edited as the Gaussians are.
+// The homogeneous density if keyframed; otherwise it is edited by MediumEdit.
 struct KeyedDensity {
   double density = 0.0;
   Keys<double> keys;
@@ -28,7 +28,7 @@ using ScenePart =
     std::variant<KeyedCamera, KeyedDensity, Lights, std::optional<Environment>, MediumOptics,
                  Surfaces, Emitters, Sequences, std::optional<Playback>>;
 
-// The part of a scene that has an index of the variant; and a scene with another part.
+// Reads the scene part of a variant index; and replaces a part.
 ScenePart scene_part(const Scene& scene, std::size_t index);
 void set_scene_part(Scene& scene, const ScenePart& part);
 

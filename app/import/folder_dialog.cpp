@@ -7,7 +7,7 @@
 #include <QPushButton>
 
 #include "app/document/paths.h"
-#include "app/plain_text.h"
+#include "app/widgets/plain_text.h"
 
 namespace brume {
 
@@ -16,7 +16,7 @@ QLineEdit* add_folder_row(QFormLayout* form, const std::filesystem::path& file,
   auto* folder = new QLineEdit(to_qstring(file.parent_path() / "gaussians"));
   folder->setObjectName("sequence_folder");
   folder->setMinimumWidth(320);
-  form->addRow(FolderDialog::tr("Gaussians are written to"), folder);
+  form->addRow(FolderDialog::tr("Write Gaussians to"), folder);
   form->addRow(new PlainLabel(FolderDialog::tr("Frames %1 to %2").arg(run.first).arg(run.last)));
   return folder;
 }
@@ -31,7 +31,7 @@ FolderDialog::FolderDialog(const std::filesystem::path& file, const FrameRun& ru
   buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole)->setObjectName("import_sequence");
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, [this, folder] {
-    Q_EMIT wanted(folder->text());
+    Q_EMIT requested(folder->text());
     accept();
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -10,19 +10,18 @@ class QLineEdit;
 
 namespace brume {
 
-// The row of a form that asks where the Gaussians of a run of frames are written to: beside the
-// files, in a folder of their own.
+// A form row for the output folder of a sequence's Gaussians, by default beside the files.
 QLineEdit* add_folder_row(QFormLayout* form, const std::filesystem::path& file,
                           const FrameRun& run);
 
-// Asks that and nothing else.
+// Dialog with that row only.
 class FolderDialog : public QDialog {
   Q_OBJECT
  public:
   FolderDialog(const std::filesystem::path& file, const FrameRun& run, QWidget* parent);
 
  Q_SIGNALS:
-  void wanted(const QString& folder);
+  void requested(const QString& folder);
 };
 
 }  // namespace brume

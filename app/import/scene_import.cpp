@@ -9,17 +9,17 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/file_dialogs.h"
+#include "app/files/file_dialogs.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
 #include "core/error.h"
 #include "core/io/file_bytes.h"
-#include "core/io/gaussian_file.h"
-#include "core/io/mesh_file.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/gaussians/sequence_file.h"
+#include "core/io/image/radiance_map_file.h"
+#include "core/io/mesh/mesh_file.h"
 #include "core/io/ply.h"
-#include "core/io/radiance_map_file.h"
-#include "core/io/sequence_file.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -52,7 +52,7 @@ std::vector<Gaussian> read_any_gaussians(const fs::path& file, const std::stop_t
                                     : read_gaussians(file);
 }
 
-// The run of frames that all these files are of, at least two; nothing where there is none.
+// The sequence that all these files belong to, at least two; nullopt otherwise.
 std::optional<FrameRun> run_of(const std::vector<fs::path>& files) {
   std::optional<FramePattern> pattern;
   for (const fs::path& file : files) {
@@ -77,13 +77,13 @@ FrameRun frames_around(const fs::path& file) {
   const auto files = FramePattern::around(file.string());
   if (!files) {
     throw InputError(file, "",
-                     "is no frame of a sequence; allowed: one of several files whose "
-                     "names differ in a number");
+                     "is not a frame of a sequence; allowed: one of several files whose names "
+                     "differ in a number");
   }
   const std::vector<int> numbers = files->frames();
   const auto at = std::find_if(numbers.begin(), numbers.end(),
-                               [&](int number) { return files->of(number) == file.string(); });
-  if (at == numbers.end()) throw InputError(file, "", "is not there");
+                               [&](int number) { return files->file_of(number) == file.string(); });
+  if (at == numbers.end()) throw InputError(file, "", "does not exist");
   auto first = at;
   while (first != numbers.begin() && *(first - 1) == *first - 1) --first;
   auto last = at;
@@ -102,7 +102,7 @@ bool SceneImport::can_import(const fs::path& file) {
 void SceneImport::ask() {
   const fs::path file = ask_for_file(
       window_, FileKind::import, tr("Import"),
-      tr("All that can be imported (*.vdb *.csv *.ply *.vtp *.vtu *.obj *.stl *.off *.exr *.hdr);;"
+      tr("All supported files (*.vdb *.csv *.ply *.vtp *.vtu *.obj *.stl *.off *.exr *.hdr);;"
          "Volumes (*.vdb);;Gaussians (*.csv *.ply *.vtp *.vtu);;Meshes (*.obj *.ply *.stl *.off);;"
          "Environments (*.exr *.hdr);;All files (*)"),
       document_.folder());
@@ -111,14 +111,14 @@ void SceneImport::ask() {
 
 void SceneImport::ask_sequence() {
   const fs::path file =
-      ask_for_file(window_, FileKind::import, tr("Import a sequence: any of its frames"),
+      ask_for_file(window_, FileKind::import, tr("Import a sequence: choose any frame"),
                    tr("Frames (*.vdb *.csv *.ply *.vtp *.vtu);;All files (*)"), document_.folder());
   if (!file.empty()) import_sequence(file);
 }
 
 void SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
   if (!job_.start(tr("Importing %1").arg(to_qstring(file.filename())), work)) {
-    Q_EMIT failed(tr("Something else is still being imported or exported."));
+    Q_EMIT failed(tr("Another import or export is still running."));
   }
 }
 
@@ -126,7 +126,7 @@ void SceneImport::import_file(const fs::path& given) {
   const fs::path file = fs::absolute(given);
   if (is_volume(file)) {
     auto* dialog = new VolumeDialog(file, std::nullopt, window_);
-    connect(dialog, &VolumeDialog::wanted, this,
+    connect(dialog, &VolumeDialog::requested, this,
             [this, file](const VolumeFit& how) { import_volume(file, how); });
     dialog->show();
     return;
@@ -134,7 +134,7 @@ void SceneImport::import_file(const fs::path& given) {
   start(file, [this, file](const Job& job) { return read(file, job.stop); });
 }
 
-BackgroundJob::Take SceneImport::read(const fs::path& file, const std::stop_token& stop) {
+BackgroundJob::Apply SceneImport::read(const fs::path& file, const std::stop_token& stop) {
   if (is_one_of(file, environments)) {
     return [this, file, map = read_radiance_map(file)] {
       Environment environment = document_.scene().environment.value_or(Environment{});
@@ -157,7 +157,7 @@ BackgroundJob::Take SceneImport::read(const fs::path& file, const std::stop_toke
   };
 }
 
-BackgroundJob::Take SceneImport::read(const FrameRun& run) {
+BackgroundJob::Apply SceneImport::read(const FrameRun& run) {
   MediumSequence sequence;
   sequence.file = run.files.text();
   sequence.first = run.first;
@@ -211,9 +211,9 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
   }
   if (read_at_once.empty()) return;
   start(read_at_once.front(),
-        [this, files = read_at_once, run](const Job& job) -> BackgroundJob::Take {
+        [this, files = read_at_once, run](const Job& job) -> BackgroundJob::Apply {
           if (run && !is_mesh(files.front())) return read(*run);
-          std::vector<BackgroundJob::Take> takes;
+          std::vector<BackgroundJob::Apply> takes;
           for (const fs::path& file : files) {
             if (job.stop.stop_requested()) return {};
             takes.push_back(read(file, job.stop));
@@ -221,14 +221,14 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
           }
           return [this, takes] {
             document_.undo_stack().beginMacro(tr("Import %1 files").arg(takes.size()));
-            for (const BackgroundJob::Take& take : takes) take();
+            for (const BackgroundJob::Apply& take : takes) take();
             document_.undo_stack().endMacro();
           };
         });
 }
 
 void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
-  start(file, [this, file, how](const Job& job) -> BackgroundJob::Take {
+  start(file, [this, file, how](const Job& job) -> BackgroundJob::Apply {
     const auto gaussians = fit_volume(file, how, job);
     if (!gaussians) return {};
     return [this, gaussians] { add_gaussians(document_, *gaussians, tr("Import")); };
@@ -253,7 +253,7 @@ void SceneImport::import_sequence(const fs::path& given) {
     const FrameRun run = frames_around(file);
     if (is_volume(file)) {
       auto* dialog = new VolumeDialog(file, run, window_);
-      connect(dialog, &VolumeDialog::wanted, this, [this, run, dialog](const VolumeFit& how) {
+      connect(dialog, &VolumeDialog::requested, this, [this, run, dialog](const VolumeFit& how) {
         import_volumes(run, how, dialog->folder());
       });
       dialog->show();
@@ -261,7 +261,7 @@ void SceneImport::import_sequence(const fs::path& given) {
     }
     if (is_one_of(file, vtk_files)) {
       auto* dialog = new FolderDialog(file, run, window_);
-      connect(dialog, &FolderDialog::wanted, this,
+      connect(dialog, &FolderDialog::requested, this,
               [this, run](const QString& folder) { import_vtk_files(run, to_path(folder)); });
       dialog->show();
       return;
@@ -275,17 +275,17 @@ void SceneImport::import_sequence(const fs::path& given) {
 void SceneImport::start_sequence(const FrameRun& run, const fs::path& folder, MakeFrames make) {
   fs::path names = fs::absolute(folder) / fs::path(run.files.text()).filename();
   names.replace_extension(".ply");
-  start(run.files.of(run.first),
-        [this, run, names, make = std::move(make)](const Job& job) -> BackgroundJob::Take {
+  start(run.files.file_of(run.first),
+        [this, run, names, make = std::move(make)](const Job& job) -> BackgroundJob::Apply {
           std::vector<SequenceFrame> frames = make(job);
           const auto count = static_cast<std::size_t>(run.last - run.first) + 1;
           if (frames.size() != count || job.stop.stop_requested()) return {};
           // Only now, so that nothing is there of what was cancelled.
           const auto to = FramePattern::parse(names.string());
-          if (!to) throw InputError(names, "", "cannot be the name of a sequence");
+          if (!to) throw InputError(names, "", "is not a valid sequence name");
           fs::create_directories(names.parent_path());
           for (std::size_t k = 0; k < frames.size(); ++k) {
-            const std::string file = to->of(run.first + static_cast<int>(k));
+            const std::string file = to->file_of(run.first + static_cast<int>(k));
             write_gaussians(file, frames[k].gaussians, frames[k].ids);
           }
           MediumSequence sequence;
@@ -301,7 +301,8 @@ void SceneImport::import_volumes(const FrameRun& run, const VolumeFit& how,
                                  const fs::path& folder) {
   start_sequence(run, folder, [run, how](const Job& job) {
     std::vector<fs::path> files;
-    for (int frame = run.first; frame <= run.last; ++frame) files.push_back(run.files.of(frame));
+    for (int frame = run.first; frame <= run.last; ++frame)
+      files.push_back(run.files.file_of(frame));
     return fit_volumes(files, how, job);
   });
 }

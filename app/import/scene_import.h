@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/background_job.h"
 #include "app/import/volume_fit.h"
+#include "app/jobs/background_job.h"
 #include "core/io/frame_pattern.h"
 #include "core/scene/medium_sequence.h"
 
@@ -24,27 +24,27 @@ struct FrameRun {
   int last = 0;
 };
 
-// What comes into the scene from files, each as one undo step when it has been read in the
-// background: Gaussians (.csv, .ply, .vtp, .vtu), volumes (.vdb, fitted), meshes (.obj, .ply, .stl,
-// .off), environments (.exr, .hdr); Gaussians and volumes as sequences too.
+// Imports files in the background, each as one undo step: Gaussians (.csv, .ply, .vtp, .vtu),
+// volumes (.vdb, fitted), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr); Gaussians and
+// volumes also as sequences.
 class SceneImport : public QObject {
   Q_OBJECT
  public:
   SceneImport(Document& document, BackgroundJob& job, QWidget* window);
 
-  // Asks for a file, and of a volume how it becomes Gaussians.
+  // Asks for a file, and for a volume's fit options.
   void ask();
   void ask_sequence();
 
-  void import_file(const std::filesystem::path& file);  // asks about a volume too
-  // What was dropped at once: frames of one sequence as that, other files one by one as one undo
-  // step. Says so where some cannot be imported.
+  void import_file(const std::filesystem::path& file);  // also asks for a volume's fit options
+  // Imports dropped files: frames of one sequence as such, others individually as one undo step.
+  // Reports unsupported ones.
   void import_files(const std::vector<std::filesystem::path>& files);
-  // The run of frames that a file is one of, from the frame that is shown on.
+  // Imports the sequence that a file belongs to, starting at the current frame.
   void import_sequence(const std::filesystem::path& file);
   void import_volume(const std::filesystem::path& file, const VolumeFit& how);
-  // These write the Gaussians as PLY into a folder, which is made, and show those: what a scene
-  // plays is read without VTK. Volumes are fitted.
+  // These write Gaussians as PLY to a new folder and import that sequence, so scenes can be read
+  // without VTK. Volumes are fitted.
   void import_volumes(const FrameRun& run, const VolumeFit& how,
                       const std::filesystem::path& folder);
   void import_vtk_files(const FrameRun& run, const std::filesystem::path& folder);
@@ -56,14 +56,14 @@ class SceneImport : public QObject {
 
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
-  // In the background: what a file that is no volume, or a run of frames, adds to the scene.
-  BackgroundJob::Take read(const std::filesystem::path& file, const std::stop_token& stop);
-  BackgroundJob::Take read(const FrameRun& run);
+  // In the background: reads a file other than a volume, or a sequence.
+  BackgroundJob::Apply read(const std::filesystem::path& file, const std::stop_token& stop);
+  BackgroundJob::Apply read(const FrameRun& run);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
   void add_sequence(MediumSequence sequence);
-  // In the background: writes the frames that `make` gives, of the numbers of `run`, into a folder.
-  // None are written where it gives fewer.
+  // In the background: writes the frames of `make`, numbered as in `run`, to a folder. Nothing is
+  // written if it returns fewer.
   using MakeFrames = std::function<std::vector<SequenceFrame>(const Job& job)>;
   void start_sequence(const FrameRun& run, const std::filesystem::path& folder, MakeFrames make);
   [[nodiscard]] double start_time() const;
@@ -73,7 +73,7 @@ class SceneImport : public QObject {
   QWidget* window_;
 };
 
-// The frames around a file that are there without a gap. Throws InputError where it is no frame.
+// The contiguous frames around a file. Throws InputError if it is no frame.
 FrameRun frames_around(const std::filesystem::path& file);
 
 }  // namespace brume

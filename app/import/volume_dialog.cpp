@@ -13,8 +13,8 @@
 
 #include "app/document/paths.h"
 #include "app/import/folder_dialog.h"
-#include "app/plain_text.h"
-#include "core/io/volume_file.h"
+#include "app/widgets/plain_text.h"
+#include "core/io/volume/volume_file.h"
 
 namespace brume {
 
@@ -43,20 +43,20 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   count_->setObjectName("volume_count");
   count_->setRange(1, 1'000'000);
   count_->setValue(500);
-  form->addRow(tr("Gaussians, at most"), count_);
+  form->addRow(tr("Max Gaussians"), count_);
   error_->setObjectName("volume_error");
   error_->setRange(0.0, 100.0);
   error_->setSuffix(" %");
-  error_->setSpecialValueText(tr("as small as it gets"));
-  if (!run) form->addRow(tr("Error of density that will do"), error_);
+  error_->setSpecialValueText(tr("minimum"));
+  if (!run) form->addRow(tr("Max density error"), error_);
   scale_->setObjectName("volume_scale");
   auto* domain = new QDoubleValidator(1e-12, 1e12, 12, scale_);
   domain->setLocale(QLocale::c());
   scale_->setValidator(domain);
-  form->addRow(tr("Scattering of density 1, 1/u"), scale_);
+  form->addRow(tr("Density scale, 1/u"), scale_);
   up_->setObjectName("volume_up");
-  up_->addItems({tr("y"), tr("z, turned to y")});
-  form->addRow(tr("Up in the volume"), up_);
+  up_->addItems({tr("y"), tr("z (rotated to y)")});
+  form->addRow(tr("Up axis"), up_);
   if (run) folder_ = add_folder_row(form, file, *run);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   QPushButton* import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
@@ -71,7 +71,7 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   connect(scale_, &QLineEdit::textChanged, this, [this, import] {
     import->setEnabled(scale_->hasAcceptableInput() && grid_->count() > 0);
   });
-  connect(buttons, &QDialogButtonBox::accepted, this, &VolumeDialog::take);
+  connect(buttons, &QDialogButtonBox::accepted, this, &VolumeDialog::confirm);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
@@ -79,14 +79,14 @@ std::filesystem::path VolumeDialog::folder() const {
   return folder_ ? to_path(folder_->text()) : std::filesystem::path();
 }
 
-void VolumeDialog::take() {
+void VolumeDialog::confirm() {
   VolumeFit how;
   how.grid = grid_->currentText().toStdString();
   how.options.count = static_cast<std::size_t>(count_->value());
   how.options.max_error = 0.01 * error_->value();
   how.density_scale = scale_->text().toDouble();
   how.z_up = up_->currentIndex() == 1;
-  Q_EMIT wanted(how);
+  Q_EMIT requested(how);
   accept();
 }
 

@@ -14,28 +14,28 @@ class QSpinBox;
 
 namespace brume {
 
-// Asks how a volume, or a run of them, becomes Gaussians.
+// Dialog for the fit options of a volume or sequence.
 class VolumeDialog : public QDialog {
   Q_OBJECT
  public:
   VolumeDialog(const std::filesystem::path& file, const std::optional<FrameRun>& run,
                QWidget* parent);
 
-  // Where the Gaussians of a run are written to.
+  // Output folder of a sequence.
   [[nodiscard]] std::filesystem::path folder() const;
 
  Q_SIGNALS:
-  void wanted(const brume::VolumeFit& how);
+  void requested(const brume::VolumeFit& how);
 
  private:
-  void take();
+  void confirm();
 
   QComboBox* grid_;
   QSpinBox* count_;
   QDoubleSpinBox* error_;
   QLineEdit* scale_;
   QComboBox* up_;
-  QLineEdit* folder_ = nullptr;  // of a run only
+  QLineEdit* folder_ = nullptr;  // sequences only
 };
 
 }  // namespace brume

@@ -6,7 +6,7 @@
 
 #include "core/fit/volume_fitter.h"
 #include "core/scene/medium_sequence.h"
-#include "render/job.h"
+#include "render/util/job.h"
 
 namespace brume {
 
@@ -14,7 +14,7 @@ namespace brume {
 std::optional<std::vector<Gaussian>> fit_volume(const std::filesystem::path& file,
                                                 const VolumeFit& how, const Job& job);
 
-// The same of a sequence, each frame from the one before. As many as `files`, fewer when stopped.
+// Fits a sequence, each frame starting from the previous. Fewer results than `files` if stopped.
 std::vector<SequenceFrame> fit_volumes(const std::vector<std::filesystem::path>& files,
                                        const VolumeFit& how, const Job& job);
 

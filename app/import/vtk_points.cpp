@@ -9,7 +9,7 @@
 #include "app/document/paths.h"
 #include "core/error.h"
 #include "core/io/file_bytes.h"
-#include "core/io/gaussian_ply.h"
+#include "core/io/gaussians/gaussian_ply.h"
 
 namespace brume {
 namespace {
@@ -33,7 +33,7 @@ bool run(QProcess& reader, const std::stop_token& stop) {
   return true;
 }
 
-// What the program says is wrong with the file, without the file's name.
+// The program's error message, without the file's name.
 std::string said(QProcess& reader, const std::filesystem::path& file) {
   std::string text = reader.readAllStandardOutput().trimmed().toStdString();
   const std::string name = file.string() + ": ";
@@ -62,7 +62,7 @@ std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file,
   reader.start(QCoreApplication::applicationDirPath() + "/brume-vtk-points", arguments);
   if (!reader.waitForStarted(-1)) {
     throw InputError(file, "",
-                     "needs the program brume-vtk-points beside the editor: " +
+                     "the program brume-vtk-points was not found next to the editor: " +
                          reader.errorString().toStdString());
   }
   if (!run(reader, stop)) return {};
@@ -73,7 +73,7 @@ std::vector<Gaussian> read_vtk_points(const std::filesystem::path& file,
     throw InputError(file, "", said(reader, file));
   }
   throw InputError(file, "",
-                   "VTK fails on it: it is damaged, or takes more than is allowed for its size, " +
+                   "VTK cannot read it: it is damaged or exceeds the limit for its size, " +
                        std::to_string(memory >> 20) + " MiB of memory or " +
                        std::to_string(seconds) + " s");
 }

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/io/limits.h"
+#include "core/limits.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {

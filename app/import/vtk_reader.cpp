@@ -19,13 +19,13 @@
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
-#include "core/io/gaussian_columns.h"
+#include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/text_scanner.h"
 
 namespace brume {
 namespace {
 
-// Where VTK says what is wrong: the first is what matters.
+// Collects VTK's errors; the first one matters.
 class Errors : public vtkOutputWindow {
  public:
   static Errors* New();
@@ -46,7 +46,7 @@ class Errors : public vtkOutputWindow {
     const std::size_t at = first_.find("): ");
     std::string text = at == std::string::npos ? first_ : first_.substr(at + 3);
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-    return shown(text, 200);
+    return quoted_text(text, 200);
   }
 
  protected:
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPointSet> read_points(const std::filesystem::path& file) {
   const auto read = [&](auto reader) -> vtkSmartPointer<vtkPointSet> {
     reader->SetFileName(file.c_str());
     if (reader->CanReadFile(file.c_str()) == 0) {
-      throw InputError(file, "", "is not such a VTK file");
+      throw InputError(file, "", "is not a VTK file of this type");
     }
     reader->Update();
     if (errors->any()) throw InputError(file, "", "VTK cannot read it: " + errors->text());
@@ -85,7 +85,7 @@ vtkDataArray* array_of(const std::filesystem::path& file, vtkPointSet& points, c
   if (array == nullptr) return nullptr;
   if (array->GetNumberOfComponents() != 1 ||
       array->GetNumberOfTuples() != points.GetNumberOfPoints()) {
-    throw InputError(file, name, "found an array of another shape; allowed: one number per point");
+    throw InputError(file, name, "found an array of another shape; allowed: one scalar per point");
   }
   return array;
 }
@@ -93,11 +93,11 @@ vtkDataArray* array_of(const std::filesystem::path& file, vtkPointSet& points, c
 double default_radius(vtkPointSet& points) {
   double box[6];
   points.GetBounds(box);
-  const double greatest = std::max({box[1] - box[0], box[3] - box[2], box[5] - box[4]});
-  if (!(greatest > 0.0)) return 1.0;
+  const double max_value = std::max({box[1] - box[0], box[3] - box[2], box[5] - box[4]});
+  if (!(max_value > 0.0)) return 1.0;
   // A flat cloud has some thickness.
   double volume = 1.0;
-  for (int k = 0; k < 3; ++k) volume *= std::max(box[2 * k + 1] - box[2 * k], 0.01 * greatest);
+  for (int k = 0; k < 3; ++k) volume *= std::max(box[2 * k + 1] - box[2 * k], 0.01 * max_value);
   return std::cbrt(volume / static_cast<double>(points.GetNumberOfPoints()));
 }
 

@@ -1,7 +1,7 @@
-// brume-vtk-points FILE OUT.ply MAX_GAUSSIANS MAX_BYTES MAX_SECONDS [ids]: the points of a VTK file
-// as Gaussians, with their ids if asked for, within so much memory and processor time. Exit code 0;
-// 2 with what is wrong with the file on standard output; any other end is VTK's, and so is what
-// stands on standard error.
+// brume-vtk-points FILE OUT.ply MAX_GAUSSIANS MAX_BYTES MAX_SECONDS [ids]: converts the points of a
+// VTK file to Gaussians, with ids on request, within limits of memory and CPU time. Exit code 0; 2
+// with the file's error on standard output; anything else is a failure of VTK, described on
+// standard error.
 
 #include <malloc.h>
 #include <sys/resource.h>
@@ -14,7 +14,7 @@
 
 #include "app/import/vtk_reader.h"
 #include "core/error.h"
-#include "core/io/gaussian_ply.h"
+#include "core/io/gaussians/gaussian_ply.h"
 
 namespace {
 

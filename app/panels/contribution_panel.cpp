@@ -7,20 +7,20 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "app/application.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
-#include "app/document/gaussian_field.h"
-#include "app/panels/color_button.h"
+#include "app/document/gaussian_attribute.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/application.h"
+#include "app/widgets/color_button.h"
 
 namespace brume {
 namespace {
 
-constexpr int look_after = 40;         // milliseconds
-constexpr std::size_t most_met = 100;  // Gaussians in the list
-constexpr double deepest = 4.0;        // optical depth of a full bar
+constexpr int look_after = 40;        // milliseconds
+constexpr std::size_t max_met = 100;  // Gaussians in the list
+constexpr double deepest = 4.0;       // optical depth of a full bar
 constexpr int title_width = 104;
 constexpr int number_width = 64;
 
@@ -40,7 +40,7 @@ ContributionPanel::ContributionPanel(Document& document, ViewGrid& views, QWidge
   timer_.setSingleShot(true);
   timer_.setInterval(look_after);
   connect(&timer_, &QTimer::timeout, this, &ContributionPanel::compute);
-  connect(&views, &ViewGrid::pointed_at, this, &ContributionPanel::look);
+  connect(&views, &ViewGrid::pointed_at, this, &ContributionPanel::inspect);
   const auto again = [this] { timer_.start(); };
   connect(&document_, &Document::medium_changed, this, again);
   connect(&document_, &Document::part_changed, this, again);
@@ -48,7 +48,7 @@ ContributionPanel::ContributionPanel(Document& document, ViewGrid& views, QWidge
   connect(&document_, &Document::scene_replaced, this, again);
 }
 
-void ContributionPanel::look(Viewport& view, QPointF position) {
+void ContributionPanel::inspect(Viewport& view, QPointF position) {
   view_ = &view;
   position_ = position;
   if (!timer_.isActive()) timer_.start();
@@ -74,7 +74,7 @@ void ContributionPanel::compute() {
   Facts facts;
   facts.contribution = selected != met.end() ? *selected : met.front();
   facts.id = id(facts.contribution);
-  for (std::size_t k = 0; k < std::min(met.size(), most_met); ++k) {
+  for (std::size_t k = 0; k < std::min(met.size(), max_met); ++k) {
     facts.met.emplace_back(id(met[k]), met[k].share);
   }
   const glm::dvec3 place = rays.eye() + facts.contribution.distance * direction;
@@ -105,7 +105,7 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
   const QRect inside = rect().adjusted(8, 6, -8, -4);
   if (!facts_) {
     painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
-                     tr("Point at fog: what each Gaussian does to that pixel is shown here."));
+                     tr("Point at fog to see what each Gaussian contributes to the pixel."));
     return;
   }
   int y = inside.top();
@@ -137,18 +137,19 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
   const QColor plain = palette().color(QPalette::PlaceholderText);
   row(tr("Optical depth"), f.contribution.optical_depth / deepest,
       QString::number(f.contribution.optical_depth, 'g', 3), plain);
-  row(tr("Takes away"), f.contribution.share, percent(f.contribution.share), plain);
-  double most = 0.0;
-  for (const LightShare& light : f.lights) most = std::max(most, luminance(light.radiance));
+  row(tr("Attenuates"), f.contribution.share, percent(f.contribution.share), plain);
+  double max_value = 0.0;
+  for (const LightShare& light : f.lights)
+    max_value = std::max(max_value, luminance(light.radiance));
   for (const LightShare& light : f.lights) {
     const double radiance = luminance(light.radiance);
-    row(light.name, most > 0.0 ? radiance / most : 0.0, QString::number(radiance, 'g', 3),
+    row(light.name, max_value > 0.0 ? radiance / max_value : 0.0, QString::number(radiance, 'g', 3),
         light.color);
   }
   y += 4;
   painter.drawText(inside.left(), y, inside.width(), row_height(), Qt::AlignVCenter,
-                   f.met.size() == 1 ? tr("The only one on this ray")
-                                     : tr("Of %1 on this ray").arg(f.met.size()));
+                   f.met.size() == 1 ? tr("No other Gaussians on this ray")
+                                     : tr("%1 Gaussians on this ray").arg(f.met.size()));
   y += row_height();
   first_met_row_ = y;
   for (const auto& [id, share] : f.met) {

@@ -14,10 +14,9 @@ class Document;
 class ViewGrid;
 class Viewport;
 
-// What a Gaussian does to the pixel under the mouse, in bars: its optical depth there, how much of
-// the light behind it takes away, and what it scatters to the eye from each light. That is the
-// selected one, or else the one that does most. The others that the pixel's ray meets are listed;
-// a click selects one.
+// Shows what a Gaussian contributes to the pixel under the mouse: optical depth, absorbed fraction
+// of the background, and scattered radiance per light. Shows the selected Gaussian, or the dominant
+// one; others on the ray are listed and can be selected.
 class ContributionPanel : public QWidget {
   Q_OBJECT
  public:
@@ -32,9 +31,9 @@ class ContributionPanel : public QWidget {
     GaussianId id = 0;
     Contribution contribution;
     std::vector<LightShare> lights;
-    std::vector<std::pair<GaussianId, double>> met;  // with their shares, the greatest first
+    std::vector<std::pair<GaussianId, double>> met;  // with their shares, descending
   };
-  // Of the last position of the mouse; nullopt: no Gaussian there.
+  // At the last mouse position; nullopt: no Gaussian.
   [[nodiscard]] const std::optional<Facts>& facts() const { return facts_; }
 
   [[nodiscard]] QSize sizeHint() const override { return {240, 200}; }
@@ -44,12 +43,12 @@ class ContributionPanel : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  void look(Viewport& view, QPointF position);
+  void inspect(Viewport& view, QPointF position);
   void compute();
   [[nodiscard]] int row_height() const;
 
   Document& document_;
-  QTimer timer_;  // or every small move of the mouse would be followed
+  QTimer timer_;  // throttles mouse moves
   Viewport* view_ = nullptr;
   QPointF position_;
   std::optional<Facts> facts_;

@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-constexpr NumberDomain seed_domain{-9e15, 9e15, "a whole number"};
+constexpr NumberDomain seed_domain{-9e15, 9e15, "an integer"};
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace brume {
 
 struct Emitter;
 
-// The emitters of particles, and the one that is meant in numbers.
+// List of emitters, and the parameters of the active one.
 class EmitterPanel : public SceneForm {
   Q_OBJECT
  public:
@@ -17,7 +17,7 @@ class EmitterPanel : public SceneForm {
  private:
   void add_list(QFormLayout& form);
   void add_fields(QFormLayout& form);
-  [[nodiscard]] const Emitter* emitter() const;  // the one that is meant; nullptr if none
+  [[nodiscard]] const Emitter* emitter() const;  // the active one; may be null
 
   QListWidget* list_;
   bool showing_ = false;

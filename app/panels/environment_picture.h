@@ -6,8 +6,8 @@ namespace brume {
 
 struct Environment;
 
-// All that an environment shows, as the scene turns it: -z in the middle, +x right of it, +y on
-// top; at an exposure that suits it.
+// A thumbnail of an environment as rotated by the scene: -z in the center, +x right, +y up;
+// automatic exposure.
 QImage environment_picture(const Environment& environment, int width, int height);
 
 }  // namespace brume

@@ -6,17 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/frame_text.h"
 #include "app/viewport/frame_quality.h"
+#include "app/widgets/frame_text.h"
 
 namespace brume {
 namespace {
 
-constexpr double least_error = 1e-4;  // less is not told apart
-constexpr double radius = 3.5;        // of a point [px]
+constexpr double min_error = 1e-4;  // less is not told apart
+constexpr double radius = 3.5;      // of a point [px]
 
 double shown_error(double error) {
-  return std::max(error, least_error);
+  return std::max(error, min_error);
 }
 
 // A power of ten in per cent; far beyond any use, only how far.
@@ -122,13 +122,13 @@ bool FrontierPlot::event(QEvent* event) {
                        .arg(settings_text(point.settings), error_text(point.error))
                        .arg(point.milliseconds, 0, 'f', 1);
     if (point.is_shown) text += tr("\nOn screen");
-    if (point.is_autos) text += tr("\nWhat auto takes");
+    if (point.is_auto_choice) text += tr("\nAuto's choice");
     QToolTip::showText(help->globalPos(), text, this);
     return true;
   }
   QToolTip::showText(help->globalPos(),
-                     tr("Settings tried in this scene: milliseconds of a frame to the right, error "
-                        "upwards. Filled: on screen; ring: what auto takes; line: its bound."),
+                     tr("Settings tried in this scene: error against milliseconds per frame. "
+                        "Filled point: on screen; ring: auto's choice; line: error bound."),
                      this);
   return true;
 }
@@ -177,7 +177,7 @@ void FrontierPlot::paintEvent(QPaintEvent* /*event*/) {
                      QPointF(at.x(), height_of(point.error.high)));
     painter.setBrush(point.is_shown ? accent : palette().base());
     painter.drawEllipse(at, radius, radius);
-    if (!point.is_autos) continue;
+    if (!point.is_auto_choice) continue;
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(accent, 1.5));
     painter.drawEllipse(at, radius + 3.0, radius + 3.0);

@@ -3,16 +3,15 @@
 #include <QWidget>
 #include <vector>
 
-#include "render/error_estimate.h"
+#include "render/quality/error_estimate.h"
 #include "render/settings.h"
 
 namespace brume {
 
 class FrameQuality;
 
-// Speed against error in the scene at hand: the settings that frames were rendered with and
-// measured, on logarithmic axes, with the interval of each error; which one is on screen, which one
-// auto would take, and the bound it keeps.
+// Plot of time against error in the current scene on logarithmic axes: measured settings with
+// confidence intervals; marks the current settings, auto's choice and its bound.
 class FrontierPlot : public QWidget {
   Q_OBJECT
  public:
@@ -21,16 +20,16 @@ class FrontierPlot : public QWidget {
     ErrorEstimate error;
     double milliseconds = 0.0;  // of a frame, > 0
     bool is_shown = false;
-    bool is_autos = false;
+    bool is_auto_choice = false;
   };
 
   explicit FrontierPlot(QWidget* parent = nullptr);
 
   void show_quality(const FrameQuality& quality);
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  // Where a point lies in the widget.
+  // Widget position of a point.
   [[nodiscard]] QPointF position(const Point& point) const;
-  // Where the numbers of the axis of errors are written, and what.
+  // Tick labels of the error axis.
   struct Label {
     QRectF place;
     QString text;
@@ -42,7 +41,7 @@ class FrontierPlot : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {160, 110}; }
 
  protected:
-  bool event(QEvent* event) override;  // tells of the point under the mouse
+  bool event(QEvent* event) override;  // tool tip of the point under the mouse
   void paintEvent(QPaintEvent* event) override;
 
  private:
@@ -53,7 +52,7 @@ class FrontierPlot : public QWidget {
     [[nodiscard]] double position(double value) const;  // in [0, 1]
   };
   [[nodiscard]] QRectF area() const;
-  // Those powers of ten on the axis of errors that there is room for.
+  // Labelled ticks of the error axis that fit.
   [[nodiscard]] std::vector<double> labelled_errors(double height) const;
   [[nodiscard]] double height_of(double error) const;
 

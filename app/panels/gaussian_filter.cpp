@@ -12,10 +12,10 @@ QString tr(const char* text) {
   return QCoreApplication::translate("GaussianFilter", text);
 }
 
-std::optional<GaussianField> field_called(const QString& name) {
-  constexpr std::array names{"x", "y", "z", "radius", "density"};  // as gaussian_fields
+std::optional<GaussianAttribute> field_called(const QString& name) {
+  constexpr std::array names{"x", "y", "z", "radius", "density"};  // as gaussian_attributes
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (QString(names[k]).startsWith(name)) return gaussian_fields[k];
+    if (QString(names[k]).startsWith(name)) return gaussian_attributes[k];
   }
   return std::nullopt;
 }
@@ -32,7 +32,8 @@ std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString
     const auto field = match.hasMatch() ? field_called(match.captured(1)) : std::nullopt;
     const double value = match.hasMatch() ? parse_number(match.captured(3)) : 0.0;
     if (!field || std::isnan(value)) {
-      problem = tr("“%1” is no condition such as density > 0.2, radius < 1 or x >= 0.").arg(part);
+      problem =
+          tr("“%1” is not a condition. Examples: density > 0.2, radius < 1, x >= 0.").arg(part);
       return std::nullopt;
     }
     const QString sign = match.captured(2);
@@ -48,7 +49,7 @@ std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString
 
 bool GaussianFilter::passes(const Gaussian& gaussian) const {
   return std::ranges::all_of(conditions_, [&](const Condition& condition) {
-    const double value = field_value(gaussian, condition.field);
+    const double value = attribute_value(gaussian, condition.field);
     switch (condition.comparison) {
       case Comparison::less:
         return value < condition.value;

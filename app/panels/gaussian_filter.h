@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 
 namespace brume {
 
-// Conditions on the numbers of a Gaussian, all of which must hold: "radius < 0.5, density > 0.2".
+// A conjunction of conditions on a Gaussian's attributes: "radius < 0.5, density > 0.2".
 class GaussianFilter {
  public:
   // Conditions are separated by commas or "and"; fields are x, y, z, radius and density, or as many
@@ -22,7 +22,7 @@ class GaussianFilter {
  private:
   enum class Comparison { less, at_most, more, at_least, equal };
   struct Condition {
-    GaussianField field;
+    GaussianAttribute field;
     Comparison comparison;
     double value;
   };

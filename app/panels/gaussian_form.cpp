@@ -8,20 +8,20 @@
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
-#include "app/panels/number_field.h"
-#include "app/panels/value_field.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
 
 namespace brume {
 namespace {
 
 constexpr double step = 0.01;  // u, or part of the value, for each pixel of a drag
 
-using Values = std::array<double, gaussian_fields.size()>;
+using Values = std::array<double, gaussian_attributes.size()>;
 
 // The first selected Gaussian's numbers, and which of them all have.
 struct Common {
   Values values{};
-  std::array<bool, gaussian_fields.size()> is_mixed{};
+  std::array<bool, gaussian_attributes.size()> is_mixed{};
 };
 
 Common common_values(const Document& document) {
@@ -33,8 +33,8 @@ Common common_values(const Document& document) {
   for (std::size_t i = 0; i < medium.size() && next != selection.end(); ++i) {
     if (medium.ids()[i] != *next) continue;
     const Gaussian gaussian = medium.gaussian(i);
-    for (std::size_t k = 0; k < gaussian_fields.size(); ++k) {
-      const double value = field_value(gaussian, gaussian_fields[k]);
+    for (std::size_t k = 0; k < gaussian_attributes.size(); ++k) {
+      const double value = attribute_value(gaussian, gaussian_attributes[k]);
       if (next == selection.begin()) common.values[k] = value;
       if (value != common.values[k]) common.is_mixed[k] = true;
     }
@@ -48,15 +48,15 @@ Common common_values(const Document& document) {
 GaussianForm::GaussianForm(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
-    const GaussianField field = gaussian_fields[k];
+    const GaussianAttribute field = gaussian_attributes[k];
     const bool is_center = k < 3;
     fields_[k] = new ValueField(
-        is_center ? QString(QChar("xyz"[k])) : field_title(field), field_domain(field),
+        is_center ? QString(QChar("xyz"[k])) : attribute_title(field), attribute_domain(field),
         is_center ? ValueField::Scale::linear : ValueField::Scale::logarithmic, step, this);
-    fields_[k]->number().setObjectName(field_name(field).replace(' ', '_'));
+    fields_[k]->number().setObjectName(attribute_name(field).replace(' ', '_'));
     connect(fields_[k], &ValueField::edited, this, [this, field](double value, MergeId gesture) {
       const std::vector<GaussianId> ids = document_.selection();
-      set_field(document_, ids, field, value, gesture);
+      set_attribute(document_, ids, field, value, gesture);
     });
     connect(fields_[k], &ValueField::refused, this, &GaussianForm::refused);
   }
@@ -66,7 +66,7 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
   layout->setContentsMargins(8, 8, 8, 4);
   layout->addRow(tr("Center"), center);
   for (const std::size_t k : {3U, 4U}) {
-    QLabel* title = fields_[k]->take_title();
+    QLabel* title = fields_[k]->detach_title();
     title->setObjectName(fields_[k]->number().objectName() + "_title");
     layout->addRow(title, fields_[k]);
   }

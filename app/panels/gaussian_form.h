@@ -3,15 +3,15 @@
 #include <QWidget>
 #include <array>
 
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 
 namespace brume {
 
 class Document;
 class ValueField;
 
-// The selection's numbers, one field each: the common value, or "mixed" where they differ. What is
-// entered, or comes of a drag on the title, is written to all of them.
+// Fields of the selection's attributes: the common value, or "mixed". Edits apply to all selected
+// Gaussians.
 class GaussianForm : public QWidget {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class GaussianForm : public QWidget {
   void refresh();
 
   Document& document_;
-  std::array<ValueField*, gaussian_fields.size()> fields_{};
+  std::array<ValueField*, gaussian_attributes.size()> fields_{};
 };
 
 }  // namespace brume

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/application.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/tools/selection_tool.h"
+#include "app/widgets/application.h"
 
 namespace brume {
 namespace {
@@ -19,9 +19,9 @@ constexpr double far_apart = 20.0;  // the factor from which an axis is logarith
 
 GaussianHistogram::Axis::Axis(std::span<const double> values) {
   if (values.empty()) return;
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  low = *least;
-  high = *greatest;
+  const auto [min_value, max_value] = std::minmax_element(values.begin(), values.end());
+  low = *min_value;
+  high = *max_value;
   logarithmic = low > 0.0 && high > far_apart * low;
 }
 
@@ -35,10 +35,10 @@ double GaussianHistogram::Axis::position(double value) const {
   return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
 }
 
-GaussianHistogram::GaussianHistogram(Document& document, GaussianField field, QWidget* parent)
+GaussianHistogram::GaussianHistogram(Document& document, GaussianAttribute field, QWidget* parent)
     : QWidget(parent), document_(document), field_(field) {
-  setObjectName("histogram_" + field_name(field));
-  setToolTip(tr("Drag selects the Gaussians in a range; Shift adds, Ctrl removes"));
+  setObjectName("histogram_" + attribute_name(field));
+  setToolTip(tr("Drag to select the Gaussians in a range; Shift adds, Ctrl removes"));
   setCursor(Qt::CrossCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   const auto redraw = [this] { update(); };
@@ -48,8 +48,8 @@ GaussianHistogram::GaussianHistogram(Document& document, GaussianField field, QW
 }
 
 std::span<const double> GaussianHistogram::values() const {
-  return field_ == GaussianField::radius ? document_.medium().radii()
-                                         : document_.medium().densities();
+  return field_ == GaussianAttribute::radius ? document_.medium().radii()
+                                             : document_.medium().densities();
 }
 
 QRect GaussianHistogram::bars() const {
@@ -76,12 +76,12 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   const QRect area = bars();
   painter.fillRect(area, palette().base());
-  const double most = static_cast<double>(*std::max_element(all.begin(), all.end()));
+  const double limit = static_cast<double>(*std::max_element(all.begin(), all.end()));
   const auto draw = [&](const std::array<std::size_t, bins>& counts, const QColor& color) {
-    for (std::size_t k = 0; k < bins && most > 0.0; ++k) {
+    for (std::size_t k = 0; k < bins && limit > 0.0; ++k) {
       if (counts[k] == 0) continue;
       // By the root, so that few are seen beside many.
-      const double height = area.height() * std::sqrt(static_cast<double>(counts[k]) / most);
+      const double height = area.height() * std::sqrt(static_cast<double>(counts[k]) / limit);
       const double width = static_cast<double>(area.width()) / bins;
       painter.fillRect(QRectF(area.left() + static_cast<double>(k) * width,
                               area.bottom() + 1 - height, std::max(width - 1.0, 1.0), height),
@@ -91,7 +91,7 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
   draw(all, palette().color(QPalette::PlaceholderText));
   draw(selected, accent_color());
   if (dragging_) {
-    const auto [left, right] = std::minmax(from_, to_);
+    const auto [left, right] = std::minmax(start_, end_);
     QColor veil = accent_color();
     veil.setAlpha(60);
     painter.fillRect(QRectF(area.left() + left * area.width(), area.top(),
@@ -100,10 +100,10 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
   }
   const QRect below(area.left(), area.bottom() + 1, area.width(), fontMetrics().height());
   painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawText(below, Qt::AlignHCenter, field_title(field_));
+  painter.drawText(below, Qt::AlignHCenter, attribute_title(field_));
   if (values().empty()) return;
-  const double left = dragging_ ? std::min(from_, to_) : 0.0;
-  const double right = dragging_ ? std::max(from_, to_) : 1.0;
+  const double left = dragging_ ? std::min(start_, end_) : 0.0;
+  const double right = dragging_ ? std::max(start_, end_) : 1.0;
   const auto text = [&](double at) { return QString::number(axis.at(at), 'g', 3); };
   painter.drawText(below, Qt::AlignLeft, text(left));
   painter.drawText(below, Qt::AlignRight, text(right));
@@ -116,7 +116,7 @@ void GaussianHistogram::mousePressEvent(QMouseEvent* event) {
   modifiers_ = event->modifiers();
   before_ = document_.selection();
   merge_id_ = new_merge_id();
-  from_ = std::clamp((event->position().x() - bars().left()) / bars().width(), 0.0, 1.0);
+  start_ = std::clamp((event->position().x() - bars().left()) / bars().width(), 0.0, 1.0);
   select_range(event->position());
 }
 
@@ -131,8 +131,8 @@ void GaussianHistogram::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void GaussianHistogram::select_range(QPointF to) {
-  to_ = std::clamp((to.x() - bars().left()) / bars().width(), 0.0, 1.0);
-  const auto [left, right] = std::minmax(from_, to_);
+  end_ = std::clamp((to.x() - bars().left()) / bars().width(), 0.0, 1.0);
+  const auto [left, right] = std::minmax(start_, end_);
   const double low = drag_axis_.at(left);
   const double high = drag_axis_.at(right);
   std::vector<GaussianId> inside;

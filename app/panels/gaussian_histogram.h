@@ -5,32 +5,32 @@
 #include <span>
 
 #include "app/commands/merge_id.h"
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 
 namespace brume {
 
 class Document;
 
-// How many Gaussians have what radius or density, with the selected ones marked. A drag selects
-// those in a range: Shift adds them, Ctrl takes them away.
+// Histogram of radius or density with the selection marked. Dragging selects a range; Shift adds,
+// Ctrl removes.
 class GaussianHistogram : public QWidget {
   Q_OBJECT
  public:
   static constexpr int bins = 48;
 
-  // Evenly divided numbers, or by equal factors where all are positive and far apart.
+  // A linear axis, or logarithmic for positive values of large range.
   struct Axis {
     double low = 0.0;
     double high = 0.0;
     bool logarithmic = false;
 
     explicit Axis(std::span<const double> values = {});
-    [[nodiscard]] double at(double position) const;     // of a position in [0, 1]
-    [[nodiscard]] double position(double value) const;  // of a value of the axis
+    [[nodiscard]] double at(double position) const;     // value at a position in [0, 1]
+    [[nodiscard]] double position(double value) const;  // inverse of at()
   };
 
   // `field`: radius or density.
-  GaussianHistogram(Document& document, GaussianField field, QWidget* parent);
+  GaussianHistogram(Document& document, GaussianAttribute field, QWidget* parent);
 
   [[nodiscard]] Axis axis() const { return Axis(values()); }
   [[nodiscard]] QSize sizeHint() const override { return {120, 58}; }
@@ -47,12 +47,12 @@ class GaussianHistogram : public QWidget {
   void select_range(QPointF to);
 
   Document& document_;
-  GaussianField field_;
-  // Of the drag.
+  GaussianAttribute field_;
+  // State of a drag.
   bool dragging_ = false;
   Axis drag_axis_;
-  double from_ = 0.0;  // positions along the axis
-  double to_ = 0.0;
+  double start_ = 0.0;  // positions along the axis
+  double end_ = 0.0;
   Qt::KeyboardModifiers modifiers_;
   std::vector<GaussianId> before_;
   MergeId merge_id_ = no_merge;

@@ -15,13 +15,13 @@
 #include "app/panels/gaussian_histogram.h"
 #include "app/panels/gaussian_sort_model.h"
 #include "app/panels/gaussian_table_model.h"
-#include "app/plain_text.h"
+#include "app/widgets/plain_text.h"
 
 namespace brume {
 namespace {
 
-// Qt compares every range of a selection with every other. A selection more scattered than this
-// stays with the document alone; the rows are painted by what the document says in any case.
+// Qt compares every range of a selection with every other: quadratic. More scattered selections are
+// not mirrored in the view; rows are painted from the document anyway.
 constexpr int max_ranges = 500;
 
 class RowDelegate : public QStyledItemDelegate {
@@ -90,7 +90,7 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   layout->addWidget(form);
   auto* histograms = new QHBoxLayout;
   histograms->setContentsMargins(6, 0, 6, 0);
-  for (const GaussianField field : {GaussianField::radius, GaussianField::density}) {
+  for (const GaussianAttribute field : {GaussianAttribute::radius, GaussianAttribute::density}) {
     histograms->addWidget(new GaussianHistogram(document, field, this));
   }
   layout->addLayout(histograms);
@@ -100,7 +100,7 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   connect(form, &GaussianForm::refused, this, &GaussianPanel::refused);
   connect(rows_, &GaussianTableModel::refused, this, &GaussianPanel::refused);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &GaussianPanel::take_selection);
+          &GaussianPanel::adopt_selection);
   connect(&document_, &Document::selection_changed, this, &GaussianPanel::select_rows);
   connect(&document_, &Document::scene_replaced, this, [this] {
     const bool was_syncing = std::exchange(syncing_, true);
@@ -128,7 +128,7 @@ void GaussianPanel::add_filter(QLayout& layout) {
     QPalette colors = palette();
     if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
     filter->setPalette(colors);
-    filter->setToolTip(parsed ? tr("Which Gaussians the table shows: x, y, z, radius, density")
+    filter->setToolTip(parsed ? tr("Filter the table by x, y, z, radius or density")
                               : plain_tool_tip(problem));
     if (!parsed) return;
     const bool was_syncing = std::exchange(syncing_, true);
@@ -138,7 +138,7 @@ void GaussianPanel::add_filter(QLayout& layout) {
   });
 }
 
-void GaussianPanel::take_selection() {
+void GaussianPanel::adopt_selection() {
   if (syncing_) return;
   std::vector<GaussianId> ids;
   for (const QItemSelectionRange& range : table_->selectionModel()->selection()) {

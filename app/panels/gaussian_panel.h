@@ -10,9 +10,8 @@ class Document;
 class GaussianSortModel;
 class GaussianTableModel;
 
-// The Gaussians in numbers: the selection's above, then how radius and density are spread, and the
-// table of all of them, or of those that a filter lets pass, in the order of any column. What is
-// selected here is selected everywhere.
+// The inspector: attributes of the selection, histograms, and a sortable, filterable table
+// synchronized with the selection.
 class GaussianPanel : public QWidget {
   Q_OBJECT
  public:
@@ -21,12 +20,12 @@ class GaussianPanel : public QWidget {
   [[nodiscard]] QTableView* table() const { return table_; }
 
  Q_SIGNALS:
-  void refused(const QString& problem);  // why a typed value was not taken
+  void refused(const QString& problem);  // why a typed value was rejected
 
  private:
   void add_filter(QLayout& layout);
-  void select_rows();  // as the document has it
-  void take_selection();
+  void select_rows();  // from the document
+  void adopt_selection();
 
   Document& document_;
   GaussianTableModel* rows_;

@@ -11,7 +11,7 @@ GaussianSortModel::GaussianSortModel(const Document& document, GaussianTableMode
                                      QObject* parent)
     : QSortFilterProxyModel(parent), document_(document), rows_(rows) {
   // Heard of before the base class does, which then sorts.
-  connect(&rows, &QAbstractItemModel::modelReset, this, [this] { take_keys(sortColumn()); });
+  connect(&rows, &QAbstractItemModel::modelReset, this, [this] { cache_keys(sortColumn()); });
   const auto forget = [this] { keys_.clear(); };
   connect(&rows, &QAbstractItemModel::dataChanged, this, forget);
   connect(&rows, &QAbstractItemModel::rowsInserted, this, forget);
@@ -20,18 +20,18 @@ GaussianSortModel::GaussianSortModel(const Document& document, GaussianTableMode
 }
 
 void GaussianSortModel::sort(int column, Qt::SortOrder order) {
-  take_keys(column);
+  cache_keys(column);
   QSortFilterProxyModel::sort(column, order);
 }
 
-void GaussianSortModel::take_keys(int column) {
+void GaussianSortModel::cache_keys(int column) {
   keys_.clear();
   keys_column_ = column;
   if (column < 0) return;
-  const GaussianField field = gaussian_fields[static_cast<std::size_t>(column)];
+  const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(column)];
   for (int row = 0; row < rows_.rowCount(); ++row) {
     const auto index = index_of(row);
-    keys_.push_back(index ? field_value(document_.medium().gaussian(*index), field)
+    keys_.push_back(index ? attribute_value(document_.medium().gaussian(*index), field)
                           : -std::numeric_limits<double>::infinity());
   }
 }
@@ -76,8 +76,8 @@ bool GaussianSortModel::lessThan(const QModelIndex& left, const QModelIndex& rig
   const auto b = index_of(right.row());
   if (!a || !b) return b.has_value();
   const Medium& medium = document_.medium();
-  const GaussianField field = gaussian_fields[static_cast<std::size_t>(left.column())];
-  return field_value(medium.gaussian(*a), field) < field_value(medium.gaussian(*b), field);
+  const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(left.column())];
+  return attribute_value(medium.gaussian(*a), field) < attribute_value(medium.gaussian(*b), field);
 }
 
 }  // namespace brume

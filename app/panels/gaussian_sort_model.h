@@ -11,8 +11,7 @@ namespace brume {
 class Document;
 class GaussianTableModel;
 
-// The rows of the Gaussians as the user wants to see them: sorted by a column, or in the medium's
-// order (column -1), and only those that pass a filter.
+// Sorts the table by a column, or in medium order (column -1), and filters it.
 class GaussianSortModel : public QSortFilterProxyModel {
   Q_OBJECT
  public:
@@ -22,21 +21,21 @@ class GaussianSortModel : public QSortFilterProxyModel {
   void sort(int column, Qt::SortOrder order) override;
 
   [[nodiscard]] GaussianId id(int row) const;
-  [[nodiscard]] std::optional<int> row(GaussianId id) const;  // nullopt: does not pass
+  [[nodiscard]] std::optional<int> row(GaussianId id) const;  // nullopt: filtered out
 
  protected:
   [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
   [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
-  void take_keys(int column);
-  // In the medium; nullopt where that is ahead of the table, which is yet to be told.
+  void cache_keys(int column);
+  // Index in the medium; nullopt if the table is not up to date.
   [[nodiscard]] std::optional<std::size_t> index_of(int source_row) const;
 
   const Document& document_;
   GaussianTableModel& rows_;
   GaussianFilter filter_;
-  // What all rows are sorted by, at hand when there are many to sort; empty once any has changed.
+  // Cached sort keys of all rows; empty after any change.
   std::vector<double> keys_;
   int keys_column_ = -1;
 };

@@ -67,12 +67,12 @@ void GaussianTableModel::announce_changes(const MediumEdit& edit) {
   std::vector<Run> runs = runs_of(rows);
   if (runs.size() > max_runs) runs = {{runs.front().first, runs.back().last}};
   // Only the columns that changed: a view that is sorted by another one need not sort anew.
-  std::array<bool, gaussian_fields.size()> changed{};
+  std::array<bool, gaussian_attributes.size()> changed{};
   for (const auto& change : edit.changed()) {
     for (std::size_t k = 0; k < changed.size(); ++k) {
-      const GaussianField field = gaussian_fields[k];
-      changed[k] =
-          changed[k] || field_value(change.before, field) != field_value(change.after, field);
+      const GaussianAttribute field = gaussian_attributes[k];
+      changed[k] = changed[k] ||
+                   attribute_value(change.before, field) != attribute_value(change.after, field);
     }
   }
   for (const Run& run : runs) {
@@ -125,7 +125,7 @@ int GaussianTableModel::rowCount(const QModelIndex& parent) const {
 }
 
 int GaussianTableModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(gaussian_fields.size());
+  return parent.isValid() ? 0 : static_cast<int>(gaussian_attributes.size());
 }
 
 QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
@@ -134,8 +134,8 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
   const auto at = document_.medium().index_of(id(index.row()));
   if (!at) return {};
-  const GaussianField field = gaussian_fields[static_cast<std::size_t>(index.column())];
-  const double value = field_value(document_.medium().gaussian(*at), field);
+  const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(index.column())];
+  const double value = attribute_value(document_.medium().gaussian(*at), field);
   // As text: the editor that Qt offers for numbers rounds them.
   return role == Qt::DisplayRole ? number_text(value) : exact_number_text(value);
 }
@@ -146,9 +146,9 @@ bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value
   const std::vector<GaussianId> selection = document_.selection();
   const std::span<const GaussianId> targets =
       document_.is_selected(one[0]) ? std::span<const GaussianId>(selection) : one;
-  const QString problem =
-      set_field(document_, targets, gaussian_fields[static_cast<std::size_t>(index.column())],
-                parse_number(value.toString()));
+  const QString problem = set_attribute(
+      document_, targets, gaussian_attributes[static_cast<std::size_t>(index.column())],
+      parse_number(value.toString()));
   if (!problem.isEmpty()) Q_EMIT refused(problem);
   return problem.isEmpty();
 }
@@ -157,7 +157,7 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return QAbstractTableModel::headerData(section, orientation, role);
   }
-  return field_title(gaussian_fields[static_cast<std::size_t>(section)]);
+  return attribute_title(gaussian_attributes[static_cast<std::size_t>(section)]);
 }
 
 Qt::ItemFlags GaussianTableModel::flags(const QModelIndex& index) const {

@@ -5,14 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 #include "core/medium/medium_edit.h"
 
 namespace brume {
 
 class Document;
 
-// The Gaussians of the medium as a table, a row each in the medium's order.
+// Table model of the medium's Gaussians, in medium order.
 class GaussianTableModel : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -21,14 +21,14 @@ class GaussianTableModel : public QAbstractTableModel {
   [[nodiscard]] GaussianId id(int row) const { return ids_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] std::optional<int> row(GaussianId id) const;
 
-  // Brings the rows in step with the medium after an edit, or from scratch.
+  // Updates the rows after an edit; or resets the model.
   void follow(const MediumEdit& edit);
   void reload();
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  // Writes to all selected Gaussians if the row is one of them.
+  // Applies to the whole selection if the row is selected.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                     int role) const override;
@@ -43,8 +43,8 @@ class GaussianTableModel : public QAbstractTableModel {
   void insert_rows(const MediumEdit& edit);
 
   Document& document_;
-  // The medium changes in one go, but views must hear of one run of rows after the other; this
-  // is what they have heard of.
+  // Ids known to views: the medium changes at once, but views are notified one range of rows at a
+  // time.
   std::vector<GaussianId> ids_;
 };
 

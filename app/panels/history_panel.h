@@ -4,7 +4,7 @@
 
 namespace brume {
 
-// What was done, as sentences; a disk marks the state that is saved.
+// The undo history; a disk icon marks the saved state.
 class HistoryPanel : public QUndoView {
   Q_OBJECT
  public:

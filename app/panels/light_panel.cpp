@@ -9,14 +9,14 @@
 #include "app/commands/edit_lights.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 #include "app/document/paths.h"
-#include "app/file_dialogs.h"
-#include "app/panels/color_button.h"
+#include "app/files/file_dialogs.h"
 #include "app/panels/environment_picture.h"
-#include "app/plain_text.h"
 #include "app/viewport/view_grid.h"
-#include "core/io/radiance_map_file.h"
+#include "app/widgets/color_button.h"
+#include "app/widgets/plain_text.h"
+#include "core/io/image/radiance_map_file.h"
 
 namespace brume {
 namespace {
@@ -149,7 +149,7 @@ void LightPanel::add_environment_fields(QFormLayout& form) {
   form.addRow(tr("Environment"), row);
   picture_ = new PlainLabel(this);
   picture_->setObjectName("environment_picture");
-  picture_->setToolTip(tr("All around the scene: −z in the middle, +x right of it"));
+  picture_->setToolTip(tr("The environment as rotated: −z in the centre, +x to the right"));
   form.addRow({}, picture_);
   connect(choose, &QPushButton::clicked, this, &LightPanel::choose_environment);
   connect(remove, &QPushButton::clicked, this, [this] {

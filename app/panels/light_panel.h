@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/file_reader.h"
+#include "app/files/file_reader.h"
 #include "app/panels/scene_form.h"
 #include "core/scene/scene.h"
 
@@ -11,13 +11,13 @@ namespace brume {
 
 class ViewGrid;
 
-// The lights, the one that is meant in numbers, and the environment.
+// List of lights, parameters of the active one, and the environment.
 class LightPanel : public SceneForm {
   Q_OBJECT
  public:
   LightPanel(Document& document, const ViewGrid& views, QWidget* parent);
 
-  // Reads a radiance map in the background; it becomes the environment.
+  // Loads an environment map in the background.
   void load_environment(const QString& file);
 
  private:
@@ -27,12 +27,12 @@ class LightPanel : public SceneForm {
   void show_lights();
   void choose_environment();
   void show_environment();
-  [[nodiscard]] const PointLight* light() const;  // the one that is meant; nullptr if none
+  [[nodiscard]] const PointLight* light() const;  // the active one; may be null
 
   const ViewGrid& views_;
   QListWidget* list_;
   QLabel* picture_ = nullptr;            // of the environment
-  std::optional<Environment> pictured_;  // of which one
+  std::optional<Environment> pictured_;  // the environment of picture_
   bool showing_ = false;
   FileReader<std::shared_ptr<const RadianceMap>> reader_;
 };

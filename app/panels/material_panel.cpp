@@ -7,7 +7,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/file_dialogs.h"
+#include "app/files/file_dialogs.h"
 #include "core/io/merl_file.h"
 
 namespace brume {
@@ -22,10 +22,10 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   type_->setObjectName("material_type");
   type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…")});
   transfer_->setObjectName("transfer");
-  transfer_->addItems({tr("Nothing"), tr("Shadows"), tr("Shadows and reflections")});
+  transfer_->addItems({tr("None"), tr("Shadows"), tr("Shadows and interreflection")});
   transfer_->setToolTip(
-      tr("What the object casts onto itself of the environment and of light "
-         "that fog scatters; precomputed"));
+      tr("Precomputed self-shadowing and interreflection within the object, of the environment and "
+         "of light scattered by fog"));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   form->addRow(tr("Surface"), surfaces_);
@@ -49,13 +49,13 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     if (surface()) transfer_->setCurrentIndex(static_cast<int>(surface()->transfer));
   });
   connect(transfer_, &QComboBox::activated, this, [this](int index) {
-    change_surface(tr("Set what %1 casts onto itself"), no_merge,
+    change_surface(tr("Set radiance transfer of %1"), no_merge,
                    [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
   connect(&document_, &Document::scene_replaced, this, [this] { reader_.cancel(); });
   // After the list, which says what surface the fields are about.
   add_fields(*form);
-  form->addRow(tr("Onto itself"), transfer_);
+  form->addRow(tr("Radiance transfer"), transfer_);
   refresh();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/file_reader.h"
+#include "app/files/file_reader.h"
 #include "app/panels/scene_form.h"
 #include "core/scene/scene.h"
 
@@ -8,14 +8,14 @@ class QComboBox;
 
 namespace brume {
 
-// What a surface is made of, and whether it shadows and lights itself.
+// Material and radiance transfer of a surface.
 class MaterialPanel : public SceneForm {
   Q_OBJECT
  public:
   MaterialPanel(Document& document, QWidget* parent);
 
   void show_surface(std::size_t index);
-  // Reads a measured material in the background; the surface shown now becomes of it.
+  // Loads a measured material in the background for the current surface.
   void load_measured(const std::filesystem::path& file);
 
  private:
@@ -26,8 +26,8 @@ class MaterialPanel : public SceneForm {
   void change_surface(const QString& text, MergeId gesture,
                       const std::function<void(Surface&)>& how);
   void change(const QString& text, MergeId gesture, const std::function<void(Material&)>& how);
-  [[nodiscard]] const Surface* surface() const;    // the one shown; nullptr if none
-  [[nodiscard]] const Material* material() const;  // its
+  [[nodiscard]] const Surface* surface() const;    // the current one; may be null
+  [[nodiscard]] const Material* material() const;  // of the current surface
 
   QComboBox* surfaces_;
   QComboBox* type_;

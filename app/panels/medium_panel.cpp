@@ -10,7 +10,7 @@
 namespace brume {
 namespace {
 
-constexpr NumberDomain seed_domain{-9e15, 9e15, "a whole number"};
+constexpr NumberDomain seed_domain{-9e15, 9e15, "an integer"};
 
 }  // namespace
 
@@ -25,7 +25,7 @@ MediumPanel::MediumPanel(Document& document, QWidget* parent) : SceneForm(docume
   };
   const auto optics = [this]() -> const MediumOptics& { return document_.scene().optics; };
 
-  add_number(*form, tr("Density everywhere, 1/u"),
+  add_number(*form, tr("Homogeneous density, 1/u"),
              {"homogeneous_density", domain::density, Scale::logarithmic, 0.01,
               [this] { return std::optional(document_.medium().homogeneous_density()); },
               [this](double value, MergeId gesture) {

@@ -4,7 +4,7 @@
 
 namespace brume {
 
-// What all of the medium has in common: the homogeneous part, what scattering does to light, noise.
+// Global parameters of the medium: homogeneous density, scattering, noise.
 class MediumPanel : public SceneForm {
   Q_OBJECT
  public:

@@ -5,7 +5,7 @@
 #include "app/commands/edit_lights.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
-#include "app/frame_text.h"
+#include "app/widgets/frame_text.h"
 
 namespace brume {
 namespace {

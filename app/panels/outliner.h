@@ -6,7 +6,7 @@ namespace brume {
 
 class Document;
 
-// What the scene is made of, as a tree. A click on an item asks for the panel that edits it.
+// The scene as a tree; a click requests the panel of an item.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:

@@ -4,10 +4,10 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
-#include "app/frame_text.h"
 #include "app/panels/frontier_plot.h"
-#include "app/plain_text.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/frame_text.h"
+#include "app/widgets/plain_text.h"
 
 namespace brume {
 namespace {
@@ -23,22 +23,21 @@ QString reason(const FrameQuality& quality) {
     return PerformancePanel::tr("Not measured yet in this scene.");
   }
   if (control.is_exhausted() && control.may_keep_bound()) {
-    return PerformancePanel::tr("The error may be above %1, and with finer settings as well.")
-        .arg(bound);
+    return PerformancePanel::tr("The error may exceed %1, even with finer settings.").arg(bound);
   }
   if (control.is_exhausted()) {
-    return PerformancePanel::tr("The finest there is: %1 cannot be held here.").arg(bound);
+    return PerformancePanel::tr("Finest setting; it cannot meet %1.").arg(bound);
   }
   if (control.step() == 0) {
-    return PerformancePanel::tr("The cheapest there is, and it keeps %1.").arg(bound);
+    return PerformancePanel::tr("Cheapest setting; it meets %1.").arg(bound);
   }
   const QualityControl::Trial& cheaper = control.trials()[control.step() - 1];
   const QString name = settings_text(cheaper.settings);
   if (control.broke_bound(cheaper)) {
-    return PerformancePanel::tr("Keeps %1. The error of %2 was up to %3.")
+    return PerformancePanel::tr("Meets %1. The error of %2 was up to %3.")
         .arg(bound, name, percent_text(cheaper.error->high));
   }
-  return PerformancePanel::tr("Keeps %1, but not by enough to try %2.").arg(bound, name);
+  return PerformancePanel::tr("Meets %1, but not by enough to try %2.").arg(bound, name);
 }
 
 }  // namespace
@@ -50,20 +49,20 @@ PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
       frontier_(new FrontierPlot(this)),
       stages_(new QTreeWidget(this)) {
   auto* form = new QFormLayout;
-  form->addRow(tr("Auto keeps"), max_error_);
-  shown_ = add_row(*form, tr("Shown"), "shown");
+  form->addRow(tr("Max error"), max_error_);
+  shown_ = add_row(*form, tr("Current settings"), "shown");
   why_ = add_row(*form, {}, "why");
   why_->setWordWrap(true);
   auto* numbers = new QFormLayout;
   error_ = add_row(*numbers, tr("Error"), "panel_error");
   error_->setToolTip(tr("Relative RMSE of the airlight against the reference"));
   interval_ = add_row(*numbers, tr("Interval"), "interval");
-  interval_->setToolTip(tr("Holds the error of the whole picture in 95% of cases"));
+  interval_->setToolTip(tr("Contains the error of the whole picture in 95% of cases"));
   gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used");
   pairs_ = add_row(*numbers, tr("Pairs"), "pairs");
-  pairs_->setToolTip(tr("Gaussians times rays: from the eye, and from the lights"));
+  pairs_->setToolTip(tr("Evaluated pairs of Gaussian and ray, from the eye and from the lights"));
   picture_ = add_row(*numbers, tr("Picture"), "picture");
-  backend_ = add_row(*form, tr("Rendered by"), "backend");
+  backend_ = add_row(*form, tr("Render device"), "backend");
   backend_->setWordWrap(true);
 
   stages_->setObjectName("stages");
@@ -100,7 +99,7 @@ void PerformancePanel::fill_max_error() {
   max_error_->setObjectName("max_error");
   const double remembered = QSettings().value(max_error_key).toDouble();
   for (const double bound : {0.01, 0.02, 0.05, 0.1}) {
-    max_error_->addItem(tr("%1 error").arg(bound_text(bound)), bound);
+    max_error_->addItem(tr("%1").arg(bound_text(bound)), bound);
     if (bound == remembered) views_.set_max_error(bound);
   }
   max_error_->setCurrentIndex(max_error_->findData(views_.active().quality().max_error()));
@@ -140,14 +139,14 @@ void PerformancePanel::update_frame() {
   const Film& film = frame->frame.film;
   shown_->setText(settings_text(frame->request.settings));
   gaussians_->setText(
-      tr("%1 of %2 matter")
+      tr("%1 of %2 used")
           .arg(count_text(statistics.gaussians_used), count_text(statistics.gaussians_total)));
   pairs_->setText(tr("%1 eye, %2 lights")
                       .arg(count_text(statistics.view_pairs), count_text(statistics.light_pairs)));
   const QString size = tr("%1 × %2").arg(film.width).arg(film.height);
   picture_->setText(
       frame->request.moving && !views_.active().is_settled() ? tr("%1 in motion").arg(size) : size);
-  const QString why_not_gl = fall_back_text(statistics);
+  const QString why_not_gl = fallback_text(statistics);
   const QString backend = backend_text(statistics);
   backend_->setText(why_not_gl.isEmpty() ? backend : tr("%1: %2").arg(backend, why_not_gl));
 
@@ -166,7 +165,7 @@ void PerformancePanel::update_frame() {
       rows << row;
     }
   };
-  add_notes(statistics.on_cpu, tr("on the processor: %1"));
+  add_notes(statistics.on_cpu, tr("on the CPU: %1"));
   add_notes(statistics.skipped, tr("skipped: %1"));
   stages_->clear();
   stages_->addTopLevelItems(rows);

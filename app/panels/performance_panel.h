@@ -11,7 +11,7 @@ namespace brume {
 class FrontierPlot;
 class ViewGrid;
 
-// What the frame on screen cost, how wrong it is, and what auto makes of that.
+// Cost and error of the current frame, and the state of auto.
 class PerformancePanel : public QWidget {
   Q_OBJECT
  public:

@@ -4,7 +4,7 @@
 #include <QLabel>
 
 #include "app/document/document.h"
-#include "app/panels/color_button.h"
+#include "app/widgets/color_button.h"
 
 namespace brume {
 
@@ -33,7 +33,7 @@ ValueField* SceneForm::new_field(const Number& number, const QString& title) {
 
 void SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number) {
   ValueField* field = new_field(number, title);
-  QLabel* label = field->take_title();
+  QLabel* label = field->detach_title();
   label->setObjectName(QString(number.name) + "_title");
   form.addRow(label, field);
 }

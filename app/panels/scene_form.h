@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/panels/value_field.h"
+#include "app/widgets/value_field.h"
 
 class QFormLayout;
 class QHBoxLayout;
@@ -16,9 +16,8 @@ namespace brume {
 class ColorButton;
 class Document;
 
-// Fields that show numbers and colours of the scene and edit them. Each has a way to read its value
-// (nullopt: there is none, and the field is disabled) and a way to set it, by a command that merges
-// within one gesture.
+// Base of panels with numbers and colours of the scene. Each field has a getter (nullopt: disabled)
+// and a setter, a command that merges within a gesture.
 class SceneForm : public QWidget {
   Q_OBJECT
  public:
@@ -29,7 +28,7 @@ class SceneForm : public QWidget {
 
  protected:
   struct Number {
-    const char* name;  // of the widget
+    const char* name;  // object name of the widget
     NumberDomain domain;
     ValueField::Scale scale;
     double step;
@@ -42,7 +41,7 @@ class SceneForm : public QWidget {
     double step;
     std::function<std::optional<glm::dvec3>()> get;
     std::function<void(const glm::dvec3&, MergeId)> set;
-    const char* parts = "xyz";  // a letter for each field
+    const char* parts = "xyz";  // component letters
   };
   struct Color {
     const char* name;
@@ -53,7 +52,7 @@ class SceneForm : public QWidget {
   void add_vector(QFormLayout& form, const QString& title, const Vector& vector);  // three fields
   void add_color(QFormLayout& form, const QString& title, const Color& color);
 
-  // After what else decides on the values, such as which light is meant.
+  // Call when other state that affects the values changes, such as the active light.
   void refresh();
   // Calls `update` at every refresh().
   void on_refresh(std::function<void()> update) { updates_.push_back(std::move(update)); }

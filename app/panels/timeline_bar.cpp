@@ -14,12 +14,12 @@
 #include "app/commands/edit_keys.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "app/icons.h"
-#include "app/panels/frame_slider.h"
-#include "app/panels/key_strip.h"
-#include "app/plain_text.h"
-#include "app/timeline.h"
-#include "core/io/limits.h"
+#include "app/document/timeline.h"
+#include "app/panels/keyframe_track.h"
+#include "app/widgets/frame_slider.h"
+#include "app/widgets/icons.h"
+#include "app/widgets/plain_text.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {
@@ -43,7 +43,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
       document_(document),
       view_(std::move(view)),
       target_(new QComboBox(this)),
-      keys_(new KeyStrip(timeline, document, this)),
+      keys_(new KeyframeTrack(timeline, document, this)),
       key_area_(new QScrollArea(this)) {
   const auto button = [this](const char* icon, const QString& tip) {
     auto* made = new QToolButton(this);
@@ -53,10 +53,10 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
     made->setToolTip(tip);
     return made;
   };
-  auto* to_first = button("first_frame", tr("To the first frame"));
-  auto* back = button("step_back", tr("One frame back (,)"));
+  auto* to_first = button("first_frame", tr("Go to the first frame"));
+  auto* back = button("step_back", tr("Previous frame (,)"));
   auto* play = button("play", tr("Play (Space)"));
-  auto* forward = button("step_forward", tr("One frame forward (.)"));
+  auto* forward = button("step_forward", tr("Next frame (.)"));
   auto* slider = new FrameSlider(this);
   slider->setObjectName("frame_slider");
   auto* frame = new_number(this, "frame", tr("Frame"));
@@ -67,10 +67,10 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   loop->setObjectName("loop");
 
   target_->setObjectName("key_target");
-  target_->setToolTip(tr("What a key is set of"));
+  target_->setToolTip(tr("The value to set a keyframe for"));
   target_->setFocusPolicy(Qt::ClickFocus);
   target_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* key = button("key", tr("Set a key of this, at this frame (I)"));
+  auto* key = button("key", tr("Set a keyframe of this value at the current frame (I)"));
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -146,19 +146,19 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
 
 void TimelineBar::set_playback(Playback playback) {
   const auto& before = document_.scene().playback;
-  if (before) playback.unknown = before->unknown;
-  set_scene_part(document_, std::optional(std::move(playback)), tr("Set what is Played"));
+  if (before) playback.extra_json = before->extra_json;
+  set_scene_part(document_, std::optional(std::move(playback)), tr("Set playback range"));
 }
 
 void TimelineBar::fit_keys() {
-  constexpr int most = 112;  // pixels: six rows
+  constexpr int max_value = 112;  // pixels: six rows
   key_area_->setVisible(!keys_->rows().empty());
-  key_area_->setFixedHeight(std::min(most, keys_->sizeHint().height()));
+  key_area_->setFixedHeight(std::min(max_value, keys_->sizeHint().height()));
 }
 
 void TimelineBar::refresh_targets() {
   QStringList titles;
-  for (const KeyRow& row : key_rows(document_.scene())) titles << row.title;
+  for (const Track& row : tracks(document_.scene())) titles << row.title;
   QStringList shown;
   for (int k = 0; k < target_->count(); ++k) shown << target_->itemText(k);
   if (titles == shown) return;
@@ -169,7 +169,7 @@ void TimelineBar::refresh_targets() {
 }
 
 void TimelineBar::set_key() {
-  const std::vector<KeyRow> rows = key_rows(document_.scene());
+  const std::vector<Track> rows = tracks(document_.scene());
   const auto k = static_cast<std::size_t>(target_->currentIndex());
   if (k >= rows.size()) return;
   if (rows[k].part == ScenePart(KeyedCamera{}).index()) {

@@ -12,30 +12,29 @@ class QScrollArea;
 namespace brume {
 
 class Document;
-class KeyStrip;
+class KeyframeTrack;
 class Timeline;
 
-// The timeline: play, step, the frame on a slider, the range, loop; what to set a key of; and below
-// it the keys.
+// The timeline: playback controls, frame slider, range, loop, keyframe target, and tracks.
 class TimelineBar : public QWidget {
   Q_OBJECT
  public:
-  // `view` is what a key of the camera takes.
+  // `view`: camera for camera keyframes.
   TimelineBar(Timeline& timeline, Document& document, std::function<Camera()> view,
               QWidget* parent);
 
-  // Sets a key of what is chosen, at the frame shown.
+  // Sets a keyframe of the selected target at the current frame.
   void set_key();
 
  private:
-  void set_playback(Playback playback);  // one step
+  void set_playback(Playback playback);  // one undo step
   void refresh_targets();
-  void fit_keys();  // a few rows are seen at once
+  void fit_keys();  // shows a few tracks at once
 
   Document& document_;
   std::function<Camera()> view_;
   QComboBox* target_;
-  KeyStrip* keys_;
+  KeyframeTrack* keys_;
   QScrollArea* key_area_;
 };
 

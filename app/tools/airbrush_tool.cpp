@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/document/document.h"
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
 #include "app/viewport/navigation.h"
 #include "app/viewport/viewport.h"
@@ -16,7 +16,7 @@ namespace brume {
 namespace {
 
 constexpr qint64 steps_per_second = 30;
-constexpr qint64 most_steps = 20 * steps_per_second;  // at once: the computer may have slept
+constexpr qint64 max_steps = 20 * steps_per_second;  // at once: the computer may have slept
 constexpr NumberDomain rate_domain{0.0, 1e4, "a number from 0 to 10000"};
 
 qint64 now() {
@@ -51,8 +51,8 @@ void AirbrushTool::set_inside(bool inside) {
 
 QString AirbrushTool::hint() const {
   return tr(
-      "Hold to spray fog that bounces off the surfaces; it stays where it is when you let "
-      "go. Inside fills a closed mesh.");
+      "Hold to spray fog that bounces off surfaces; release to leave it in place. Inside fills a "
+      "closed mesh.");
 }
 
 void AirbrushTool::add_options(QHBoxLayout& row) {
@@ -95,7 +95,7 @@ void AirbrushTool::end_stroke() {
 
 void AirbrushTool::spray() {
   const qint64 due = (clock_() - begun_) * steps_per_second / 1000;
-  const qint64 missed = std::min(due - steps_, most_steps);
+  const qint64 missed = std::min(due - steps_, max_steps);
   steps_ = due;
   if (missed <= 0) return;
   const auto obstacle = [this](const glm::dvec3& origin,
@@ -121,8 +121,8 @@ void AirbrushTool::spray() {
   gesture_.apply(std::move(edit), tr("Spray %1").arg(gaussians_text(gaussians.size())));
 }
 
-std::optional<Nozzle> AirbrushTool::nozzle_at(double part) const {
-  const double at = part * static_cast<double>(way_.size() - 1);
+std::optional<Nozzle> AirbrushTool::nozzle_at(double fraction) const {
+  const double at = fraction * static_cast<double>(way_.size() - 1);
   const auto before = std::min(static_cast<std::size_t>(at), way_.size() - 1);
   const auto after = std::min(before + 1, way_.size() - 1);
   const double share = at - static_cast<double>(before);

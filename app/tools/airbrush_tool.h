@@ -8,9 +8,8 @@
 
 namespace brume {
 
-// Sprays particles while the button is down; when it is released they stay where they are. Time
-// goes in steps of one length: what comes out depends on when, by the clock, the mouse was where,
-// and not on how often pictures came.
+// Sprays particles while the button is down, and freezes them on release. Fixed time steps: the
+// result depends on the timestamps of mouse positions, not on the frame rate.
 class AirbrushTool : public FogBrushTool {
   Q_OBJECT
  public:
@@ -18,9 +17,9 @@ class AirbrushTool : public FogBrushTool {
 
   [[nodiscard]] const Airbrush& airbrush() const { return airbrush_; }
   void set_airbrush(const Airbrush& airbrush);
-  // Whether the fog goes behind the surface that is painted on: into a closed mesh.
+  // Sprays behind the painted surface, into a closed mesh.
   void set_inside(bool inside);
-  // Milliseconds that never go back; a replay has its own.
+  // Monotonic clock in milliseconds; replaceable for replays.
   void set_clock(std::function<qint64()> clock) { clock_ = std::move(clock); }
 
   [[nodiscard]] QString hint() const override;
@@ -36,20 +35,20 @@ class AirbrushTool : public FogBrushTool {
   void end_stroke() override;
 
  private:
-  void spray();  // as far as time has gone
-  // At a part of its way, from 0 to 1.
-  [[nodiscard]] std::optional<Nozzle> nozzle_at(double part) const;
+  void spray();  // up to the current time
+  // At a fraction of its path, from 0 to 1.
+  [[nodiscard]] std::optional<Nozzle> nozzle_at(double fraction) const;
 
   Airbrush airbrush_;
   bool inside_ = false;
   QTimer timer_;
   std::function<qint64()> clock_;
   qint64 begun_ = 0;  // by the clock
-  qint64 steps_ = 0;  // of time that have been sprayed
+  qint64 steps_ = 0;  // time steps done
   std::optional<Spray> spray_;
-  // Where the nozzle was since the last step that was sprayed.
+  // Path of the nozzle since the last step.
   std::vector<QPointF> way_;
-  std::vector<GaussianId> ids_;  // of what was sprayed in this stroke
+  std::vector<GaussianId> ids_;  // of this stroke's Gaussians
 };
 
 }  // namespace brume

@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/application.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/application.h"
 
 namespace brume {
 namespace {
 
 constexpr NumberDomain radius_domain{1.0, 2000.0, "a number of pixels from 1 to 2000"};
 
-double distance_to_segment(QPointF point, QPointF from, QPointF to) {
-  const QPointF way = to - from;
+double distance_to_segment(QPointF point, QPointF start, QPointF end) {
+  const QPointF way = end - start;
   const double square = QPointF::dotProduct(way, way);
   const double t =
-      square > 0.0 ? std::clamp(QPointF::dotProduct(point - from, way) / square, 0.0, 1.0) : 0.0;
-  const QPointF gap = point - (from + t * way);
+      square > 0.0 ? std::clamp(QPointF::dotProduct(point - start, way) / square, 0.0, 1.0) : 0.0;
+  const QPointF gap = point - (start + t * way);
   return std::sqrt(QPointF::dotProduct(gap, gap));
 }
 
@@ -40,19 +40,19 @@ void BrushSelectTool::add_options(QHBoxLayout& row) {
 }
 
 void BrushSelectTool::set_radius(double radius) {
-  radius_ = std::clamp(radius, radius_domain.least, radius_domain.greatest);
-  Q_EMIT looks_changed();
+  radius_ = std::clamp(radius, radius_domain.min_value, radius_domain.max_value);
+  Q_EMIT appearance_changed();
   Q_EMIT options_changed();
 }
 
 void BrushSelectTool::hover(QPointF position) {
   cursor_ = position;
-  Q_EMIT looks_changed();
+  Q_EMIT appearance_changed();
 }
 
 void BrushSelectTool::leave() {
   cursor_.reset();
-  Q_EMIT looks_changed();
+  Q_EMIT appearance_changed();
 }
 
 void BrushSelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -69,7 +69,7 @@ void BrushSelectTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
 
 void BrushSelectTool::move(std::span<const QPointF> path) {
   hover(path.back());
-  if (running_) pass(path_.to(path));
+  if (running_) pass(path_.extend(path));
 }
 
 void BrushSelectTool::release(QPointF /*position*/) {
@@ -85,9 +85,9 @@ void BrushSelectTool::cancel() {
 void BrushSelectTool::pass(const std::vector<QPointF>& curve) {
   if (curve.empty()) return;
   const auto more = view().handles().inside([&](QPointF at) {
-    QPointF from = last_;
-    return std::ranges::any_of(curve, [&](QPointF to) {
-      return distance_to_segment(at, std::exchange(from, to), to) <= radius_;
+    QPointF start = last_;
+    return std::ranges::any_of(curve, [&](QPointF end) {
+      return distance_to_segment(at, std::exchange(start, end), end) <= radius_;
     });
   });
   last_ = curve.back();

@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// Selects the Gaussians whose centre a circle passes over.
+// Selects Gaussians whose center a circular brush passes over.
 class BrushSelectTool : public SelectionTool {
   Q_OBJECT
  public:
@@ -33,7 +33,7 @@ class BrushSelectTool : public SelectionTool {
 
   double radius_ = 30.0;  // pixels
   std::optional<QPointF> cursor_;
-  // Of the gesture: what it found, what it has passed over, and where it is.
+  // State of a gesture.
   bool running_ = false;
   SelectMode gesture_mode_ = SelectMode::set;
   MergeId merge_id_ = no_merge;

@@ -7,17 +7,17 @@ namespace brume {
 
 BrushTool::BrushTool(Document& document, Viewport& view)
     : Tool(document, view), gesture_(document) {
-  connect(this, &Tool::options_changed, this, &Tool::looks_changed);
+  connect(this, &Tool::options_changed, this, &Tool::appearance_changed);
 }
 
 void BrushTool::hover(QPointF position) {
   cursor_ = position;
-  Q_EMIT looks_changed();
+  Q_EMIT appearance_changed();
 }
 
 void BrushTool::leave() {
   cursor_.reset();
-  Q_EMIT looks_changed();
+  Q_EMIT appearance_changed();
 }
 
 void BrushTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
@@ -30,7 +30,7 @@ void BrushTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
 
 void BrushTool::move(std::span<const QPointF> path) {
   hover(path.back());
-  if (gesture_.is_running()) extend_stroke(path_.to(path));
+  if (gesture_.is_running()) extend_stroke(path_.extend(path));
 }
 
 void BrushTool::release(QPointF /*position*/) {

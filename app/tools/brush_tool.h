@@ -5,12 +5,11 @@
 #include "app/commands/edit_gesture.h"
 #include "app/tools/paint_plane.h"
 #include "app/tools/stroke_path.h"
-#include "app/tools/tool.h"
+#include "app/viewport/tool.h"
 
 namespace brume {
 
-// What paintbrush and eraser have in common: a size, a cursor that shows it, and a stroke that is
-// one undo step.
+// Base of brushes: size, cursor, and a stroke as one undo step.
 class BrushTool : public Tool {
   Q_OBJECT
  public:
@@ -23,7 +22,7 @@ class BrushTool : public Tool {
   void release(QPointF position) override;
   void cancel() override;
   void abandon() override;
-  // Whoever else changes the medium during a stroke, say by undo, ends it.
+  // Other changes of the medium, such as undo, end the stroke.
   void medium_changed() override;
 
   void draw(Overlay& overlay, const CameraRays& rays) const override;
@@ -31,17 +30,17 @@ class BrushTool : public Tool {
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
 
  protected:
-  // Of the cursor's ball at the point where it paints [u].
+  // Radius of the cursor's sphere at the paint point [u].
   [[nodiscard]] virtual double cursor_radius() const = 0;
   [[nodiscard]] virtual PaintTarget target() const = 0;
   virtual void begin_stroke(QPointF position) = 0;
-  // Along a smooth curve, point by point; may be empty.
+  // Extends the stroke by points of a smooth curve; may be empty.
   virtual void extend_stroke(std::span<const QPointF> curve) = 0;
-  virtual void end_stroke() {}  // however it ended
+  virtual void end_stroke() {}  // always called
 
   void end_gesture();
 
-  // Where the brush paints at a position; during a stroke always on the plane it began on.
+  // The paint point at a position; during a stroke on its initial plane.
   [[nodiscard]] std::optional<PaintPoint> paint_at(QPointF position) const;
 
   EditGesture gesture_;

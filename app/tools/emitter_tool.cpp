@@ -3,13 +3,13 @@
 #include <QLineF>
 #include <glm/common.hpp>
 
-#include "app/application.h"
 #include "app/commands/edit_emitters.h"
 #include "app/document/document.h"
-#include "app/tools/gizmo.h"
 #include "app/tools/option_widgets.h"
+#include "app/viewport/gizmo.h"
 #include "app/viewport/viewport.h"
-#include "core/io/limits.h"
+#include "app/widgets/application.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {
@@ -21,8 +21,8 @@ constexpr int path_dots = 24;
 
 QString EmitterTool::hint() const {
   return tr(
-      "Click places an emitter of particles, drag moves one. Space plays; its numbers are in "
-      "the panel Emitters.");
+      "Click to place a particle emitter, drag to move one. Space plays; the panel Emitters has "
+      "its settings.");
 }
 
 void EmitterTool::add_options(QHBoxLayout& row) {
@@ -48,7 +48,7 @@ std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
 
 void EmitterTool::hover(QPointF position) {
   const auto now = pick(position);
-  if (now != hovered_) Q_EMIT looks_changed();
+  if (now != hovered_) Q_EMIT appearance_changed();
   hovered_ = now;
 }
 

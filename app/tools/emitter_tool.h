@@ -4,12 +4,12 @@
 
 #include "app/commands/merge_id.h"
 #include "app/tools/paint_plane.h"
-#include "app/tools/tool.h"
+#include "app/viewport/tool.h"
 #include "core/scene/emitter.h"
 
 namespace brume {
 
-// Places emitters of particles, and drags those that are there.
+// Places and drags particle emitters.
 class EmitterTool : public Tool {
   Q_OBJECT
  public:

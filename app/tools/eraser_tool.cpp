@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/document.h"
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
 #include "app/viewport/viewport.h"
 
@@ -21,8 +21,8 @@ constexpr double touch_spacing = 0.25;  // over the radius
 
 QString EraserTool::hint() const {
   return tr(
-      "Drag thins the fog, and deletes what has none left. [ and ] change the radius, with "
-      "Shift the strength.");
+      "Drag to thin the fog; Gaussians of zero density are deleted. [ and ] change the radius, "
+      "with Shift the strength.");
 }
 
 void EraserTool::add_options(QHBoxLayout& row) {
@@ -45,8 +45,8 @@ void EraserTool::change_strength(double factor) {
 }
 
 void EraserTool::set(double radius, double strength) {
-  radius_ = std::clamp(radius, radius_domain.least, radius_domain.greatest);
-  strength_ = std::clamp(strength, strength_domain.least, strength_domain.greatest);
+  radius_ = std::clamp(radius, radius_domain.min_value, radius_domain.max_value);
+  strength_ = std::clamp(strength, strength_domain.min_value, strength_domain.max_value);
   Q_EMIT options_changed();
 }
 
@@ -85,7 +85,7 @@ void EraserTool::touch(const std::vector<QPointF>& places) {
   }
   MediumEdit all = gesture_.edit();
   MediumEdit edit = stroke_->touch(document_.medium(), cones,
-                                   [this](GaussianId id) { return document_.is_free(id); });
+                                   [this](GaussianId id) { return document_.is_editable(id); });
   all.merge(edit);
   const std::size_t count = all.changed().size() + all.removed().size();
   gesture_.apply(std::move(edit), tr("Erase %1").arg(gaussians_text(count)));

@@ -5,7 +5,7 @@
 
 namespace brume {
 
-// Thins the fog under it, however deep it lies.
+// Reduces density under the cursor at any depth.
 class EraserTool : public BrushTool {
   Q_OBJECT
  public:

@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-constexpr NumberDomain seed_domain{0.0, 1e9, "a whole number from 0 to 1e9"};
+constexpr NumberDomain seed_domain{0.0, 1e9, "an integer from 0 to 1e9"};
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
     BrushTool::press(position, modifiers);
     return;
   }
-  if (const auto id = view().most_visible(position)) {
+  if (const auto id = view().max_visible(position)) {
     const Gaussian gaussian = document_.medium().gaussian(*document_.medium().index_of(*id));
     set_both(gaussian.radius, gaussian.density);
   }
@@ -45,8 +45,8 @@ void FogBrushTool::change_strength(double factor) {
 }
 
 void FogBrushTool::set_both(double radius, double density) {
-  set_gaussian(std::clamp(radius, domain::length.least, domain::length.greatest),
-               std::clamp(density, domain::density.least, domain::density.greatest));
+  set_gaussian(std::clamp(radius, domain::length.min_value, domain::length.max_value),
+               std::clamp(density, domain::density.min_value, domain::density.max_value));
   Q_EMIT options_changed();
 }
 

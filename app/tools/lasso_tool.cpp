@@ -1,8 +1,8 @@
 #include "app/tools/lasso_tool.h"
 
-#include "app/application.h"
 #include "app/document/document.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/application.h"
 
 namespace brume {
 
@@ -19,9 +19,9 @@ void LassoTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
 
 void LassoTool::move(std::span<const QPointF> path) {
   if (line_.isEmpty()) return;
-  extend(path_.to(path));
+  extend(path_.extend(path));
   cursor_ = path.back();
-  Q_EMIT looks_changed();
+  Q_EMIT appearance_changed();
 }
 
 void LassoTool::extend(const std::vector<QPointF>& curve) {
@@ -40,7 +40,7 @@ void LassoTool::release(QPointF /*position*/) {
 
 void LassoTool::abandon() {
   line_.clear();
-  Q_EMIT looks_changed();
+  Q_EMIT appearance_changed();
 }
 
 void LassoTool::draw_on_film(Overlay& overlay) const {

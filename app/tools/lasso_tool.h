@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// Selects the Gaussians whose centre is inside a line drawn around them.
+// Selects Gaussians whose center is inside a drawn line.
 class LassoTool : public SelectionTool {
   Q_OBJECT
  public:
@@ -27,7 +27,7 @@ class LassoTool : public SelectionTool {
 
   QPolygonF line_;  // empty: no gesture
   StrokePath path_;
-  QPointF cursor_;  // the line's end, which the smooth part has not reached
+  QPointF cursor_;  // the line's end, beyond the smoothed part
   SelectMode gesture_mode_ = SelectMode::set;
 };
 

@@ -8,16 +8,16 @@
 
 #include "app/commands/edit_lights.h"
 #include "app/document/document.h"
-#include "app/panels/color_button.h"
-#include "app/tools/gizmo.h"
+#include "app/viewport/gizmo.h"
 #include "app/viewport/overlay.h"
-#include "core/io/limits.h"
+#include "app/widgets/color_button.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {
 
 constexpr double sun_radius = 6.0;  // pixels
-constexpr double ring_least = 18.0;
+constexpr double ring_min = 18.0;
 constexpr double ring_per_decade = 14.0;
 constexpr double pick_distance = 4.0;
 
@@ -26,11 +26,11 @@ QString tr(const char* text) {
 }
 
 double ring_radius(double strength) {
-  return ring_least + ring_per_decade * std::log10(1.0 + strength);
+  return ring_min + ring_per_decade * std::log10(1.0 + strength);
 }
 
 double strength_of(double radius) {
-  const double strength = std::pow(10.0, (radius - ring_least) / ring_per_decade) - 1.0;
+  const double strength = std::pow(10.0, (radius - ring_min) / ring_per_decade) - 1.0;
   return std::clamp(QString::number(strength, 'g', 4).toDouble(), 0.0, limits::intensity);
 }
 

@@ -11,22 +11,21 @@ namespace brume {
 class Document;
 struct Overlay;
 
-// The lights in the view: a sun at each that is dragged to move it across the view, and a ring
-// around it that is dragged to make it stronger.
+// Light handles in the view: a sun icon to move a light in the view plane, and a ring to change its
+// strength.
 class LightHandles {
  public:
   explicit LightHandles(Document& document) : document_(document) {}
 
   void draw(Overlay& overlay, const CameraRays& rays) const;
 
-  // Positions are on the film of `rays`.
-  // Whether a handle is at the position; the one that is shown as such.
+  // Hit-tests and highlights a handle.
   bool hover(const CameraRays& rays, QPointF position);
-  // Whether a gesture has begun.
+  // Begins a gesture; false if no handle is hit.
   bool press(const CameraRays& rays, QPointF position);
   void move(const CameraRays& rays, QPointF position);
   void end() { gesture_.reset(); }
-  void cancel();  // as if it had not begun
+  void cancel();  // reverts the gesture
   [[nodiscard]] bool is_dragging() const { return gesture_.has_value(); }
 
   struct Handle {

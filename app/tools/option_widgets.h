@@ -2,14 +2,13 @@
 
 #include <functional>
 
-#include "app/panels/value_field.h"
 #include "app/tools/paint_plane.h"
-#include "app/tools/tool.h"
+#include "app/viewport/tool.h"
+#include "app/widgets/value_field.h"
 
 namespace brume {
 
-// Widgets in a tool's row of options. They show what `get` answers whenever the tool says that its
-// options have changed, and give what the user enters to `set`.
+// Option widgets of a tool: show `get` whenever the tool's options change, and pass input to `set`.
 
 struct NumberOption {
   QString title;
@@ -18,7 +17,7 @@ struct NumberOption {
   ValueField::Scale scale;
   double step;
 };
-// Answers the widget, for what else decides whether it is of use.
+// Returns the widget, to enable or disable it.
 ValueField* add_number(QHBoxLayout& row, Tool& tool, const NumberOption& option,
                        const std::function<double()>& get, const std::function<void(double)>& set);
 
@@ -30,7 +29,7 @@ void add_choice(QHBoxLayout& row, Tool& tool, const ChoiceOption& option,
                 const QStringList& choices, const std::function<int()>& get,
                 const std::function<void(int)>& set);
 
-// Where a tool paints: which plane, and where that is.
+// Widgets for the paint plane and its position.
 void add_target(QHBoxLayout& row, Tool& tool, const QString& prefix,
                 const std::function<PaintTarget()>& get,
                 const std::function<void(const PaintTarget&)>& set);

@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "app/application.h"
 #include "app/viewport/overlay.h"
 #include "app/viewport/surface_picker.h"
-#include "core/math/across.h"
+#include "app/widgets/application.h"
+#include "core/math/basis.h"
 
 namespace brume {
 namespace {
@@ -52,13 +52,13 @@ void add_brush_cursor(Overlay& overlay, const CameraRays& rays, const PaintPoint
   overlay.add_ball_outline(rays, point.position, radius,
                            qRgba(accent.red(), accent.green(), accent.blue(), 230));
   // The plane as a net around the brush that fades outwards.
-  const auto [u, v] = across(point.normal);
+  const auto [u, v] = make_basis(point.normal);
   constexpr int cells = 4;
   for (int k = -cells; k <= cells; ++k) {
     for (int j = -cells; j < cells; ++j) {
-      const double middle = std::hypot(k, j + 0.5) / cells;
-      if (middle >= 1.0) continue;
-      const QRgb color = qRgba(255, 255, 255, static_cast<int>(70.0 * (1.0 - middle)));
+      const double center = std::hypot(k, j + 0.5) / cells;
+      if (center >= 1.0) continue;
+      const QRgb color = qRgba(255, 255, 255, static_cast<int>(70.0 * (1.0 - center)));
       const glm::dvec3 at = point.position;
       const double a = radius * k;
       const double b = radius * j;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "app/document/document.h"
-#include "app/document/gaussian_field.h"
+#include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
 #include "app/viewport/navigation.h"
 
@@ -31,7 +31,7 @@ void PaintbrushTool::set_gaussian(double radius, double density) {
 
 QString PaintbrushTool::hint() const {
   return tr(
-      "Drag paints fog. [ and ] change the radius, with Shift the density; Alt + click takes "
+      "Drag to paint fog. [ and ] change the radius, with Shift the density; Alt + click picks "
       "both from the fog.");
 }
 
@@ -62,7 +62,7 @@ void PaintbrushTool::extend_stroke(std::span<const QPointF> curve) {
   for (const QPointF position : curve) {
     const auto point = paint_at(position);
     if (!point) continue;
-    for (const Gaussian& gaussian : stroke_->to(point->position)) {
+    for (const Gaussian& gaussian : stroke_->extend(point->position)) {
       gaussians.push_back(within_domains(gaussian));
     }
   }
@@ -74,7 +74,7 @@ void PaintbrushTool::extend_stroke(std::span<const QPointF> curve) {
 void PaintbrushTool::fit_to(double distance) {
   Paintbrush brush = brush_;
   brush.radius = two_digits(0.06 * distance);
-  // Optical depth 1 straight through a few that overlap.
+  // Optical depth 1 through a few overlapping Gaussians.
   brush.density = two_digits(0.5 / (std::sqrt(std::numbers::pi) * brush.radius));
   set_brush(brush);
 }

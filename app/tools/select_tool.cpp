@@ -18,21 +18,21 @@ constexpr double drag_threshold = 4.0;  // pixels; a hand is not perfectly still
 
 QString SelectTool::hint() const {
   return tr(
-      "Click selects; drag a selected handle to move the selection, elsewhere for a rectangle. "
-      "Middle button orbits, wheel zooms.");
+      "Click to select; drag a selected handle to move the selection, drag elsewhere to box "
+      "select. Middle button orbits, wheel zooms.");
 }
 
 void SelectTool::hover(QPointF position) {
   const auto before = lights_.hovered();
   const bool on_light = lights_.hover(view().rays(), position);
-  if (lights_.hovered() != before) Q_EMIT looks_changed();
+  if (lights_.hovered() != before) Q_EMIT appearance_changed();
   if (on_light) {
     view().set_hovered(std::nullopt);
     return;
   }
   const auto index = view().handles().pick(position);
   view().set_hovered(index ? std::optional(document_.medium().ids()[*index])
-                           : view().most_visible(position));
+                           : view().max_visible(position));
 }
 
 void SelectTool::leave() {
@@ -81,7 +81,7 @@ void SelectTool::release(QPointF position) {
     choose(document_.selection(),
            view().handles().inside([&band](QPointF at) { return band.contains(at); }), area_mode_);
   } else if (gesture_ == Gesture::undecided) {
-    const auto clicked = pressed_ ? pressed_ : view().most_visible(position);
+    const auto clicked = pressed_ ? pressed_ : view().max_visible(position);
     choose(document_.selection(),
            clicked ? std::vector{*medium.index_of(*clicked)} : std::vector<std::size_t>{},
            click_mode_);
@@ -109,7 +109,7 @@ void SelectTool::draw(Overlay& overlay, const CameraRays& rays) const {
 void SelectTool::medium_changed() {
   // Undo works during a drag too, and may take from the medium what is being dragged.
   const bool pressed_is_gone = pressed_ && !document_.medium().index_of(*pressed_);
-  if (pressed_is_gone || (gesture_ == Gesture::moving && !moved_are_there())) abandon();
+  if (pressed_is_gone || (gesture_ == Gesture::moving && !has_moved_gaussians())) abandon();
 }
 
 void SelectTool::begin_move() {
@@ -130,7 +130,7 @@ void SelectTool::move_selection(QPointF position) {
                    merge_id_);
 }
 
-bool SelectTool::moved_are_there() const {
+bool SelectTool::has_moved_gaussians() const {
   return std::all_of(ids_.begin(), ids_.end(),
                      [this](GaussianId id) { return document_.medium().index_of(id); });
 }

@@ -29,7 +29,7 @@ class SelectTool : public SelectionTool {
   void release(QPointF position) override;
   void cancel() override;
   void abandon() override;
-  // A gesture whose Gaussians are gone is over, even if they come back.
+  // Removing the Gaussians of a gesture ends it.
   void medium_changed() override;
   void draw(Overlay& overlay, const CameraRays& rays) const override;
 
@@ -38,7 +38,7 @@ class SelectTool : public SelectionTool {
 
   void begin_move();
   void move_selection(QPointF position);
-  [[nodiscard]] bool moved_are_there() const;
+  [[nodiscard]] bool has_moved_gaussians() const;
   [[nodiscard]] glm::dvec3 on_drag_plane(QPointF position) const;
 
   LightHandles lights_;
@@ -46,9 +46,9 @@ class SelectTool : public SelectionTool {
   SelectMode area_mode_ = SelectMode::set;   // of a rectangle
   SelectMode click_mode_ = SelectMode::set;  // of a click
   QPointF start_;
-  std::optional<GaussianId> pressed_;  // the handle under the mouse when it went down
+  std::optional<GaussianId> pressed_;  // the pressed handle
 
-  // While moving: what is moved, and from where.
+  // While moving: the moved Gaussians and their original values.
   std::vector<GaussianId> ids_;
   std::vector<Gaussian> gaussians_;
   double depth_ = 0.0;  // of the pressed handle along the view

@@ -38,7 +38,7 @@ std::vector<GaussianId> combined(const std::vector<GaussianId>& selection,
 void SelectionTool::add_options(QHBoxLayout& row) {
   add_choice(
       row, *this, {tr("Selection"), "select_mode"},
-      {tr("Set"), tr("Add"), tr("Remove"), tr("Intersect")},
+      {tr("Replace"), tr("Add"), tr("Remove"), tr("Intersect")},
       [this] { return static_cast<int>(mode_); },
       [this](int index) { set_mode(static_cast<SelectMode>(index)); });
 }

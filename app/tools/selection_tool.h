@@ -3,20 +3,20 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
-#include "app/tools/tool.h"
+#include "app/viewport/tool.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {
 
-// What a newly chosen set of Gaussians does to the selection.
+// How a chosen set combines with the selection.
 enum class SelectMode { set, add, remove, intersect, toggle };
 
-// Both sides sorted by id, and so is the result.
+// Combines two sorted sets of ids.
 std::vector<GaussianId> combined(const std::vector<GaussianId>& selection,
                                  const std::vector<GaussianId>& chosen, SelectMode mode);
 
-// What tools that select have in common: the mode, from the options or from the modifiers. Shift
-// adds, Ctrl removes, both intersect.
+// Base of selection tools: the mode, from options or modifiers. Shift adds, Ctrl removes, both
+// intersect.
 class SelectionTool : public Tool {
   Q_OBJECT
  public:

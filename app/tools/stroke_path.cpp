@@ -15,10 +15,11 @@ void StrokePath::begin(QPointF position) {
   path_.emplace(glm::dvec2(position.x(), position.y()), spacing);
 }
 
-std::vector<QPointF> StrokePath::to(std::span<const QPointF> positions) {
+std::vector<QPointF> StrokePath::extend(std::span<const QPointF> positions) {
   std::vector<QPointF> curve;
   if (!path_) return curve;
-  for (const QPointF position : positions) append(curve, path_->to({position.x(), position.y()}));
+  for (const QPointF position : positions)
+    append(curve, path_->extend({position.x(), position.y()}));
   return curve;
 }
 

@@ -9,13 +9,13 @@
 
 namespace brume {
 
-// The smooth curve that a tool draws where the mouse went, in pixels of the film.
+// A smoothed mouse path in film pixels.
 class StrokePath {
  public:
   void begin(QPointF position);
-  // What the mouse's next positions settle of the curve.
-  std::vector<QPointF> to(std::span<const QPointF> positions);
-  // The rest of it.
+  // Adds mouse positions; returns the new points of the curve.
+  std::vector<QPointF> extend(std::span<const QPointF> positions);
+  // The remaining points.
   std::vector<QPointF> end();
 
  private:

@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QStackedWidget>
 
-#include "app/icons.h"
-#include "app/keys.h"
 #include "app/tools/tool_box.h"
+#include "app/widgets/icons.h"
+#include "app/widgets/keys.h"
 
 namespace brume {
 

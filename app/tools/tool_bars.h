@@ -10,7 +10,7 @@ namespace brume {
 
 class ToolBox;
 
-// The tools as buttons at the left; their actions carry the keys.
+// Tool buttons; their actions have the shortcuts.
 class ToolBar : public QToolBar {
   Q_OBJECT
  public:

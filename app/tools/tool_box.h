@@ -5,14 +5,14 @@
 #include <memory>
 #include <vector>
 
-#include "app/tools/tool.h"
+#include "app/viewport/tool.h"
 
 namespace brume {
 
 class ViewGrid;
 
-// All tools, and which of them has the left mouse button. The table in tool_box.cpp is where a tool
-// gets its name, which is also that of its icon and, as tool.<name>, of its key.
+// All tools and the active one. A name in the table of tool_box.cpp is also the tool's icon and, as
+// tool.<name>, its shortcut.
 class ToolBox : public QObject {
   Q_OBJECT
  public:

@@ -15,7 +15,7 @@ void TransformTool::hover(QPointF position) {
   if (!document_.selection().empty()) {
     hovered_ = Gizmo(kind_, view().pivot(), view().rays()).pick(position);
   }
-  Q_EMIT looks_changed();
+  Q_EMIT appearance_changed();
   if (hovered_) {
     view().set_hovered(std::nullopt);
   } else {
@@ -84,7 +84,7 @@ void TransformTool::abandon() {
 }
 
 void TransformTool::medium_changed() {
-  // Whoever else changes the medium ends the drag, which remembers what was there.
+  // Other changes of the medium end the drag, whose original values are stale.
   if (!applying_) dragging_ = false;
   SelectTool::medium_changed();
 }
@@ -97,7 +97,7 @@ void TransformTool::draw(Overlay& overlay, const CameraRays& rays) const {
 }
 
 QString MoveTool::hint() const {
-  return tr("Drag an arrow to move the selection along it, the ring to move across the view.");
+  return tr("Drag an arrow to move the selection along it, the ring to move it in the view plane.");
 }
 
 Gaussian MoveTool::dragged(const Gaussian& gaussian, QPointF position) const {
@@ -111,7 +111,9 @@ Gaussian MoveTool::dragged(const Gaussian& gaussian, QPointF position) const {
 }
 
 QString RotateTool::hint() const {
-  return tr("Drag a ring to turn the selection around its axis, the outer one around the view.");
+  return tr(
+      "Drag a ring to rotate the selection about its axis, the outer ring about the view "
+      "direction.");
 }
 
 Gaussian RotateTool::dragged(const Gaussian& gaussian, QPointF position) const {
@@ -125,7 +127,9 @@ Gaussian RotateTool::dragged(const Gaussian& gaussian, QPointF position) const {
 }
 
 QString ScaleTool::hint() const {
-  return tr("Drag the ring to scale the selection, radii included; an axis to stretch it.");
+  return tr(
+      "Drag the ring to scale the selection uniformly, radii included; drag an axis to stretch "
+      "it.");
 }
 
 Gaussian ScaleTool::dragged(const Gaussian& gaussian, QPointF position) const {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/tools/gizmo.h"
 #include "app/tools/select_tool.h"
+#include "app/viewport/gizmo.h"
 
 namespace brume {
 
-// A select tool with handles around the middle of the selection.
+// Base of transform tools: selection plus a manipulator at the selection's center.
 class TransformTool : public SelectTool {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class TransformTool : public SelectTool {
   void draw(Overlay& overlay, const CameraRays& rays) const override;
 
  protected:
-  // A Gaussian after a drag of a part of the handles from start_ to `position`.
+  // A Gaussian transformed by a drag from start_ to `position`.
   [[nodiscard]] virtual Gaussian dragged(const Gaussian& gaussian, QPointF position) const = 0;
   [[nodiscard]] virtual QString verb() const = 0;
 
@@ -68,7 +68,7 @@ class RotateTool : public TransformTool {
   [[nodiscard]] QString verb() const override { return tr("Rotate %1"); }
 };
 
-// Scaling alike scales the radii too; scaling along an axis only moves the centres.
+// Uniform scaling also scales radii; axis scaling moves centers only.
 class ScaleTool : public TransformTool {
   Q_OBJECT
  public:

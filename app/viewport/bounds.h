@@ -13,8 +13,8 @@ struct Sphere {
   double radius = 0.0;
 };
 
-// Spheres to frame: around Gaussians (out to their radius), and around all there is to see
-// (Gaussians and surfaces; the lights if there is nothing else). nullopt if there is nothing.
+// Bounding spheres for framing: of Gaussians (to their radius), and of the scene (Gaussians and
+// surfaces, or else lights). nullopt if empty.
 std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids);
 std::optional<Sphere> bounding_sphere(const Scene& scene);
 

@@ -3,7 +3,7 @@
 #include <exception>
 
 #include "app/viewport/frame_service.h"
-#include "render/auto_quality.h"
+#include "render/quality/auto_quality.h"
 
 namespace brume {
 
@@ -24,7 +24,7 @@ FrameErrors& ErrorMeter::errors_of_view(const std::shared_ptr<const RenderedFram
     camera_ = request.camera;
     film_ = frame->frame.film;
     time_ = frame->frame.time;
-    errors_.emplace(*scene_, camera_, seed_of_judgement);
+    errors_.emplace(*scene_, camera_, evaluation_seed);
   }
   return *errors_;
 }

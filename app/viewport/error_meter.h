@@ -4,27 +4,27 @@
 #include <memory>
 #include <optional>
 
-#include "app/job_thread.h"
-#include "render/frame_errors.h"
+#include "app/jobs/job_thread.h"
+#include "render/quality/frame_errors.h"
 
 namespace brume {
 
 struct RenderedFrame;
 
-// Measures how wrong a frame is, in a thread of its own beside that of the renderer.
+// Estimates a frame's error in a background thread beside the renderer's.
 class ErrorMeter : public QObject {
   Q_OBJECT
  public:
   explicit ErrorMeter(QObject* parent = nullptr);
 
-  // Instead of what is being measured. `max_error` as of FrameErrors; frames of one view are
-  // measured on the same pixels.
+  // Replaces a running measurement. `max_error`: see FrameErrors; frames of one view share their
+  // sample pixels.
   void measure(std::shared_ptr<const RenderedFrame> frame, std::optional<double> max_error);
-  // Does not wait: the thread is free within the reference's time for a pixel.
+  // Returns at once; the thread stops after the current pixel.
   void cancel() { thread_.cancel(); }
 
  Q_SIGNALS:
-  // May still come, once, for a frame that was cancelled just before.
+  // May be emitted once more after cancelling.
   void measured(std::shared_ptr<const brume::RenderedFrame> frame,
                 const brume::ErrorEstimate& error);
   void failed(const QString& message);
@@ -37,7 +37,7 @@ class ErrorMeter : public QObject {
   void work(const Job& job, const std::stop_token& stop);
   FrameErrors& errors_of_view(const std::shared_ptr<const RenderedFrame>& frame);
 
-  // Of the thread: the view that was measured last.
+  // Used in the thread: the last measured view.
   std::shared_ptr<const Scene> scene_;
   Camera camera_;
   Film film_;

@@ -15,7 +15,7 @@ Settings interpolated() {
 }  // namespace
 
 FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpolated()) {
-  connect(&meter_, &ErrorMeter::measured, this, &FrameQuality::take);
+  connect(&meter_, &ErrorMeter::measured, this, &FrameQuality::set_measured);
   connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
 }
 
@@ -83,8 +83,8 @@ void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
   meter_.measure(frame_, max_error);
 }
 
-void FrameQuality::take(const std::shared_ptr<const RenderedFrame>& frame,
-                        const ErrorEstimate& error) {
+void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& frame,
+                                const ErrorEstimate& error) {
   if (frame != frame_) return;  // cancelled meanwhile
   frame_.reset();
   error_ = error;

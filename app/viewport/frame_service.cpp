@@ -89,7 +89,7 @@ FrameService::FrameService(std::shared_ptr<const TransferStore> transfers, MakeC
                   const std::stop_token& quit) { work(quit, transfers, make_context); }) {}
 
 FrameService::~FrameService() {
-  // Frames that nobody will take: their pictures go back while there is a context.
+  // Undelivered frames: release their pictures while there is a context.
   QCoreApplication::removePostedEvents(this);
   thread_.request_stop();
   {

@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// VTK in an OpenGL widget: desktops.
+// VTK in an OpenGL widget, for desktops.
 class GlViewport : public QOpenGLWidget, public ViewportSurface {
   Q_OBJECT
  public:

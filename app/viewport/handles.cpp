@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "app/application.h"
+#include "app/widgets/application.h"
 
 namespace brume {
 namespace {
@@ -37,7 +37,7 @@ void Handles::project(const Medium& medium, const CameraRays& rays,
   for (const GaussianId id : locked) locked_[*medium.index_of(id)] = true;
 }
 
-void Handles::judge_depth(const Medium& medium, const CameraRays& rays, const Frame& frame) {
+void Handles::classify_depth(const Medium& medium, const CameraRays& rays, const Frame& frame) {
   behind_.assign(medium.size(), false);
   if (frame.depth.empty()) return;
   for (std::size_t i = 0; i < medium.size(); ++i) {

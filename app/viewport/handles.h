@@ -14,38 +14,38 @@
 
 namespace brume {
 
-// The Gaussians as the user sees and grabs them: a dot at each centre, for selected ones also the
-// outline at 1/e of the density. Works on film positions, so picking needs no OpenGL.
+// Handles of Gaussians: a dot per center, and for selected ones the outline at 1/e of the density.
+// Works in film space, so picking needs no OpenGL.
 class Handles {
  public:
-  // Where the centres are on the film. Of the sorted ids, hidden ones are nowhere, and locked ones
-  // cannot be picked.
+  // Projects centers to the film; hidden Gaussians are excluded, locked ones cannot be picked. Ids
+  // are sorted.
   void project(const Medium& medium, const CameraRays& rays, std::span<const GaussianId> hidden,
                std::span<const GaussianId> locked);
 
-  // Which Gaussians lie behind a surface, judged by a frame and the camera it was made with: none
-  // if it has no depths.
-  void judge_depth(const Medium& medium, const CameraRays& rays, const Frame& frame);
+  // Classifies Gaussians as behind surfaces by the depth of a frame and its camera; none without
+  // depth.
+  void classify_depth(const Medium& medium, const CameraRays& rays, const Frame& frame);
 
-  // Indices of Gaussians: the one under the mouse (the front one of those equally near), and all
-  // whose centre is inside an area.
+  // Indices of Gaussians: the one under the mouse (the front one of ties), and all with center
+  // inside an area.
   [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
   [[nodiscard]] std::vector<std::size_t> inside(const std::function<bool(QPointF)>& area) const;
 
   // Film position and depth of a Gaussian's centre; depth <= 0 is behind the eye.
   [[nodiscard]] const glm::dvec3& position(std::size_t index) const { return positions_[index]; }
 
-  // `selected` are ids, sorted. Without centres, only the outlines of those.
+  // `selected`: sorted ids. Without centers, draws only their outlines.
   void draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
             std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
             bool with_centers) const;
 
-  // Of all that are not hidden, the nearest ones if there are many.
+  // Draws outlines of all visible Gaussians, only the nearest if many.
   void draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const;
 
  private:
   std::vector<glm::dvec3> positions_;
-  std::vector<bool> behind_;  // a surface; empty while unknown
+  std::vector<bool> behind_;  // behind a surface; empty while unknown
   std::vector<bool> locked_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace brume {
 
-// VTK's window for contexts made by others, which also takes contexts made through EGL: GLEW
-// answers for these that there is no GLX display, although it has loaded all entry points.
+// VTK's render window for external contexts, including EGL ones, for which GLEW reports a missing
+// GLX display although it has loaded all entry points.
 class HostedRenderWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static HostedRenderWindow* New();

@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// VTK in an OpenGL context of our own, read back and painted: where windows have no OpenGL.
+// VTK in an offscreen OpenGL context, read back and painted, where windows have no OpenGL.
 class ImageViewport : public QWidget, public ViewportSurface {
   Q_OBJECT
  public:

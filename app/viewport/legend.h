@@ -6,13 +6,13 @@
 
 namespace brume {
 
-// What the false colours over which it lies mean.
+// Legend of a false-colour view.
 class Legend : public QWidget {
   Q_OBJECT
  public:
   explicit Legend(QWidget* parent);
 
-  void show_scale(const ColorScale& scale);  // hides itself where there is none
+  void show_scale(const ColorScale& scale);  // hidden if empty
   [[nodiscard]] const ColorScale& scale() const { return scale_; }
   [[nodiscard]] QSize sizeHint() const override;
 

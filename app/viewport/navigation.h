@@ -10,9 +10,9 @@
 
 namespace brume {
 
-// How a view moves: each answers the moved camera. The up axis of the scene stays upright.
+// Camera navigation; each function returns the moved camera. The scene's up axis stays upright.
 
-// Turns around the target; angles in radians, positive moves the picture right and down.
+// Orbits the target; angles in radians, positive moves the picture right and down.
 Camera orbit(const Camera& camera, glm::dvec2 angles);
 
 // Moves eye and target across the view so that the target follows the mouse by `pixels`.
@@ -27,14 +27,13 @@ Camera frame_sphere(const Camera& camera, const Film& film, const glm::dvec3& ce
 
 double target_distance(const Camera& camera);
 
-// Which buttons move the view: Brume's own, or those that users of other programs have in their
-// hands.
+// Mouse bindings of navigation: Brume's own, or those of other programs.
 enum class NavigationPreset { brume, blender, maya };
 inline constexpr std::array navigation_presets{NavigationPreset::brume, NavigationPreset::blender,
                                                NavigationPreset::maya};
 
 enum class NavigationDrag { orbit, pan, zoom };
-// What a drag with a button is; nullopt: none of the view.
+// The navigation of a drag; nullopt: none.
 std::optional<NavigationDrag> navigation_drag(NavigationPreset preset, Qt::MouseButton button,
                                               Qt::KeyboardModifiers modifiers);
 

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "core/math/across.h"
+#include "core/math/basis.h"
 
 namespace brume {
 
@@ -24,10 +24,10 @@ void Overlay::add_circle(double x, double y, double radius, QRgb color) {
   }
 }
 
-void Overlay::add_line(const CameraRays& rays, const glm::dvec3& from, const glm::dvec3& to,
+void Overlay::add_line(const CameraRays& rays, const glm::dvec3& start, const glm::dvec3& end,
                        QRgb color) {
-  const glm::dvec3 a = rays.project(from);
-  const glm::dvec3 b = rays.project(to);
+  const glm::dvec3 a = rays.project(start);
+  const glm::dvec3 b = rays.project(end);
   if (a.z <= 0.0 || b.z <= 0.0) return;
   lines.push_back({static_cast<float>(a.x), static_cast<float>(a.y), color});
   lines.push_back({static_cast<float>(b.x), static_cast<float>(b.y), color});
@@ -43,7 +43,7 @@ void Overlay::add_ball_outline(const CameraRays& rays, const glm::dvec3& center,
   const double sine = radius / distance;
   const glm::dvec3 middle = center - axis * (radius * sine);
   const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  const auto [u, v] = across(axis);
+  const auto [u, v] = make_basis(axis);
   constexpr int segments = 64;
   const auto at = [&](int k) {
     const double angle = glm::two_pi<double>() * k / segments;

@@ -9,9 +9,9 @@
 
 namespace brume {
 
-// What is drawn over the picture, in widget coordinates (logical pixels, y down). It is made in
-// screen space, in double precision, so that it fits the picture wherever the scene lies, and is
-// the same with OpenGL and without.
+// Graphics drawn over the picture, in widget coordinates (logical pixels, y down). Computed in
+// screen space in double precision, so it matches the picture at any scale, with and without
+// OpenGL.
 struct Overlay {
   struct Vertex {
     float x = 0.0F;
@@ -28,14 +28,14 @@ struct Overlay {
   static constexpr float line_width = 1.25F;
 
   void add_circle(double x, double y, double radius, QRgb color);
-  // In the world; what is behind the eye is left out.
-  void add_line(const CameraRays& rays, const glm::dvec3& from, const glm::dvec3& to, QRgb color);
-  // The silhouette of a ball, exact in perspective; none if the eye is inside.
+  // A world-space line, clipped behind the eye.
+  void add_line(const CameraRays& rays, const glm::dvec3& start, const glm::dvec3& end, QRgb color);
+  // The exact perspective silhouette of a sphere; none if the eye is inside.
   void add_ball_outline(const CameraRays& rays, const glm::dvec3& center, double radius,
                         QRgb color);
 };
 
-// The world's axes as a small cross in the lower left corner.
+// Draws the world axes in the lower left corner.
 void add_axes(Overlay& overlay, const CameraRays& rays, const Film& film);
 
 void paint(const Overlay& overlay, QPainter& painter);

@@ -30,7 +30,7 @@ void PainterViewport::paintEvent(QPaintEvent* /*event*/) {
   paint(overlay_, painter);
   painter.setPen(QColor(255, 255, 255, 150));
   painter.drawText(rect().adjusted(12, 8, -12, -8), Qt::AlignTop | Qt::AlignLeft,
-                   tr("No OpenGL: %1. The picture is painted without it.").arg(gl_problem_));
+                   tr("No OpenGL: %1. The view is drawn without it.").arg(gl_problem_));
 }
 
 }  // namespace brume

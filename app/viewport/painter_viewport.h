@@ -6,7 +6,7 @@
 
 namespace brume {
 
-// Picture and overlay by Qt's painter: where there is no OpenGL at all.
+// Draws with QPainter, without OpenGL.
 class PainterViewport : public QWidget, public ViewportSurface {
   Q_OBJECT
  public:

@@ -7,12 +7,11 @@
 
 namespace brume {
 
-// An OpenGL context without a window that shares its objects with all OpenGL widgets. It belongs to
-// the thread that makes it.
+// An offscreen OpenGL context that shares objects with all OpenGL widgets. Belongs to its creating
+// thread.
 class QtContext final : public gl::Context {
  public:
-  // `surface` is no window, and outlives the context; one surface will do for one thread. nullptr:
-  // there is no such context.
+  // `surface`: offscreen, outlives the context; one per thread suffices. nullptr on failure.
   static std::unique_ptr<QtContext> create(QSurface& surface);
 
   bool make_current() override { return context_.makeCurrent(&surface_); }

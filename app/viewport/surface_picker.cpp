@@ -9,7 +9,7 @@ namespace brume {
 SurfacePicker::SurfacePicker(const Document& document)
     : document_(document), thread_([](const Job& job, const std::stop_token&) {
         try {
-          job.promise->set_value(std::make_shared<const Visibility>(job.surfaces));
+          job.promise->set_value(std::make_shared<const RayCaster>(job.surfaces));
         } catch (...) {
           job.promise->set_exception(std::current_exception());
         }
@@ -35,10 +35,10 @@ bool SurfacePicker::is_ready() {
 std::optional<SurfacePoint> SurfacePicker::hit(const glm::dvec3& origin,
                                                const glm::dvec3& direction) {
   if (!is_ready() || surfaces_.empty()) return std::nullopt;
-  const Visibility& visibility = *built_.get();
-  const SurfaceHit hit = visibility.first_hit(origin, direction);
+  const RayCaster& ray_caster = *built_.get();
+  const SurfaceHit hit = ray_caster.first_hit(origin, direction);
   if (!hit) return std::nullopt;
-  return visibility.point(hit, origin, direction, surfaces_);
+  return ray_caster.point(hit, origin, direction, surfaces_);
 }
 
 }  // namespace brume

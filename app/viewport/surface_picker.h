@@ -4,26 +4,26 @@
 #include <future>
 #include <memory>
 
-#include "app/job_thread.h"
-#include "render/cpu/visibility.h"
+#include "app/jobs/job_thread.h"
+#include "render/visibility/ray_caster.h"
 
 namespace brume {
 
 class Document;
 
-// Which surface a ray meets, for tools. What it takes to know that is built in the background as
-// soon as the surfaces change; while that lasts rays meet nothing, and nobody waits.
+// Ray picking of surfaces for tools. The ray caster is rebuilt in the background when surfaces
+// change; meanwhile rays hit nothing.
 class SurfacePicker : public QObject {
   Q_OBJECT
  public:
   explicit SurfacePicker(const Document& document);
 
   [[nodiscard]] bool is_ready();
-  // Of a ray of unit direction.
+  // First hit of a ray of unit direction.
   std::optional<SurfacePoint> hit(const glm::dvec3& origin, const glm::dvec3& direction);
 
  private:
-  using Built = std::shared_ptr<const Visibility>;
+  using Built = std::shared_ptr<const RayCaster>;
   struct Job {
     std::vector<Surface> surfaces;
     std::shared_ptr<std::promise<Built>> promise;
@@ -31,7 +31,7 @@ class SurfacePicker : public QObject {
   void prepare();
 
   const Document& document_;
-  std::vector<Surface> surfaces_;  // that are being built, or are
+  std::vector<Surface> surfaces_;  // input of built_
   std::shared_future<Built> built_;
   JobThread<Job> thread_;
 };

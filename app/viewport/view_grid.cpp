@@ -4,7 +4,7 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "app/application.h"
+#include "app/widgets/application.h"
 
 namespace brume {
 

@@ -12,9 +12,9 @@ class QToolButton;
 
 namespace brume {
 
-// One view, or four: perspective, top, front and side. All are rendered by one service and have the
-// same tool; keys, panels and the error meter are about the active one, which is the one that was
-// used last. The views along the axes are made when they are first shown.
+// One view, or four: perspective, top, front and side. All share the render service and tool;
+// shortcuts, panels and error measurement follow the active (last used) view. Axis views are
+// created on first use.
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
@@ -23,14 +23,14 @@ class ViewGrid : public QWidget {
 
   [[nodiscard]] Viewport& perspective() const { return *panes_.front(); }
   [[nodiscard]] Viewport& active() const { return *active_; }
-  // The one under the mouse; the active one if it is elsewhere.
+  // The view under the mouse, or else the active one.
   [[nodiscard]] Viewport& pointed() const;
   [[nodiscard]] std::span<Viewport* const> panes() const { return panes_; }
 
   [[nodiscard]] bool shows_four() const { return shows_four_; }
-  void show_four(bool four);  // or else the active one alone
+  void show_four(bool four);  // four, or only the active one
 
-  // Of all of them.
+  // Settings of all views.
   void set_tool(Tool* tool);
   void set_time(double time);
   void set_airlight(std::optional<AirlightMethod> method);
@@ -44,7 +44,7 @@ class ViewGrid : public QWidget {
  Q_SIGNALS:
   void pane_made(brume::Viewport* pane);
   void pointed_at(brume::Viewport& pane, QPointF position);
-  // Of the active one, or that it is another.
+  // Signals of the active view; also emitted when it changes.
   void active_changed();
   void frame_shown();
   void error_changed();
@@ -61,7 +61,7 @@ class ViewGrid : public QWidget {
   ViewServices services_;
   QGridLayout* layout_;
   std::vector<Viewport*> panes_;
-  std::vector<QToolButton*> titles_;  // one for each pane
+  std::vector<QToolButton*> titles_;  // one per pane
   Viewport* active_ = nullptr;
   Tool* tool_ = nullptr;
   bool shows_four_ = false;

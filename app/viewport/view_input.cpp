@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "app/tools/tool.h"
+#include "app/viewport/tool.h"
 #include "app/viewport/viewport.h"
 
 namespace brume {
@@ -16,11 +16,11 @@ ViewInput::ViewInput(Viewport& view) : view_(view) {
   // Runs out when no events of the mouse wait any more.
   timer_.setSingleShot(true);
   timer_.setInterval(0);
-  connect(&timer_, &QTimer::timeout, this, &ViewInput::hand_on);
+  connect(&timer_, &QTimer::timeout, this, &ViewInput::flush_moves);
 }
 
 void ViewInput::set_tool(Tool* tool) {
-  hand_on();
+  flush_moves();
   if (tool_) {
     if (drag_ == Drag::tool) tool_->cancel();
     tool_->leave();
@@ -37,7 +37,7 @@ void ViewInput::enter() {
 
 void ViewInput::press(const QMouseEvent& event) {
   if (drag_ != Drag::none) return;  // one gesture at a time
-  hand_on();
+  flush_moves();
   if (tool_) tool_->set_view(view_);
   last_position_ = event.position();
   drag_ = drag_of(event);
@@ -47,7 +47,7 @@ void ViewInput::press(const QMouseEvent& event) {
 ViewInput::Drag ViewInput::drag_of(const QMouseEvent& event) const {
   const bool left = event.button() == Qt::LeftButton;
   const NavigationPreset preset = view_.navigation();
-  const bool tools_own = left && tool_ && tool_->takes_alt() &&
+  const bool tools_own = left && tool_ && tool_->uses_alt() &&
                          event.modifiers().testFlag(Qt::AltModifier) &&
                          preset != NavigationPreset::maya;
   const auto drag = navigation_drag(preset, event.button(), event.modifiers());
@@ -69,7 +69,7 @@ void ViewInput::move(QPointF position) {
   if (!timer_.isActive()) timer_.start();
 }
 
-void ViewInput::hand_on() {
+void ViewInput::flush_moves() {
   timer_.stop();
   if (path_.empty()) return;
   const std::vector<QPointF> path = std::exchange(path_, {});
@@ -100,7 +100,7 @@ void ViewInput::hand_on() {
 }
 
 void ViewInput::release(const QMouseEvent& event) {
-  hand_on();
+  flush_moves();
   const Qt::MouseButtons held = event.buttons();
   if (drag_ == Drag::tool && !held.testFlag(Qt::LeftButton)) {
     tool_->release(event.position());
@@ -112,13 +112,13 @@ void ViewInput::release(const QMouseEvent& event) {
 
 void ViewInput::leave() {
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, true);
-  hand_on();
+  flush_moves();
   if (tool_ && &tool_->view() == &view_) tool_->leave();
 }
 
 bool ViewInput::cancel() {
   if (drag_ != Drag::tool) return false;
-  hand_on();
+  flush_moves();
   tool_->cancel();
   return true;
 }

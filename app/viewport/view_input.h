@@ -12,15 +12,14 @@ namespace brume {
 class Tool;
 class Viewport;
 
-// What the mouse does in a view: a drag of the camera, or one of the tool. Moves are collected, and
-// handed on together once no more of them wait: every position counts, and yet no view, however
-// slow, falls behind the mouse.
+// Mouse input of a view: camera or tool drags. Moves are collected and delivered together once the
+// event queue is empty: no position is lost, and slow views do not lag behind.
 class ViewInput : public QObject {
   Q_OBJECT
  public:
   explicit ViewInput(Viewport& view);
 
-  // A gesture in flight is cancelled. nullptr: none.
+  // Cancels a running gesture. nullptr: none.
   void set_tool(Tool* tool);
   [[nodiscard]] Tool* tool() const { return tool_; }
 
@@ -29,13 +28,13 @@ class ViewInput : public QObject {
   void move(QPointF position);
   void release(const QMouseEvent& event);
   void leave();
-  // Whether there was a gesture of the tool.
+  // Cancels the tool's gesture; false if there is none.
   bool cancel();
-  // Ends a gesture of the tool, who knows of it.
+  // Ends the gesture on behalf of the tool.
   void end_gesture();
 
-  // Hands on what has been collected, now.
-  void hand_on();
+  // Delivers collected moves now.
+  void flush_moves();
 
  Q_SIGNALS:
   void pointed_at(QPointF position);  // with no button down
@@ -47,7 +46,7 @@ class ViewInput : public QObject {
   Viewport& view_;
   Tool* tool_ = nullptr;
   Drag drag_ = Drag::none;
-  std::vector<QPointF> path_;  // where the mouse was, not handed on yet
+  std::vector<QPointF> path_;  // collected mouse positions
   QPointF last_position_;
   QTimer timer_;
 };

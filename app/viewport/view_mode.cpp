@@ -12,8 +12,8 @@
 namespace brume {
 namespace {
 
-constexpr double deepest = 4.0;        // optical depth at the end of the scale
-constexpr double least_error = 0.001;  // the scale of errors is logarithmic
+constexpr double deepest = 4.0;      // optical depth at the end of the scale
+constexpr double min_error = 0.001;  // the scale of errors is logarithmic
 constexpr double error_decades = 2.0;
 constexpr int cost_block = 8;           // pixels that a cost is the mean of, either way
 constexpr double behind_outlines = -2;  // stops
@@ -81,11 +81,11 @@ Costs costs_of(const Frame& frame) {
     ++pixels[block];
   }
   for (std::size_t k = 0; k < count; ++k) costs.means[k] /= pixels[k];
-  const double most = *std::max_element(costs.means.begin(), costs.means.end());
-  if (!(most > 0.0)) return costs;
-  costs.scale = std::pow(10.0, std::floor(std::log10(most)));
+  const double max_value = *std::max_element(costs.means.begin(), costs.means.end());
+  if (!(max_value > 0.0)) return costs;
+  costs.scale = std::pow(10.0, std::floor(std::log10(max_value)));
   for (const double step : {2.0, 2.5, 2.0}) {
-    if (costs.scale < most) costs.scale *= step;
+    if (costs.scale < max_value) costs.scale *= step;
   }
   return costs;
 }
@@ -163,8 +163,8 @@ QImage error_picture(const ErrorMap& map) {
   const float* error = map.error.data();
   for (int y = 0; y < map.film.height; ++y) {
     for (int x = 0; x < map.film.width; ++x, ++error) {
-      const double e = std::max(static_cast<double>(*error), least_error);
-      image.setPixel(x, y, false_color(std::log10(e / least_error) / error_decades));
+      const double e = std::max(static_cast<double>(*error), min_error);
+      image.setPixel(x, y, false_color(std::log10(e / min_error) / error_decades));
     }
   }
   return image;
@@ -175,12 +175,12 @@ ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map) {
     case ViewMode::optical_depth:
       return {tr("Optical depth"), {"0", "1", "2", "3", "4"}};
     case ViewMode::cost: {
-      const double most = costs_of(frame).scale;
+      const double max_value = costs_of(frame).scale;
       return {tr("Pairs of Gaussian and ray per pixel"),
-              {"0", QString::number(0.5 * most), QString::number(most)}};
+              {"0", QString::number(0.5 * max_value), QString::number(max_value)}};
     }
     case ViewMode::error: {
-      if (!map) return {tr("Error: waits until the picture is measured"), {}};
+      if (!map) return {tr("Error: waiting for the measurement"), {}};
       QString title = tr("Error");
       if (map->done < 1.0) {
         title = tr("Error, %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);

@@ -12,14 +12,14 @@ namespace brume {
 struct ErrorMap;
 struct Frame;
 
-// What a view shows of a frame.
+// View modes.
 enum class ViewMode {
   final,          // the picture
-  airlight,       // only what the medium scatters to the eye
-  optical_depth,  // of the medium from the eye to the first surface or through, as a false colour
-  outlines,       // the picture, darker, under the outlines of all Gaussians
-  cost,           // pairs of Gaussian and ray evaluated around each pixel, as a false colour
-  error,          // the airlight's distance to the reference, as a false colour
+  airlight,       // airlight only
+  optical_depth,  // optical depth to the first surface or infinity, false colours
+  outlines,       // dimmed picture with outlines of all Gaussians
+  cost,           // Gaussian x ray pairs per pixel, false colours
+  error,          // error of the airlight, false colours
 };
 
 inline constexpr std::array view_modes{ViewMode::final,         ViewMode::airlight,
@@ -29,19 +29,19 @@ inline constexpr std::array view_modes{ViewMode::final,         ViewMode::airlig
 QString view_mode_title(ViewMode mode);  // "Airlight Only"
 ViewMode next_view_mode(ViewMode mode);
 
-// Exposure in stops; it does not count for false colours. The error has its own, error_picture():
-// until that is there, the picture is shown darker.
+// Exposure in stops, ignored for false colours. In error mode, the dimmed picture until
+// error_picture() is available.
 QImage to_picture(const Frame& frame, double exposure, ViewMode mode);
-// The same of a frame that stays on the device; nullopt where that cannot be.
+// The same for a frame on the device; nullopt if unsupported.
 std::optional<gl::DisplayOptions> display_options(double exposure, ViewMode mode);
 QImage error_picture(const ErrorMap& map);
 
-// What false colours mean: the ends of the scale and what lies evenly between.
+// Title and equidistant tick labels of a false-colour scale.
 struct ColorScale {
   QString title;
   QStringList ticks;
 };
-// Empty where there are none. `map`: null while the error is not known yet.
+// Empty for modes without. `map`: may be null.
 ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map);
 
 // The false colour of t, clamped to [0, 1]: dark blue over green to pale yellow.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/transfer_job.h"
+#include "app/jobs/transfer_job.h"
 #include "app/viewport/error_map.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/surface_picker.h"
@@ -8,18 +8,18 @@
 
 namespace brume {
 
-// What all panes of the view share.
+// Services shared by all panes.
 struct ViewServices {
   ViewServices(const Document& document, QWidget* parent)
       : transfer_job(new TransferJob(parent)),
         surfaces(document),
         frames(transfer_job->transfers(), [this] { return screens.create_context(); }) {}
 
-  TransferJob* transfer_job;  // makes the radiance transfer of frames; shown in the status bar
+  TransferJob* transfer_job;  // computes radiance transfer; shown in the status bar
   SurfacePicker surfaces;
   ViewportSurfaces screens;
   FrameService frames;
-  ErrorMapper error_mapper;  // of the active pane
+  ErrorMapper error_mapper;  // for the active pane
 };
 
 }  // namespace brume

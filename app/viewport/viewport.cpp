@@ -9,13 +9,13 @@
 #include <limits>
 
 #include "app/document/document.h"
-#include "app/tools/gizmo.h"
-#include "app/tools/tool.h"
 #include "app/viewport/bounds.h"
+#include "app/viewport/gizmo.h"
 #include "app/viewport/legend.h"
+#include "app/viewport/tool.h"
 #include "app/viewport/viewport_surface.h"
 #include "core/authoring/contribution.h"
-#include "core/io/number_domain.h"
+#include "core/number_domain.h"
 #include "core/scene/at_time.h"
 #include "render/settings.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
-constexpr double least_depth = 0.02;  // optical depth of a Gaussian that can be pointed at
+constexpr double min_depth = 0.02;  // optical depth of a Gaussian that can be pointed at
 
 bool can_be_stored(const Camera& camera) {
   for (int k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&rest_timer_, &QTimer::timeout, this, &Viewport::request_at_rest);
 
   connect(&input_, &ViewInput::pointed_at, this, &Viewport::pointed_at);
-  connect(&services_.frames, &FrameService::frame_ready, this, &Viewport::take_frame);
+  connect(&services_.frames, &FrameService::frame_ready, this, &Viewport::use_frame);
   // Even if they are again those of the frame shown: another one may be on its way.
   connect(&quality_, &FrameQuality::settings_changed, this, [this] {
     if (!isHidden()) services_.frames.request(frame_request(false));
@@ -84,7 +84,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
     input_.end_gesture();
     hovered_.reset();
     oldest_serial_ = serial_ + 1;
-    go_home();
+    reset_camera();
   });
   connect(&document_, &Document::medium_changed, this, [this] {
     refresh_handles();
@@ -94,12 +94,12 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&document_, &Document::part_changed, this, &Viewport::update_overlay);
   connect(&document_, &Document::active_emitter_changed, this, &Viewport::update_overlay);
   connect(&document_, &Document::active_light_changed, this, &Viewport::update_overlay);
-  connect(&document_, &Document::freedom_changed, this, [this] {
+  connect(&document_, &Document::hidden_or_locked_changed, this, [this] {
     refresh_handles();
     request_frame();
   });
   connect(&document_, &Document::selection_changed, this, [this] { update_overlay(); });
-  if (projection_ != Projection::perspective) go_home();
+  if (projection_ != Projection::perspective) reset_camera();
 }
 
 Viewport::~Viewport() = default;
@@ -116,7 +116,7 @@ double Viewport::distance() const {
   return half_height(camera_) / std::tan(0.5 * glm::radians(Camera{}.vertical_fov));
 }
 
-void Viewport::go_home() {
+void Viewport::reset_camera() {
   if (projection_ == Projection::perspective) {
     set_camera(document_.scene().camera);
   } else {
@@ -177,7 +177,7 @@ void Viewport::set_tool(Tool* tool) {
   input_.set_tool(tool);
   setCursor(tool ? tool->cursor() : Qt::ArrowCursor);
   if (tool) {
-    connect(tool, &Tool::looks_changed, this, &Viewport::update_overlay);
+    connect(tool, &Tool::appearance_changed, this, &Viewport::update_overlay);
     if (underMouse()) {
       tool->set_view(*this);
       tool->hover(mapFromGlobal(QCursor::pos()));
@@ -200,7 +200,7 @@ glm::dvec3 Viewport::place_under_mouse(double radius) {
   double distance = depth / glm::dot(direction, view.forward());
   if (const auto surface = services_.surfaces.hit(view.eye(), direction)) {
     const double there = glm::distance(surface->position, view.eye());
-    // The ball touches the surface, unless that takes it more than half way to the eye.
+    // The sphere touches the surface, but moves at most half way to the eye.
     const double back = radius / std::abs(glm::dot(direction, surface->normal));
     distance = std::min(distance, std::max(there - back, 0.5 * there));
   }
@@ -212,7 +212,7 @@ glm::dvec3 Viewport::shift_on_film(QPointF pixels) const {
   return dragged_across(pivot(), rays(), middle, middle + pixels);
 }
 
-std::optional<GaussianId> Viewport::most_visible(QPointF position) {
+std::optional<GaussianId> Viewport::max_visible(QPointF position) {
   const CameraRays view = rays();
   const glm::dvec3 direction = view.direction(position.x(), position.y());
   const auto surface = services_.surfaces.hit(view.eye(), direction);
@@ -220,9 +220,9 @@ std::optional<GaussianId> Viewport::most_visible(QPointF position) {
                                   : std::numeric_limits<double>::infinity();
   const auto scene = document_.visible_snapshot();
   for (const Contribution& met :
-       contributions(scene->medium, view.eye(), direction, distance, least_depth)) {
+       contributions(scene->medium, view.eye(), direction, distance, min_depth)) {
     const GaussianId id = scene->medium.ids()[met.index];
-    if (document_.is_free(id)) return id;
+    if (document_.is_editable(id)) return id;
   }
   return std::nullopt;
 }
@@ -293,7 +293,7 @@ std::shared_ptr<const Scene> Viewport::shown_scene() const {
       projection_ == Projection::perspective || scene->medium.homogeneous_density() == 0.0;
   if (!is_animated(*scene) && is_clear) return scene;
   if (at_time_of_ != scene) {
-    Scene shown = at_time(*scene, time_);
+    Scene shown = evaluate_at(*scene, time_);
     if (!is_clear) shown.medium.set_homogeneous_density(0.0);
     at_time_ = std::make_shared<const Scene>(std::move(shown));
     at_time_of_ = std::move(scene);
@@ -318,8 +318,8 @@ FrameRequest Viewport::frame_request(bool moving) const {
     settings.airlight = rest.airlight;
     settings.patch_light_tables = true;
     if (scene == rested_scene_) {
-      // What was prepared for them: going back and forth between two would do it anew each time.
-      settings.light_table = rest.light_table;
+      // Keeps prepared data: alternating between two would rebuild it each time.
+      settings.optical_depth_table = rest.optical_depth_table;
       settings.shadow_cells = rest.shadow_cells;
       settings.depth_error = rest.depth_error;
     }
@@ -352,14 +352,14 @@ void Viewport::request_at_rest() {
   if (!is_settled() && !isHidden()) services_.frames.request(frame_request(false));
 }
 
-void Viewport::take_frame(const std::shared_ptr<const RenderedFrame>& frame) {
+void Viewport::use_frame(const std::shared_ptr<const RenderedFrame>& frame) {
   if (frame->request.view != static_cast<int>(projection_)) return;
   if (frame->request.serial < oldest_serial_) return;
   shown_ = frame;
   forget_error_map();
   show_picture();
-  handles_.judge_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
-                       shown_->frame);
+  handles_.classify_depth(document_.medium(), {shown_->request.camera, shown_->frame.film},
+                          shown_->frame);
   update_overlay();
   if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
   if (is_settled()) measure();
@@ -446,7 +446,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   Q_EMIT used();
-  input_.hand_on();  // it was meant for the view as it was
+  input_.flush_moves();  // it was meant for the view as it was
   zoom_by(std::pow(0.999, event->angleDelta().y()));
   event->accept();
 }

@@ -16,7 +16,7 @@ namespace brume {
 
 class EglContext;
 
-// What the viewport shows its picture on. Mouse and keys belong to the viewport around it.
+// Display surface of a viewport. Input belongs to the viewport.
 class ViewportSurface {
  public:
   virtual ~ViewportSurface() = default;
@@ -31,18 +31,17 @@ class ViewportSurface {
   [[nodiscard]] virtual QString gl_problem() const { return {}; }
 };
 
-// Makes the best surfaces this platform can have: OpenGL widgets, else images from OpenGL contexts
-// of our own, else Qt's painter. Lives in the interface's thread, longer than what it makes.
+// Creates the best surfaces of the platform: OpenGL widgets, else images from offscreen contexts,
+// else QPainter. Lives in the GUI thread and outlives its surfaces.
 class ViewportSurfaces {
  public:
   ViewportSurfaces();
   ~ViewportSurfaces();
 
-  // Its widget is a child of `parent`, which owns it.
+  // The widget is a child of `parent`, which owns it.
   ViewportSurface* create(QWidget* parent) const;
 
-  // A context that shares its objects with all surfaces; nullptr where there is none. For one
-  // thread, whichever that is.
+  // A context that shares objects with all surfaces, for any one thread; nullptr if none.
   [[nodiscard]] std::unique_ptr<gl::Context> create_context() const;
 
  private:

@@ -7,18 +7,18 @@
 namespace brume {
 namespace {
 
-constexpr int most_bounces = 8;      // in one step; a particle in a crack stays there
-constexpr double drag = 1.5;         // share of the speed that the air takes [1/s]
+constexpr int max_bounces = 8;       // in one step; a particle in a crack stays there
+constexpr double drag = 1.5;         // drag coefficient [1/s]
 constexpr double restitution = 0.6;  // of the speed into a surface
-constexpr double clearance = 0.02;   // that is kept from surfaces, over the radius
+constexpr double clearance = 0.02;   // distance from surfaces, relative to the radius
 
 }  // namespace
 
 void Spray::advance(double seconds, const FindNozzle& find_nozzle,
                     const FindObstacle& find_obstacle) {
   for (Particle& particle : particles_) {
-    push_about(particle, seconds);
-    fly(particle, seconds, find_obstacle);
+    perturb(particle, seconds);
+    advance_particle(particle, seconds, find_obstacle);
   }
   due_ += airbrush_.rate * seconds;
   for (; due_ >= 1.0; due_ -= 1.0) {
@@ -28,21 +28,22 @@ void Spray::advance(double seconds, const FindNozzle& find_nozzle,
     const std::optional<Nozzle> nozzle = find_nozzle(1.0 - age);
     if (!nozzle) continue;
     Particle particle{nozzle->position, airbrush_.speed * (nozzle->direction + aside)};
-    fly(particle, seconds * age, find_obstacle);
+    advance_particle(particle, seconds * age, find_obstacle);
     particles_.push_back(particle);
   }
 }
 
-void Spray::push_about(Particle& particle, double seconds) {
+void Spray::perturb(Particle& particle, double seconds) {
   particle.velocity *= std::exp(-drag * seconds);
   // Steps of a random walk add up by their squares.
   particle.velocity += airbrush_.wander * std::sqrt(3.0 * seconds) * random_.in_ball();
 }
 
-void Spray::fly(Particle& particle, double seconds, const FindObstacle& find_obstacle) const {
+void Spray::advance_particle(Particle& particle, double seconds,
+                             const FindObstacle& find_obstacle) const {
   double left = seconds;
   const double gap = clearance * airbrush_.radius;
-  for (int bounce = 0; bounce < most_bounces; ++bounce) {
+  for (int bounce = 0; bounce < max_bounces; ++bounce) {
     const double speed = glm::length(particle.velocity);
     const double way = speed * left;
     if (!(way > 0.0)) return;

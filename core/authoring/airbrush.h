@@ -9,15 +9,15 @@
 
 namespace brume {
 
-// The airbrush of section 6 of the paper: particles of infinite life that bounce off surfaces,
-// spread, and are frozen where they are when it stops.
+// The airbrush of section 6 of the paper: sprayed particles bounce off surfaces, spread, and are
+// frozen into Gaussians at the end.
 struct Airbrush {
   double radius = 0.2;   // of each particle's Gaussian [u], > 0
   double density = 0.5;  // [1/u], >= 0
   double rate = 60.0;    // particles per second
-  double speed = 1.0;    // with which they leave, along the spray's direction [u/s]
-  double spread = 0.7;   // greatest random part of that, over the speed
-  double wander = 0.5;   // how much they are pushed about: [u/s] in each second
+  double speed = 1.0;    // initial speed along the spray direction [u/s]
+  double spread = 0.7;   // maximum random velocity, relative to the speed
+  double wander = 0.5;   // random acceleration [u/s^2]
 
   bool operator==(const Airbrush&) const = default;
 };
@@ -25,29 +25,29 @@ struct Airbrush {
 // The nearest surface on a ray.
 struct Obstacle {
   double distance = 0.0;
-  glm::dvec3 normal{0.0};  // unit, on the side the ray comes from
+  glm::dvec3 normal{0.0};  // unit, facing the ray's origin
 };
-// Of a ray from a point in a unit direction; nullopt: none.
+// Traces a ray in a unit direction; nullopt: no hit.
 using FindObstacle =
-    std::function<std::optional<Obstacle>(const glm::dvec3& from, const glm::dvec3& direction)>;
+    std::function<std::optional<Obstacle>(const glm::dvec3& origin, const glm::dvec3& direction)>;
 
-// Where the spray comes out, and in which unit direction.
+// Position and unit direction of the nozzle.
 struct Nozzle {
   glm::dvec3 position{0.0};
   glm::dvec3 direction{0.0};
 };
-// At a moment of a step, from 0 (its beginning) to 1; nullopt: nothing comes out.
+// The nozzle at a fraction of a time step, from 0 to 1; nullopt: off.
 using FindNozzle = std::function<std::optional<Nozzle>(double moment)>;
 
-// A spray in the making.
+// The state of one spray.
 class Spray {
  public:
   Spray(const Airbrush& airbrush, std::uint64_t seed) : airbrush_(airbrush), random_(seed) {}
 
-  // Goes on for `seconds` (>= 0), in which the nozzle may move.
+  // Advances by `seconds` >= 0.
   void advance(double seconds, const FindNozzle& find_nozzle, const FindObstacle& find_obstacle);
 
-  // Where the particles are, the oldest first.
+  // The particles as Gaussians, oldest first.
   [[nodiscard]] std::vector<Gaussian> frozen() const;
 
  private:
@@ -55,13 +55,14 @@ class Spray {
     glm::dvec3 position{0.0};
     glm::dvec3 velocity{0.0};
   };
-  void push_about(Particle& particle, double seconds);
-  void fly(Particle& particle, double seconds, const FindObstacle& find_obstacle) const;
+  void perturb(Particle& particle, double seconds);
+  void advance_particle(Particle& particle, double seconds,
+                        const FindObstacle& find_obstacle) const;
 
   Airbrush airbrush_;
   RandomSource random_;
   std::vector<Particle> particles_;
-  double due_ = 0.0;  // particles that time has earned
+  double due_ = 0.0;  // particles due, fractional
 };
 
 }  // namespace brume

@@ -12,15 +12,16 @@ namespace brume {
 
 std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& eye,
                                         const glm::dvec3& direction, double distance,
-                                        double least) {
+                                        double min_value) {
   std::vector<Contribution> result;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianTerm<double> g(medium.gaussian(i));
     const LineProfile<double> line = line_profile(g, eye, direction);
     // At most this: most Gaussians are far from the ray.
-    if (1.7725 * medium.radii()[i] * medium.densities()[i] * std::exp(-line.e) < least) continue;
+    if (1.7725 * medium.radii()[i] * medium.densities()[i] * std::exp(-line.e) < min_value)
+      continue;
     const double depth = optical_depth(g, line, distance);
-    if (depth >= least) {
+    if (depth >= min_value) {
       result.push_back(
           {.index = i, .optical_depth = depth, .distance = truncated_mean(g, line, distance)});
     }

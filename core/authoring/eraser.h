@@ -8,33 +8,30 @@
 
 namespace brume {
 
-// What an eraser covers from the eye: a cone around a unit direction, `slope` u wide per u of
-// distance along it.
+// The cone covered by an eraser: `slope` u wide per u of distance along the unit direction.
 struct EraserCone {
   glm::dvec3 eye{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};
   double slope = 0.1;  // tangent of the half angle, > 0
 };
 
-// How much an eraser takes from a Gaussian whose centre is in the cone: 1 on the axis, falling
-// smoothly to 0 at the rim and beyond.
+// Weight of the eraser at a Gaussian's center: 1 on the axis, falling smoothly to 0 at the rim.
 double eraser_cover(const EraserCone& cone, const glm::dvec3& center);
 
-// A stroke of the eraser (section 6 of the paper). Each touch takes `strength` * eraser_cover() of
-// the density that a Gaussian had when the stroke first met it; one that has none left is removed.
+// An eraser stroke (section 6 of the paper). Each touch removes `strength` * eraser_cover() of the
+// density that a Gaussian had when first touched; Gaussians of zero density are removed.
 class EraserStroke {
  public:
   explicit EraserStroke(double strength) : strength_(strength) {}  // in (0, 1]
 
-  // The edit that some touches are, one after the other. Only Gaussians for which `may_erase` are
-  // touched.
+  // The edit of a sequence of touches, restricted to Gaussians for which `may_erase`.
   MediumEdit touch(const Medium& medium, std::span<const EraserCone> cones,
                    const std::function<bool(GaussianId)>& may_erase);
 
  private:
   struct Touched {
-    double density = 0.0;  // at first
-    double erased = 0.0;   // share
+    double density = 0.0;  // before the stroke
+    double erased = 0.0;   // fraction
   };
   double strength_;
   std::unordered_map<GaussianId, Touched> touched_;

@@ -6,20 +6,20 @@
 namespace brume {
 
 std::vector<GaussianId> touching(const Medium& medium, std::span<const GaussianId> ids) {
-  // Sorted by where their balls begin in x: what a ball touches begins before it ends, and not
-  // before it begins by more than the greatest diameter.
+  // Sorted by the minimum x of their spheres: a sphere touches only those that begin before its end
+  // and within the maximum diameter before its start.
   std::vector<std::size_t> order(medium.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto begin_of = [&](std::size_t i) { return medium.centers()[i].x - medium.radii()[i]; };
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return begin_of(a) < begin_of(b); });
-  double greatest = 0.0;
-  for (const double radius : medium.radii()) greatest = std::max(greatest, radius);
+  double max_value = 0.0;
+  for (const double radius : medium.radii()) max_value = std::max(max_value, radius);
 
   std::vector<bool> touched(medium.size(), false);
   for (const GaussianId id : ids) {
     const std::size_t i = *medium.index_of(id);
-    const double first = begin_of(i) - 2.0 * greatest;
+    const double first = begin_of(i) - 2.0 * max_value;
     const double last = medium.centers()[i].x + medium.radii()[i];
     auto at = std::lower_bound(order.begin(), order.end(), first,
                                [&](std::size_t k, double x) { return begin_of(k) < x; });

@@ -7,8 +7,8 @@
 
 namespace brume {
 
-// Gaussians whose ball of one radius touches the ball of one of `ids`, those included; ordered by
-// id. `ids` are of the medium.
+// Gaussians whose sphere of one radius touches that of one of `ids`, including these; ordered by
+// id. `ids` must be in the medium.
 std::vector<GaussianId> touching(const Medium& medium, std::span<const GaussianId> ids);
 
 }  // namespace brume

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/math/across.h"
+#include "core/math/basis.h"
 
 namespace brume {
 
-std::vector<Gaussian> PaintStroke::to(const glm::dvec3& point) {
+std::vector<Gaussian> PaintStroke::extend(const glm::dvec3& point) {
   const double step = std::max(brush_.spacing, 0.05) * brush_.radius;
   const glm::dvec3 way = last_ ? point - *last_ : glm::dvec3(0.0);
   const double length = glm::length(way);
@@ -19,7 +19,7 @@ std::vector<Gaussian> PaintStroke::to(const glm::dvec3& point) {
   std::vector<Gaussian> gaussians;
   if (length == 0.0) return gaussians;
   const glm::dvec3 direction = way / length;
-  const Across plane = across(direction);
+  const Basis plane = make_basis(direction);
   double at = left_;
   for (; at <= length; at += step) {
     const glm::dvec2 offset = brush_.scatter * brush_.radius * random_.in_disc();

@@ -12,30 +12,29 @@ namespace brume {
 struct Paintbrush {
   double radius = 0.3;   // of each Gaussian [u], > 0
   double density = 1.0;  // its peak [1/u], >= 0
-  double spacing = 1.0;  // from one to the next along the stroke, over the radius, >= 0.05
-  double scatter = 0.5;  // greatest offset from the stroke, over the radius, in [0, 1]
+  double spacing = 1.0;  // along the stroke, relative to the radius
+  double scatter = 0.5;  // maximum offset from the stroke, relative to the radius
 
   bool operator==(const Paintbrush&) const = default;
 };
 
-// A stroke in the making. Gaussians stand at equal distances along the polyline of its points,
-// moved by a random vector in the plane across the stroke that is shorter than scatter * radius.
-// The first one, which has no direction yet, stands on the first point. Where they stand depends on
-// the path only, not on how many points it is given by.
+// The state of one stroke. Gaussians are placed at equal arc lengths, with random offsets shorter
+// than scatter * radius perpendicular to the stroke (none for the first). The result depends on the
+// path, not on how many points sample it.
 class PaintStroke {
  public:
   PaintStroke(const Paintbrush& brush, std::uint64_t seed) : brush_(brush), random_(seed) {}
 
-  // The Gaussians that are due when the stroke goes on straight to `point`. A point so far off that
-  // there would be more than `longest` of them begins the stroke anew.
-  std::vector<Gaussian> to(const glm::dvec3& point);
+  // Extends the stroke by a segment to `point`; returns the new Gaussians. A jump that needs more
+  // than `longest` of them restarts the stroke.
+  std::vector<Gaussian> extend(const glm::dvec3& point);
   static constexpr int longest = 4096;
 
  private:
   Paintbrush brush_;
   RandomSource random_;
-  std::optional<glm::dvec3> last_;  // point of the path
-  double left_ = 0.0;               // of the path from there to the next Gaussian [u]
+  std::optional<glm::dvec3> last_;  // last point of the path
+  double left_ = 0.0;               // arc length from there to the next Gaussian
 };
 
 }  // namespace brume

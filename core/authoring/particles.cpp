@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 
 #include "core/authoring/random_source.h"
-#include "core/io/limits.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {
@@ -35,7 +35,7 @@ std::size_t max_particles(const Emitter& emitter) {
   if (!(emitter.rate > 0.0) || !(emitter.lifetime > 0.0)) return 0;
   // One more, where one is born as another dies.
   return static_cast<std::size_t>(
-      std::min(std::ceil(emitter.rate * emitter.lifetime) + 1.0, double{most_particles}));
+      std::min(std::ceil(emitter.rate * emitter.lifetime) + 1.0, double{particle_limit}));
 }
 
 std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
@@ -45,7 +45,7 @@ std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
   // Beyond this, numbers of particles are no longer whole.
   if (!(last < 9e15)) return particles;
   double first = std::max(0.0, std::floor((time - emitter.lifetime) * emitter.rate));
-  first = std::max(first, last - most_particles + 1.0);
+  first = std::max(first, last - particle_limit + 1.0);
   for (double number = first; number <= last; number += 1.0) {
     const double age = time - number / emitter.rate;
     if (age < 0.0 || age >= emitter.lifetime) continue;

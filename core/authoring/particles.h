@@ -7,16 +7,16 @@
 
 namespace brume {
 
-// At most so many of an emitter's particles are there at a time, the youngest.
-inline constexpr int most_particles = 100'000;
+// Limit of an emitter's live particles; the youngest are kept.
+inline constexpr int particle_limit = 100'000;
 
-// How many particles of an emitter are there at any time, at most.
+// Maximum number of live particles of an emitter.
 std::size_t max_particles(const Emitter& emitter);
 
-// The particles of an emitter at a time [s]: particle k is born at k / rate, and lives while its
-// age is below the lifetime. Each is where its own seed and its age say, so any time can be asked
-// for, in any order. Radius and density go evenly from birth to death. Numbers stay within what
-// scene files may hold.
+// The particles of an emitter at a time [s]. Particle k is born at k / rate and lives for the
+// lifetime; its state depends only on its seed and age, so any time can be evaluated. Radius and
+// density are interpolated linearly from birth to death. Values stay within the limits of scene
+// files.
 std::vector<Gaussian> particles_at(const Emitter& emitter, double time);
 
 }  // namespace brume

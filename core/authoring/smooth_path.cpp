@@ -43,7 +43,7 @@ std::vector<glm::dvec2> catmull_rom(const std::array<glm::dvec2, 4>& points, dou
 
 SmoothPath::SmoothPath(const glm::dvec2& start, double spacing) : spacing_(spacing), last_{start} {}
 
-std::vector<glm::dvec2> SmoothPath::to(const glm::dvec2& position) {
+std::vector<glm::dvec2> SmoothPath::extend(const glm::dvec2& position) {
   if (glm::distance(position, last_.back()) < min_step) return {};
   // At its ends the curve goes along the line between two positions.
   if (last_.size() == 1) last_.insert(last_.begin(), 2.0 * last_.front() - position);

@@ -9,13 +9,13 @@
 
 namespace brume {
 
-// How far the optical depth of Gaussians is from that of a grid, relative RMS over lines through
-// two random points each of the box around the grid's blocks; the grid's density is linear between
-// voxels, summed every half voxel (good to 1%). 0 for an empty grid. In parallel.
+// Relative RMS error of the Gaussians' optical depth against a grid's, over lines through two
+// random points each of the bounding box of the grid's blocks. The grid is trilinear, integrated in
+// half-voxel steps (accurate to 1%). 0 for an empty grid. In parallel.
 double depth_error(const DensityGrid& grid, std::span<const Gaussian> gaussians,
                    std::size_t lines = 10'000, std::uint32_t seed = 1);
 
-// The mass of Gaussians over that of the grid.
+// Mass of the Gaussians divided by that of the grid.
 double mass_ratio(const DensityGrid& grid, std::span<const Gaussian> gaussians);
 
 }  // namespace brume

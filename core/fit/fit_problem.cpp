@@ -18,7 +18,7 @@ constexpr int side = DensityGrid::side;
 constexpr float between = 0.7f;
 
 // Beyond this many radii a Gaussian is 1e-5 of its peak and left out.
-constexpr double reach = 3.4;
+constexpr double cutoff_radius = 3.4;
 
 // A Gaussian along one axis of a block: t = a (p - b) and exp(-t^2) at its eight points.
 struct Axis {
@@ -45,7 +45,7 @@ struct Axis {
 struct Axes {
   Axis x, y, z;
 
-  // Of a block whose least point is `first`.
+  // Of a block whose minimum corner is `first`.
   Axes(const FitGaussian& g, const glm::dvec3& first, const glm::dvec3& spacing)
       : x(first.x, spacing.x, g.b.x, g.a),
         y(first.y, spacing.y, g.b.y, g.a),
@@ -171,11 +171,11 @@ FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
 
 template <class Visit>
 void FitProblem::each_block(const FitGaussian& g, Visit visit) const {
-  const glm::dvec3 radius = glm::dvec3(reach / g.a) / glm::abs(spacing_);
+  const glm::dvec3 radius = glm::dvec3(cutoff_radius / g.a) / glm::abs(spacing_);
   const glm::dvec3 middle = g.b / spacing_;
   const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
   const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
-  const double all = reach / g.a;
+  const double all = cutoff_radius / g.a;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {

@@ -24,27 +24,25 @@ struct FitGaussian {
 std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
                                           std::span<const Gaussian> gaussians);
 
-// A change of one Gaussian, without unit: a db (three numbers), d log a, d log c.
+// A dimensionless step of one Gaussian: a db (three components), d log a, d log c.
 using FitStep = std::array<double, 5>;
 
-// The least-squares problem of Gaussians that are to make a density grid: a residual, sum of
-// Gaussians minus density, for each voxel of the grid's blocks and the empty ones around them, so
-// that what spills over counts; and one more, of less weight, in the middle of each eight voxels,
-// where the density is their mean: with the voxels alone, Gaussians as small as a voxel fit their
-// values and miss what is between them, which rays meet as much. The matrix J of its derivatives is
-// never stored: products with it are sums over pairs of a Gaussian and a block it reaches, where
-// the Gaussian is a product of three short vectors. All in parallel; results do not depend on the
-// number of threads.
+// The least-squares problem of fitting Gaussians to a density grid. Residuals, sum of Gaussians
+// minus density: one per voxel of the grid's blocks and of adjacent empty blocks; and one of less
+// weight at the center of each 2 x 2 x 2 voxels against their mean, since voxel-sized Gaussians
+// could fit the voxels alone and miss the space between, which rays integrate as well. The Jacobian
+// J is never stored: products with it are sums over pairs of Gaussian and block, where the Gaussian
+// is separable. Parallel and deterministic for any number of threads.
 class FitProblem {
  public:
   explicit FitProblem(const DensityGrid& grid);
 
-  // Of residuals; the first half are the voxels'.
+  // Number of residuals; the first half belongs to voxels.
   [[nodiscard]] std::size_t size() const { return targets_.size(); }
-  // Of the voxels' densities.
+  // Sum of squared densities.
   [[nodiscard]] double sum_of_squares() const { return sum_of_squares_; }
 
-  // From here on, of these Gaussians. Their a times the spacing is at most `sharpest`.
+  // Sets the Gaussians. Their a times the spacing is clamped to `sharpest`.
   void set(std::span<const FitGaussian> gaussians);
   static constexpr double sharpest = 1.4;
 
@@ -58,13 +56,13 @@ class FitProblem {
   void apply(std::span<const FitStep> step, std::span<float> result) const;
   // result[gaussian] = J^T weights.
   void apply_transposed(std::span<const float> weights, std::span<FitStep> result) const;
-  // Calls visit(middle in the grid's axes [u], sum of the values) for cubes of side^3 voxels, 2 or
-  // 4, in a fixed order.
+  // Calls visit(center in grid axes [u], sum of values) for cubes of side^3 voxels, side 2 or 4, in
+  // a fixed order.
   template <class Visit>
   void each_cube(int side, std::span<const float> values, Visit visit) const {
     constexpr int all = DensityGrid::side;
     for (std::size_t block = 0; block < corners_.blocks.size(); ++block) {
-      const float* own = values.data() + block * DensityGrid::block_size;
+      const float* block_values = values.data() + block * DensityGrid::block_size;
       for (int x = 0; x < all; x += side) {
         for (int y = 0; y < all; y += side) {
           for (int z = 0; z < all; z += side) {
@@ -72,10 +70,10 @@ class FitProblem {
             for (int i = 0; i < side * side * side; ++i) {
               const int dx = x + i / (side * side);
               const int dy = y + i / side % side;
-              sum += static_cast<double>(own[(dx * all + dy) * all + z + i % side]);
+              sum += static_cast<double>(block_values[(dx * all + dy) * all + z + i % side]);
             }
-            const glm::dvec3 middle = glm::dvec3(x, y, z) + 0.5 * (side - 1);
-            visit(spacing_ * (glm::dvec3(corners_.blocks[block].corner) + middle), sum);
+            const glm::dvec3 center = glm::dvec3(x, y, z) + 0.5 * (side - 1);
+            visit(spacing_ * (glm::dvec3(corners_.blocks[block].corner) + center), sum);
           }
         }
       }
@@ -83,23 +81,23 @@ class FitProblem {
   }
 
  private:
-  // Calls visit(block) for the blocks that a Gaussian reaches.
+  // Calls visit(block) for the blocks that a Gaussian touches.
   template <class Visit>
   void each_block(const FitGaussian& gaussian, Visit visit) const;
 
-  // A block of residuals: of voxels, or of the middles between them.
+  // A block of residuals: of voxels, or of the centers between them.
   struct Block {
-    glm::dvec3 first;  // its least point [u]
-    float weight;      // root of the residuals' weight
+    glm::dvec3 first;  // minimum corner [u]
+    float weight;      // square root of the weight
   };
 
   glm::dvec3 spacing_;
-  DensityGrid corners_;        // of the blocks of voxels; their values are not used
-  std::vector<Block> blocks_;  // of voxels, then of middles, both in the order of corners_
+  DensityGrid corners_;        // voxel blocks; values unused
+  std::vector<Block> blocks_;  // of voxels, then of centers, both in the order of corners_
   std::vector<float> targets_;
   double sum_of_squares_ = 0.0;
   std::vector<FitGaussian> gaussians_;
-  // Blocks of each Gaussian and Gaussians of each block, as arrays with offsets.
+  // Blocks per Gaussian and Gaussians per block, in compressed rows.
   std::vector<std::size_t> block_offsets_;
   std::vector<std::uint32_t> blocks_of_;
   std::vector<std::size_t> gaussian_offsets_;

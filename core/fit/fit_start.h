@@ -7,9 +7,9 @@
 
 namespace brume {
 
-// Gaussians to begin a fit with: the voxels are split, the group with the greatest moment of
-// inertia first and across its longest axis, until there are `count` groups (or no two voxels are
-// left in one); each group becomes the Gaussian of its mass, centre and extent.
+// Initial Gaussians of a fit: repeatedly splits the group of voxels with the largest moment of
+// inertia across its principal axis, until there are `count` groups (or single voxels); each group
+// becomes a Gaussian of its mass, center and extent.
 std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size_t count);
 
 }  // namespace brume

@@ -58,37 +58,36 @@ class Fitting {
     return std::sqrt(squares_.voxels / std::max(problem_.sum_of_squares(), 1e-300));
   }
 
-  // What is made least: the sum of squares of all residuals.
+  // Objective: the sum of squares of all residuals.
   [[nodiscard]] double squares() const { return squares_.all; }
 
   // Up to `steps` steps, ending early where they no longer help. False when stopped.
-  bool descend(int steps, double error_wanted, double from, double to) {
+  bool descend(int steps, double target_error, double from, double to) {
     for (int i = 0; i < steps; ++i) {
       if (stop_.stop_requested()) return false;
       if (progress_) progress_(from + (to - from) * i / steps);
       const double before = squares_.all;
-      if (error() <= error_wanted) break;
+      if (error() <= target_error) break;
       if (!step()) break;
       if (squares_.all > (1.0 - 1e-4) * before) break;
     }
     return !stop_.stop_requested();
   }
 
-  // Gaussians that are worth least begin anew where most is missing, and all descend again. Where
-  // that is no better after all, all descend without, and fewer begin anew the next time. Returns
-  // false when stopped.
-  bool renew_and_descend(int steps, double error_wanted, double from, double to) {
+  // Moves the least useful Gaussians to where the residual is largest and optimizes again. If that
+  // is no better, reverts and moves fewer next time. False if stopped.
+  bool relocate_and_descend(int steps, double target_error, double from, double to) {
     const std::vector<FitGaussian> gaussians = gaussians_;
     const std::vector<bool> renewed = renewed_;
     const double squares = squares_.all;
-    renew();
-    if (!descend(steps, error_wanted, from, to)) return false;
+    relocate();
+    if (!descend(steps, target_error, from, to)) return false;
     if (squares_.all < squares) return true;
     gaussians_ = gaussians;
     renewed_ = renewed;
     evaluate();
     share_ *= 0.3;
-    return descend(steps, error_wanted, from, to);
+    return descend(steps, target_error, from, to);
   }
 
   void scale_mass() {
@@ -117,7 +116,7 @@ class Fitting {
     problem_.set(gaussians_);
     squares_ = problem_.residuals(residuals_);
   }
-  void renew();
+  void relocate();
   // One accepted step; false if none helps.
   bool step();
   Steps solve(const Steps& gradient, std::span<const double> weights);
@@ -128,7 +127,7 @@ class Fitting {
   const std::function<void(double)>& progress_;
   double sharpest_;
   double damping_;
-  double share_;  // of the Gaussians that may begin anew
+  double share_;  // fraction of Gaussians that may be moved
   std::size_t products_ = 0;
   FitProblem::Squares squares_;
   std::vector<FitGaussian> gaussians_;
@@ -152,7 +151,7 @@ FitStep solve_own(const FitStep& r, double w, double damping) {
 // (J^T J + damping D) x = -gradient by preconditioned conjugate gradients.
 Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   // The model holds only nearby: a more exact solution wins less than another step.
-  constexpr int most = 8;
+  constexpr int max_value = 8;
   constexpr double enough = 0.1;  // of the gradient
   const std::size_t n = gradient.size();
   Steps x(n, FitStep{});
@@ -169,7 +168,7 @@ Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   Steps q(n);
   double rz = dot(r, z);
   const double first = rz;
-  for (int k = 0; k < most && rz > enough * enough * first; ++k) {
+  for (int k = 0; k < max_value && rz > enough * enough * first; ++k) {
     problem_.apply(p, along_);
     problem_.apply_transposed(along_, q);
     products_ += 2;
@@ -206,9 +205,9 @@ bool Fitting::step() {
                  (g.a * g.a * g.a * grid_.voxel_volume());
   }
   // A Gaussian that is almost nothing has no weight to hold it.
-  const double least =
+  const double min_value =
       1e-6 * std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(n);
-  for (double& w : weights) w = std::max(w, least);
+  for (double& w : weights) w = std::max(w, min_value);
 
   const std::vector<FitGaussian> before = gaussians_;
   const double squares_before = squares_.all;
@@ -237,11 +236,11 @@ bool Fitting::step() {
   return false;
 }
 
-void Fitting::renew() {
+void Fitting::relocate() {
   // A Gaussian's neighbours make up for most of its loss.
   constexpr double lost = 0.3;
   const std::size_t n = gaussians_.size();
-  const auto most = static_cast<std::size_t>(share_ * static_cast<double>(n));
+  const auto max_value = static_cast<std::size_t>(share_ * static_cast<double>(n));
   // What a Gaussian is worth: about what the squares would grow by without it, by its own gradient.
   Steps gradient(n);
   problem_.apply_transposed(residuals_, gradient);
@@ -255,7 +254,8 @@ void Fitting::renew() {
   }
   std::sort(worth.begin(), worth.end());
 
-  // Where most is missing, as cubes of voxels: a Gaussian there takes about this off the squares.
+  // Cubes of voxels with the largest residual: a Gaussian there reduces the objective by about
+  // this.
   struct Place {
     double gain;
     FitGaussian gaussian;
@@ -278,7 +278,7 @@ void Fitting::renew() {
   std::set<std::tuple<int, int, int>> cubes;
   std::size_t k = 0;
   for (const Place& place : places) {
-    if (k == most || place.gain < lost * worth[k].first) break;
+    if (k == max_value || place.gain < lost * worth[k].first) break;
     const glm::ivec3 cube(glm::floor(0.25 * (place.gaussian.b / grid_.spacing + 0.5)));
     if (!cubes.emplace(cube.x, cube.y, cube.z).second) continue;
     gaussians_[worth[k].second] = place.gaussian;
@@ -301,10 +301,10 @@ std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& opti
     for (int round = 0; round < rounds; ++round) {
       const double begin = from + (to - from) * round / rounds;
       const double end = begin + (to - from) / rounds;
-      const bool goes_on = round == 0
-                               ? fitting.descend(steps, options.max_error, begin, end)
-                               : fitting.renew_and_descend(steps, options.max_error, begin, end);
-      if (!goes_on) return false;
+      const bool is_continuous =
+          round == 0 ? fitting.descend(steps, options.max_error, begin, end)
+                     : fitting.relocate_and_descend(steps, options.max_error, begin, end);
+      if (!is_continuous) return false;
       if (fitting.error() <= options.max_error) break;
     }
     return true;
@@ -334,9 +334,9 @@ std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Ga
   for (int round = 0; round < rounds; ++round) {
     const double begin = round / static_cast<double>(rounds);
     const double end = (round + 1) / static_cast<double>(rounds);
-    const bool goes_on = round == 0 ? fitting.descend(steps, 0.0, begin, end)
-                                    : fitting.renew_and_descend(steps, 0.0, begin, end);
-    if (!goes_on) return std::nullopt;
+    const bool is_continuous = round == 0 ? fitting.descend(steps, 0.0, begin, end)
+                                          : fitting.relocate_and_descend(steps, 0.0, begin, end);
+    if (!is_continuous) return std::nullopt;
   }
   fitting.scale_mass();
   return Refit{fitting.result(), fitting.renewed()};

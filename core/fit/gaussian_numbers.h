@@ -7,18 +7,18 @@
 
 namespace brume {
 
-// The numbers of a sequence's Gaussians: those of the frame before go on, those that were renewed
-// get numbers that were never used.
+// Persistent ids of a sequence's Gaussians: kept from frame to frame, except that relocated
+// Gaussians get new, unused ids.
 class GaussianNumbers {
  public:
-  // The first frame, or one that has nothing to do with the one before.
+  // Starts a sequence.
   void begin(std::size_t count) {
     ids_.resize(count);
     for (GaussianNumber& id : ids_) id = next_++;
   }
 
-  // The next frame; answers how many are new.
-  std::size_t renew(const std::vector<bool>& renewed) {
+  // Advances to the next frame; returns the number of new ids.
+  std::size_t relocate(const std::vector<bool>& renewed) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < renewed.size(); ++i) {
       if (!renewed[i]) continue;

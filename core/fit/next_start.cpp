@@ -15,13 +15,13 @@ std::vector<Gaussian> next_start(const DensityGrid& next, std::span<const Gaussi
     return problem.residuals(residuals).all;
   };
   std::vector<Gaussian> best(gaussians.begin(), gaussians.end());
-  double least = squares(best);
+  double min_value = squares(best);
   for (int halves = 0; halves <= 10; ++halves) {
     std::vector<Gaussian> moved =
         advected(gaussians, velocity, seconds * std::pow(0.5, 0.5 * halves));
     const double found = squares(moved);
-    if (!(found < least)) continue;
-    least = found;
+    if (!(found < min_value)) continue;
+    min_value = found;
     best = std::move(moved);
   }
   return best;

@@ -9,10 +9,9 @@
 
 namespace brume {
 
-// Gaussians to begin the fit of a sequence's next frame with: those of the frame before, moved with
-// its velocity for the time between both [s]. Solvers store velocities in units of their own and
-// seldom say which, so parts of that time are tried too, down to 1/32 and 0: the one whose result
-// is nearest to the next frame is taken. Gaussian i stays Gaussian i.
+// Initial Gaussians of a sequence's next frame: the previous ones advected by its velocity over the
+// time between them [s]. Since solvers use undocumented velocity units, fractions of that time down
+// to 1/32 and 0 are tried, and the best match to the next frame is used. Preserves the order.
 std::vector<Gaussian> next_start(const DensityGrid& next, std::span<const Gaussian> gaussians,
                                  const VelocityGrid& velocity, double seconds);
 

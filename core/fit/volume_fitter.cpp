@@ -3,13 +3,13 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/fit/next_start.h"
-#include "core/io/volume_file.h"
+#include "core/io/volume/volume_file.h"
 
 namespace brume {
 namespace {
 
 // The fit keeps some 6 kB of each block at hand.
-constexpr std::size_t most_blocks = 200'000;
+constexpr std::size_t max_blocks = 200'000;
 
 // What turns the volume's axes into ours.
 glm::dquat turn(const VolumeFit& how) {
@@ -19,7 +19,7 @@ glm::dquat turn(const VolumeFit& how) {
 
 DensityGrid read(const std::filesystem::path& file, const VolumeFit& how) {
   DensityGrid grid = read_volume(file, how.grid);
-  while (grid.blocks.size() > most_blocks) grid = coarser(grid);
+  while (grid.blocks.size() > max_blocks) grid = coarser(grid);
   for (DensityGrid::Block& block : grid.blocks) {
     for (float& value : block.values) value *= static_cast<float>(how.density_scale);
   }
@@ -46,7 +46,7 @@ std::optional<FittedVolume> VolumeFitter::next(const std::filesystem::path& file
     auto refit = refit_gaussians(fitted.grid, last_, stop, progress);
     if (!refit) return std::nullopt;
     fitted.fit = std::move(refit->fit);
-    fitted.renewed = numbers_.renew(refit->renewed);
+    fitted.renewed = numbers_.relocate(refit->renewed);
   }
   last_ = fitted.fit.gaussians;
   last_file_ = file;

@@ -15,24 +15,23 @@
 
 namespace brume {
 
-// How a volume becomes Gaussians.
+// Parameters of fitting a volume.
 struct VolumeFit {
   std::string grid = "density";
   FitOptions options;
-  double density_scale = 1.0;       // what a density of 1 scatters [1/u]
-  bool z_up = false;                // z is turned to y
-  double frames_per_second = 30.0;  // of a sequence whose volumes have velocities
+  double density_scale = 1.0;       // scattering coefficient of density 1 [1/u]
+  bool z_up = false;                // rotates z to y
+  double frames_per_second = 30.0;  // for sequences with velocities
 };
 
 struct FittedVolume {
-  DensityGrid grid;  // as it was fitted
+  DensityGrid grid;  // as fitted
   Fit fit;
-  std::size_t renewed = 0;  // Gaussians that did not go on from the frame before
+  std::size_t renewed = 0;  // Gaussians without a predecessor in the previous frame
 };
 
-// Fits the OpenVDB files of a sequence one after the other, or just one: each frame starts from the
-// Gaussians of the one before, moved with its velocity. A grid of more than 200,000 blocks is
-// fitted at half its resolution, again and again.
+// Fits one OpenVDB file, or those of a sequence in order, each starting from the previous frame's
+// advected Gaussians. Grids of more than 200,000 blocks are downsampled by two until they fit.
 class VolumeFitter {
  public:
   explicit VolumeFitter(VolumeFit how) : how_(std::move(how)) {}
@@ -42,12 +41,12 @@ class VolumeFitter {
                                    const std::stop_token& stop = {},
                                    const std::function<void(double)>& progress = {});
 
-  // Of the last frame, one for each Gaussian; each keeps its own from frame to frame.
+  // Persistent ids of the last frame's Gaussians.
   [[nodiscard]] std::span<const GaussianNumber> ids() const { return numbers_.ids(); }
 
  private:
   VolumeFit how_;
-  std::vector<Gaussian> last_;  // of the frame before, and what moves them
+  std::vector<Gaussian> last_;  // previous frame
   std::filesystem::path last_file_;
   GaussianNumbers numbers_;
 };

@@ -7,33 +7,30 @@
 
 namespace brume {
 
-// Where the bytes of a file go: the end of a chain of symbolic links, which need not exist yet.
-// Throws InputError where the chain has no end.
+// Resolves a chain of symbolic links; the target need not exist. Throws InputError for a cycle.
 std::filesystem::path link_target(const std::filesystem::path& file);
 
-// Throws InputError if `file` cannot be written: its folder is missing or not writable, or it is
-// a folder or a device itself. Asked before long work whose result would be lost.
+// Throws InputError if `file` cannot be written: its folder is missing or read-only, or it is a
+// folder or device. Call before long work.
 void check_writable(const std::filesystem::path& file);
 
-// Writes a file so that `file` holds either its old content or the complete new one: `write` gets
-// the path of a temporary file beside it, which then takes the place of `file`. An existing file
-// keeps its permissions, a symbolic link stays and its target is written. If `write` throws the
-// temporary file is removed and the exception goes on. Throws InputError if the folder cannot be
-// written.
+// Replaces a file atomically: `write` writes a temporary file beside it, which is then renamed.
+// Preserves permissions and symbolic links (the target is replaced). If `write` throws, the
+// temporary file is removed and the exception propagates. Throws InputError if the folder is not
+// writable.
 void write_atomically(const std::filesystem::path& file,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 
-// The same through a stream, for all that can write to one: every write, the flush and the close
-// are checked. The stream throws std::ios_base::failure; it may get lost in `write`, the error does
-// not.
+// The same through a stream: every write, flush and close is checked. The stream throws
+// std::ios_base::failure; should `write` swallow it, the error is still reported.
 void write_atomically(const std::filesystem::path& file,
                       const std::function<void(std::ostream& out)>& write);
 
-// The same for content that is at hand.
+// The same for given content.
 void write_atomically(const std::filesystem::path& file, std::string_view content);
 
-// Waits until the names in a folder are on the disk, as their files are when they were written as
-// above: a crash later on leaves them. Throws InputError where the disk says no.
+// Flushes a folder's entries to disk, so that files written as above survive a crash. Throws
+// InputError.
 void flush_folder(const std::filesystem::path& folder);
 
 }  // namespace brume

@@ -11,11 +11,11 @@
 
 namespace brume {
 
-// The bytes of a file one after the other; numbers are little-endian. What would go beyond the end
-// throws an InputError naming file and byte: a count that lies costs nothing.
+// Reads a file's bytes sequentially; numbers are little-endian. Reading past the end throws an
+// InputError naming file and byte, so false counts cost nothing.
 class ByteReader {
  public:
-  // `bytes` must live as long as this.
+  // `bytes` must outlive this.
   ByteReader(std::filesystem::path file, std::string_view bytes)
       : file_(std::move(file)), bytes_(bytes) {}
 
@@ -25,7 +25,7 @@ class ByteReader {
     position_ = static_cast<std::size_t>(position);
   }
 
-  std::string_view take(std::uint64_t count) {
+  std::string_view read_bytes(std::uint64_t count) {
     if (count > bytes_.size() - position_) {
       fail("needs " + std::to_string(count) + " bytes; the file ends before");
     }
@@ -38,7 +38,7 @@ class ByteReader {
   Number number() {
     static_assert(std::endian::native == std::endian::little);
     Number value;
-    std::memcpy(&value, take(sizeof(Number)).data(), sizeof(Number));
+    std::memcpy(&value, read_bytes(sizeof(Number)).data(), sizeof(Number));
     return value;
   }
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "core/error.h"
-#include "core/io/limits.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace fs = std::filesystem;

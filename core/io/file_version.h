@@ -8,15 +8,14 @@
 
 namespace brume {
 
-// What a file holds, as a number: two versions are the same if their contents are. To notice that
-// another program has written a file since it was read here.
+// A fingerprint of a file's content, to detect that another program has changed it.
 class FileVersion {
  public:
   static FileVersion of_content(std::string_view content);
-  // Nothing where there is no such file, or it cannot be read.
+  // nullopt if missing or unreadable.
   static std::optional<FileVersion> read(const std::filesystem::path& file);
 
-  // As text, and back; nothing where the text is none.
+  // Conversion to text and back; nullopt for other text.
   [[nodiscard]] std::string text() const;
   static std::optional<FileVersion> parse(const std::string& text);
 

@@ -9,7 +9,7 @@ namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t most_digits = 9;
+constexpr std::size_t max_digits = 9;
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -58,7 +58,7 @@ std::optional<FramePattern> FramePattern::around(const std::string& file) {
                    file.rend() - static_cast<std::ptrdiff_t>(name), is_digit);
   const auto end = static_cast<std::size_t>(file.rend() - last);
   std::size_t begin = end;
-  while (begin > name && end - begin < most_digits && is_digit(file[begin - 1])) --begin;
+  while (begin > name && end - begin < max_digits && is_digit(file[begin - 1])) --begin;
   if (begin == end) return std::nullopt;
   const std::string width = std::to_string(end - begin);
   const bool is_padded = file[begin] == '0';
@@ -68,7 +68,7 @@ std::optional<FramePattern> FramePattern::around(const std::string& file) {
   return pattern;
 }
 
-std::string FramePattern::of(int frame) const {
+std::string FramePattern::file_of(int frame) const {
   const std::string digits = std::to_string(frame);
   const std::string zeros(width_ > digits.size() ? width_ - digits.size() : 0, '0');
   return before_ + zeros + digits + after_;
@@ -84,11 +84,11 @@ std::vector<int> FramePattern::frames() const {
     if (file.size() <= before_.size() + after_.size() || !file.starts_with(before_)) continue;
     const std::string digits =
         file.substr(before_.size(), file.size() - before_.size() - after_.size());
-    if (digits.size() > most_digits || !std::all_of(digits.begin(), digits.end(), is_digit)) {
+    if (digits.size() > max_digits || !std::all_of(digits.begin(), digits.end(), is_digit)) {
       continue;
     }
     const auto number = parse_integer(digits);
-    if (number && of(static_cast<int>(*number)) == file) {
+    if (number && file_of(static_cast<int>(*number)) == file) {
       found.push_back(static_cast<int>(*number));
     }
   }

@@ -6,21 +6,21 @@
 
 namespace brume {
 
-// File names of a sequence: one "%d" or "%04d" (any width up to 9) stands for the frame's number.
+// File names of a sequence: one "%d" or "%04d" (width up to 9) is replaced by the frame number.
 class FramePattern {
  public:
-  // nullopt where `text` has not exactly one.
+  // nullopt unless `text` has exactly one placeholder.
   static std::optional<FramePattern> parse(const std::string& text);
-  // That of the files that `file` is one of: the last digits of its name are the frame's number.
-  // nullopt where there are none, or no other such file.
+  // The pattern that `file` belongs to: the last digits of its name are the frame number. nullopt
+  // if there are none or no other such file.
   static std::optional<FramePattern> around(const std::string& file);
 
   [[nodiscard]] std::string text() const { return before_ + place_ + after_; }
-  [[nodiscard]] std::string of(int frame) const;  // >= 0
-  // The numbers of the files that are there, ascending.
+  [[nodiscard]] std::string file_of(int frame) const;  // >= 0
+  // Numbers of existing files, ascending.
   [[nodiscard]] std::vector<int> frames() const;
 
-  // Whether there is such a place at all.
+  // Whether the text has a placeholder.
   static bool is_pattern(const std::string& text);
 
  private:

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
-#include "core/io/number_domain.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -39,7 +39,7 @@ std::shared_ptr<const MeasuredBrdf> read_merl(const std::filesystem::path& file)
                          std::to_string(file_size) + ", the size of a MERL .binary");
   }
   const std::string bytes = read_bytes(file);
-  if (bytes.size() != file_size) throw InputError(file, "", "cannot be read to its end");
+  if (bytes.size() != file_size) throw InputError(file, "", "cannot be read completely");
   std::vector<glm::vec3> values(MeasuredBrdf::samples);
   const char* at = bytes.data() + header_size;
   for (int color = 0; color < 3; ++color) {
@@ -48,7 +48,7 @@ std::shared_ptr<const MeasuredBrdf> read_merl(const std::filesystem::path& file)
       std::memcpy(&value, at, sizeof(double));
       if (!(std::abs(value) <= 1e12)) {
         throw InputError(file, "sample " + std::to_string(i),
-                         "found " + shown(value) + "; allowed: a number from -1e12 to 1e12");
+                         "found " + quoted_text(value) + "; allowed: a number from -1e12 to 1e12");
       }
       values[i][color] = static_cast<float>(value * scale[static_cast<std::size_t>(color)]);
     }

@@ -84,7 +84,7 @@ class Values {
   Values(std::string_view data, bool ascii, bool swap)
       : text_(data), data_(data), ascii_(ascii), swap_(swap) {}
 
-  // Nothing where the data ends or is no number; found() then says what stands there.
+  // nullopt at the end of data or for invalid numbers; found() then quotes what is there.
   std::optional<double> next(Type type) {
     if (ascii_) {
       token_ = text_.token_ahead();
@@ -97,8 +97,8 @@ class Values {
     return value;
   }
 
-  // Whether what is left can hold `count` values of this type: an ascii value takes a character
-  // and, but for the last, a separator.
+  // Whether the remaining bytes can hold `count` values of this type: an ascii value needs a
+  // character and, except the last, a separator.
   [[nodiscard]] bool can_hold(double count, std::size_t size) const {
     if (!ascii_) return count * static_cast<double>(size) <= static_cast<double>(data_.size());
     const std::size_t left = text_.rest_of_line().size() + text_.rest_of_text().size() + 1;
@@ -106,7 +106,7 @@ class Values {
   }
 
   [[nodiscard]] std::string found() const {
-    return ascii_ && !token_.empty() ? "found " + shown(token_) : "the file ends here";
+    return ascii_ && !token_.empty() ? "found " + quoted_text(token_) : "the file ends here";
   }
 
  private:
@@ -154,7 +154,7 @@ PlyFile::PlyFile(std::filesystem::path file, std::string_view bytes) : file_(std
       } else if (name == "binary_big_endian") {
         format_ = Format::big;
       } else {
-        fail("found format " + shown(name) +
+        fail("found format " + quoted_text(name) +
              "; allowed: ascii, binary_little_endian, binary_big_endian");
       }
     } else if (keyword == "element") {
@@ -162,7 +162,8 @@ PlyFile::PlyFile(std::filesystem::path file, std::string_view bytes) : file_(std
       element.name = header.next_token();
       const std::string_view count = header.next_token();
       const std::optional<std::int64_t> parsed = parse_integer(count);
-      if (!parsed || *parsed < 0) fail("found a count of " + shown(count) + "; allowed: >= 0");
+      if (!parsed || *parsed < 0)
+        fail("found a count of " + quoted_text(count) + "; allowed: >= 0");
       element.count = static_cast<std::uint64_t>(*parsed);
       elements_.push_back(std::move(element));
     } else if (keyword == "property") {
@@ -172,17 +173,17 @@ PlyFile::PlyFile(std::filesystem::path file, std::string_view bytes) : file_(std
       if (type == "list") {
         const std::string_view count_type = header.next_token();
         property.list_count = type_named(count_type);
-        if (!property.list_count) fail("unknown type " + shown(count_type));
+        if (!property.list_count) fail("unknown type " + quoted_text(count_type));
         type = header.next_token();
       }
       const std::optional<Type> known = type_named(type);
-      if (!known) fail("unknown type " + shown(type));
+      if (!known) fail("unknown type " + quoted_text(type));
       property.type = *known;
       property.name = header.next_token();
       if (property.name.empty()) fail("a property without a name");
       elements_.back().properties.push_back(std::move(property));
     } else {
-      fail("unknown keyword " + shown(keyword));
+      fail("unknown keyword " + quoted_text(keyword));
     }
   }
   if (!have_format) fail("the header has no format line");
@@ -204,15 +205,15 @@ void PlyFile::for_each_row(const Visit& visit) const {
         (row_size == 0 ||
          !values.can_hold(static_cast<double>(element.count) * static_cast<double>(row_size), 1))) {
       throw InputError(
-          file_, "element " + shown(element.name),
+          file_, "element " + quoted_text(element.name),
           "found a count of " + std::to_string(element.count) + "; the file is too short for it");
     }
     row.scalars.assign(element.properties.size(), 0.0);
     row.lists.resize(element.properties.size());
     for (std::uint64_t index = 0; index < element.count; ++index) {
       const auto fail = [&](const Property& property, const std::string& message) {
-        throw InputError(file_, shown(element.name) + " " + std::to_string(index),
-                         shown(property.name) + ": " + message);
+        throw InputError(file_, quoted_text(element.name) + " " + std::to_string(index),
+                         quoted_text(property.name) + ": " + message);
       };
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const Property& property = element.properties[p];

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// A PLY file as generic rows of numbers: ascii, binary little-endian or binary big-endian.
+// A PLY file as generic rows of numbers: ascii, binary little-endian or big-endian.
 class PlyFile {
  public:
   enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -19,7 +19,7 @@ class PlyFile {
   struct Property {
     std::string name;
     Type type = Type::float32;
-    std::optional<Type> list_count;  // of a list: the type of its length
+    std::optional<Type> list_count;  // for lists: type of the length
   };
 
   struct Element {
@@ -30,20 +30,20 @@ class PlyFile {
     [[nodiscard]] std::optional<std::size_t> property(std::string_view name) const;
   };
 
-  // One row: by property index, a scalar's value and a list's values.
+  // One row: scalars and lists by property index.
   struct Row {
     std::vector<double> scalars;
     std::vector<std::vector<double>> lists;
   };
 
-  // Reads the header; `bytes` must live as long as this. Throws InputError.
+  // Reads the header; `bytes` must outlive this. Throws InputError.
   PlyFile(std::filesystem::path file, std::string_view bytes);
 
   [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
   [[nodiscard]] const Element* element(std::string_view name) const;
 
-  // Calls `visit` for each row of each element in the order of the file. Throws InputError naming
-  // element and row where the data ends early, is no number or a count is absurd.
+  // Calls `visit` for each row of each element in file order. Throws InputError naming element and
+  // row for truncated or invalid data.
   using Visit = std::function<void(const Element& element, std::uint64_t index, const Row& row)>;
   void for_each_row(const Visit& visit) const;
 

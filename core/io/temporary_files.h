@@ -4,13 +4,13 @@
 
 namespace brume {
 
-// The name of a file or folder that goes where a signal ends the program. Named before it is made,
-// so that no moment is left in which a signal would leave it behind.
+// Registers a file or folder for removal when a signal ends the program. Register before creating
+// it, so no signal can leave it behind.
 class TemporaryName {
  public:
   TemporaryName() = default;
   explicit TemporaryName(const std::filesystem::path& path);
-  ~TemporaryName();  // forgets the name; what bears it stays
+  ~TemporaryName();  // unregisters; the file stays
   TemporaryName(TemporaryName&& other) noexcept;
   TemporaryName& operator=(TemporaryName&& other) noexcept;
 
@@ -18,9 +18,8 @@ class TemporaryName {
   int slot_ = -1;
 };
 
-// Of SIGINT, SIGTERM and SIGHUP, where they are not ignored: removes what has a TemporaryName, then
-// lets the signal end the program as it does by itself. SIGXFSZ is ignored: writing beyond the
-// limit then fails as it does on a full disk.
+// Handles SIGINT, SIGTERM and SIGHUP unless ignored: removes registered files, then lets the signal
+// end the program. Ignores SIGXFSZ, so that writing beyond the limit fails like a full disk.
 void remove_temporary_files_on_signals();
 
 }  // namespace brume

@@ -58,7 +58,7 @@ std::optional<std::int64_t> parse_integer(std::string_view token) {
   return parse<std::int64_t>(token);
 }
 
-std::string shown(std::string_view text, std::size_t longest) {
+std::string quoted_text(std::string_view text, std::size_t longest) {
   if (text.empty()) return "nothing";
   if (text.size() <= longest) return std::string(text);
   std::size_t end = longest;

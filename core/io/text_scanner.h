@@ -8,15 +8,15 @@
 
 namespace brume {
 
-// Walks through a text line by line and token by token (separated by white space). Lines end with
-// \n or \r\n and are counted from 1.
+// Scans a text by lines and white-space-separated tokens. Lines end with \n or \r\n and are counted
+// from 1.
 class TextScanner {
  public:
   explicit TextScanner(std::string_view text) : rest_(text) {}
 
   bool next_line();                // false at the end of the text
   std::string_view next_token();   // of this line; empty at its end
-  std::string_view token_ahead();  // of this or a following line; empty at the end of the text
+  std::string_view token_ahead();  // of this or a later line; empty at the end of the text
 
   [[nodiscard]] std::string_view rest_of_line() const { return line_; }
   [[nodiscard]] std::size_t line_number() const { return number_; }
@@ -29,11 +29,11 @@ class TextScanner {
   std::size_t number_ = 0;
 };
 
-// The number that is the whole of `token`, or nothing. NaN and infinity are read as such.
+// Parses the whole token as a number; nullopt otherwise. Accepts NaN and infinity.
 std::optional<double> parse_number(std::string_view token);
 std::optional<std::int64_t> parse_integer(std::string_view token);
 
-// A value from a file as an error message shows it: in one piece and not too long.
-std::string shown(std::string_view text, std::size_t longest = 60);
+// Input text as quoted in error messages: printable and truncated.
+std::string quoted_text(std::string_view text, std::size_t longest = 60);
 
 }  // namespace brume

@@ -9,7 +9,7 @@
 
 namespace brume {
 
-// An integral with the estimate of its absolute error.
+// An integral with an estimate of its absolute error.
 template <class Real>
 struct Integral {
   Real value = 0;

@@ -9,7 +9,7 @@
 namespace brume {
 namespace {
 
-constexpr auto bands = static_cast<std::size_t>(sh_most_bands);
+constexpr auto bands = static_cast<std::size_t>(sh_max_bands);
 
 }  // namespace
 
@@ -76,11 +76,11 @@ constexpr double rounding = 1e-13;
 
 // By a quadrature that is exact for it.
 std::vector<ShElement> quarter_turn() {
-  constexpr std::size_t size = sh_size(sh_most_bands);
+  constexpr std::size_t size = sh_size(sh_max_bands);
   std::array<double, size * size> matrix{};
-  for (const auto& [d, weight] : sphere_rule(2 * (sh_most_bands - 1))) {
-    const ShVector<double> to = sh_basis(sh_most_bands, d);
-    const ShVector<double> from = sh_basis(sh_most_bands, glm::dvec3(d.x, d.z, -d.y));
+  for (const auto& [d, weight] : sphere_rule(2 * (sh_max_bands - 1))) {
+    const ShVector<double> to = sh_basis(sh_max_bands, d);
+    const ShVector<double> from = sh_basis(sh_max_bands, glm::dvec3(d.x, d.z, -d.y));
     for (std::size_t k = 0; k < matrix.size(); ++k) {
       matrix[k] += weight * to[k / size] * from[k % size];
     }
@@ -150,10 +150,10 @@ namespace {
 
 // By a quadrature that is exact for products of three harmonics.
 std::vector<ShTriple> all_triples() {
-  constexpr std::size_t size = sh_size(sh_most_bands);
+  constexpr std::size_t size = sh_size(sh_max_bands);
   std::vector<ShVector<double>> y;
-  const std::vector<SphereNode> rule = sphere_rule(3 * (sh_most_bands - 1));
-  for (const SphereNode& node : rule) y.push_back(sh_basis(sh_most_bands, node.direction));
+  const std::vector<SphereNode> rule = sphere_rule(3 * (sh_max_bands - 1));
+  for (const SphereNode& node : rule) y.push_back(sh_basis(sh_max_bands, node.direction));
   std::vector<ShTriple> triples;
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < size; ++j) {
@@ -176,9 +176,9 @@ using TriplesByOrder = std::array<std::vector<ShTriple>, bands + 1>;
 TriplesByOrder triples_by_order() {
   TriplesByOrder lists;
   for (const ShTriple& triple : all_triples()) {
-    const auto greatest = static_cast<std::size_t>(std::max({triple.i, triple.j, triple.k}));
+    const auto max_value = static_cast<std::size_t>(std::max({triple.i, triple.j, triple.k}));
     for (std::size_t order = 1; order <= bands; ++order) {
-      if (greatest < order * order) lists[order].push_back(triple);
+      if (max_value < order * order) lists[order].push_back(triple);
     }
   }
   return lists;
@@ -187,13 +187,13 @@ TriplesByOrder triples_by_order() {
 }  // namespace
 
 std::span<const ShTriple> sh_triples(int order) {
-  assert(1 <= order && order <= sh_most_bands);
+  assert(1 <= order && order <= sh_max_bands);
   static const TriplesByOrder lists = triples_by_order();
   return lists[static_cast<std::size_t>(order)];
 }
 
 double sh_triple(std::size_t i, std::size_t j, std::size_t k) {
-  for (const ShTriple& triple : sh_triples(sh_most_bands)) {
+  for (const ShTriple& triple : sh_triples(sh_max_bands)) {
     if (triple.i == i && triple.j == j && triple.k == k) return triple.value;
   }
   return 0.0;

@@ -16,7 +16,7 @@ namespace brume {
 // Y_1-1 = +0.4886 y, Y_10 = 0.4886 z. A function on the sphere has one coefficient for each l, m at
 // index l (l + 1) + m; `order` is the number of bands, l < order, from 1 to 6.
 
-inline constexpr int sh_most_bands = 6;
+inline constexpr int sh_max_bands = 6;
 
 constexpr std::size_t sh_index(int l, int m) {
   return static_cast<std::size_t>(l * (l + 1) + m);
@@ -30,7 +30,7 @@ template <class Value>
 class ShVector {
  public:
   explicit ShVector(int order = 0) : order_(order) {
-    assert(0 <= order && order <= sh_most_bands);
+    assert(0 <= order && order <= sh_max_bands);
     values_.fill(Value(0));
   }
 
@@ -42,12 +42,12 @@ class ShVector {
 
  private:
   int order_;
-  std::array<Value, sh_size(sh_most_bands)> values_;
+  std::array<Value, sh_size(sh_max_bands)> values_;
 };
 
 // The m = 0 coefficients, l = 0 to 5, of a function that depends only on the angle to +z.
 template <class Real>
-using ZonalSh = std::array<Real, sh_most_bands>;
+using ZonalSh = std::array<Real, sh_max_bands>;
 
 // All Y_lm at a unit direction, which are also the coefficients of a delta function there
 // (eq. 24). By the three-term recurrence in z, stable at the poles; absolute error at most 2e-14
@@ -61,10 +61,10 @@ ShVector<Real> sh_basis(int order, const glm::vec<3, Real, glm::defaultp>& direc
 //   q_lm = up[l][m] (z q_l-1,m - down[l][m] q_l-2,m).
 // `start` has the factor sqrt(2) of the real harmonics with m != 0 in it.
 struct ShRecurrence {
-  using Row = std::array<double, sh_most_bands>;
+  using Row = std::array<double, sh_max_bands>;
   Row start{};
-  std::array<Row, sh_most_bands> up{};
-  std::array<Row, sh_most_bands> down{};
+  std::array<Row, sh_max_bands> up{};
+  std::array<Row, sh_max_bands> down{};
 
   ShRecurrence();
 };

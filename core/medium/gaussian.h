@@ -15,10 +15,10 @@ struct Gaussian {
   bool operator==(const Gaussian&) const = default;
 };
 
-// Names a Gaussian for as long as its medium lives; ids are never used twice in one medium.
+// Identifies a Gaussian in its medium; ids are never reused.
 using GaussianId = std::uint64_t;
 
-// What a Gaussian of a sequence of files keeps from frame to frame.
+// Persistent id of a Gaussian across the frames of a sequence.
 using GaussianNumber = std::uint32_t;
 
 }  // namespace brume

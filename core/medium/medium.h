@@ -14,9 +14,9 @@ class MediumEdit;
 
 // A scattering medium: b(x) = homogeneous_density + sum of Gaussians (eqs. 1 and 2 of the paper).
 //
-// Gaussians live in parallel arrays, ordered by id, and ids only grow; so an id is found by
-// binary search and a Gaussian taken out and put back lands where it was. A medium is filled
-// with append() when it is made or loaded, and changed only by MediumEdit (undo relies on it).
+// A structure of arrays ordered by id; ids only grow. So lookup is a binary search, and a Gaussian
+// that is removed and restored returns to its place. Filled with append() on creation, modified
+// only by MediumEdit (undo relies on it).
 class Medium {
  public:
   [[nodiscard]] std::size_t size() const { return ids_.size(); }
@@ -42,7 +42,7 @@ class Medium {
   GaussianId append(const Gaussian& gaussian);
   void reserve(std::size_t count);
 
-  // Same Gaussians under the same ids and the same b0; what ids come next does not matter.
+  // Equal Gaussians, ids and b0; the next id does not matter.
   bool operator==(const Medium& other) const;
 
  private:

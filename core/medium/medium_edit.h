@@ -9,9 +9,9 @@
 
 namespace brume {
 
-// A change of a medium as a value: what was added, removed and changed. It holds both sides of
-// every change, so inverted() is a swap and applying an edit and then its inverse restores the
-// medium exactly. Its size is that of the change, not of the medium.
+// A change of a medium as a value: Gaussians added, removed and changed. It stores both sides, so
+// inverted() is a swap, and applying an edit and its inverse restores the medium exactly. Its size
+// is that of the change.
 class MediumEdit {
  public:
   struct Entry {
@@ -24,10 +24,10 @@ class MediumEdit {
     Gaussian after;
   };
 
-  // Makers. Ids that the medium does not hold are a broken invariant (assert).
+  // Factories. Ids must be in the medium (assert).
   static MediumEdit add(const Medium& medium, std::span<const Gaussian> gaussians);
   static MediumEdit remove(const Medium& medium, std::span<const GaussianId> ids);
-  // after[k] is the new value of ids[k]; a Gaussian that stays as it is makes no change.
+  // after[k] is the new value of ids[k]; unchanged Gaussians are skipped.
   static MediumEdit change(const Medium& medium, std::span<const GaussianId> ids,
                            std::span<const Gaussian> after);
   static MediumEdit set_homogeneous_density(const Medium& medium, double b0);
@@ -36,8 +36,8 @@ class MediumEdit {
   [[nodiscard]] MediumEdit inverted() const;
   void apply(Medium& medium) const;
 
-  // Makes this edit followed by `later` into one edit, for drags and strokes that are one step.
-  // What comes back to where it was leaves nothing. Costs the size of both edits.
+  // Appends a later edit, for drags and strokes that are one undo step. Changes that cancel are
+  // dropped. Linear in the size of both.
   void merge(const MediumEdit& later);
 
   [[nodiscard]] const std::vector<Entry>& added() const { return added_; }
@@ -45,7 +45,7 @@ class MediumEdit {
   [[nodiscard]] const std::vector<Change>& changed() const { return changed_; }
 
  private:
-  // What an edit does to one Gaussian; nullopt: it is not there.
+  // One Gaussian before and after; nullopt: absent.
   struct Step {
     GaussianId id = 0;
     std::optional<Gaussian> before;

@@ -19,10 +19,10 @@ namespace {
 
 // What the whole search may cost, in evaluations of one Gaussian at a point or along a line: some
 // seven seconds of one thread, however many Gaussians there are.
-constexpr std::size_t most_evaluations = 200'000'000;
+constexpr std::size_t max_evaluations = 200'000'000;
 
-// How many sums over all Gaussians each part of the search takes: first all `directions` through
-// each of `centers`, then `steps` from each of the `starts` best lines. The two share the budget.
+// Number of sums over all Gaussians per part of the search: first all `directions` through each of
+// `centers`, then `steps` from each of the `starts` best lines. The two share the budget.
 struct SearchSize {
   std::size_t centers;
   std::size_t directions;
@@ -31,9 +31,9 @@ struct SearchSize {
 };
 
 SearchSize search_size(std::size_t gaussians) {
-  const std::size_t half = most_evaluations / gaussians / 2;
+  const std::size_t half = max_evaluations / gaussians / 2;
   SearchSize size{};
-  // A centre also takes its density.
+  // A center also costs a density evaluation.
   size.centers =
       std::clamp<std::size_t>(half / (64 + 1), 1, std::min<std::size_t>(gaussians, 1024));
   size.directions = std::clamp<std::size_t>(half / size.centers, 2, 64 + 1) - 1;
@@ -69,11 +69,11 @@ double optical_depth_of_line(const Medium& medium, const glm::dvec3& point, cons
 }
 
 // Moves a line sideways (in units of `size`) and turns it as long as it gets deeper, by ever
-// smaller steps, of which it tries `most_steps` at most.
-Line deepest_nearby(const Medium& medium, Line line, double size, std::size_t most_steps) {
+// smaller steps, of which it tries `max_steps` at most.
+Line deepest_nearby(const Medium& medium, Line line, double size, std::size_t max_steps) {
   constexpr std::size_t moves = 8;  // tried in each round
   double step = 0.25;
-  for (std::size_t tried = 0; tried + moves <= most_steps && step > 1e-3; tried += moves) {
+  for (std::size_t tried = 0; tried + moves <= max_steps && step > 1e-3; tried += moves) {
     const glm::dvec3& w = line.direction;
     const glm::dvec3 u = glm::normalize(
         glm::cross(w, std::abs(w.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
@@ -105,19 +105,19 @@ double density_at(const Medium& medium, const glm::dvec3& point) {
 }
 
 template <typename Function>
-double greatest_of(std::size_t count, Function&& function) {
+double max_of(std::size_t count, Function&& function) {
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, count), 0.0,
-      [&](const tbb::blocked_range<std::size_t>& range, double greatest) {
+      [&](const tbb::blocked_range<std::size_t>& range, double max_value) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          greatest = std::max(greatest, function(i));
+          max_value = std::max(max_value, function(i));
         }
-        return greatest;
+        return max_value;
       },
       [](double a, double b) { return std::max(a, b); });
 }
 
-// The indices of the Gaussians with the greatest optical depth of their own.
+// Indices of the Gaussians of largest optical depth.
 std::vector<std::size_t> thickest(const Medium& medium, std::size_t count) {
   std::vector<std::size_t> order(medium.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -140,22 +140,22 @@ MediumSummary summarize(const Medium& medium) {
   const std::size_t size = medium.size();
   if (size == 0) return summary;
 
-  summary.least_center = summary.greatest_center = medium.centers()[0];
-  summary.least_radius = summary.greatest_radius = medium.radii()[0];
-  summary.least_extent = summary.greatest_extent = medium.centers()[0];
+  summary.min_center = summary.max_center = medium.centers()[0];
+  summary.min_radius = summary.max_radius = medium.radii()[0];
+  summary.min_extent = summary.max_extent = medium.centers()[0];
   for (std::size_t i = 0; i < size; ++i) {
     const auto [center, radius, density] = medium.gaussian(i);
-    summary.least_center = glm::min(summary.least_center, center);
-    summary.greatest_center = glm::max(summary.greatest_center, center);
-    summary.least_extent = glm::min(summary.least_extent, center - 2.0 * radius);
-    summary.greatest_extent = glm::max(summary.greatest_extent, center + 2.0 * radius);
-    summary.least_radius = std::min(summary.least_radius, radius);
-    summary.greatest_radius = std::max(summary.greatest_radius, radius);
+    summary.min_center = glm::min(summary.min_center, center);
+    summary.max_center = glm::max(summary.max_center, center);
+    summary.min_extent = glm::min(summary.min_extent, center - 2.0 * radius);
+    summary.max_extent = glm::max(summary.max_extent, center + 2.0 * radius);
+    summary.min_radius = std::min(summary.min_radius, radius);
+    summary.max_radius = std::max(summary.max_radius, radius);
   }
 
   const SearchSize search = search_size(size);
   const std::vector<std::size_t> centers = thickest(medium, search.centers);
-  summary.peak_density = std::max(summary.peak_density, greatest_of(centers.size(), [&](auto i) {
+  summary.peak_density = std::max(summary.peak_density, max_of(centers.size(), [&](auto i) {
                                     return density_at(medium, medium.centers()[centers[i]]);
                                   }));
 
@@ -167,8 +167,8 @@ MediumSummary summarize(const Medium& medium) {
   });
   std::partial_sort(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(search.starts),
                     lines.end(), [](const Line& a, const Line& b) { return a.depth > b.depth; });
-  summary.greatest_optical_depth = greatest_of(search.starts, [&](std::size_t i) {
-    return deepest_nearby(medium, lines[i], summary.greatest_radius, search.steps).depth;
+  summary.max_optical_depth = max_of(search.starts, [&](std::size_t i) {
+    return deepest_nearby(medium, lines[i], summary.max_radius, search.steps).depth;
   });
   return summary;
 }

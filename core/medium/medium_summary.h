@@ -6,24 +6,23 @@
 
 namespace brume {
 
-// What a medium holds, in numbers. The zeros stand where it has no Gaussians.
+// Statistics of a medium; zero without Gaussians.
 struct MediumSummary {
-  glm::dvec3 least_center{0.0};  // bounds of the centres [u]
-  glm::dvec3 greatest_center{0.0};
-  glm::dvec3 least_extent{0.0};  // bounds of centre -+ 2 radius, beyond which 2% of a peak is left
-  glm::dvec3 greatest_extent{0.0};
-  double least_radius = 0.0;  // [u]
-  double greatest_radius = 0.0;
-  double peak_density = 0.0;            // the greatest b(x) found at a centre, with b0 [1/u]
-  double greatest_optical_depth = 0.0;  // of the Gaussians alone, along a whole line
+  glm::dvec3 min_center{0.0};  // bounds of the centers [u]
+  glm::dvec3 max_center{0.0};
+  glm::dvec3 min_extent{0.0};  // bounds of center -+ 2 radius, where 2% of the peak density is left
+  glm::dvec3 max_extent{0.0};
+  double min_radius = 0.0;  // [u]
+  double max_radius = 0.0;
+  double peak_density = 0.0;       // maximum b(x) found at a center, with b0
+  double max_optical_depth = 0.0;  // maximum along a line, without b0
 };
 
-// The last two are found by search, so they are lower bounds: the density at the centres, and the
-// optical depth along lines through the centres in 64 directions spread evenly over the half
-// sphere, the best of which are moved and turned until no small step makes them deeper. The search
-// evaluates at most 2e8 Gaussians in all. Where there are many, only the centres of the greatest
-// radius * density (the optical depth of one Gaussian) are tried, and fewer directions and steps:
-// of ten million Gaussians, one centre, nine directions and one round of steps. Deterministic.
+// The last two are lower bounds found by search: the density at centers, and the optical depth
+// along lines through centers in 64 directions over the hemisphere, the best of which are refined
+// by local search. At most 2e8 Gaussian evaluations: large media try only the centers of the
+// largest radius * density (proportional to optical depth), with fewer directions and steps; ten
+// million Gaussians, one center, nine directions and one round of steps. Deterministic.
 MediumSummary summarize(const Medium& medium);
 
 }  // namespace brume

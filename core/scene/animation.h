@@ -1,13 +1,12 @@
 #pragma once
 
-#include "core/io/number_domain.h"
+#include "core/number_domain.h"
 #include "core/scene/scene.h"
 
 namespace brume {
 
-// Values of a scene that change over time by keys (core/scene/keys.h). Each visit_ function calls
-// visit(name, value, keys, domain) for every value of an object that can be keyed; `name` is what
-// the scene file calls it.
+// Keyframed values of a scene (core/scene/keys.h). Each visit_ function calls visit(name, value,
+// keys, domain) for every animatable value of an object; `name` is its key in the scene file.
 
 template <class L>
 void visit_keyed_light(L& light, auto&& visit) {
@@ -44,13 +43,13 @@ void visit_keyed_noise(N& noise, auto&& visit) {
   visit("amplitude", noise.amplitude, noise.keys.amplitude, domain::not_negative);
 }
 
-// Whether anything of the scene has keys.
+// Whether any value has keyframes.
 bool has_keys(const Scene& scene);
-// The time of the last key, 0 if none is later [s].
+// Time of the last keyframe, at least 0 [s].
 double last_key_time(const Scene& scene);
 
-// Gives every value that has keys the one of a moment [s]. Where the camera's eye and target would
-// meet it looks along -z.
+// Evaluates all keyframed values at a time [s]. If the camera's eye and target coincide, it looks
+// along -z.
 void apply_keys(Scene& scene, double time);
 
 void clear_keys(Scene& scene);

@@ -24,7 +24,7 @@ std::size_t gaussian_count(const Scene& scene) {
   return count;
 }
 
-Scene at_time(const Scene& scene, double time) {
+Scene evaluate_at(const Scene& scene, double time) {
   Scene result = scene;
   apply_keys(result, time);
   clear_keys(result);

@@ -4,19 +4,18 @@
 
 namespace brume {
 
-// Whether a scene is another one at another time, its noise aside.
+// Whether a scene depends on time, ignoring its noise.
 bool is_animated(const Scene& scene);
 
-// The time of the last key or the last frame of a sequence, 0 if none is later [s].
+// Time of the last keyframe or sequence frame, at least 0 [s].
 double last_moment(const Scene& scene);
 
-// The Gaussians of a scene with those of its sequences and all particles that its emitters may have
-// at a time: what limits::gaussians bounds. No moment has more.
+// Upper bound of the Gaussians of a scene at any time, including sequences and particles; bounded
+// by limits::gaussians.
 std::size_t gaussian_count(const Scene& scene);
 
-// The scene as it is at a time [s]: values that have keys are those of that time, its medium has
-// the particles of all emitters and the Gaussians of all sequences, and there are neither keys nor
-// emitters nor sequences.
-Scene at_time(const Scene& scene, double time);
+// Evaluates a scene at a time [s]: keyframed values are evaluated, particles and sequences are
+// added to the medium; the result has no keys, emitters or sequences.
+Scene evaluate_at(const Scene& scene, double time);
 
 }  // namespace brume

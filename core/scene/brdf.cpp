@@ -41,7 +41,7 @@ glm::dvec3 brdf(const Material& material, const glm::dvec3& wi, const glm::dvec3
 glm::dquat surface_frame(const glm::dvec3& n, const glm::dvec3& wo) {
   glm::dvec3 y = glm::cross(n, wo);
   if (!(glm::length(y) > 1e-9)) {
-    // Seen straight on, where any side will do.
+    // At normal incidence, any tangent will do.
     y = glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
   }
   y = glm::normalize(y);

@@ -18,24 +18,24 @@ namespace brume {
 glm::dvec3 brdf(const Material& material, const glm::dvec3& wi, const glm::dvec3& wo,
                 const glm::dvec3& n);
 
-// The frame of a surface point: turns +z to the normal, and the half plane of +x to the side of wo.
+// Shading frame: rotates +z to the normal, and +x to the side of wo.
 glm::dquat surface_frame(const glm::dvec3& n, const glm::dvec3& wo);
 
 // f(wi, wo) max(0, cos theta_i) as spherical harmonics of wi in surface_frame(), for every polar
-// angle of wo: the B of eq. 23. Light L in the same frame leaves towards wo as sh_dot(L, B).
+// angle of wo: B of eq. 23. The outgoing radiance under light L in the same frame is sh_dot(L, B).
 class BrdfSh {
  public:
-  // Some 10 ms for what is not diffuse.
+  // About 10 ms unless diffuse.
   BrdfSh(const Material& material, int order);
 
-  // cos_theta_o in [-1, 1]; below 0 as at 0. Linear between rows of 1.4 degrees.
+  // cos_theta_o in [-1, 1], clamped to >= 0. Linear between rows 1.4 degrees apart.
   [[nodiscard]] ShVector<glm::dvec3> operator()(double cos_theta_o) const;
 
  private:
-  std::vector<ShVector<glm::dvec3>> rows_;  // polar angles 0 to pi/2; one row for a diffuse one
+  std::vector<ShVector<glm::dvec3>> rows_;  // polar angles 0 to pi/2; one row if diffuse
 };
 
-// The m = 0 coefficients of max(0, cos theta): sh_convolve() with them makes irradiance of light.
+// Zonal coefficients of max(0, cos theta): sh_convolve() with them gives irradiance.
 ZonalSh<double> clamped_cosine_sh();
 
 }  // namespace brume

@@ -15,7 +15,7 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
   forward_ = distance > 0.0 ? view / distance : glm::dvec3(0.0, 0.0, -1.0);
   glm::dvec3 right = glm::cross(forward_, camera.up);
   if (glm::dot(right, right) <= 1e-24 * glm::dot(camera.up, camera.up)) {
-    // `up` along the view says nothing; any axis across the view will do.
+    // `up` parallel to the view is degenerate; any perpendicular axis will do.
     const glm::dvec3 other =
         std::abs(forward_.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
     right = glm::cross(forward_, other);

@@ -24,8 +24,8 @@ struct Film {
   bool operator==(const Film&) const = default;
 };
 
-// A camera on a film: the rays through pixels, and pixels of points. The pixel (x, y) has its
-// centre at (x + 0.5, y + 0.5); y grows downwards.
+// Maps between pixels of a film and rays of a camera. Pixel (x, y) has its center at (x + 0.5, y +
+// 0.5); y points down.
 class CameraRays {
  public:
   CameraRays(const Camera& camera, const Film& film);
@@ -38,25 +38,25 @@ class CameraRays {
     return glm::normalize(corner_ + x * per_x_ + y * per_y_);
   }
 
-  // What direction() is made of, for who makes many at once: the direction through (x, y) is that
-  // of corner + x per_x + y per_y, which stands at distance 1 along forward().
+  // The parametrisation of direction(), for kernels: the direction through (x, y) is that of corner
+  // + x per_x + y per_y, at distance 1 along forward().
   struct FilmPlane {
     glm::dvec3 corner, per_x, per_y;
   };
   [[nodiscard]] FilmPlane plane() const { return {corner_, per_x_, per_y_}; }
 
-  // The film position of a point, and its depth along forward() in z [u]; a point with z <= 0 is
-  // behind the eye and has no film position (x and y are then 0).
+  // Film position of a point, and its depth along forward() in z [u]; for z <= 0 it is behind the
+  // eye and x and y are 0.
   [[nodiscard]] glm::dvec3 project(const glm::dvec3& point) const;
 
-  // The pixels [x0, x1) x [y0, y1) whose rays may come within `radius` of a point; empty if none.
+  // The pixels [x0, x1) x [y0, y1) whose rays may pass within `radius` of a point; may be empty.
   struct PixelRectangle {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     [[nodiscard]] bool empty() const { return x0 >= x1 || y0 >= y1; }
   };
   [[nodiscard]] PixelRectangle bounds(const glm::dvec3& point, double radius) const;
 
-  // Half the angle that a pixel in the middle of the film subtends [radians].
+  // Half the angle subtended by the central pixel [radians].
   [[nodiscard]] double pixel_half_angle() const;
 
  private:

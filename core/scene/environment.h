@@ -5,12 +5,12 @@
 
 namespace brume {
 
-// The light of a scene's environment, turned and scaled as the scene says. Its map must be loaded.
+// Radiance of a scene's environment, rotated and scaled. Its map must be loaded.
 
-// What turns directions of the map into those of the scene.
+// Rotation from map to world space.
 glm::dquat environment_rotation(const Environment& environment);
 
-// Radiance that arrives from a unit direction, RGB [W/(sr u^2)].
+// Incident radiance from a unit direction, RGB [W/(sr u^2)].
 glm::dvec3 environment_radiance(const Environment& environment, const glm::dvec3& direction);
 
 // The same as spherical harmonics.

@@ -48,8 +48,8 @@ double between(const Keys<T>& keys, std::size_t i, double time, int k) {
   const double v = 1.0 - u;
   const double value = a.value + (b.value - a.value) * u * u * (3.0 - 2.0 * u) +
                        length * u * v * (from * v - to * u);
-  const auto [least, greatest] = std::minmax(a.value, b.value);
-  return std::clamp(value, least, greatest);  // rounding
+  const auto [min_value, max_value] = std::minmax(a.value, b.value);
+  return std::clamp(value, min_value, max_value);  // rounding
 }
 
 // Index of the last key that is not after `time`; there is one.
@@ -86,14 +86,14 @@ glm::dvec3 value_at(const Keys<glm::dvec3>& keys, double time) {
 template <class T>
 typename Keys<T>::const_iterator find_key(const Keys<T>& keys, double time) {
   return std::find_if(keys.begin(), keys.end(), [time](const Key<T>& key) {
-    return std::abs(key.time - time) < least_key_distance;
+    return std::abs(key.time - time) < min_key_distance;
   });
 }
 
 template <class T>
 void set_key(Keys<T>& keys, const Key<T>& key) {
   std::erase_if(keys, [&key](const Key<T>& other) {
-    return std::abs(other.time - key.time) < least_key_distance;
+    return std::abs(other.time - key.time) < min_key_distance;
   });
   const auto after = std::upper_bound(keys.begin(), keys.end(), key.time,
                                       [](double t, const Key<T>& k) { return t < k.time; });

@@ -21,8 +21,8 @@ class MeasuredBrdf {
   // was not measured.
   explicit MeasuredBrdf(std::vector<glm::vec3> values);
 
-  // [1/sr], by interpolation between the middles of those cells around that were measured; 0 where
-  // there is none. All directions are unit and leave the surface.
+  // [1/sr], interpolated between the centers of measured cells; 0 if there is none around.
+  // Directions are unit and point away from the surface.
   [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& wi, const glm::dvec3& wo,
                                       const glm::dvec3& n) const;
 

@@ -67,7 +67,7 @@ glm::vec3 map_radiance(const RadianceMap& map, const glm::vec3& direction) {
 
 namespace {
 
-constexpr auto orders = static_cast<std::size_t>(sh_most_bands);
+constexpr auto orders = static_cast<std::size_t>(sh_max_bands);
 
 // The integrals of cos(m phi) and sin(m phi) over the columns of the map, phi the azimuth.
 struct Columns {

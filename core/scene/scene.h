@@ -21,15 +21,15 @@ class MeasuredBrdf;
 struct RadianceMap;
 struct TriangleMesh;
 
-// Objects of a scene file may hold keys that this version does not know. Each such object here
-// carries them as the text of one JSON object ("" for none), so that saving keeps them.
-using UnknownKeys = std::string;
+// Unknown JSON keys of an object of the scene file, as text of a JSON object ("" for none);
+// preserved on saving.
+using ExtraJson = std::string;
 
-// Each ...Keys holds the keys of an object's values; core/scene/animation.h applies them.
+// ...Keys are the keyframes of an object's values; see core/scene/animation.h.
 struct LightKeys {
   Keys<glm::dvec3> position;
   Keys<glm::dvec3> intensity;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
 
   bool operator==(const LightKeys&) const = default;
 };
@@ -38,7 +38,7 @@ struct LightKeys {
 struct PointLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{1.0};
-  UnknownKeys unknown;
+  ExtraJson extra_json;
   bool on = true;
   LightKeys keys{};
 
@@ -48,25 +48,24 @@ struct PointLight {
 struct EnvironmentKeys {
   Keys<double> intensity;
   Keys<double> rotation;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
 
   bool operator==(const EnvironmentKeys&) const = default;
 };
 
-// A latitude-longitude radiance map around the scene; rotation about +y in degrees. Its light is
-// in core/scene/environment.h.
+// An environment map; rotation about +y in degrees. Evaluated by core/scene/environment.h.
 struct Environment {
   std::filesystem::path file;
   std::shared_ptr<const RadianceMap> map;  // never null in a loaded scene
   double intensity = 1.0;
   double rotation = 0.0;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
   EnvironmentKeys keys{};
 
   bool operator==(const Environment&) const = default;
 };
 
-// What a surface does with light; core/scene/brdf.h evaluates it.
+// Reflection of a surface; evaluated by core/scene/brdf.h.
 struct Material {
   enum class Type { diffuse, phong, measured };
   Type type = Type::diffuse;
@@ -74,8 +73,8 @@ struct Material {
   glm::dvec3 specular{0.0};     // phong only, RGB in [0, 1]
   double exponent = 1.0;        // phong only, >= 0
   std::filesystem::path file;   // measured only: a MERL .binary
-  std::shared_ptr<const MeasuredBrdf> measured;  // what is in it; never null in a loaded scene
-  UnknownKeys unknown;
+  std::shared_ptr<const MeasuredBrdf> measured;  // its content; never null in a loaded scene
+  ExtraJson extra_json;
 
   bool operator==(const Material&) const = default;
 };
@@ -90,40 +89,40 @@ struct Surface {
   double scale = 1.0;                     // > 0
   Material material;
   Transfer transfer = Transfer::none;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
 
   bool operator==(const Surface&) const = default;
 };
 
 struct NoiseKeys {
   Keys<double> amplitude;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
 
   bool operator==(const NoiseKeys&) const = default;
 };
 
-// 3-D noise that perturbs view rays, see core/medium/noise.h.
+// Noise that displaces view rays; see core/medium/noise.h.
 struct Noise {
-  double amplitude = 0.0;    // of a Gaussian's shift over its radius, >= 0; 0 is off
+  double amplitude = 0.0;    // rms displacement relative to the radius, >= 0; 0: off
   double frequency = 1.0;    // lattice cells per u, >= 0
-  glm::dvec3 velocity{0.0};  // with which the pattern moves [u/s]
+  glm::dvec3 velocity{0.0};  // of the pattern [u/s]
   std::int64_t seed = 0;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
   NoiseKeys keys{};
 
   bool operator==(const Noise&) const = default;
 };
 
-// Those of the homogeneous density are Scene::density_keys.
+// Keys of the homogeneous density are in Scene::density_keys.
 struct MediumKeys {
   Keys<glm::dvec3> albedo;
   Keys<double> anisotropy;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
 
   bool operator==(const MediumKeys&) const = default;
 };
 
-// What a medium's light does besides being scattered by its density.
+// Optical properties of the medium besides density.
 struct MediumOptics {
   glm::dvec3 albedo{
       1.0};  // single-scattering albedo, RGB in (0, 1]; extinction = scattering / albedo
@@ -146,7 +145,7 @@ struct CameraKeys {
   Keys<glm::dvec3> eye;
   Keys<glm::dvec3> target;
   Keys<double> vertical_fov;
-  UnknownKeys unknown;
+  ExtraJson extra_json;
 
   bool operator==(const CameraKeys&) const = default;
 };
@@ -156,7 +155,7 @@ struct Playback {
   int first = 0;  // 0 <= first <= last <= limits::frame
   int last = 0;
   bool loops = true;
-  UnknownKeys unknown{};
+  ExtraJson extra_json{};
 
   bool operator==(const Playback&) const = default;
 };
@@ -171,18 +170,18 @@ struct Scene {
   Keys<double> density_keys;  // of the medium's homogeneous density
   MediumOptics optics;
   std::shared_ptr<const MediumFile> medium_file;
-  std::vector<Emitter> emitters;          // their particles are not in `medium`, see at_time()
+  std::vector<Emitter> emitters;          // their particles are not in `medium`, see evaluate_at()
   std::vector<MediumSequence> sequences;  // not in `medium` either
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
   std::optional<Playback> playback;  // absent: all that moves, again and again
 
-  UnknownKeys unknown;  // of the top level
-  UnknownKeys unknown_camera;
-  UnknownKeys unknown_film;
-  UnknownKeys unknown_medium;
-  std::map<GaussianId, UnknownKeys> unknown_gaussians;
+  ExtraJson extra_json;  // of the top level
+  ExtraJson unknown_camera;
+  ExtraJson unknown_film;
+  ExtraJson unknown_medium;
+  std::map<GaussianId, ExtraJson> unknown_gaussians;
 
   bool operator==(const Scene&) const = default;
 };

@@ -18,8 +18,8 @@ PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LinePr
 
 template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
-                       Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen,
-                       Real anisotropy, ScatterPoint point) {
+                       Real d, const Vec3<Real>& light, const PointLightRay<Real>& path,
+                       Real frozen, Real anisotropy, ScatterPoint point) {
   return gaussian_airlight(g, point_scattering(g, line_profile(g, eye, w), d, point), eye, w, light,
                            path, frozen, anisotropy);
 }
@@ -27,11 +27,11 @@ Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const
 template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& scattering,
                        const Vec3<Real>& eye, const Vec3<Real>& w, const Vec3<Real>& light,
-                       const LightPath<Real>& path, Real frozen, Real anisotropy) {
+                       const PointLightRay<Real>& path, Real frozen, Real anisotropy) {
   const auto [t, depth, before] = scattering;
   if (!(depth > 0)) return 0;
   const Real own = before + optical_depth(g, light, eye + t * w);
-  const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_turn(t), anisotropy) : Real(1);
+  const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_theta(t), anisotropy) : Real(1);
   return phase * depth * std::exp(-(frozen + own)) /
          (4 * std::numbers::pi_v<Real> * path.distance2(t));
 }
@@ -40,11 +40,11 @@ Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>&
   template PointScattering<Real> point_scattering(const GaussianTerm<Real>&,                       \
                                                   const LineProfile<Real>&, Real, ScatterPoint);   \
   template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&, const Vec3<Real>&, \
-                                  Real, const Vec3<Real>&, const LightPath<Real>&, Real, Real,     \
+                                  Real, const Vec3<Real>&, const PointLightRay<Real>&, Real, Real, \
                                   ScatterPoint);                                                   \
   template Real gaussian_airlight(const GaussianTerm<Real>&, const PointScattering<Real>&,         \
                                   const Vec3<Real>&, const Vec3<Real>&, const Vec3<Real>&,         \
-                                  const LightPath<Real>&, Real, Real);
+                                  const PointLightRay<Real>&, Real, Real);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)
 #undef BRUME_GAUSSIAN_AIRLIGHT

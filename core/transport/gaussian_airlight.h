@@ -36,24 +36,25 @@ PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LinePr
 // eye, light and g.b in one frame [u]; w unit; d >= 0 or +inf.
 template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const Vec3<Real>& w,
-                       Real d, const Vec3<Real>& light, const LightPath<Real>& path, Real frozen,
-                       Real anisotropy = 0, ScatterPoint point = ScatterPoint::projection);
+                       Real d, const Vec3<Real>& light, const PointLightRay<Real>& path,
+                       Real frozen, Real anisotropy = 0,
+                       ScatterPoint point = ScatterPoint::projection);
 
 // The same where point_scattering() is known, of a view ray that noise bends.
 template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& own,
                        const Vec3<Real>& eye, const Vec3<Real>& w, const Vec3<Real>& light,
-                       const LightPath<Real>& path, Real frozen, Real anisotropy);
+                       const PointLightRay<Real>& path, Real frozen, Real anisotropy);
 
 #define BRUME_GAUSSIAN_AIRLIGHT(Real)                                                             \
   extern template PointScattering<Real> point_scattering(                                         \
       const GaussianTerm<Real>&, const LineProfile<Real>&, Real, ScatterPoint);                   \
   extern template Real gaussian_airlight(const GaussianTerm<Real>&, const Vec3<Real>&,            \
                                          const Vec3<Real>&, Real, const Vec3<Real>&,              \
-                                         const LightPath<Real>&, Real, Real, ScatterPoint);       \
+                                         const PointLightRay<Real>&, Real, Real, ScatterPoint);   \
   extern template Real gaussian_airlight(const GaussianTerm<Real>&, const PointScattering<Real>&, \
                                          const Vec3<Real>&, const Vec3<Real>&, const Vec3<Real>&, \
-                                         const LightPath<Real>&, Real, Real);
+                                         const PointLightRay<Real>&, Real, Real);
 BRUME_GAUSSIAN_AIRLIGHT(double)
 BRUME_GAUSSIAN_AIRLIGHT(float)
 #undef BRUME_GAUSSIAN_AIRLIGHT

@@ -9,7 +9,7 @@
 namespace brume {
 
 template <class Real>
-Real homogeneous_airlight(Real b0, const LightPath<Real>& path, Real d, Real anisotropy) {
+Real homogeneous_airlight(Real b0, const PointLightRay<Real>& path, Real d, Real anisotropy) {
   if (!(b0 > 0) || !(d > 0)) return 0;
   // Past `reach` the path eye -> point -> light is so much longer than the shortest one that
   // nothing is left: exp(-40) in double, exp(-20) in float.
@@ -21,7 +21,7 @@ Real homogeneous_airlight(Real b0, const LightPath<Real>& path, Real d, Real ani
 
   const auto transmittance = [&](Real x) {
     const Real t = angular.t(angular.span * x);
-    const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_turn(t), anisotropy) : Real(1);
+    const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_theta(t), anisotropy) : Real(1);
     return phase * std::exp(-b0 * (t + path.travelled(t) - start));
   };
   const std::array<Real, 2> all = {0, 1};
@@ -31,7 +31,7 @@ Real homogeneous_airlight(Real b0, const LightPath<Real>& path, Real d, Real ani
          (4 * std::numbers::pi_v<Real>);
 }
 
-template double homogeneous_airlight(double, const LightPath<double>&, double, double);
-template float homogeneous_airlight(float, const LightPath<float>&, float, float);
+template double homogeneous_airlight(double, const PointLightRay<double>&, double, double);
+template float homogeneous_airlight(float, const PointLightRay<float>&, float, float);
 
 }  // namespace brume

@@ -13,9 +13,9 @@ namespace brume {
 // singularities of the published closed form (eq. 20: 0/0 along the light's direction, overflow
 // for a light behind the eye). Relative error at most 1e-10 (double), 1e-5 (float).
 template <class Real>
-Real homogeneous_airlight(Real b0, const LightPath<Real>& path, Real d, Real anisotropy = 0);
+Real homogeneous_airlight(Real b0, const PointLightRay<Real>& path, Real d, Real anisotropy = 0);
 
-extern template double homogeneous_airlight(double, const LightPath<double>&, double, double);
-extern template float homogeneous_airlight(float, const LightPath<float>&, float, float);
+extern template double homogeneous_airlight(double, const PointLightRay<double>&, double, double);
+extern template float homogeneous_airlight(float, const PointLightRay<float>&, float, float);
 
 }  // namespace brume

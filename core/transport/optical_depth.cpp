@@ -119,15 +119,15 @@ Real truncated_mean(const GaussianTerm<Real>& g, const LineProfile<Real>& line, 
   return std::clamp(mean, Real(0), d);
 }
 
-double reach(double radius, double density, double eps) {
+double cutoff_radius(double radius, double density, double eps) {
   const double peak = density * radius * sqrt_pi<double>;
   return peak > eps ? radius * std::sqrt(std::log(peak / eps)) : 0.0;
 }
 
-double reach_cone(const glm::dvec3& center, double reach, const glm::dvec3& o) {
-  if (reach <= 0.0) return 0.0;
+double cutoff_cone(const glm::dvec3& center, double cutoff_radius, const glm::dvec3& o) {
+  if (cutoff_radius <= 0.0) return 0.0;
   const double distance = glm::length(center - o);
-  return distance <= reach ? std::numbers::pi : std::asin(reach / distance);
+  return distance <= cutoff_radius ? std::numbers::pi : std::asin(cutoff_radius / distance);
 }
 
 #define BRUME_OPTICAL_DEPTH(Real)                                                               \

@@ -6,13 +6,13 @@
 
 namespace brume {
 
-// The line integral of one Gaussian c exp(-a^2 |x - b|^2) (eq. 31 of the paper), in double and in
-// float, with relative accuracy in the tails and for short segments.
+// The line integral of a Gaussian c exp(-a^2 |x - b|^2) (eq. 31 of the paper), in double and float,
+// with relative accuracy in the tails and for short segments.
 
 template <class Real>
 using Vec3 = glm::vec<3, Real, glm::defaultp>;
 
-// A Gaussian in the paper's own symbols: a = 1 / radius [1/u], c = density [1/u], centre b [u].
+// A Gaussian in the paper's symbols: a = 1 / radius [1/u], c = density [1/u], center b [u].
 template <class Real>
 struct GaussianTerm {
   Real a = 1;
@@ -25,14 +25,15 @@ struct GaussianTerm {
       : a(Real(1.0 / g.radius)), c(Real(g.density)), b(Vec3<Real>(g.center)) {}
 };
 
-// A Gaussian seen from a line: the line passes its centre at distance h_a / a, at parameter t0.
+// A Gaussian relative to a line.
 template <class Real>
 struct LineProfile {
-  Real t0;  // parameter of the point nearest to the centre [u]
-  Real e;   // a^2 h^2, from the perpendicular vector (a difference of squares would cancel)
+  Real t0;  // parameter of the point nearest to the center
+  Real e;   // a^2 h^2 for the distance h of the line from the center, computed from the
+            // perpendicular vector to avoid cancellation
 };
 
-// `w` need be unit only up to rounding.
+// `w`: unit up to rounding.
 template <class Real>
 LineProfile<Real> line_profile(const GaussianTerm<Real>& g, const Vec3<Real>& origin,
                                const Vec3<Real>& w);
@@ -41,21 +42,21 @@ LineProfile<Real> line_profile(const GaussianTerm<Real>& g, const Vec3<Real>& or
 template <class Real>
 Real optical_depth(const GaussianTerm<Real>& g, const LineProfile<Real>& line, Real d);
 
-// T_i(A, B): optical depth of a Gaussian between two points; 0 if they coincide.
+// T_i(A, B): optical depth between two points; 0 if they coincide.
 template <class Real>
 Real optical_depth(const GaussianTerm<Real>& g, const Vec3<Real>& A, const Vec3<Real>& B);
 
-// The mean parameter of the part of the Gaussian on [0, d], weighted by its density; in [0, d].
+// Density-weighted mean parameter of the Gaussian on [0, d].
 template <class Real>
 Real truncated_mean(const GaussianTerm<Real>& g, const LineProfile<Real>& line, Real d);
 
-// The culling bound of a Gaussian: a segment farther than this from its centre has an optical
-// depth below eps. Rigorous. 0: below eps everywhere.
-double reach(double radius, double density, double eps);
+// Cutoff radius: any segment farther from the center has an optical depth below eps (rigorous). 0:
+// below eps everywhere.
+double cutoff_radius(double radius, double density, double eps);
 
-// The half angle [radians] of the cone around the direction o -> center that holds every ray from
-// o which passes within `reach` of the centre; pi if o itself does.
-double reach_cone(const glm::dvec3& center, double reach, const glm::dvec3& o);
+// Half angle [radians] of the cone around o -> center that contains every ray from o within
+// `cutoff_radius` of the center; pi if o is within it.
+double cutoff_cone(const glm::dvec3& center, double cutoff_radius, const glm::dvec3& o);
 
 #define BRUME_OPTICAL_DEPTH(Real)                                                                \
   extern template LineProfile<Real> line_profile(const GaussianTerm<Real>&, const Vec3<Real>&,   \

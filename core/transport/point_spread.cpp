@@ -50,8 +50,8 @@ QuadratureRule towards_both_ends(std::size_t n) {
 // The coefficients of a spread that is factor(gamma) / (4 pi sin gamma) times that mean.
 template <class Factor, class Detour>
 ZonalSh<double> project(double T, const Factor& factor, const Detour& detour) {
-  // The mean bends sharply within 1/T of gamma = 0 and, for parallel light, of pi/2; what it is of,
-  // within T of x = 1.
+  // The mean has high curvature within 1/T of gamma = 0 and, for parallel light, of pi/2; its
+  // integrand within T of x = 1.
   static const QuadratureRule gammas = towards_both_ends(64);  // of each quarter turn
   static const QuadratureRule xs = towards_both_ends(96);
   const double quarter = 0.5 * std::numbers::pi;
@@ -65,8 +65,8 @@ ZonalSh<double> project(double T, const Factor& factor, const Detour& detour) {
     // 2 pi sin(gamma) spread dgamma, in which the sine drops out.
     const double mass = 0.5 * factor(gamma) * mean * quarter * gammas.weights[i / 2];
     const ShVector<double> y =
-        sh_basis(sh_most_bands, glm::dvec3(std::sin(gamma), 0.0, std::cos(gamma)));
-    for (int l = 0; l < sh_most_bands; ++l) {
+        sh_basis(sh_max_bands, glm::dvec3(std::sin(gamma), 0.0, std::cos(gamma)));
+    for (int l = 0; l < sh_max_bands; ++l) {
       result[static_cast<std::size_t>(l)] += mass * y[sh_index(l, 0)];
     }
   }
@@ -103,11 +103,11 @@ namespace {
 // Nodes stand at equal steps in log(1 + T / knee): the coefficients go like T log T near 0 (those
 // of a point) and like log(T) / T far out. One node stands outside each end, for the cubic.
 constexpr double knee = 1e-4;
-constexpr double greatest = 100.0;
+constexpr double max_value = 100.0;
 constexpr int intervals = 128;
 
 double step() {
-  return std::log1p(greatest / knee) / intervals;
+  return std::log1p(max_value / knee) / intervals;
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ const SpreadTable& SpreadTable::distant() {
 }
 
 ZonalSh<double> SpreadTable::operator()(double T) const {
-  const double at = std::log1p(std::clamp(T, 0.0, greatest) / knee) / step();
+  const double at = std::log1p(std::clamp(T, 0.0, max_value) / knee) / step();
   const double cell = std::min(std::floor(at), intervals - 1.0);
   const double t = at - cell;
   // Lagrange's cubic through the nodes at -1, 0, 1, 2.

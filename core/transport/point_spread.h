@@ -25,26 +25,26 @@ double point_spread(double T, double gamma);
 // 2e-9. A quadrature of 12,288 points: for each pixel there is SpreadTable.
 ZonalSh<double> point_spread_sh(double T);
 
-// The same of the NPSF as the paper prints them: point_spread_sh(1) within 3e-5.
+// The paper's published NPSF coefficients: point_spread_sh(1) within 3e-5.
 inline constexpr ZonalSh<double> paper_point_spread_sh = {0.332818, 0.332488, 0.302428,
                                                           0.275773, 0.254051, 0.236333};
 
-// What takes the place of point_spread() where the light is far away, as an environment is: the
-// paper takes the NPSF there too, which has the glow around a near light that a far one lacks and
-// is up to 2.5 times too bright. The receiver stands in the middle of a ball of the medium of
-// radius 1 and optical depth T, and light comes from one direction:
+// The point spread function of distant light, such as an environment; the paper uses its NPSF
+// there, which includes the halo of a near light and is up to 2.5 times too bright. The receiver is
+// at the center of a ball of medium of radius 1 and optical depth T, light comes from one
+// direction:
 //   distant_spread = 1 / (4 pi) * integral over t in [0, 1] of exp(-T (t + r - 1)),
-// where r is how far the light goes through the ball to the point of the view ray at t. T >= 0;
-// gamma in [0, pi] [radians]. At T = 0 it is 1 / (4 pi). Relative error at most 1e-11.
+// where r is the path of the light in the ball to the point at t of the view ray. T >= 0; gamma in
+// [0, pi] [radians]. 1 / (4 pi) at T = 0. Relative error at most 1e-11.
 double distant_spread(double T, double gamma);
 
 // Its m = 0 coefficients, T in [0, 100]; error at most 2e-9 of the first.
 ZonalSh<double> distant_spread_sh(double T);
 
-// One of the two for every T, interpolated.
+// Interpolated coefficients of one of the two for all T.
 class SpreadTable {
  public:
-  // The tables of point_spread_sh() and distant_spread_sh(), made on the first call. Thread-safe.
+  // The tables of point_spread_sh() and distant_spread_sh(), built on the first call. Thread-safe.
   static const SpreadTable& point();
   static const SpreadTable& distant();
 

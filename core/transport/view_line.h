@@ -7,8 +7,8 @@
 
 namespace brume {
 
-// line_profile() of a view ray that noise bends: t0 is the straight ray's, only the distance at
-// which the Gaussian is passed changes. `w` is unit.
+// line_profile() of a view ray displaced by noise: t0 is that of the undisplaced ray, only the
+// distance changes. `w` is unit.
 template <class Real>
 LineProfile<Real> view_line_profile(const GaussianTerm<Real>& g, const Vec3<Real>& eye,
                                     const Vec3<Real>& w, const RayNoise& noise) {

@@ -10,8 +10,8 @@
 
 namespace brume {
 
-// A density sampled at the points of a regular grid, stored in cubes of 8 x 8 x 8 voxels; it is 0
-// where there is no cube. The point of voxel (i, j, k) in the world is
+// A sparse density grid in blocks of 8 x 8 x 8 voxels, 0 elsewhere. World position of voxel (i, j,
+// k):
 //   origin + rotation * (spacing * (i, j, k)).
 struct DensityGrid {
   static constexpr int side = 8;
@@ -19,11 +19,11 @@ struct DensityGrid {
   using Values = std::array<float, block_size>;
 
   struct Block {
-    glm::ivec3 corner;  // its least voxel, a multiple of 8
+    glm::ivec3 corner;  // minimum voxel, a multiple of 8
     Values values;      // >= 0 [1/u], z fastest
   };
 
-  std::vector<Block> blocks;  // each corner once, in ascending order: x, then y, then z
+  std::vector<Block> blocks;  // unique corners, in lexicographic order
   glm::dvec3 spacing{1.0};    // [u]; an axis may be negative, none is 0
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   glm::dvec3 origin{0.0};
@@ -32,19 +32,19 @@ struct DensityGrid {
   // The integral of the density [u^2].
   [[nodiscard]] double mass() const;
   [[nodiscard]] std::optional<std::size_t> find(const glm::ivec3& corner) const;
-  // The density at a point of the grid's own coordinates, voxels; linear between voxels.
+  // Density at a point in voxel coordinates, trilinear.
   [[nodiscard]] double at(const glm::dvec3& voxel) const;
   [[nodiscard]] glm::dvec3 to_world(const glm::dvec3& voxel) const;
   [[nodiscard]] glm::dvec3 to_voxel(const glm::dvec3& world) const;
 
-  // Sorts the blocks, as they must be.
+  // Sorts the blocks.
   void sort();
 };
 
-// The grid with voxels of twice the spacing, each the mean of eight: same mass.
+// Downsamples by two: each voxel is the mean of eight, preserving mass.
 DensityGrid coarser(const DensityGrid& grid);
 
-// The least corner of a block that holds a voxel.
+// The corner of the block that contains a voxel.
 glm::ivec3 block_corner(const glm::ivec3& voxel);
 
 }  // namespace brume

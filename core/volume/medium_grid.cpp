@@ -11,14 +11,14 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
-#include "core/io/limits.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {
 
 constexpr int side = DensityGrid::side;
-constexpr double reach = 3.035;          // radii: exp(-reach^2) = 1e-4
-constexpr double most_voxels = 1 << 28;  // from the origin, along each axis
+constexpr double cutoff_radius = 3.035;  // radii: exp(-reach^2) = 1e-4
+constexpr double max_voxels = 1 << 28;   // from the origin, along each axis
 
 struct CornerHash {
   std::size_t operator()(const glm::ivec3& c) const {
@@ -30,19 +30,19 @@ struct CornerHash {
   }
 };
 
-// Calls visit(corner) for the blocks that a Gaussian reaches; false if that says so, or if they are
-// too far away to count, or more than `most` for certain.
+// Calls visit(corner) for the blocks that a Gaussian touches; false if visit() returns false, or if
+// there are too many to count or certainly more than `max_blocks`.
 template <class Visit>
-bool each_block(const Gaussian& g, double voxel_size, std::size_t most, Visit visit) {
+bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Visit visit) {
   const glm::dvec3 middle = g.center / voxel_size;
-  const double radius = reach * g.radius / voxel_size;
+  const double radius = cutoff_radius * g.radius / voxel_size;
   const glm::dvec3 extent = glm::abs(middle) + radius;
-  if (!(std::max({extent.x, extent.y, extent.z}) < most_voxels)) return false;
+  if (!(std::max({extent.x, extent.y, extent.z}) < max_voxels)) return false;
   const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
   const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
   // A ball has 52% of its box.
   const glm::dvec3 across = glm::dvec3(high - low) / double(side) + 1.0;
-  if (0.5 * across.x * across.y * across.z > static_cast<double>(most)) return false;
+  if (0.5 * across.x * across.y * across.z > static_cast<double>(max_blocks)) return false;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {
@@ -77,26 +77,26 @@ void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
 }  // namespace
 
 double fitting_voxel_size(const Medium& medium) {
-  double least = 0.0;
+  double min_value = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     if (!(medium.densities()[i] > 0.0)) continue;
-    if (least == 0.0 || medium.radii()[i] < least) least = medium.radii()[i];
+    if (min_value == 0.0 || medium.radii()[i] < min_value) min_value = medium.radii()[i];
   }
-  return 0.5 * least;
+  return 0.5 * min_value;
 }
 
 std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double voxel_size,
-                                                   std::size_t most) {
+                                                   std::size_t max_blocks) {
   MediumSampling result(medium, voxel_size);
-  const std::size_t max_pairs = most * (sizeof(DensityGrid::Block) / sizeof(std::uint32_t));
+  const std::size_t max_pairs = max_blocks * (sizeof(DensityGrid::Block) / sizeof(std::uint32_t));
   std::unordered_map<glm::ivec3, std::size_t, CornerHash> places;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const Gaussian g = medium.gaussian(i);
     if (!(g.density > 0.0)) continue;
-    const bool fits = each_block(g, voxel_size, most, [&](const glm::ivec3& corner) {
+    const bool fits = each_block(g, voxel_size, max_blocks, [&](const glm::ivec3& corner) {
       const auto [place, is_new] = places.try_emplace(corner, result.corners_.size());
       if (is_new) {
-        if (result.corners_.size() == most) return false;
+        if (result.corners_.size() == max_blocks) return false;
         result.corners_.push_back(corner);
         result.gaussians_.emplace_back();
       }
@@ -135,13 +135,13 @@ std::optional<DensityGrid> MediumSampling::sample(
 }
 
 std::optional<double> sufficient_voxel_size(const Medium& medium, double voxel_size,
-                                            std::size_t most) {
-  for (double size = voxel_size; size <= limits::greatest_length; size *= 2.0) {
+                                            std::size_t max_blocks) {
+  for (double size = voxel_size; size <= limits::max_length; size *= 2.0) {
     const double digit = std::pow(10.0, std::floor(std::log10(size)) - 1.0);
     char text[16];
     std::snprintf(text, sizeof text, "%.1e", digit * std::ceil(size / digit * (1.0 - 1e-9)));
     const double rounded = std::strtod(text, nullptr);
-    if (MediumSampling::plan(medium, rounded, most)) return rounded;
+    if (MediumSampling::plan(medium, rounded, max_blocks)) return rounded;
   }
   return std::nullopt;
 }

@@ -12,27 +12,27 @@
 
 namespace brume {
 
-// Half the radius of the smallest Gaussian [u], 0 without any: between such voxels, linear
-// interpolation is within 7% of that one's peak, and of larger ones less as the square of their
+// Half the smallest radius [u], 0 without Gaussians: at that spacing trilinear interpolation errs
+// by at most 7% of the smallest Gaussian's peak, and less for larger ones, as the square of their
 // radius.
 double fitting_voxel_size(const Medium& medium);
 
-// The Gaussians of a medium on a grid, for programs that know nothing else: the densities at the
-// points voxel_size * (i, j, k) of the world, in the blocks that a Gaussian reaches; beyond three
-// radii, where it is 1e-4 of its peak, it is left out. b0 is not part of it: it has no bounds.
+// Samples the Gaussians of a medium on a sparse grid, for export: densities at the points
+// voxel_size * (i, j, k), in the blocks within three radii, where a Gaussian is 1e-4 of its peak.
+// b0 is excluded, being unbounded.
 class MediumSampling {
  public:
-  // Finds the blocks; nullopt where there are more than `most`, or where so many Gaussians reach
-  // each that listing them takes more memory than `most` blocks. voxel_size > 0.
+  // Finds the blocks; nullopt if there are more than `max_blocks`, or if the lists of Gaussians per
+  // block need more memory than `max_blocks` blocks. voxel_size > 0.
   static std::optional<MediumSampling> plan(const Medium& medium, double voxel_size,
-                                            std::size_t most);
+                                            std::size_t max_blocks);
 
   [[nodiscard]] std::size_t blocks() const { return corners_.size(); }
   [[nodiscard]] std::uintmax_t bytes() const {
     return blocks() * sizeof(DensityGrid::Block) + pairs_ * sizeof(std::uint32_t);
   }
 
-  // In parallel; nullopt when it was stopped. Same input, same result. The medium lives on.
+  // In parallel, deterministic; nullopt if stopped. The medium must outlive this.
   [[nodiscard]] std::optional<DensityGrid> sample(
       const std::stop_token& stop = {}, const std::function<void(double)>& progress = {}) const;
 
@@ -43,13 +43,12 @@ class MediumSampling {
   const Medium* medium_;
   double voxel_size_;
   std::vector<glm::ivec3> corners_;
-  std::vector<std::vector<std::uint32_t>> gaussians_;  // of each block
-  std::size_t pairs_ = 0;                              // in all of them
+  std::vector<std::vector<std::uint32_t>> gaussians_;  // per block
+  std::size_t pairs_ = 0;                              // total
 };
 
-// The first size that plan() takes among those each twice the last, in two digits; nullopt where
-// voxel_size itself is beyond 1e12.
+// The smallest voxel_size * 2^k that plan() accepts, rounded to two digits; nullopt if beyond 1e12.
 std::optional<double> sufficient_voxel_size(const Medium& medium, double voxel_size,
-                                            std::size_t most);
+                                            std::size_t max_blocks);
 
 }  // namespace brume

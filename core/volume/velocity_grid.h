@@ -9,22 +9,22 @@
 
 namespace brume {
 
-// A velocity sampled on a grid, linear between its points and 0 where there is none.
+// A sampled velocity field, trilinear, 0 outside.
 struct VelocityGrid {
-  // x, y and z of the velocity [u/s], which may be negative; where each is sampled its own grid
-  // says, since solvers store them on different faces of a voxel.
+  // Components x, y, z [u/s], each on its own grid, since solvers store them on different faces of
+  // a voxel.
   std::array<DensityGrid, 3> components;
-  glm::dquat turn{1.0, 0.0, 0.0, 0.0};  // turns those into the world's x, y and z
+  glm::dquat turn{1.0, 0.0, 0.0, 0.0};  // rotates components to world axes
 
   [[nodiscard]] glm::dvec3 at(const glm::dvec3& world) const;
 };
 
-// Turns a grid about the origin of the world.
+// Rotates a grid about the world origin.
 void rotate(DensityGrid& grid, const glm::dquat& turn);
 void rotate(VelocityGrid& grid, const glm::dquat& turn);
 
-// Gaussians whose centres have moved with a steady velocity for a time [s] (Runge and Kutta's
-// method of fourth order); radii and densities stay.
+// Advects centers through a steady velocity field for a time [s] (fourth-order Runge-Kutta); radii
+// and densities are unchanged.
 std::vector<Gaussian> advected(std::span<const Gaussian> gaussians, const VelocityGrid& velocity,
                                double seconds);
 

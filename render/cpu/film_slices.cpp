@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "render/cpu/slice_boundaries.h"
+#include "render/lighting/slice_boundaries.h"
 
 namespace brume {
 
@@ -41,7 +41,8 @@ void FilmSlices::choose(const FilmTiles& film, const MediumIndex& medium,
   counts_.assign(tiles, 0);
   job.each(tiles, [&](std::size_t tile) {
     thread_local std::vector<double> boundaries;
-    choose_slices(medium, film.lists.of(tile), lights, film.cone(tile), slices, boundaries);
+    choose_slices(medium, film.lists.gaussians_of(tile), lights, film.cone(tile), slices,
+                  boundaries);
     counts_[tile] = boundaries.size() < 2 ? 0 : boundaries.size();
     // Beyond that float has no room to compute in.
     std::ranges::transform(std::span(boundaries).first(counts_[tile]),

@@ -4,25 +4,24 @@
 #include <span>
 #include <vector>
 
-#include "render/cpu/ray_slices.h"
+#include "render/cpu/film_airlight.h"
 #include "render/cpu/sliced_airlight.h"
-#include "render/film_airlight.h"
+#include "render/lighting/ray_slices.h"
 
 namespace brume {
 
-// The slices of a film's rays. They are chosen for each tile, and change from tile to tile; slicing
-// is off by another amount in each, so that where slices changed at once an edge would be seen.
-// They change continuously instead: nodes stand in the middle of tiles, on their sides and at their
-// corners, and have the slices of all tiles that they touch, merged; between nodes boundaries are
-// interpolated one by one.
+// Slice boundaries for all rays of a film. They are chosen per tile; since the slicing error
+// differs between tiles, boundaries that jump at tile borders would show as edges. So they vary
+// continuously: nodes at the centers, sides and corners of tiles hold the merged boundaries of all
+// adjacent tiles, and boundaries are interpolated between nodes.
 class FilmSlices {
  public:
-  // For all rays that a film's tiles may ask for; the ends of slices hold all of the medium that
-  // any ray of a tile may meet.
+  // Chooses boundaries for all rays of the film's tiles; their range covers the medium along every
+  // ray.
   void choose(const FilmTiles& film, const MediumIndex& medium, std::span<const SlicedLight> lights,
               int slices, const Job& job);
 
-  // Of a tile of that film; valid until the next choose(). Thread-safe.
+  // The nodes of a tile, valid until the next choose(). Thread-safe.
   [[nodiscard]] SliceNodes nodes(std::size_t tile) const;
 
  private:
@@ -32,16 +31,16 @@ class FilmSlices {
   void merge(int column, int row);
 
   int columns_ = 0, rows_ = 0;  // of tiles
-  std::size_t stride_ = 0;      // room for the boundaries of a tile or a node
+  std::size_t stride_ = 0;      // capacity per tile or node
   std::vector<float> chosen_;   // of tiles
   std::vector<std::size_t> counts_;
-  std::vector<float> nodes_;  // 2 columns + 1 in a row; after the last boundary its repetitions
+  std::vector<float> nodes_;  // 2 columns + 1 per row; padded by repeating the last boundary
   std::vector<std::size_t> node_counts_;
 };
 
-// The slices of nodes that touch several tiles with as many boundaries as these have on average:
-// all boundaries in order, each so many averaged, and the first and the last one. `tiles` are not
-// empty. Returns how many they are.
+// Merges the boundaries of the tiles (at least one) around a node into as many as they have on
+// average: sorts all boundaries and averages groups of them; the first and last are exact. Returns
+// their number.
 std::size_t merge_slices(std::span<const std::span<const float>> tiles, float* merged);
 
 }  // namespace brume

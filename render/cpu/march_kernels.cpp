@@ -25,7 +25,7 @@ HWY_INLINE Vector LoadDirection(const PathBatch& rays, std::size_t k) {
           hn::LoadU(d, rays.z.data() + k)};
 }
 
-template <bool kBent>
+template <bool kDisplaced>
 HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, const float* t,
                                  float* densities, float* depths) {
   const D d;
@@ -37,7 +37,7 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
     V depth = hn::Zero(d);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing<D> crossing = BatchCrossing<kBent>(d, g, j, w);
+      const Crossing<D> crossing = BatchCrossing<kDisplaced>(d, g, j, w);
       const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
@@ -73,7 +73,7 @@ void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::v
     const Vector gap = minus(s, ts, w);
     const V gap2 = dot(gap, gap);
     const V along = hn::Sub(hn::LoadU(d, samples.t + k), ts);
-    // The path is as long as it is; only the falloff has a least distance (LightPath).
+    // The path is as long as it is; only the falloff has a least distance (PointLightRay).
     const V tiny = set(1e-30f);
     const V distance2 = hn::Max(hn::MulAdd(along, along, hn::Max(gap2, least2)), tiny);
     const V travelled = hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2), tiny));
@@ -81,7 +81,7 @@ void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::v
                             hn::MulAdd(set(b0), travelled, hn::LoadU(d, samples.light_depths + k)));
     V value = hn::Div(hn::Mul(weight, hn::Exp(d, hn::Neg(depth))), distance2);
     if (anisotropy != 0.0f) {
-      value = hn::Mul(value, HenyeyGreenstein(d, CosTurn(d, along, travelled), anisotropy));
+      value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, travelled), anisotropy));
     }
     constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
     const V sum =

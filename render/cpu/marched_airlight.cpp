@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "render/cpu/march_kernels.h"
-#include "render/cpu/path_depths.h"
-#include "render/cpu/ray_range.h"
+#include "render/geometry/ray_range.h"
+#include "render/lighting/path_depths.h"
 
 namespace brume {
 namespace {
@@ -20,12 +20,13 @@ RayRange medium_range(const MediumIndex& medium, std::span<const std::uint32_t> 
     const glm::dvec3 q = medium.gaussians()[i].b - eye;
     const double t = glm::dot(q, w);
     const glm::dvec3 gap = q - t * w;
-    const double reach = medium.view_reach(i);
-    const double chord2 = reach * reach - glm::dot(gap, gap);
+    const double cutoff_radius = medium.view_cutoff_radius(i);
+    const double chord2 = cutoff_radius * cutoff_radius - glm::dot(gap, gap);
     if (!(chord2 > 0.0)) continue;
     range.add(t - std::sqrt(chord2), t + std::sqrt(chord2));
   }
-  if (const double b0 = medium.homogeneous_density(); b0 > 0.0) range.add(0.0, fog_end / b0);
+  if (const double b0 = medium.homogeneous_density(); b0 > 0.0)
+    range.add(0.0, opaque_fog_depth / b0);
   range.clip(length);
   return range.empty() ? RayRange{0.0, 0.0} : range;
 }
@@ -69,8 +70,8 @@ void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians
 
 // The sample of every ray at one step: where it is, what it scatters, and which samples of the
 // tile are worth asking the lights for.
-std::uint64_t take_samples(const MediumIndex& medium, const TileRays& rays, int index, int steps,
-                           Scratch& s) {
+std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int index, int steps,
+                          Scratch& s) {
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     s.t[k] = static_cast<float>(s.begin[k] + (index + 0.5) * s.step[k]);
   }
@@ -93,18 +94,18 @@ std::uint64_t take_samples(const MediumIndex& medium, const TileRays& rays, int 
 }
 
 // Adds what the samples scatter of one light.
-std::uint64_t add_light(const MediumIndex& medium, const Visibility& visibility,
+std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
                         const MarchedLight& light, const glm::dvec3& eye, Scratch& s,
                         std::vector<float>& radiance) {
   s.no_self.assign(s.kept.size(), -1);
   s.exact.resize(s.kept.size());
   const std::uint64_t pairs = bundle_depths(medium, light.position, s.points, s.no_self,
-                                            Settings::Arithmetic::simd_float, s.exact);
+                                            Settings::Precision::simd_float, s.exact);
   std::fill(s.lit_weights.begin(), s.lit_weights.end(), 0.0f);
   for (std::size_t i = 0; i < s.kept.size(); ++i) {
     const std::size_t k = s.kept[i];
     s.light_depths[k] = static_cast<float>(s.exact[i]);
-    if (!visibility.blocked(s.points[i], light.position)) s.lit_weights[k] = s.weights[k];
+    if (!ray_caster.occluded(s.points[i], light.position)) s.lit_weights[k] = s.weights[k];
   }
   add_scattered(s.rays, {s.t.data(), s.lit_weights.data(), s.depths.data(), s.light_depths.data()},
                 glm::vec3(light.position - eye), static_cast<float>(light.h_min),
@@ -116,13 +117,13 @@ std::uint64_t add_light(const MediumIndex& medium, const Visibility& visibility,
 // Adds what the samples scatter of the environment, but for its peak.
 void add_environment(const EnvironmentSource& environment, const MediumIndex& medium,
                      const TileRays& rays, Scratch& s) {
-  const SourceLookUp source(environment.grid(), rays.eye);
+  const SourceLookup source(environment.grid(), rays.eye);
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   for (const std::size_t k : s.kept) {
     const float share = s.weights[k] * std::exp(-s.depths[k]);
     s.environment[k] += source(glm::vec3(rays.directions[k]), std::span(&s.t[k], 1),
                                std::span(&share, 1), s.source_weights[k]);
-    if (!environment.has_peak()) continue;
+    if (!environment.has_forward_lobe()) continue;
     const float fog = b0 * s.t[k];
     s.along_rays[k] +=
         s.weights[k] * std::exp(medium.anisotropy() > 0.0 ? -fog : fog - 2.0f * s.depths[k]);
@@ -130,22 +131,22 @@ void add_environment(const EnvironmentSource& environment, const MediumIndex& me
 }
 
 // Adds what the peak of the phase function scatters of it.
-void add_peak(const EnvironmentSource& environment, const TileRays& rays, Scratch& s) {
-  const SourceLookUp source(environment.grid(), rays.eye);
+void add_forward_lobe(const EnvironmentSource& environment, const TileRays& rays, Scratch& s) {
+  const SourceLookup source(environment.grid(), rays.eye);
   PathBatch lines = s.rays;
-  lines.end_nowhere();
+  lines.make_endless();
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
   accumulate_path_depths(s.batch, lines, s.depths.data());
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     s.environment[k] +=
-        s.along_rays[k] * environment.peak(source, s.source_weights[k], s.depths[k]);
+        s.along_rays[k] * environment.lobe(source, s.source_weights[k], s.depths[k]);
   }
 }
 
 }  // namespace
 
 std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                               const Visibility& visibility, std::span<const MarchedLight> lights,
+                               const RayCaster& ray_caster, std::span<const MarchedLight> lights,
                                const EnvironmentSource* environment, const TileRays& rays,
                                int steps, const TileAirlight& out) {
   thread_local Scratch s;
@@ -159,15 +160,15 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
   s.along_rays.assign(rays.directions.size(), 0.0f);
   const bool is_lit = environment || !lights.empty();
   for (int index = 0; index < steps && is_lit; ++index) {
-    pairs += take_samples(medium, rays, index, steps, s);
+    pairs += add_samples(medium, rays, index, steps, s);
     if (s.kept.empty()) continue;
     if (environment) add_environment(*environment, medium, rays, s);
     for (std::size_t l = 0; l < lights.size(); ++l) {
-      pairs += add_light(medium, visibility, lights[l], rays.eye, s, s.radiance[l]);
+      pairs += add_light(medium, ray_caster, lights[l], rays.eye, s, s.radiance[l]);
     }
   }
 
-  if (environment && environment->has_peak()) add_peak(*environment, rays, s);
+  if (environment && environment->has_forward_lobe()) add_forward_lobe(*environment, rays, s);
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
   accumulate_path_depths(s.batch, s.rays, s.depths.data());
   const double b0 = medium.homogeneous_density();

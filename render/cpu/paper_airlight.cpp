@@ -7,7 +7,7 @@
 #include "core/transport/gaussian_airlight.h"
 #include "core/transport/homogeneous_airlight.h"
 #include "core/transport/view_line.h"
-#include "render/cpu/kernels.h"
+#include "render/simd/gaussian_kernels.h"
 
 namespace brume {
 namespace {
@@ -45,15 +45,15 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
     for (const std::uint32_t i : gaussians) {
       const GaussianTerm<double>& g = medium.gaussians()[i];
       const LineProfile<double> line = view_line_profile(g, rays.eye, w, medium.noise());
-      const double reach = g.a * medium.reach()[i];
-      if (line.e > reach * reach) continue;
+      const double cutoff_radius = g.a * medium.cutoff_radii()[i];
+      if (line.e > cutoff_radius * cutoff_radius) continue;
       ++pairs;
       const PointScattering<double> own = point_scattering(g, line, length, point);
       depth += own.depth;
       if (conserve) scattered += own.depth * std::exp(-(paper.from_eye[i] + own.before));
       for (std::size_t l = 0; l < paper.lights.size(); ++l) {
         const PaperLight& light = paper.lights[l];
-        const LightPath<double> path(light.position, rays.eye, w, light.h_min);
+        const PointLightRay<double> path(light.position, rays.eye, w, light.h_min);
         radiance[l] += gaussian_airlight(g, own, rays.eye, w, light.position, path, light.frozen[i],
                                          medium.anisotropy());
       }
@@ -62,7 +62,7 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
     glm::dvec3 airlight(0.0);
     for (std::size_t l = 0; l < paper.lights.size(); ++l) {
       const PaperLight& light = paper.lights[l];
-      const LightPath<double> path(light.position, rays.eye, w, light.h_min);
+      const PointLightRay<double> path(light.position, rays.eye, w, light.h_min);
       const double fog = homogeneous_airlight(b0, path, length, medium.anisotropy());
       airlight += light.intensity * ((light.conserve_energy ? gain : 1.0) * radiance[l] +
                                      std::exp(-light.depth_to_eye) * fog);
@@ -151,21 +151,11 @@ std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gau
 
 }  // namespace
 
-bool is_in_dense_gaussian(const MediumIndex& medium, const glm::dvec3& point) {
-  constexpr double radii = 2.0;
-  constexpr double dense = 3.0;  // optical depth of a line through the centre
-  return std::any_of(medium.gaussians().begin(), medium.gaussians().end(), [&](const auto& g) {
-    return g.c / g.a * std::sqrt(std::numbers::pi) > dense &&
-           g.a * glm::length(g.b - point) < radii;
-  });
-}
-
 std::uint64_t paper_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                              const PaperLights& paper, const TileRays& rays,
-                             Settings::Arithmetic arithmetic, const TileAirlight& out) {
-  return arithmetic == Settings::Arithmetic::plain_double
-             ? plain(medium, gaussians, paper, rays, out)
-             : simd(medium, gaussians, paper, rays, out);
+                             Settings::Precision precision, const TileAirlight& out) {
+  return precision == Settings::Precision::plain_double ? plain(medium, gaussians, paper, rays, out)
+                                                        : simd(medium, gaussians, paper, rays, out);
 }
 
 }  // namespace brume

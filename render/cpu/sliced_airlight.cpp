@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "render/cpu/kernels.h"
-#include "render/cpu/slice_kernels.h"
+#include "render/lighting/slice_kernels.h"
+#include "render/simd/gaussian_kernels.h"
 
 namespace brume {
 namespace {
@@ -26,7 +26,7 @@ struct Scratch {
 // Adds what the slices scatter of the environment's light, taken in the middle of each.
 void add_environment(const EnvironmentSource& environment, const TileRays& rays, Scratch& s,
                      std::span<glm::vec3> airlight) {
-  const SourceLookUp source(environment.grid(), rays.eye);
+  const SourceLookup source(environment.grid(), rays.eye);
   const std::size_t stride = s.rays.padded_size();
   const std::size_t slices = s.slices.count() - 1;
   s.middles.resize(slices);
@@ -39,8 +39,8 @@ void add_environment(const EnvironmentSource& environment, const TileRays& rays,
     const glm::dvec3& w = rays.directions[i];
     const SourceWeights weights = environment.weights(w);
     glm::vec3 scattered = source(glm::vec3(w), s.middles, s.ray_shares, weights);
-    if (environment.has_peak()) {
-      scattered += s.along_rays[i] * environment.peak(source, weights, s.line_depths[i]);
+    if (environment.has_forward_lobe()) {
+      scattered += s.along_rays[i] * environment.lobe(source, weights, s.line_depths[i]);
     }
     airlight[i] += glm::max(scattered, 0.0f);
   }
@@ -60,7 +60,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
 
   s.batch.assign(medium, rays.eye, gaussians, medium.noise());
   s.rays.assign(rays.directions, rays.lengths);
-  s.slices.interpolate(slices, rays.places, s.rays);
+  s.slices.interpolate(slices, rays.positions, s.rays);
   const std::size_t stride = s.rays.padded_size();
   const std::size_t last = s.slices.count() - 1;
   s.increments.assign(last * stride, 0.0f);
@@ -73,13 +73,13 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   if (environment) {
     s.shares.resize(s.increments.size());
     shares.of_slices = s.shares.data();
-    if (environment->has_peak()) {
+    if (environment->has_forward_lobe()) {
       s.along_rays.resize(stride);
       shares.along_rays = s.along_rays.data();
       s.line_depths.assign(stride, 0.0f);
       if (medium.anisotropy() > 0.0) {
         s.lines = s.rays;
-        s.lines.end_nowhere();
+        s.lines.make_endless();
         accumulate_path_depths(s.batch, s.lines, s.line_depths.data());
       }
     }

@@ -1,28 +1,20 @@
 #pragma once
 
-#include "render/cpu/light_table.h"
-#include "render/cpu/ray_slices.h"
-#include "render/cpu/shadow_map.h"
-#include "render/cpu/tile_rays.h"
-#include "render/environment_source.h"
+#include "render/geometry/tile_rays.h"
+#include "render/lighting/environment_source.h"
+#include "render/lighting/optical_depth_table.h"
+#include "render/lighting/ray_slices.h"
+#include "render/lighting/shadow_map.h"
+#include "render/lighting/sliced_light.h"
 
 namespace brume {
 
-// The sliced airlight for the pixels of one tile: every ray is cut into slices, the optical depth
-// of each is exact, light is attenuated by the table of its light, and the mean of 1/r^2 over a
-// slice is exact. Light of an environment comes from a grid. Light that changes within a slice is
-// what the error is made of.
+// A point light of the sliced airlight. Rays are cut into slices with exact optical depths; light
+// is attenuated by its table, and the mean of 1/r^2 over a slice is exact. Environment light comes
+// from a grid. The error is due to light that varies within a slice.
 
-struct SlicedLight {
-  glm::dvec3 position{0.0};
-  glm::dvec3 intensity{0.0};           // RGB [W/sr]
-  double h_min = 0.0;                  // see light_limits.h [u]
-  const LightTable* table = nullptr;   // of this position; null without Gaussians
-  const ShadowMap* shadows = nullptr;  // of this position; null without surfaces
-};
-
-// Overwrites `out`. `gaussians`: the medium's that reach the tile; `environment`: null if there is
-// none; `slices`: those of the tile. Returns the number of Gaussian x ray pairs evaluated.
+// Sliced airlight of one tile. Overwrites `out`. `gaussians`: indices of those that may contribute;
+// `environment`: may be null; `slices`: of the tile. Returns the Gaussian x ray pairs evaluated.
 // Thread-safe.
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                               std::span<const SlicedLight> lights,

@@ -11,9 +11,9 @@ namespace {
 // Operations of one kind per second, with so many in each round.
 double rate(const Program& program, Buffer& results, int kind, double operations,
             double milliseconds) {
-  constexpr std::size_t most_groups = 8192;
+  constexpr std::size_t max_groups = 8192;
   constexpr int group = 128;
-  results.reserve(most_groups * group * sizeof(float));
+  results.reserve(max_groups * group * sizeof(float));
   results.bind(0);
   program.set("kind", kind);
   program.set("seed", 1e-4f);
@@ -30,7 +30,7 @@ double rate(const Program& program, Buffer& results, int kind, double operations
   };
   // Wider until all of the device is busy, then longer.
   while (run() < milliseconds && count < (1 << 24)) {
-    if (groups < most_groups) {
+    if (groups < max_groups) {
       groups *= 2;
     } else {
       count *= 2;
@@ -49,7 +49,7 @@ ArithmeticPeak measure_peak(Context& context, double milliseconds) {
   {
     Programs programs;
     Buffer results;
-    const Program& program = programs["peak"];
+    const Program& program = programs["forward_lobe"];
     peak.multiply_adds = rate(program, results, 0, 8.0, milliseconds);
     peak.exponentials = rate(program, results, 1, 8.0, milliseconds);
     peak.pairs = rate(program, results, 2, 1.0, milliseconds);

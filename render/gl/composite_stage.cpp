@@ -7,7 +7,7 @@
 
 namespace brume::gl {
 
-void CompositeStage::run(Programs& programs, const FrameWork& work, FilmTextures& textures) {
+void CompositeStage::run(Programs& programs, const FrameContext& work, FilmTextures& textures) {
   const Program& program = programs["composite"];
   set_rays(program, work.rays);
   program.set("sky_size", glm::ivec2(0));
@@ -32,10 +32,10 @@ void CompositeStage::run(Programs& programs, const FrameWork& work, FilmTextures
   textures.airlight.bind_image(0);
   textures.beauty.bind_image(1);
   textures.depth.bind_image(2);
-  const auto across = [](int pixels, int size) {
+  const auto group_count = [](int pixels, int size) {
     return static_cast<std::size_t>((pixels + size - 1) / size);
   };
-  program.dispatch(across(work.frame.film.width, 16), across(work.frame.film.height, 8));
+  program.dispatch(group_count(work.frame.film.width, 16), group_count(work.frame.film.height, 8));
 }
 
 }  // namespace brume::gl

@@ -2,19 +2,19 @@
 
 #include <memory>
 
-#include "render/frame_stages.h"
 #include "render/gl/film_airlight.h"
+#include "render/prepare/frame_stages.h"
 
 namespace brume::gl {
 
-// Medium, surfaces and the environment behind them put together on the device.
+// Compositing of medium, surfaces and environment on the device.
 class CompositeStage {
  public:
-  // Fills `beauty` of the textures from the others.
-  void run(Programs& programs, const FrameWork& work, FilmTextures& textures);
+  // Fills the `beauty` texture from the others.
+  void run(Programs& programs, const FrameContext& work, FilmTextures& textures);
 
  private:
-  std::shared_ptr<const RadianceMap> map_;  // what sky_ holds
+  std::shared_ptr<const RadianceMap> map_;  // content of sky_
   Buffer sky_;
 };
 

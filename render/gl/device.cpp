@@ -16,13 +16,13 @@ std::int64_t integer(GLenum name) {
   return value;
 }
 
-void take_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
+void next_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
                   const void* to) {
   if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || type == GL_DEBUG_TYPE_PERFORMANCE) return;
   auto& messages = *static_cast<std::vector<std::string>*>(const_cast<void*>(to));
   // A driver that complains in every call must not fill the memory.
-  constexpr std::size_t most = 1000;
-  if (messages.size() >= most) return;
+  constexpr std::size_t max_value = 1000;
+  if (messages.size() >= max_value) return;
   messages.emplace_back(
       text, length >= 0 ? static_cast<std::size_t>(length) : std::string_view(text).size());
 }
@@ -52,15 +52,15 @@ bool is_software_renderer(const std::string& name) {
       known, [&](std::string_view part) { return name.find(part) != std::string::npos; });
 }
 
-std::string lack(const Device& device) {
+std::string missing_feature(const Device& device) {
   const auto has = std::to_string(device.major) + "." + std::to_string(device.minor);
   if (device.major < 4 || (device.major == 4 && device.minor < 5)) {
-    return "OpenGL 4.5 is needed, " + device.name + " has " + has;
+    return "OpenGL 4.5 is required, " + device.name + " has " + has;
   }
-  const auto needs = [&](std::int64_t value, std::int64_t least, const char* what) {
-    if (value >= least) return std::string();
+  const auto needs = [&](std::int64_t value, std::int64_t min_value, const char* what) {
+    if (value >= min_value) return std::string();
     return device.name + " offers " + std::to_string(value) + " " + what + "; " +
-           std::to_string(least) + " are needed";
+           std::to_string(min_value) + " are required";
   };
   // Above what every OpenGL 4.5 has, where at all.
   for (const std::string& why : {
@@ -78,14 +78,14 @@ std::string lack(const Device& device) {
 Messages::Messages() {
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-  glDebugMessageCallback(take_message, &messages_);
+  glDebugMessageCallback(next_message, &messages_);
 }
 
 Messages::~Messages() {
   glDebugMessageCallback(nullptr, nullptr);
 }
 
-std::vector<std::string> Messages::take() {
+std::vector<std::string> Messages::collect() {
   return std::exchange(messages_, {});
 }
 

@@ -6,12 +6,12 @@
 
 namespace brume::gl {
 
-// What a context runs on, and what of it the passes need.
+// Properties of the device of a context.
 struct Device {
   std::string name;  // GL_RENDERER
   int major = 0;     // of OpenGL
   int minor = 0;
-  bool is_software = false;        // of the CPU, and no match for render/cpu
+  bool is_software = false;        // runs on the CPU, slower than render/cpu
   std::int64_t storage_bytes = 0;  // the largest shader storage block
   std::int64_t shared_bytes = 0;   // of a work group
   int invocations = 0;             // of a work group
@@ -19,17 +19,17 @@ struct Device {
   int texture_side = 0;            // [texels]
 };
 
-// That of the current context.
+// Of the current context.
 Device current_device();
 
-// Whether a GL_RENDERER is one of the known software ones.
+// Whether a GL_RENDERER names a known software renderer.
 bool is_software_renderer(const std::string& name);
 
-// Why the passes cannot run there; empty: they can.
-std::string lack(const Device& device);
+// The missing feature that keeps the passes from running; empty: none.
+std::string missing_feature(const Device& device);
 
-// What the driver has to say (KHR_debug): collects the messages of the context that is current when
-// it is made, but for mere notifications. Goes before its context does.
+// Collects driver messages (KHR_debug) of the context current at construction, except
+// notifications. Must be destroyed before the context.
 class Messages {
  public:
   Messages();
@@ -37,8 +37,8 @@ class Messages {
   Messages(const Messages&) = delete;
   Messages& operator=(const Messages&) = delete;
 
-  // All since the last call.
-  std::vector<std::string> take();
+  // Messages since the last call.
+  std::vector<std::string> collect();
 
  private:
   std::vector<std::string> messages_;

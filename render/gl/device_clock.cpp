@@ -4,7 +4,7 @@
 
 namespace brume::gl {
 
-void DeviceClock::take(std::vector<StageTime>& stages) {
+void DeviceClock::collect(std::vector<StageTime>& stages) {
   const std::size_t first = stages.size();
   for (std::size_t i = 0; i < used_; ++i) {
     const Stage& stage = timers_[i];

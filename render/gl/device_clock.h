@@ -7,12 +7,12 @@
 
 namespace brume::gl {
 
-// How long the device takes for the stages of a frame.
+// GPU times of the stages of a frame.
 class DeviceClock {
  public:
-  // Forgets the stages of a frame that was given up.
+  // Drops the stages of a cancelled frame.
   void restart() { used_ = 0; }
-  // Runs what sends the work of a stage.
+  // Runs `work`, which submits the commands of a stage.
   template <class Work>
   auto time(const char* stage, Work work) {
     if (used_ == timers_.size()) timers_.emplace_back();
@@ -26,8 +26,8 @@ class DeviceClock {
     return work();
   }
 
-  // Appends the stages since the last call, those of one name together. Waits for the device.
-  void take(std::vector<StageTime>& stages);
+  // Appends the stages since the last call, merging those of one name. Waits for the device.
+  void collect(std::vector<StageTime>& stages);
 
  private:
   struct Stage {

@@ -2,12 +2,12 @@
 
 namespace brume::gl {
 
-// What a display shows of a frame.
+// What to display of a frame.
 struct DisplayOptions {
   enum class Layer { beauty, airlight };
   Layer layer = Layer::beauty;
   double exposure = 0.0;  // [stops]
-  bool depth = false;     // wanted in memory as well, where there are surfaces
+  bool depth = false;     // also download the depth, if there are surfaces
 };
 
 }  // namespace brume::gl

@@ -15,8 +15,8 @@ bool is_software(EGLDeviceEXT device) {
   return extensions && std::strstr(extensions, "EGL_MESA_device_software");
 }
 
-// What there is to try, GPUs first: Mesa's surfaceless platform may be software where another
-// driver has a GPU.
+// Candidate displays, GPUs first: Mesa's surfaceless platform may be software where another driver
+// has a GPU.
 std::vector<EGLDisplay> displays(EglContext::Devices wanted) {
   std::vector<EGLDisplay> found;
   std::vector<EGLDisplay> last;
@@ -47,7 +47,7 @@ std::unique_ptr<EglContext> EglContext::create(std::string* problem, bool debug,
   if (!epoxy_has_egl()) {
     why = "there is no EGL library";
   } else {
-    why = devices == Devices::gpu ? "EGL offers no GPU" : "EGL offers no display";
+    why = devices == Devices::gpu ? "EGL finds no GPU" : "EGL finds no display";
     for (EGLDisplay display : displays(devices)) {
       if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) continue;
       result = create_on(display, EGL_NO_CONTEXT, debug, why);
@@ -71,7 +71,7 @@ std::unique_ptr<EglContext> EglContext::create_on(void* display, void* shared, b
     problem = why;
     return nullptr;
   };
-  if (!eglBindAPI(EGL_OPENGL_API)) return fail("EGL offers no desktop OpenGL");
+  if (!eglBindAPI(EGL_OPENGL_API)) return fail("EGL does not support desktop OpenGL");
   constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                          EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config{};
@@ -95,7 +95,7 @@ std::unique_ptr<EglContext> EglContext::create_on(void* display, void* shared, b
         eglCreateContext(display, configs > 0 ? config : EGLConfig{}, shared, attributes.data());
     if (context != EGL_NO_CONTEXT) break;
   }
-  if (context == EGL_NO_CONTEXT) return fail("the driver has no OpenGL 4.5 core");
+  if (context == EGL_NO_CONTEXT) return fail("the driver does not support OpenGL 4.5 core");
   std::unique_ptr<EglContext> result(new EglContext(display, context));
   if (!result->make_current()) return fail("the driver needs a window to draw");
   return result;

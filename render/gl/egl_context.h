@@ -8,19 +8,18 @@
 
 namespace brume {
 
-// An OpenGL 4.5 core context without any window or display server (EGL surfaceless). Of a GPU where
-// one answers, else of software.
+// An OpenGL 4.5 core context without window or display server (EGL surfaceless), on a GPU if there
+// is one, else in software.
 class EglContext final : public gl::Context {
  public:
   enum class Devices { any, gpu };
 
-  // Makes the context current. nullptr if there is none to be had; `problem` then says why. A
-  // `debug` context tells more of what is wrong, and may be slower.
+  // Creates a context and makes it current. nullptr on failure, with the reason in `problem`.
+  // `debug` contexts report more errors and may be slower.
   static std::unique_ptr<EglContext> create(std::string* problem = nullptr, bool debug = false,
                                             Devices devices = Devices::any);
-  // Another one of its device, made current in the calling thread, which may not be that of the
-  // first: each sees the buffers, textures and fences of the other. nullptr and `problem` as in
-  // create().
+  // A context of the same device that shares buffers, textures and fences, made current in the
+  // calling thread, which must differ from the first one's. nullptr and `problem` as in create().
   [[nodiscard]] std::unique_ptr<EglContext> create_sharing(std::string* problem = nullptr) const;
   ~EglContext() override;
 

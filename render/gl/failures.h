@@ -2,11 +2,11 @@
 
 namespace brume::gl {
 
-// What is to fail, so that tests see what comes of it on machines where nothing does.
+// Failure injection for tests.
 struct Failures {
-  bool memory = false;   // of whatever is allocated
-  bool shader = false;   // of whatever is compiled
-  bool context = false;  // it is lost
+  bool memory = false;   // every allocation fails
+  bool shader = false;   // every compilation fails
+  bool context = false;  // the context is lost
 };
 
 inline Failures& failures() {

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 
-#include "render/light_pixels.h"
-#include "render/tiles.h"
+#include "render/geometry/tiles.h"
+#include "render/prepare/light_pixels.h"
 
 namespace brume::gl {
 namespace {
 
 // Pixels that the cells of one tile hold at most: those of the last ones go on to the film's end.
-int most_asked(int scale) {
+int max_requests(int scale) {
   return (Tiles::width * scale + 1) * (Tiles::height * scale + 1);
 }
 
@@ -42,7 +42,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   const glm::ivec2 sample_film = lists.sample_film();
   const auto sample_count =
       static_cast<std::size_t>(sample_film.x) * static_cast<std::size_t>(sample_film.y);
-  const auto capacity = static_cast<std::size_t>(most_asked(scale));
+  const auto capacity = static_cast<std::size_t>(max_requests(scale));
   const auto batches_at = static_cast<int>(tile_count * capacity);
   samples_.reserve(Texture::Format::rgba32f, sample_film);
   textures.pairs.fill(0.0f);
@@ -61,7 +61,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     lists.seen().bind(2);
     lists.offsets().bind(3);
     lists.entries().bind(4);
-    asked_.bind(5);
+    requests_.bind(5);
     textures.depth.bind_image(0);
     samples_.bind_image(1);
     textures.airlight.bind_image(2);
@@ -73,7 +73,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
 
   // A batch is at least one pixel that was asked for.
   const std::size_t batches = tile_count * ((capacity + Tiles::pixels - 1) / Tiles::pixels);
-  asked_.reserve((tile_count * capacity + 3 * batches) * sizeof(std::uint32_t));
+  requests_.reserve((tile_count * capacity + 3 * batches) * sizeof(std::uint32_t));
   totals_.reserve(3 * sizeof(std::uint32_t));
   totals_.clear();
   const TilePixels near_lights =
@@ -100,14 +100,14 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     light_pixels_.bind(1);
     lists.seen().bind(2);
     lists.offsets().bind(3);
-    asked_.bind(5);
+    requests_.bind(5);
     lists.entries().bind(6);
     interpolate.dispatch_linear(tile_count);
   });
-  std::array<std::uint32_t, 2> asked{};
-  totals_.download(std::span<std::uint32_t>(asked));
-  clock.time("airlight", [&] { run_method(true, asked[0]); });
-  return sample_count + asked[1];
+  std::array<std::uint32_t, 2> requests{};
+  totals_.download(std::span<std::uint32_t>(requests));
+  clock.time("airlight", [&] { run_method(true, requests[0]); });
+  return sample_count + requests[1];
 }
 
 }  // namespace brume::gl

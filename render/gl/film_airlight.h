@@ -13,41 +13,41 @@
 
 namespace brume::gl {
 
-// The layers of a frame on the device.
+// The layers of a frame as textures.
 struct FilmTextures {
-  Texture depth;     // to the surface [u]; < 0: none
+  Texture depth;     // distance to the surface [u]; < 0: none
   Texture airlight;  // RGB, transmittance
-  Texture pairs;     // Gaussians evaluated
-  Buffer behind;     // RGB and a gap per pixel that surfaces send
+  Texture pairs;     // Gaussians evaluated per pixel
+  Buffer behind;     // outgoing radiance of surfaces, RGB and padding per pixel
   Texture beauty;    // RGBA
 
   void reserve(const Film& film);
 };
 
-// What shaders/film.glsl needs to know of a frame.
+// Inputs of shaders/film.glsl.
 struct FilmView {
   Film film;
   const CameraRays& rays;
-  double ray_end;  // of rays that hit nothing [u]; may be +inf
+  double ray_end;  // length of rays that hit nothing [u]; may be +inf
   double b0;
   const Settings& settings;
-  std::span<const PointLight> lights;  // that nothing is interpolated beside
+  std::span<const PointLight> lights;  // whose pixels are not interpolated
 };
 
-// An airlight method over the pixels of a film: film_airlight() of render/film_airlight.h.
+// Runs an airlight method over the pixels of a film; device counterpart of film_airlight()
+// (render/cpu/film_airlight.h).
 class FilmAirlight {
  public:
-  // The program runs once for each tile's pixels, and for those that upsampling asks for again;
-  // `bind` sets storage blocks 0, 1, 6 and 7 for it. Its other uniforms are set. Fills the airlight
-  // and the pairs. Returns the number of pixels where the method itself was asked; waits for the
-  // device where airlight is upsampled.
+  // Dispatches `method` for all tiles, and again for pixels that upsampling requests; `bind` binds
+  // storage blocks 0, 1, 6 and 7. Its other uniforms must be set. Fills airlight and pairs. Returns
+  // the number of pixels evaluated exactly; waits for the device if airlight is upsampled.
   std::size_t run(Programs& programs, DeviceClock& clock, const Program& method,
                   const std::function<void()>& bind, TileLists& lists, const FilmView& view,
                   FilmTextures& textures);
 
  private:
   Texture samples_;
-  Buffer asked_, totals_;
+  Buffer requests_, totals_;
   Buffer light_offsets_, light_pixels_;
 };
 

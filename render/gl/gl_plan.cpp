@@ -6,17 +6,18 @@ namespace brume::gl {
 namespace {
 
 std::string refusal_of(const Settings& settings) {
-  if (settings.arithmetic == Settings::Arithmetic::plain_double) return "it is asked for in double";
+  if (settings.precision == Settings::Precision::plain_double)
+    return "double precision was requested";
   const AirlightMethod method = settings.airlight;
   if (method == AirlightMethod::march || method == AirlightMethod::reference) {
-    return std::string("airlight ") + to_string(method) + " is the CPU's only";
+    return std::string("airlight ") + to_string(method) + " runs only on the CPU";
   }
   if (method == AirlightMethod::paper) return {};
-  if (settings.slices > most_slices) {
-    return "there are more slices than a work group has room for";
+  if (settings.slices > max_slices) {
+    return "more slices than fit into a work group";
   }
-  if (settings.light_table.radii > 1024) {
-    return "light tables have more radii than a work group has room for";
+  if (settings.optical_depth_table.radii > 1024) {
+    return "optical-depth tables have more radii than fit into a work group";
   }
   return {};
 }
@@ -29,17 +30,17 @@ GlPlan::GlPlan(const Settings& settings, const RenderPlan& plan) : refusal(refus
     return;
   }
   if (settings.airlight == AirlightMethod::paper && plan.gaussians && !plan.lights.empty()) {
-    on_cpu.push_back({"light_depth", "depths of centres are not on the device yet"});
-    on_cpu.push_back({"eye_depth", "depths of centres are not on the device yet"});
+    on_cpu.push_back({"light_depth", "optical depths at the centres are computed on the CPU"});
+    on_cpu.push_back({"eye_depth", "optical depths at the centres are computed on the CPU"});
   }
   if (!plan.transfers.empty()) {
-    on_cpu.push_back({"vertex_light", "light at the vertices is not taken on the device yet"});
+    on_cpu.push_back({"vertex_light", "vertex lighting is computed on the CPU"});
   }
   if (!plan.environment || !plan.airlight) return;
   if (settings.airlight != AirlightMethod::paper) {
-    on_cpu.push_back({"environment", "its grid is not on the device yet"});
+    on_cpu.push_back({"environment", "its grid is computed on the CPU"});
   } else if (plan.surfaces && plan.gaussians) {
-    on_cpu.push_back({"average_depth", "the grids around surfaces are not on the device yet"});
+    on_cpu.push_back({"average_depth", "the grids around surfaces are computed on the CPU"});
   }
 }
 

@@ -9,10 +9,10 @@
 
 namespace brume::gl {
 
-// What of a frame runs on the device, and what on the CPU and why. Says so without a device.
+// Decides which stages run on the device and which on the CPU, with reasons. Needs no device.
 struct GlPlan {
-  std::string refusal;               // why all of it is the CPU's; empty: it is not
-  std::vector<SkippedStage> on_cpu;  // stages that are the CPU's all the same
+  std::string refusal;               // why the whole frame runs on the CPU; empty: it does not
+  std::vector<SkippedStage> on_cpu;  // stages that run on the CPU nevertheless
 
   GlPlan(const Settings& settings, const RenderPlan& plan);
 };

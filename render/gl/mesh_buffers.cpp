@@ -4,7 +4,7 @@
 #include <glm/vec4.hpp>
 
 #include "render/gl/film_airlight.h"
-#include "render/triangle_hierarchy.h"
+#include "render/visibility/triangle_bvh.h"
 
 namespace brume::gl {
 namespace {
@@ -16,30 +16,30 @@ glm::ivec4 bits(const glm::vec3& v, std::int32_t w) {
 
 }  // namespace
 
-void MeshBuffers::update(const Visibility& visibility, std::uint64_t revision) {
+void MeshBuffers::update(const RayCaster& ray_caster, std::uint64_t revision) {
   if (revision_ == revision) return;
   revision_ = 0;
-  const std::vector<PlacedTriangle> triangles = visibility.triangles();
-  const TriangleHierarchy hierarchy(triangles);
+  const std::vector<WorldTriangle> triangles = ray_caster.triangles();
+  const TriangleBvh bvh(triangles);
   std::vector<glm::ivec4> nodes;
-  nodes.reserve(4 * hierarchy.nodes.size());
-  for (const TriangleHierarchy::Node& node : hierarchy.nodes) {
-    for (const TriangleHierarchy::Child& child : node.children) {
+  nodes.reserve(4 * bvh.nodes.size());
+  for (const TriangleBvh::Node& node : bvh.nodes) {
+    for (const TriangleBvh::Child& child : node.children) {
       nodes.push_back(bits(child.low, child.first));
       nodes.push_back(bits(child.high, child.count));
     }
   }
   std::vector<glm::ivec4> corners;
-  corners.reserve(6 * hierarchy.order.size());
+  corners.reserve(6 * bvh.order.size());
   places_.clear();
-  for (const std::uint32_t i : hierarchy.order) {
-    const PlacedTriangle& triangle = triangles[i];
+  for (const std::uint32_t i : bvh.order) {
+    const WorldTriangle& triangle = triangles[i];
     places_.push_back({triangle.surface, triangle.index});
     for (const glm::vec3& position : triangle.positions) {
       corners.push_back(bits(position, static_cast<std::int32_t>(triangle.surface)));
     }
   }
-  for (const std::uint32_t i : hierarchy.order) {
+  for (const std::uint32_t i : bvh.order) {
     for (std::size_t k = 0; k < 3; ++k) {
       corners.push_back(
           bits(triangles[i].normals[k],
@@ -48,10 +48,10 @@ void MeshBuffers::update(const Visibility& visibility, std::uint64_t revision) {
   }
   nodes_.upload(std::span<const glm::ivec4>(nodes));
   corners_.upload(std::span<const glm::ivec4>(corners));
-  node_count_ = hierarchy.nodes.size();
-  middle_ = visibility.middle();
-  radius_ = visibility.radius();
-  least_gap_ = visibility.least_gap();
+  node_count_ = bvh.nodes.size();
+  center_ = ray_caster.center();
+  radius_ = ray_caster.radius();
+  min_gap_ = ray_caster.min_gap();
   revision_ = revision;
 }
 
@@ -69,7 +69,7 @@ void MeshBuffers::find_hits(Programs& programs, const CameraRays& rays, const Fi
   hits_.reserve(pixels_ * sizeof(glm::ivec4));
   const Program& program = programs["visibility"];
   set_rays(program, rays);
-  program.set("eye", rays.eye() - middle_);
+  program.set("eye", rays.eye() - center_);
   bind(program);
   hits_.bind(2);
   depth.bind_image(0);

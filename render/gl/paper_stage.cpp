@@ -15,13 +15,13 @@ struct LightUniforms {
 
 }  // namespace
 
-std::size_t PaperStage::run(FrameStages& stages, FrameWork& work, StageClock& clock,
+std::size_t PaperStage::run(FrameStages& stages, FrameContext& work, StageClock& clock,
                             DeviceFrame& device) {
   const MediumIndex& medium = stages.prepared().medium();
   const PaperLights paper = device.arena.execute([&] { return stages.paper_lights(work, clock); });
   const EnvironmentLight* environment = stages.shading().environment();
   upload_lights(paper, medium.size(), work.rays.eye());
-  if (environment) upload_glow(*environment);
+  if (environment) upload_inscattering(*environment);
 
   const Program& program = device.programs["paper"];
   set_noise(program, medium.noise(), work.rays.eye());
@@ -31,13 +31,13 @@ std::size_t PaperStage::run(FrameStages& stages, FrameWork& work, StageClock& cl
   program.set("anisotropy", static_cast<float>(medium.anisotropy()));
   program.set("at_mean", paper.at_mean ? 1 : 0);
   program.set("conserves", std::ranges::any_of(paper.lights, &PaperLight::conserve_energy) ? 1 : 0);
-  program.set("has_glow", environment ? 1 : 0);
+  program.set("has_inscattering", environment ? 1 : 0);
   return film_.run(
       device.programs, device.clock, program,
       [&] {
         lights_.bind(0);
         frozen_.bind(1);
-        glow_.bind(7);
+        inscattering_.bind(7);
       },
       device.lists, device.view, device.textures);
 }
@@ -63,7 +63,7 @@ void PaperStage::upload_lights(const PaperLights& paper, std::size_t gaussians,
   frozen_.upload(std::span<const float>(frozen));
 }
 
-void PaperStage::upload_glow(const EnvironmentLight& environment) {
+void PaperStage::upload_inscattering(const EnvironmentLight& environment) {
   std::vector<float> values;
   for (const glm::vec3& c : environment.coefficients().values()) {
     values.insert(values.end(), {c.x, c.y, c.z, 0.0f});
@@ -71,7 +71,7 @@ void PaperStage::upload_glow(const EnvironmentLight& environment) {
   for (const auto& polynomial : environment.scattering().polynomials()) {
     values.insert(values.end(), polynomial.begin(), polynomial.end());
   }
-  glow_.upload(std::span<const float>(values));
+  inscattering_.upload(std::span<const float>(values));
 }
 
 }  // namespace brume::gl

@@ -7,7 +7,7 @@ namespace brume::gl {
 namespace {
 
 // Of other sizes than the one wanted: those of four views, or of a view whose resolution changes.
-constexpr std::size_t most_idle = 4;
+constexpr std::size_t max_idle = 4;
 
 }  // namespace
 
@@ -18,8 +18,8 @@ PicturePool::~PicturePool() {
   }
 }
 
-std::shared_ptr<DevicePicture> PicturePool::take(const glm::ivec2& size) {
-  std::unique_ptr<DevicePicture> picture = take_idle(size);
+std::shared_ptr<DevicePicture> PicturePool::acquire(const glm::ivec2& size) {
+  std::unique_ptr<DevicePicture> picture = reuse_idle(size);
   if (!picture) picture = std::make_unique<DevicePicture>();
   picture->drawn_.wait();
   picture->texture_.reserve(Texture::Format::rgba8, size);
@@ -28,12 +28,12 @@ std::shared_ptr<DevicePicture> PicturePool::take(const glm::ivec2& size) {
           }};
 }
 
-// One of that size, or the oldest where there are too many; null: neither.
-std::unique_ptr<DevicePicture> PicturePool::take_idle(const glm::ivec2& size) {
+// An unused texture of that size, or the oldest if there are too many; else null.
+std::unique_ptr<DevicePicture> PicturePool::reuse_idle(const glm::ivec2& size) {
   const std::scoped_lock lock(mutex_);
   auto found = std::ranges::find_if(
       idle_, [&](const auto& picture) { return picture->texture_.size() == size; });
-  if (found == idle_.end() && idle_.size() >= most_idle) found = idle_.begin();
+  if (found == idle_.end() && idle_.size() >= max_idle) found = idle_.begin();
   if (found == idle_.end()) return nullptr;
   std::unique_ptr<DevicePicture> picture = std::move(*found);
   idle_.erase(found);

@@ -8,14 +8,13 @@
 
 namespace brume::gl {
 
-// What a display shows of a frame, left on the device: RGBA bytes, rows from the bottom. Whoever
-// gets one need not wait for it. Any context that shares objects with the one that made it may draw
-// it, as long as somebody holds it.
+// A displayed picture on the device: RGBA bytes, rows from the bottom. Valid for any context that
+// shares objects with its creator while it is held.
 class DevicePicture {
  public:
   [[nodiscard]] const Texture& texture() const { return texture_; }
-  // After each drawing with it, in the context that drew: nothing is written to it before that is
-  // done.
+  // Call after each draw, in the drawing context: the texture is not overwritten before the draw
+  // has finished.
   void drawn() { drawn_.set(); }
 
  private:
@@ -24,31 +23,31 @@ class DevicePicture {
   Fence drawn_;
 };
 
-// Textures for pictures. They come back when nobody holds them any more, in whatever thread, and
-// are written anew: as many are there as are in use at a time.
+// A pool of picture textures, returned automatically when released, from any thread; so there are
+// as many as are in use at a time.
 class PicturePool : public std::enable_shared_from_this<PicturePool> {
  public:
   static std::shared_ptr<PicturePool> create() {
     return std::shared_ptr<PicturePool>(new PicturePool);
   }
-  // Without trim() before, contexts are taken to be gone, and what is left with them.
+  // Without trim() before, contexts are assumed to be destroyed, and remaining objects with them.
   ~PicturePool();
   PicturePool(const PicturePool&) = delete;
   PicturePool& operator=(const PicturePool&) = delete;
 
-  // One to write to. Throws OutOfMemory. This and trim() need a context to be current; it may be
-  // another one each time, if only all share their objects.
-  std::shared_ptr<DevicePicture> take(const glm::ivec2& size);
-  // Deletes what is not in use.
+  // A picture to write to. Throws OutOfMemory. This and trim() need a current context; it may
+  // differ between calls if all share objects.
+  std::shared_ptr<DevicePicture> acquire(const glm::ivec2& size);
+  // Deletes unused textures.
   void trim();
 
  private:
   PicturePool() = default;
-  std::unique_ptr<DevicePicture> take_idle(const glm::ivec2& size);
+  std::unique_ptr<DevicePicture> reuse_idle(const glm::ivec2& size);
   void put_back(std::unique_ptr<DevicePicture> picture);
 
   std::mutex mutex_;
-  std::vector<std::unique_ptr<DevicePicture>> idle_;  // the last one back is the last one here
+  std::vector<std::unique_ptr<DevicePicture>> idle_;  // most recently returned last
 };
 
 }  // namespace brume::gl

@@ -7,10 +7,10 @@
 
 namespace brume::gl {
 
-// The shaders of a context, each compiled when it is first asked for.
+// The compute programs of a context, compiled on first use.
 class Programs {
  public:
-  // `name`.glsl. Throws Error with what the compiler says.
+  // Program of `name`.glsl. Throws Error with the compiler's log.
   const Program& operator[](const std::string& name) {
     const auto known = programs_.find(name);
     if (known != programs_.end()) return known->second;

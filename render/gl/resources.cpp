@@ -36,11 +36,11 @@ std::string megabytes(std::size_t bytes) {
 }
 
 void check_memory(const std::string& wanted) {
-  if (failures().memory) throw OutOfMemory("the device has no memory for " + wanted);
-  check(("making room for " + wanted).c_str());
+  if (failures().memory) throw OutOfMemory("out of device memory for " + wanted);
+  check(("allocating " + wanted).c_str());
 }
 
-// What the driver says of an object; `get` is glGetShaderInfoLog or its like.
+// The info log of an object; `get` is glGetShaderInfoLog or similar.
 template <class Get>
 std::string log_of(GLint length, Get get) {
   std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
@@ -57,7 +57,7 @@ std::size_t live_objects() {
 }
 
 Object::Object(Kind kind, unsigned name) : kind_(kind), name_(name) {
-  if (name_ == 0) throw Error("OpenGL gives no more objects; is its context lost?");
+  if (name_ == 0) throw Error("OpenGL cannot create objects; the context may be lost");
   ++live;
 }
 
@@ -117,10 +117,10 @@ void Buffer::clear() {
 
 void Buffer::bind(unsigned binding) {
   reserve(0);
-  GLint64 most = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-  if (static_cast<GLint64>(bytes_) > most) {
-    throw OutOfMemory("shaders of the device cannot reach " + megabytes(bytes_));
+  GLint64 max_value = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_value);
+  if (static_cast<GLint64>(bytes_) > max_value) {
+    throw OutOfMemory("the device does not support storage blocks of " + megabytes(bytes_));
   }
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
 }
@@ -178,12 +178,12 @@ Program::Program(const std::string& name) {
   glLinkProgram(program);
   glDetachShader(program, shader);
   glDeleteShader(shader);
-  if (!compiled) throw Error("the driver refuses shader " + name + ": " + compiler);
+  if (!compiled) throw Error("the driver rejects shader " + name + ": " + compiler);
   GLint linked = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked) return;
   glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-  throw Error("the driver refuses shader " + name + ": " +
+  throw Error("the driver rejects shader " + name + ": " +
               log_of(length, [&](auto size, auto written, auto to) {
                 glGetProgramInfoLog(program, size, written, to);
               }));
@@ -288,7 +288,7 @@ void Fence::wait() {
   const GLenum answer = glClientWaitSync(static_cast<GLsync>(sync_), 0, patience);
   reset();
   if (answer == GL_TIMEOUT_EXPIRED || answer == GL_WAIT_FAILED) {
-    throw Error("the device does not answer");
+    throw Error("the device does not respond");
   }
 }
 

@@ -14,22 +14,22 @@
 
 namespace brume::gl {
 
-// What OpenGL refused: memory, a shader, a lost context. The frame is then made elsewhere.
+// An OpenGL failure: out of memory, shader compilation, lost context. The caller falls back to the
+// CPU.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-// Another frame may need less.
+// Later frames may need less.
 class OutOfMemory : public Error {
  public:
   using Error::Error;
 };
 
-// Objects of the current context, each owned by one value: buffers, textures, programs, queries and
-// fences.
-// Everything here needs the context that made it to be current, destructors too.
+// RAII wrappers of OpenGL objects: buffers, textures, programs, queries and fences. The creating
+// context must be current for all operations, including destruction.
 
-// How many of them live: what leaks is seen there.
+// Number of live objects, to detect leaks.
 std::size_t live_objects();
 
 enum class Kind { buffer, texture, program, query };
@@ -47,7 +47,7 @@ class Object {
   }
 
   void reset();
-  // Its contexts are gone, and it with them.
+  // Drops the name without deleting: its contexts are destroyed.
   void abandon();
   [[nodiscard]] unsigned name() const { return name_; }
   explicit operator bool() const { return name_ != 0; }
@@ -57,32 +57,32 @@ class Object {
   unsigned name_ = 0;  // 0: none
 };
 
-// Bytes on the device. Throws OutOfMemory where there is no memory for them.
+// A storage buffer. Throws OutOfMemory.
 class Buffer {
  public:
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] unsigned name() const { return object_.name(); }
 
-  // Makes room for that much, at least; what was in it may be lost.
+  // Ensures a capacity; the content may be lost.
   void reserve(std::size_t bytes);
-  // Takes what is there, and has room for it.
+  // Replaces the content, growing if needed.
   template <class T>
   void upload(std::span<const T> values) {
     upload_bytes(values.data(), values.size_bytes());
   }
-  // Reads from the beginning on; waits for the device.
+  // Reads from the start; waits for the device.
   template <class T>
   void download(std::span<T> values) const {
     download_bytes(values.data(), values.size_bytes());
   }
-  // All bytes 0.
+  // Fills with zeros.
   void clear();
   void release() {
     object_.reset();
     bytes_ = 0;
   }
-  // As shader storage block `binding` of the next dispatch. An empty one gets some bytes first.
-  // Throws OutOfMemory where it is larger than a block may be.
+  // Binds as shader storage block `binding`. Empty buffers are allocated first. Throws OutOfMemory
+  // if larger than a block may be.
   void bind(unsigned binding);
 
  private:
@@ -93,8 +93,7 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
-// A 2-D texture without mipmaps, never interpolated. Throws OutOfMemory where there is no memory
-// for it.
+// A 2-D texture without mipmaps, nearest sampling. Throws OutOfMemory.
 class Texture {
  public:
   enum class Format { r32f, rgba32f, rgba8 };
@@ -102,9 +101,9 @@ class Texture {
   [[nodiscard]] const glm::ivec2& size() const { return size_; }
   [[nodiscard]] unsigned name() const { return object_.name(); }
 
-  // Makes it one of that size, unless it is; what was in it may be lost.
+  // Ensures format and size; the content may be lost.
   void reserve(Format format, const glm::ivec2& size);
-  // All texels; as many floats as the format has channels for each.
+  // All texels, channels interleaved.
   void upload(std::span<const float> values);
   void download(std::span<float> values) const;
   void release() {
@@ -112,9 +111,9 @@ class Texture {
     size_ = glm::ivec2(0);
   }
   void abandon() { object_.abandon(); }
-  // All channels of all texels.
+  // Sets all channels of all texels.
   void fill(float value);
-  void bind_image(unsigned unit) const;  // to read and to write
+  void bind_image(unsigned unit) const;  // read and write
 
  private:
   Object object_;
@@ -122,7 +121,7 @@ class Texture {
   glm::ivec2 size_{0};
 };
 
-// A compute shader. Throws Error with what the compiler says.
+// A compute program. Throws Error with the compiler's log.
 class Program {
  public:
   Program() = default;
@@ -140,9 +139,9 @@ class Program {
   void set(const char* uniform, const glm::dvec3& value) const;
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::ivec4& value) const;
-  // Runs it over so many work groups; what it writes is there for what comes after.
+  // Dispatches work groups, followed by a memory barrier.
   void dispatch(std::size_t x, std::size_t y = 1) const;
-  // Over that many in a row, at least: see shaders/linear.glsl.
+  // Dispatches at least that many work groups in a linear order; see shaders/linear.glsl.
   void dispatch_linear(std::size_t groups) const;
 
  private:
@@ -151,19 +150,19 @@ class Program {
   Object object_;
 };
 
-// Milliseconds that the device spends between begin() and end(), known some time later.
+// GPU time between begin() and end(), available asynchronously.
 class Timer {
  public:
   void begin();
   void end();
-  // Waits for the device.
+  // Waits for the result.
   [[nodiscard]] double milliseconds() const;
 
  private:
   Object first_, last_;
 };
 
-// A point in what a context sends to the device, known to all contexts that share its objects.
+// A fence in a command stream, visible to all contexts that share objects.
 class Fence {
  public:
   Fence() = default;
@@ -171,18 +170,18 @@ class Fence {
   Fence(const Fence&) = delete;
   Fence& operator=(const Fence&) = delete;
 
-  // Here, instead of where it was.
+  // Places the fence here, replacing the previous one.
   void set();
-  // Until the device is there; then it is nowhere. Throws Error where the device does not answer.
+  // Waits for the fence, then removes it. Throws Error if the device does not respond.
   void wait();
   void abandon();  // as Object
 
  private:
   void reset();
-  void* sync_ = nullptr;  // null: nowhere
+  void* sync_ = nullptr;  // null: not set
 };
 
-// Until the device has done all that was sent.
+// Waits until all submitted commands have completed.
 void finish();
 
 // Throws Error where the context is lost or OpenGL has reported an error since the last call.

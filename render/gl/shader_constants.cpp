@@ -10,19 +10,19 @@
 #include "core/math/spherical_harmonics.h"
 #include "core/medium/noise.h"
 #include "core/scene/measured_brdf.h"
-#include "render/cpu/ray_range.h"
-#include "render/cpu/reflection_kernels.h"
-#include "render/cpu/scatter_table.h"
-#include "render/cpu/slice_boundaries.h"
-#include "render/cpu/slice_kernels.h"
-#include "render/cpu/source_grid.h"
-#include "render/environment_light.h"
+#include "render/geometry/ray_range.h"
+#include "render/geometry/tiles.h"
 #include "render/gl/arithmetic_peak.h"
+#include "render/lighting/environment_light.h"
+#include "render/lighting/slice_boundaries.h"
+#include "render/lighting/slice_kernels.h"
+#include "render/lighting/source_grid.h"
+#include "render/prepare/upsampling_limits.h"
 #include "render/simd/coefficients.h"
-#include "render/tiles.h"
-#include "render/triangle_hierarchy.h"
-#include "render/upsampling.h"
+#include "render/simd/reflection_kernels.h"
+#include "render/simd/scatter_table.h"
 #include "render/view_transform.h"
+#include "render/visibility/triangle_bvh.h"
 
 namespace brume::gl {
 namespace {
@@ -70,9 +70,9 @@ std::string shader_constants() {
   constants.add("gauss_weights", coefficient::gauss_weights);
   constants.add("fog_nodes", coefficient::fog_rule.nodes);
   constants.add("fog_weights", coefficient::fog_rule.weights);
-  constants.add("source_families", source_families);
-  constants.add("sh_bands", sh_most_bands);
-  constants.add("sh_count", sh_most_bands * sh_most_bands);
+  constants.add("source_clusters", source_clusters);
+  constants.add("sh_bands", sh_max_bands);
+  constants.add("sh_count", sh_max_bands * sh_max_bands);
   const ShRecurrence recurrence;
   constants.add("sh_start", floats(std::span(&recurrence.start, 1)));
   constants.add("sh_up", floats(recurrence.up));
@@ -89,21 +89,21 @@ std::string shader_constants() {
   constants.add("scatter_scale", ScatterTable::scale);
   constants.add("bin_room", static_cast<float>(bin_room));
   constants.add("slice_opaque", static_cast<float>(slice_opaque));
-  constants.add("fog_end", static_cast<float>(fog_end));
+  constants.add("opaque_fog_depth", static_cast<float>(opaque_fog_depth));
   constants.add("phase", static_cast<float>(0.25 * std::numbers::inv_pi));
   constants.add("noise_period", RayNoise::period);
   constants.add("tile_width", Tiles::width);
   constants.add("tile_height", Tiles::height);
   constants.add("group_size", Tiles::pixels);
   constants.add("chunk", slice_chunk);
-  constants.add("most_bins", 4 * most_slices);
-  constants.add("most_boundaries", static_cast<int>(max_slice_boundaries));
+  constants.add("max_bins", 4 * max_slices);
+  constants.add("max_boundaries", static_cast<int>(max_slice_boundaries));
   constants.add("node_texture_width", node_texture_width);
-  constants.add("most_bend_of_surroundings", most_bend_of_surroundings);
-  constants.add("least_surface_share", least_surface_share);
+  constants.add("max_curvature_of_surroundings", max_curvature_of_surroundings);
+  constants.add("min_surface_share", min_surface_share);
   constants.add("radii_per_tolerance", radii_per_tolerance);
   constants.add("free_paths_per_tolerance", free_paths_per_tolerance);
-  constants.add("most_levels", TriangleHierarchy::most_levels);
+  constants.add("max_levels", TriangleBvh::max_levels);
   constants.add("peak_slices", peak_slices);
   constants.add("highlight_start", highlight::start);
   constants.add("highlight_desaturation", highlight::desaturation);

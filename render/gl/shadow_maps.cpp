@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "render/gl/light_tables.h"
+#include "render/gl/optical_depth_tables.h"
 
 namespace brume::gl {
 
 void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const SlicedLight> lights,
                       std::span<const DirectionMap> directions) {
-  std::size_t most = slot_;
-  for (const DirectionMap& map : directions) most = std::max(most, map.cells());
-  const std::size_t bytes = lights.size() * most * sizeof(float);
-  if (most > slot_ || bytes > values_.bytes() || revision_ != mesh.revision()) maps_.clear();
-  slot_ = most;
+  std::size_t max_value = slot_;
+  for (const DirectionMap& map : directions) max_value = std::max(max_value, map.cells());
+  const std::size_t bytes = lights.size() * max_value * sizeof(float);
+  if (max_value > slot_ || bytes > values_.bytes() || revision_ != mesh.revision()) maps_.clear();
+  slot_ = max_value;
   values_.reserve(bytes);
   revision_ = mesh.revision();
   maps_.resize(lights.size());
@@ -22,8 +22,8 @@ void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const Sli
     map = {lights[l].position, directions[l], true};
     const Program& program = programs["shadow_map"];
     set_map(program, MapUniforms(map.directions, first(l)));
-    program.set("light", map.light - mesh.middle());
-    program.set("nearest", static_cast<float>(mesh.least_gap()));
+    program.set("light", map.light - mesh.center());
+    program.set("nearest", static_cast<float>(mesh.min_gap()));
     mesh.bind(program);
     values_.bind(2);
     const auto blocks = [](int cells) { return static_cast<std::size_t>((cells + 2 + 7) / 8); };

@@ -4,25 +4,25 @@
 #include <span>
 #include <vector>
 
-#include "render/cpu/direction_map.h"
-#include "render/cpu/sliced_airlight.h"
+#include "render/geometry/direction_map.h"
 #include "render/gl/mesh_buffers.h"
+#include "render/lighting/sliced_light.h"
 
 namespace brume::gl {
 
-// How far lights shine before a surface stops them: ShadowMap of each on the device. A map is kept
-// while its light, its directions and the surfaces stay.
+// Shadow maps of all lights on the device. A map is cached while its light, directions and the
+// surfaces are unchanged.
 class ShadowMaps {
  public:
-  // `directions`: of each light's map.
+  // `directions`: one map per light.
   void make(Programs& programs, MeshBuffers& mesh, std::span<const SlicedLight> lights,
             std::span<const DirectionMap> directions);
-  // No light has any.
+  // Removes all maps.
   void clear() { maps_.clear(); }
 
   [[nodiscard]] bool empty() const { return maps_.empty(); }
   [[nodiscard]] const DirectionMap& map(std::size_t light) const { return maps_[light].directions; }
-  // Where its values begin.
+  // Index of a light's first value.
   [[nodiscard]] std::size_t first(std::size_t light) const { return light * slot_; }
   Buffer& values() { return values_; }
 
@@ -32,8 +32,8 @@ class ShadowMaps {
     DirectionMap directions;
     bool made = false;
   };
-  std::uint64_t revision_ = 0;  // of the surfaces
-  std::size_t slot_ = 0;        // floats that each light has room for
+  std::uint64_t revision_ = 0;  // revision of the surfaces
+  std::size_t slot_ = 0;        // capacity per light in floats
   std::vector<Map> maps_;
   Buffer values_;
 };

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "render/cpu/slice_boundaries.h"
 #include "render/gl/shader_constants.h"
+#include "render/lighting/slice_boundaries.h"
 
 namespace brume::gl {
 
-void SliceTexture::choose(Programs& programs, DeviceClock& clock, LightTables& lights,
+void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTables& lights,
                           std::size_t light_count, int slices, TileLists& lists,
                           const FilmView& view, const FilmTextures& textures) {
   const glm::ivec2 tiles = lists.tiles();
@@ -18,7 +18,7 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, LightTables& l
   const auto record = static_cast<std::size_t>(stride_) + 1;
   chosen_.reserve(tile_count * record * sizeof(float));
   const std::size_t rows = node_count * record / node_texture_width + 1;
-  if (rows > node_texture_width) throw OutOfMemory("the device has no room for so many slices");
+  if (rows > node_texture_width) throw OutOfMemory("the slices do not fit into device memory");
   nodes_.reserve(Texture::Format::r32f, glm::ivec2(node_texture_width, static_cast<int>(rows)));
 
   clock.time("airlight", [&] {

@@ -3,18 +3,19 @@
 #include <cstddef>
 
 #include "render/gl/film_airlight.h"
-#include "render/gl/light_tables.h"
+#include "render/gl/optical_depth_tables.h"
 
 namespace brume::gl {
 
-// brume::FilmSlices on the device: boundaries of slices at nodes between tiles.
+// Device counterpart of FilmSlices: slice boundaries at nodes between tiles.
 class SliceTexture {
  public:
-  // For the tiles of `lists`; `lights` are uploaded. `slices` and `light_count` decide how many
-  // there are.
-  void choose(Programs& programs, DeviceClock& clock, LightTables& lights, std::size_t light_count,
-              int slices, TileLists& lists, const FilmView& view, const FilmTextures& textures);
-  // What shaders/ray_slices.glsl needs.
+  // Chooses boundaries for the tiles of `lists`; `lights` must be uploaded. `slices` and
+  // `light_count` determine their number.
+  void choose(Programs& programs, DeviceClock& clock, OpticalDepthTables& lights,
+              std::size_t light_count, int slices, TileLists& lists, const FilmView& view,
+              const FilmTextures& textures);
+  // Binds the inputs of shaders/ray_slices.glsl.
   void bind(const Program& program) const;
 
  private:

@@ -17,12 +17,12 @@ void set_noise(const Program& program, const RayNoise& noise, const glm::dvec3& 
   program.set("noise_key", noise.key());
 }
 
-std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, DeviceFrame& device) {
+std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFrame& device) {
   const MediumIndex& medium = stages.prepared().medium();
   const glm::dvec3& eye = work.rays.eye();
   const std::vector<SlicedLight> lights = FrameStages::lights_of(work);
   const auto maps = lights_.lay_out(medium, stages.prepared().medium_revision(), lights,
-                                    work.settings.light_table);
+                                    work.settings.optical_depth_table);
   work.frame.statistics.light_pairs += device.clock.time(
       "light_table", [&] { return lights_.build(device.programs, device.medium); });
   make_shadows(work, lights, maps, device);
@@ -48,7 +48,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameWork& work, DeviceFrame& 
       device.lists, device.view, device.textures);
 }
 
-void SlicedStage::make_shadows(const FrameWork& work, std::span<const SlicedLight> lights,
+void SlicedStage::make_shadows(const FrameContext& work, std::span<const SlicedLight> lights,
                                std::span<const DirectionMap> tables, DeviceFrame& device) {
   if (!work.plan.surfaces || lights.empty()) {
     shadows_.clear();
@@ -93,17 +93,17 @@ void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec
   program.set("source_scale", static_cast<float>(parts.scale));
   program.set("source_map_at", static_cast<int>(at));
   int beams = 0;
-  for (std::size_t f = 0; f < parts.peaks.size(); ++f) beams |= parts.is_beam[f] ? 1 << f : 0;
+  for (std::size_t f = 0; f < parts.lobes.size(); ++f) beams |= parts.is_narrow[f] ? 1 << f : 0;
   program.set("source_beams", beams);
-  if (!parts.peaks.empty()) {
-    const RadianceMap& map = *parts.peaks[0];  // all have the same size
+  if (!parts.lobes.empty()) {
+    const RadianceMap& map = *parts.lobes[0];  // all have the same size
     const double angle = glm::radians(parts.rotation);
     program.set("source_map_size", glm::ivec2(map.width, map.height));
     program.set("source_rotation", glm::vec2(std::cos(angle), std::sin(angle)));
   }
-  for (const auto& peak : parts.peaks) {
-    for (std::size_t i = 0; is_new && i < peak->pixels.size(); ++i) {
-      values.emplace_back(peak->pixels[i], 0.0f);
+  for (const auto& lobe : parts.lobes) {
+    for (std::size_t i = 0; is_new && i < lobe->pixels.size(); ++i) {
+      values.emplace_back(lobe->pixels[i], 0.0f);
     }
   }
   if (!is_new) return;

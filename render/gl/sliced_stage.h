@@ -2,16 +2,16 @@
 
 #include <tbb/task_arena.h>
 
-#include "render/environment_source.h"
-#include "render/frame_stages.h"
 #include "render/gl/film_airlight.h"
-#include "render/gl/light_tables.h"
+#include "render/gl/optical_depth_tables.h"
 #include "render/gl/shadow_maps.h"
 #include "render/gl/slice_texture.h"
+#include "render/lighting/environment_source.h"
+#include "render/prepare/frame_stages.h"
 
 namespace brume::gl {
 
-// What the stages of a frame share while it is made on the device.
+// Shared state of the stages of a frame on the device.
 struct DeviceFrame {
   Programs& programs;
   DeviceClock& clock;
@@ -20,24 +20,24 @@ struct DeviceFrame {
   TileLists& lists;
   FilmTextures& textures;
   FilmView view;
-  tbb::task_arena& arena;  // where the CPU's part runs; OpenGL's does not leave its thread
+  tbb::task_arena& arena;  // for work on the CPU; OpenGL calls stay in their thread
 };
 
-// The sliced airlight on the device, and what it keeps from frame to frame.
+// The sliced airlight on the device, with its caches.
 class SlicedStage {
  public:
-  // Fills the airlight and the pairs of the textures. Returns where the method itself was asked.
-  std::size_t run(FrameStages& stages, FrameWork& work, DeviceFrame& device);
-  // Of the lights of the last run().
-  LightTables& tables() { return lights_; }
+  // Fills airlight and pairs. Returns the number of pixels evaluated exactly.
+  std::size_t run(FrameStages& stages, FrameContext& work, DeviceFrame& device);
+  // Tables of the lights of the last run().
+  OpticalDepthTables& tables() { return lights_; }
 
  private:
-  void make_shadows(const FrameWork& work, std::span<const SlicedLight> lights,
+  void make_shadows(const FrameContext& work, std::span<const SlicedLight> lights,
                     std::span<const DirectionMap> tables, DeviceFrame& device);
   void upload_source(const EnvironmentSource* source, const glm::dvec3& eye,
                      const Program& program);
 
-  LightTables lights_;
+  OpticalDepthTables lights_;
   ShadowMaps shadows_;
   SliceTexture slices_;
   FilmAirlight film_;

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/scene/measured_brdf.h"
-#include "render/cpu/reflection_kernels.h"
-#include "render/cpu/transferred_light.h"
+#include "render/shading/vertex_lighting.h"
+#include "render/simd/reflection_kernels.h"
 
 namespace brume::gl {
 namespace {
@@ -34,7 +34,7 @@ std::array<int, 4> append_light(const SurfaceShading& shading, std::vector<glm::
   std::array<int, 4> begins{-1, -1, -1, -1};
   for (const MeshSide which : {MeshSide::front, MeshSide::back}) {
     if (!shading.transferred || shading.transferred->side(which).radiance.empty()) continue;
-    const TransferredLight::Side& side = shading.transferred->side(which);
+    const VertexLighting::Side& side = shading.transferred->side(which);
     begins[static_cast<std::size_t>(which)] = static_cast<int>(values.size());
     const std::size_t functions = side.incident.size() / side.radiance.size();
     for (std::size_t v = 0; v < side.radiance.size(); ++v) {
@@ -72,15 +72,15 @@ void append_tables(std::span<const std::shared_ptr<const MeasuredBrdf>> measured
 
 }  // namespace
 
-std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work,
-                                LightTables* tables, DeviceFrame& device) {
+std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& work,
+                                OpticalDepthTables* tables, DeviceFrame& device) {
   const MediumIndex& medium = stages.prepared().medium();
   const SurfaceLighting lighting = stages.surface_lighting(work);
   const bool sums = !tables && work.plan.gaussians && !lighting.lights.empty();
   const std::uint64_t pairs = sums ? sum_depths(lighting, device) : 0;
 
-  LightTables& lights = tables ? *tables : lights_;
-  lights.upload(FrameStages::lights_of(work), nullptr, device.mesh.middle());
+  OpticalDepthTables& lights = tables ? *tables : lights_;
+  lights.upload(FrameStages::lights_of(work), nullptr, device.mesh.center());
   const bool is_glossy = std::ranges::any_of(
       stages.shading().surfaces(),
       [](const SurfaceShading& s) { return s.material && !s.material->is_diffuse(); });
@@ -89,11 +89,11 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameWork& work
   program.set("light_count", static_cast<int>(lighting.lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("albedo", static_cast<float>(lighting.albedo));
-  program.set("margin", static_cast<float>(Visibility::self_hit_margin));
+  program.set("margin", static_cast<float>(RayCaster::self_hit_margin));
   program.set("film", glm::ivec2(work.frame.film.width, work.frame.film.height));
   program.set("has_depths", sums ? 1 : 0);
-  upload_light(stages, work, lighting, device.mesh.middle(), program);
-  upload_values(stages, work, lighting, device.mesh.middle(), program);
+  upload_light(stages, work, lighting, device.mesh.center(), program);
+  upload_values(stages, work, lighting, device.mesh.center(), program);
   device.mesh.bind(program);
   lights.bind();
   if (sums) depths_.bind(1);
@@ -118,7 +118,7 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
   for (std::size_t l = 0; l < lighting.lights.size(); ++l) {
     const glm::dvec3& light = lighting.lights[l].light.position;
     program.set("light", light);
-    program.set("light_at", glm::vec3(light - device.mesh.middle()));
+    program.set("light_at", glm::vec3(light - device.mesh.center()));
     program.set("first", static_cast<int>(l * pixels));
     device.mesh.bind(program);
     device.medium.bind();
@@ -133,8 +133,8 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
 }
 
 // As shaders/shade_surfaces.glsl has them.
-void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& work,
-                                 const SurfaceLighting& lighting, const glm::dvec3& middle,
+void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& work,
+                                 const SurfaceLighting& lighting, const glm::dvec3& center,
                                  const Program& program) {
   std::vector<float> values;
   const auto begin = [&](const char* place) {
@@ -148,14 +148,14 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& wor
     materials.push_back(values.size());
     append(values, reflected.diffuse, reflected.exponent);
     append(values, reflected.highlight, 0.0f);
-    const TransferredLight* transferred = shadings[i].transferred;
+    const VertexLighting* transferred = shadings[i].transferred;
     const bool is_glossy = shadings[i].material && !shadings[i].material->is_diffuse();
     values.insert(values.end(),
                   {transferred ? 1.0f : 0.0f,
                    static_cast<float>(transferred && is_glossy ? sh_size(transferred->order()) : 0),
                    static_cast<float>(begins_[i][0]), static_cast<float>(begins_[i][1])});
     const AverageDepthGrid* grid = shadings[i].average_depth;
-    append(values, grid ? glm::vec3(grid->low() - middle) : glm::vec3(0.0f),
+    append(values, grid ? glm::vec3(grid->low() - center) : glm::vec3(0.0f),
            static_cast<float>(begins_[i][2]));
     append(values, grid ? glm::vec3(grid->cells_per_unit()) : glm::vec3(0.0f),
            static_cast<float>(begins_[i][3]));
@@ -197,10 +197,10 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameWork& wor
   values_.upload(std::span<const float>(values));
 }
 
-void SurfaceStage::upload_light(const FrameStages& stages, const FrameWork& work,
-                                const SurfaceLighting& lighting, const glm::dvec3& middle,
+void SurfaceStage::upload_light(const FrameStages& stages, const FrameContext& work,
+                                const SurfaceLighting& lighting, const glm::dvec3& center,
                                 const Program& program) {
-  const std::uint64_t source = lighting.arriving ? stages.source_revision() : 0;
+  const std::uint64_t source = lighting.incident ? stages.source_revision() : 0;
   const std::uint64_t vertices = stages.shading().light_revision();
   const std::vector<SurfaceShading>& shadings = stages.shading().surfaces();
   std::vector<std::shared_ptr<const MeasuredBrdf>> measured;
@@ -212,18 +212,18 @@ void SurfaceStage::upload_light(const FrameStages& stages, const FrameWork& work
                       measured != measured_ ||
                       !std::ranges::equal(shadings, shadings_, has_same_light) || begins_.empty();
   std::vector<glm::vec4> values;
-  program.set("arriving_levels",
-              lighting.arriving ? static_cast<int>(lighting.arriving->levels().size()) : 0);
+  program.set("incident_levels",
+              lighting.incident ? static_cast<int>(lighting.incident->levels().size()) : 0);
   std::size_t at = 0;
-  for (std::size_t k = 0; lighting.arriving && k < lighting.arriving->levels().size(); ++k) {
-    const SourceGrid::Level& level = lighting.arriving->levels()[k];
-    program.set(k == 0 ? "arriving_first[0]" : "arriving_first[1]",
-                glm::vec4(glm::vec3(level.first - middle), 1.0f / level.nodes.spacing));
-    program.set(k == 0 ? "arriving_count[0]" : "arriving_count[1]",
+  for (std::size_t k = 0; lighting.incident && k < lighting.incident->levels().size(); ++k) {
+    const SourceGrid::Level& level = lighting.incident->levels()[k];
+    program.set(k == 0 ? "incident_first[0]" : "incident_first[1]",
+                glm::vec4(glm::vec3(level.first - center), 1.0f / level.nodes.spacing));
+    program.set(k == 0 ? "incident_count[0]" : "incident_count[1]",
                 glm::ivec4(level.nodes.count, static_cast<int>(at)));
-    at += level.arriving.size() / 4;
-    for (std::size_t i = 0; is_new && i < level.arriving.size(); i += 4) {
-      const float* v = level.arriving.data() + i;
+    at += level.incident.size() / 4;
+    for (std::size_t i = 0; is_new && i < level.incident.size(); i += 4) {
+      const float* v = level.incident.data() + i;
       values.emplace_back(v[0], v[1], v[2], v[3]);
     }
   }
@@ -234,7 +234,7 @@ void SurfaceStage::upload_light(const FrameStages& stages, const FrameWork& work
   append_tables(measured, values, begins_);
   // Shaders are told in floats where things begin.
   if (values.size() > std::size_t{1} << 24) {
-    throw OutOfMemory("the light of all surfaces is too much for the device");
+    throw OutOfMemory("the lighting of the surfaces does not fit into device memory");
   }
   light_.upload(std::span<const glm::vec4>(values));
   source_revision_ = source;

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <vector>
 
-#include "render/cpu/kernels.h"
-#include "render/tiles.h"
+#include "render/geometry/tiles.h"
+#include "render/simd/gaussian_kernels.h"
 
 namespace brume::gl {
 namespace {
@@ -29,7 +29,7 @@ void MediumBuffers::update(const MediumIndex& medium, std::uint64_t revision) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     centers[i] = medium.gaussians()[i].b;
     shapes[i] = {batch.a[i], batch.scale[i], batch.cutoff[i],
-                 static_cast<float>(medium.reach()[i])};
+                 static_cast<float>(medium.cutoff_radii()[i])};
   }
   centers_.upload(std::span<const glm::dvec3>(centers));
   shapes_.upload(std::span<const glm::vec4>(shapes));
@@ -43,8 +43,7 @@ void MediumBuffers::bind() {
 }
 
 void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumIndex& index,
-                      const CameraRays& rays, const Film& film, int scale,
-                      std::int64_t most_bytes) {
+                      const CameraRays& rays, const Film& film, int scale, std::int64_t max_bytes) {
   const glm::ivec2 pixels(film.width, film.height);
   sample_film_ = (pixels + (scale - 2)) / scale + 1;
   tiles_ = (sample_film_ + glm::ivec2(Tiles::width - 1, Tiles::height - 1)) /
@@ -80,16 +79,16 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   project.set("scale", scale);
   const RayNoise& noise = index.noise();
   project.set("farther",
-              noise.on() ? static_cast<float>(RayNoise::greatest * noise.amplitude()) : 0.0f);
+              noise.on() ? static_cast<float>(RayNoise::max_shift * noise.amplitude()) : 0.0f);
   project.dispatch_linear(groups_of(count, 64));
 
   // Every Gaussian counts at least one part of 256 entries.
-  const auto most_coarse =
-      static_cast<std::uint64_t>(most_bytes) / sizeof(std::uint32_t) / 256 + count;
+  const auto max_coarse =
+      static_cast<std::uint64_t>(max_bytes) / sizeof(std::uint32_t) / 256 + count;
   const Program& list = programs["list"];
   list.set("count", static_cast<unsigned>(count));
   list.set("columns", tiles_.x);
-  list.set("most_coarse", static_cast<unsigned>(std::min<std::uint64_t>(most_coarse, ~0u)));
+  list.set("max_coarse", static_cast<unsigned>(std::min<std::uint64_t>(max_coarse, ~0u)));
   list.set("fill", 0);
   list.dispatch_linear(groups_of(8 * count, 64));
   const Program& scan = programs["scan"];
@@ -100,8 +99,8 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   totals_.download(std::span<std::uint32_t>(totals));
   used_ = totals[0];
   const std::uint64_t bytes = std::uint64_t{totals[1]} * sizeof(std::uint32_t);
-  if (totals[2] > most_coarse || bytes > static_cast<std::uint64_t>(most_bytes)) {
-    throw OutOfMemory("the device has no room for the Gaussians of all tiles");
+  if (totals[2] > max_coarse || bytes > static_cast<std::uint64_t>(max_bytes)) {
+    throw OutOfMemory("the Gaussians of all tiles do not fit into device memory");
   }
   entries_.reserve(bytes);
   entries_.bind(6);

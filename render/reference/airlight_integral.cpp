@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-// Depth past which nothing comes back: exp(-45) = 3e-20.
+// Optical depth beyond which nothing returns: exp(-45) = 3e-20.
 template <class Real>
 constexpr Real opaque = Real(45);
 
@@ -19,8 +19,8 @@ constexpr Real opaque = Real(45);
 template <class Real>
 constexpr Real extent = Real(4);
 
-// The first intervals are this many radii long at most: the 15-point rule then sees every Gaussian,
-// integrates it to about 1e-6, and knows where to refine.
+// Maximum length of initial intervals in radii: the 15-point rule then detects every Gaussian,
+// integrates it to about 1e-6, and refines where needed.
 template <class Real>
 constexpr Real interval_radii = Real(6);
 
@@ -66,17 +66,17 @@ Real ViewRayMedium<Real>::parameter_at_depth(Real level) const {
     return d;
   }
   for (int i = 0; i < 200; ++i) {
-    const Real middle = Real(0.5) * (lo + hi);
-    if (!(lo < middle && middle < hi)) break;
-    (depth(middle) < level ? lo : hi) = middle;
+    const Real center = Real(0.5) * (lo + hi);
+    if (!(lo < center && center < hi)) break;
+    (depth(center) < level ? lo : hi) = center;
   }
   return hi;
 }
 
 namespace {
 
-// A stretch of the equi-angular variable where something happens, and the longest interval that
-// is integrated in one piece there: `longest_t` along the ray, `longest_phi` in the angle.
+// An interval of the equi-angular variable with structure, and the longest interval integrated in
+// one piece: `longest_t` along the ray, `longest_phi` in angle.
 template <class Real>
 struct AngularFeature {
   Real begin, end;
@@ -100,10 +100,10 @@ class Subdivision {
       inside.push_back(f);
       too_long = too_long || !(length_t <= f.longest_t) || end - begin > f.longest_phi;
     }
-    const Real middle = Real(0.5) * (begin + end);
-    if (too_long && depth < 50 && begin < middle && middle < end && breakpoints_.size() < 4096) {
-      split(begin, middle, inside, depth + 1);
-      split(middle, end, inside, depth + 1);
+    const Real center = Real(0.5) * (begin + end);
+    if (too_long && depth < 50 && begin < center && center < end && breakpoints_.size() < 4096) {
+      split(begin, center, inside, depth + 1);
+      split(center, end, inside, depth + 1);
     } else {
       breakpoints_.push_back(end);
     }
@@ -147,7 +147,7 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
 template <class Real>
 Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real>& light,
                        Real tolerance, ScatteredBy part) {
-  const LightPath<Real> path(light.position, medium.eye, medium.w, light.h_min);
+  const PointLightRay<Real> path(light.position, medium.eye, medium.w, light.h_min);
   const Real end_t = medium.parameter_at_depth(opaque<Real>);
   const EquiAngular<Real> angular(path, end_t);
   if (!(angular.span > 0)) return 0;
@@ -173,7 +173,7 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     const Real r = glm::length(q);
     const Real light_depth = r > 0 ? around_light.depth(q / r, r) + medium.b0 * r : Real(0);
     const Real phase =
-        light.anisotropy != 0 ? henyey_greenstein(path.cos_turn(t), light.anisotropy) : Real(1);
+        light.anisotropy != 0 ? henyey_greenstein(path.cos_theta(t), light.anisotropy) : Real(1);
     return phase * density * std::exp(-(view_depth + light_depth));
   };
 

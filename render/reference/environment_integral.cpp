@@ -16,15 +16,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Directions that the transmittance is taken at. Measured on fog patches under skies with a low
-// sun, where light passes through several of them, the error falls with their number to the
-// power 1.3. The peak of the phase function makes any part of the sky matter most: none is taken
-// wider than the rows say, and there are as many again where the light is.
+// Number of directions for transmittance. On fog patches under skies with a low sun the error falls
+// with their number to the power 1.3. The forward lobe can make any part of the sky dominant, so
+// clusters are limited in size by rows, with as many again by flux.
 LightGrouping directions(double anisotropy, double tolerance) {
   const int rows = anisotropy == 0.0 ? 4 : std::abs(anisotropy) < 0.7 ? 8 : 16;
   const auto boxes = static_cast<std::size_t>(2 * rows * rows);
   const double count = std::clamp(250.0 * std::pow(tolerance / 1e-3, -0.6), 64.0, 8192.0);
-  return {.groups = boxes + static_cast<std::size_t>(count), .least_rows = rows};
+  return {.groups = boxes + static_cast<std::size_t>(count), .min_rows = rows};
 }
 
 }  // namespace
@@ -78,10 +77,10 @@ glm::dvec3 ReferenceEnvironment::sum(const MediumIndex& medium, const glm::dvec3
   GaussiansAroundLight<double> around(x);
   double beyond = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    const double reach = medium.reach()[i];
-    if (!(reach > 0.0)) continue;
-    around.add(medium.gaussians()[i], reach);
-    beyond = std::max(beyond, glm::length(medium.gaussians()[i].b - x) + 2.0 * reach);
+    const double cutoff_radius = medium.cutoff_radii()[i];
+    if (!(cutoff_radius > 0.0)) continue;
+    around.add(medium.gaussians()[i], cutoff_radius);
+    beyond = std::max(beyond, glm::length(medium.gaussians()[i].b - x) + 2.0 * cutoff_radius);
   }
   around.finish();
   glm::dvec3 result(0.0);

@@ -4,43 +4,41 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "render/distant_lights.h"
-#include "render/medium_index.h"
+#include "render/geometry/medium_index.h"
+#include "render/lighting/distant_lights.h"
 #include "render/reference/airlight_integral.h"
 
 namespace brume {
 
-// Light of an environment that the medium scatters once towards the eye, converged, in double and
-// with exact optical depths:
+// Environment light scattered once towards the eye, converged, in double with exact optical depths:
 //   integral over the view ray of b exp(-T(v, x)) J(x, w) dt,
 //   J(x, w) = integral over directions w' of p(w, w') L(w') exp(-T(x, w')).
-// Surfaces do not block this light.
+// Not occluded by surfaces.
 class ReferenceEnvironment {
  public:
-  // `fog_depth`: optical depth of the homogeneous part from any point to where the fog ends. The
-  // error of taking the medium's transmittance at so many directions is about `tolerance`,
-  // relative; the phase function is taken at all of the map.
+  // `fog_depth`: optical depth of b0 from any point to the end of the fog. Sampling the medium's
+  // transmittance at discrete directions has a relative error of about `tolerance`; the phase
+  // function is sampled at full resolution.
   ReferenceEnvironment(const Environment& environment, double anisotropy, double fog_depth,
                        double tolerance);
 
-  // J at x towards an eye that looks along the unit vector w; exact up to the medium's tolerance on
-  // depths, but for the steps.
+  // J at x for a view direction w; exact up to the medium's tolerance, apart from the sampled
+  // directions.
   [[nodiscard]] glm::dvec3 source(const MediumIndex& medium, const glm::dvec3& x,
                                   const glm::dvec3& w) const;
 
-  // The whole integral along a view ray of the medium, with a relative error of `tolerance`.
+  // The integral along a view ray, to a relative error of `tolerance`.
   [[nodiscard]] glm::dvec3 airlight(const MediumIndex& medium, const ViewRayMedium<double>& ray,
                                     double tolerance) const;
 
  private:
-  // What each group scatters along w where nothing stands in its way, and the middle of where that
-  // comes from.
+  // Unattenuated scattering of each cluster along w, and its weighted mean direction.
   [[nodiscard]] std::vector<DistantLight> scattered_along(const glm::dvec3& w) const;
   [[nodiscard]] glm::dvec3 sum(const MediumIndex& medium, const glm::dvec3& x,
                                std::span<const DistantLight> scattered) const;
 
   double anisotropy_;
-  double attenuation_;  // by the fog
+  double attenuation_;  // transmittance of the fog
   std::vector<LightGroup> groups_;
 };
 

@@ -123,35 +123,35 @@ typename Crossings<Real>::Sums Crossings<Real>::at(Real t) const {
 }
 
 template <class Real>
-void GaussiansAroundLight<Real>::add(const GaussianTerm<Real>& g, Real reach) {
+void GaussiansAroundLight<Real>::add(const GaussianTerm<Real>& g, Real cutoff_radius) {
   const Vec3<Real> q = g.b - light_;
   x_.push_back(q.x);
   y_.push_back(q.y);
   z_.push_back(q.z);
   a_.push_back(g.a);
   scale_.push_back(g.c / g.a * Real(0.5) * std::sqrt(std::numbers::pi_v<Real>));
-  reach2_.push_back(reach * reach);
+  cutoff2_.push_back(cutoff_radius * cutoff_radius);
 }
 
 template <class Real>
 void GaussiansAroundLight<Real>::finish() {
   for (auto* values : {&x_, &y_, &z_, &scale_}) pad(*values, Real(0));
   pad(a_, Real(1));
-  pad(reach2_, Real(-1));
+  pad(cutoff2_, Real(-1));
 }
 
 template <class Real>
 Real GaussiansAroundLight<Real>::depth(const Vec3<Real>& u, Real r) const {
   if constexpr (sizeof(Real) == sizeof(double)) {
     return HWY_DYNAMIC_DISPATCH(DepthFromLight)(x_.data(), y_.data(), z_.data(), a_.data(),
-                                                scale_.data(), reach2_.data(), x_.size(), u, r);
+                                                scale_.data(), cutoff2_.data(), x_.size(), u, r);
   } else {
     Real sum = 0;
     const Real half_line = Real(0.5) * std::sqrt(std::numbers::pi_v<Real>);
     for (std::size_t i = 0; i < x_.size(); ++i) {
       const Vec3<Real> q(x_[i], y_[i], z_[i]);
       const Vec3<Real> gap = q - std::clamp(glm::dot(q, u), Real(0), r) * u;
-      if (!(glm::dot(gap, gap) < reach2_[i])) continue;
+      if (!(glm::dot(gap, gap) < cutoff2_[i])) continue;
       const GaussianTerm<Real> g(a_[i], scale_[i] * a_[i] / half_line, q);
       sum += optical_depth(g, line_profile(g, Vec3<Real>(0), u), r);
     }

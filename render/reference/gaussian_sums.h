@@ -6,16 +6,16 @@
 
 namespace brume {
 
-// Sums over Gaussians at one point, where the reference spends its time: plain in float, in
-// SIMD over the Gaussians in double (relative error about 1e-15 per term).
+// Sums over Gaussians at one point, the hot loop of the reference: scalar in float, SIMD over
+// Gaussians in double (relative error about 1e-15 per term).
 
-// Gaussians as one view ray from t = 0 crosses them.
+// Gaussians crossed by a view ray from t = 0.
 template <class Real>
 class Crossings {
  public:
-  // Ignores a Gaussian that is nothing on the whole line.
+  // Ignores a Gaussian that vanishes on the whole line.
   void add(const GaussianTerm<Real>& g, const LineProfile<Real>& line);
-  // To be called once, after the last add().
+  // Call once, after the last add().
   void finish();
 
   struct Sums {
@@ -28,8 +28,8 @@ class Crossings {
   struct Crossing {
     Real a, t0;
     Real peak;   // density at t0 [1/u]
-    Real scale;  // half the depth of the whole line
-    Real start;  // erfc(|a t0|): the start of the ray
+    Real scale;  // half the optical depth of the whole line
+    Real start;  // erfc(|a t0|), for the ray's start
   };
   [[nodiscard]] const std::vector<Crossing>& all() const { return all_; }
 
@@ -38,23 +38,23 @@ class Crossings {
   std::vector<Real> a_, t0_, peak_, scale_, start_;
 };
 
-// Gaussians around a light, for depths from the light to points.
+// Gaussians relative to a light, for optical depths from it.
 template <class Real>
 class GaussiansAroundLight {
  public:
   explicit GaussiansAroundLight(const Vec3<Real>& light) : light_(light) {}
 
-  // A path farther than `reach` from the centre leaves the Gaussian out.
-  void add(const GaussianTerm<Real>& g, Real reach);
+  // The Gaussian is culled from paths farther than `cutoff_radius` from its center.
+  void add(const GaussianTerm<Real>& g, Real cutoff_radius);
   void finish();
 
-  // Depth of the Gaussians from the light along the unit vector u over [0, r].
+  // Optical depth from the light along the unit vector u over [0, r].
   [[nodiscard]] Real depth(const Vec3<Real>& u, Real r) const;
 
  private:
   Vec3<Real> light_;
-  std::vector<Real> x_, y_, z_;  // centres relative to the light
-  std::vector<Real> a_, scale_, reach2_;
+  std::vector<Real> x_, y_, z_;  // centers relative to the light
+  std::vector<Real> a_, scale_, cutoff2_;
 };
 
 extern template class Crossings<double>;

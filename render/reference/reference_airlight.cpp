@@ -8,18 +8,17 @@
 
 namespace brume {
 
-ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occluders,
+ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion& exact_occlusion,
                                 std::span<const ReferenceLight> lights,
                                 const ReferenceEnvironment* environment, const glm::dvec3& eye,
                                 const glm::dvec3& w, double length, double tolerance) {
   ReferenceRay result;
   std::vector<GaussianTerm<double>> along;
   double last = 0.0;  // where the last Gaussian ends
-  medium.hierarchy().query(
-      RaySegment{eye, w, length, medium.greatest_bend()}, [&](std::uint32_t i) {
-        along.push_back(medium.gaussians()[i]);
-        last = std::max(last, glm::dot(along.back().b - eye, w) + medium.reach()[i]);
-      });
+  medium.bvh().query(RaySegment{eye, w, length, medium.max_displacement()}, [&](std::uint32_t i) {
+    along.push_back(medium.gaussians()[i]);
+    last = std::max(last, glm::dot(along.back().b - eye, w) + medium.cutoff_radii()[i]);
+  });
   result.view_pairs = along.size();
   const double b0 = medium.homogeneous_density();
   const ViewRayMedium<double> ray(along, b0, eye, w, length, medium.noise());
@@ -36,13 +35,12 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occl
     std::vector<GaussianTerm<double>> toward_light;
     // An endless ray in fog: whatever is farther than its medium is dense lies in the dark.
     const glm::dvec3 far = eye + std::min(end, 1e15) * w;
-    medium.hierarchy().query(TriangleShape{light.position, eye, far}, [&](std::uint32_t i) {
-      toward_light.push_back(medium.gaussians()[i]);
-    });
+    medium.bvh().query(TriangleShape{light.position, eye, far},
+                       [&](std::uint32_t i) { toward_light.push_back(medium.gaussians()[i]); });
     source.gaussians = toward_light;
     result.light_pairs += toward_light.size();
-    if (!occluders.empty()) {
-      source.lit = occluders.lit(light.position, eye, w, std::min(end, 1e15));
+    if (!exact_occlusion.empty()) {
+      source.lit = exact_occlusion.lit(light.position, eye, w, std::min(end, 1e15));
     }
     result.airlight += light.intensity * airlight_integral(lit, source, tolerance);
   }

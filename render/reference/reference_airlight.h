@@ -3,15 +3,14 @@
 #include <span>
 
 #include "core/scene/scene.h"
-#include "render/medium_index.h"
+#include "render/geometry/medium_index.h"
 #include "render/reference/environment_integral.h"
-#include "render/reference/occluders.h"
+#include "render/visibility/exact_occlusion.h"
 
 namespace brume {
 
-// The converged airlight of one view ray in a scene: every light, b0, Gaussians, and surfaces as
-// blockers of the lights on their way through the medium; and the environment, which no surface
-// blocks.
+// The converged airlight of one view ray: all lights with shadows of surfaces, b0 and Gaussians,
+// and the environment, which surfaces do not occlude.
 
 struct ReferenceLight {
   glm::dvec3 position{0.0};
@@ -26,9 +25,9 @@ struct ReferenceRay {
   std::uint64_t light_pairs = 0;
 };
 
-// `length` is the distance to the first surface or +inf; `environment`: null if there is none;
-// `tolerance` the relative one of airlight_integral(). Thread-safe.
-ReferenceRay reference_airlight(const MediumIndex& medium, const Occluders& occluders,
+// `length`: distance to the first surface or +inf; `environment`: may be null; `tolerance`:
+// relative, see airlight_integral(). Thread-safe.
+ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion& exact_occlusion,
                                 std::span<const ReferenceLight> lights,
                                 const ReferenceEnvironment* environment, const glm::dvec3& eye,
                                 const glm::dvec3& w, double length, double tolerance);

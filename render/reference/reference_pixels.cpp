@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "render/albedo.h"
-#include "render/job.h"
-#include "render/light_limits.h"
+#include "render/prepare/albedo.h"
+#include "render/prepare/light_limits.h"
 #include "render/render_plan.h"
+#include "render/util/job.h"
 
 namespace brume {
 namespace {
@@ -20,14 +20,14 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
       tolerance_(tolerance),
-      visibility_(scene.surfaces),
-      occluders_(scene.surfaces) {
+      ray_caster_(scene.surfaces),
+      exact_occlusion_(scene.surfaces) {
   const RenderPlan plan(scene, AirlightMethod::reference);
-  const FogEnd fog_end(scene);
-  ray_end_ = fog_end.of_rays(rays_.eye());
+  const FogExtent fog_extent(scene);
+  ray_end_ = fog_extent.ray_distance(rays_.eye());
   for (const PointLight& light : plan.lights) {
     lights_.push_back(
-        {light.position, light.intensity, least_light_distance(rays_, camera, light.position)});
+        {light.position, light.intensity, min_light_distance(rays_, camera, light.position)});
   }
   for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
@@ -37,7 +37,8 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
     std::optional<ReferenceEnvironment> environment;
     if (plan.environment) {
       environment.emplace(*scene.environment, scene.optics.anisotropy,
-                          fog_end.depth_of_surfaces(medium.homogeneous_density()), tolerance);
+                          fog_extent.surface_optical_depth(medium.homogeneous_density()),
+                          tolerance);
     }
     groups_.push_back({group.channels, group.albedo, std::move(medium), std::move(environment)});
   }
@@ -56,9 +57,9 @@ std::vector<glm::dvec3> ReferencePixels::airlight(
         .each_reported(pixels.size(), [&](std::size_t k) {
           const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
                                                static_cast<double>(pixels[k] / width_) + 0.5);
-          const double length = std::min(visibility_.first_hit(rays_.eye(), w).distance, ray_end_);
+          const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);
           const glm::dvec3 airlight =
-              reference_airlight(group.medium, occluders_, lights_,
+              reference_airlight(group.medium, exact_occlusion_, lights_,
                                  group.environment ? &*group.environment : nullptr, rays_.eye(), w,
                                  length, tolerance_)
                   .airlight;

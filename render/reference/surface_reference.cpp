@@ -73,8 +73,8 @@ class Ray {
     }
     high = std::min(high, end);
     for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (depth(middle) < level ? low : high) = middle;
+      const double center = 0.5 * (low + high);
+      (depth(center) < level ? low : high) = center;
     }
     return 0.5 * (low + high);
   }
@@ -116,19 +116,19 @@ struct Sample {
 
 class Sampler {
  public:
-  Sampler(const Scene& scene, const Visibility& visibility, const SurfacePoint& point,
+  Sampler(const Scene& scene, const RayCaster& ray_caster, const SurfacePoint& point,
           const SurfaceSampling& sampling)
-      : scene_(scene), visibility_(visibility), point_(point), far_(sampling.far) {
+      : scene_(scene), ray_caster_(ray_caster), point_(point), far_(sampling.far) {
     for (std::size_t i = 0; i < scene.medium.size(); ++i) {
       gaussians_.emplace_back(scene.medium.gaussian(i));
     }
   }
 
   // Light of a point light that comes straight, without sampling.
-  [[nodiscard]] glm::dvec3 straight(const PointLight& light) const {
+  [[nodiscard]] glm::dvec3 unscattered(const PointLight& light) const {
     const glm::dvec3 q = light.position - point_.position;
     const double distance = glm::length(q);
-    if (!(distance > 0.0) || visibility_.blocked(point_.shadow_origin, light.position)) {
+    if (!(distance > 0.0) || ray_caster_.occluded(point_.shadow_origin, light.position)) {
       return glm::dvec3(0.0);
     }
     const glm::dvec3 wi = q / distance;
@@ -146,7 +146,7 @@ class Sampler {
                                           : around(point_.normal, std::sqrt(uniform()), phi);
     const double cosine = glm::dot(wi, point_.normal);
     if (!(cosine > 0.0)) return {};
-    const LightPath<double> path(light.position, point_.position, wi, 0.0);
+    const PointLightRay<double> path(light.position, point_.position, wi, 0.0);
     const double sine = path.h / glm::length(q);
     const double pdf = 0.5 * cosine / pi + 0.5 / (2.0 * pi * pi * sine);
 
@@ -155,7 +155,7 @@ class Sampler {
     const EquiAngular<double> angular(path, end_of(wi));
     const double t = angular.t(uniform() * angular.span);
     const glm::dvec3 x = along.at(t);
-    if (visibility_.blocked(x, light.position)) return {};
+    if (ray_caster_.occluded(x, light.position)) return {};
     const double r = path.travelled(t);
     const glm::dvec3 from_light = r > 0.0 ? (x - light.position) / r : -wi;
     const double depth = along.depth(t) + ray(light.position, from_light).depth(r);
@@ -171,7 +171,7 @@ class Sampler {
     if (!(cosine > 0.0)) return {};
     const glm::dvec3 weight = reflected(wi) * (pi / cosine);
     const Ray along = ray(point_.position, wi);
-    const SurfaceHit hit = visibility_.first_hit(point_.shadow_origin, wi);
+    const SurfaceHit hit = ray_caster_.first_hit(point_.shadow_origin, wi);
     const double end = std::min(hit.distance, far_);
     const double depth = along.depth(end);
     Sample sample;
@@ -186,7 +186,7 @@ class Sampler {
     const glm::dvec3 x = along.at(t);
     const double turn = 2.0 * pi * uniform();
     const glm::dvec3 w = around({0, 0, 1}, 2.0 * uniform() - 1.0, turn);
-    if (visibility_.first_hit(x, w)) return sample;
+    if (ray_caster_.first_hit(x, w)) return sample;
     const double total = level + ray(x, w).depth(distance_out(x, w));
     sample.scattered = weight * share * std::exp(level) * (4.0 * pi * phase(glm::dot(w, wi))) *
                        transmittance(total) * environment_radiance(environment, w);
@@ -210,7 +210,7 @@ class Sampler {
     return henyey_greenstein(cosine, scene_.optics.anisotropy) / (4.0 * pi);
   }
   [[nodiscard]] double end_of(const glm::dvec3& wi) const {
-    return std::min(visibility_.first_hit(point_.shadow_origin, wi).distance, far_);
+    return std::min(ray_caster_.first_hit(point_.shadow_origin, wi).distance, far_);
   }
   // From x along w to the end of the medium.
   [[nodiscard]] double distance_out(const glm::dvec3& x, const glm::dvec3& w) const {
@@ -222,7 +222,7 @@ class Sampler {
   }
 
   const Scene& scene_;
-  const Visibility& visibility_;
+  const RayCaster& ray_caster_;
   const SurfacePoint& point_;
   double far_;
   std::vector<GaussianTerm<double>> gaussians_;
@@ -230,10 +230,10 @@ class Sampler {
 
 }  // namespace
 
-ReflectedLight reflected_light(const Scene& scene, const Visibility& visibility,
+ReflectedLight reflected_light(const Scene& scene, const RayCaster& ray_caster,
                                const SurfacePoint& point, const SurfaceSampling& sampling) {
   assert(sampling.samples >= 2);
-  const Sampler sampler(scene, visibility, point, sampling);
+  const Sampler sampler(scene, ray_caster, point, sampling);
   Uniform uniform(sampling.seed);
   ReflectedLight result;
   glm::dvec3 variance(0.0);
@@ -253,7 +253,7 @@ ReflectedLight reflected_light(const Scene& scene, const Visibility& visibility,
   };
   for (const PointLight& light : scene.lights) {
     if (!light.on) continue;
-    result.attenuated += sampler.straight(light);
+    result.attenuated += sampler.unscattered(light);
     average([&] { return sampler.of_light(light, uniform); });
   }
   if (scene.environment) {

@@ -7,24 +7,23 @@
 
 namespace brume {
 
-// What is known of the converged airlight of one view: each pixel is evaluated once, whoever asks
-// for it. For one thread at a time.
+// Caches the converged airlight of one view's pixels. Not thread-safe.
 class ViewReference {
  public:
-  // As of ReferencePixels.
+  // See ReferencePixels.
   ViewReference(const Scene& scene, const Camera& camera, const Film& film, double time,
                 double tolerance)
       : reference_(scene, camera, film, time, tolerance) {}
 
-  // Makes the airlight of these pixels known, in parallel, milliseconds each. False if `stop` was
-  // requested. `progress` as of FrameRenderer.
+  // Evaluates pixels that are not cached, in parallel, milliseconds each. False if `stop` was
+  // requested. `progress`: see FrameRenderer.
   bool evaluate(std::span<const std::size_t> pixels, const std::stop_token& stop,
                 const std::function<void(double)>& progress = {});
 
-  // Of a pixel that was evaluated.
+  // Airlight of an evaluated pixel.
   [[nodiscard]] const glm::dvec3& airlight(std::size_t pixel) const { return known_.at(pixel); }
 
-  // How many were evaluated.
+  // Number of evaluated pixels.
   [[nodiscard]] std::size_t size() const { return known_.size(); }
 
  private:

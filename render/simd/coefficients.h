@@ -2,8 +2,8 @@
 
 namespace brume::coefficient {
 
-// Polynomials of the kernels in single precision, highest coefficient first; those of render/gl are
-// made from the same.
+// Polynomial coefficients of the kernels in single precision, highest first; the shaders' are
+// generated from them.
 
 // erfcx(x) = t P(t), t = 1 / (1 + x / 2): relative error 3e-7 up to 20, 4e-6 beyond.
 inline constexpr float erfcx[] = {-0.0569184758f, 0.2754870355f,  -0.4712418020f,
@@ -14,9 +14,8 @@ inline constexpr float erfcx[] = {-0.0569184758f, 0.2754870355f,  -0.4712418020f
 inline constexpr float erf_small[] = {-0.00056314253f, 0.0049175541f,  -0.0267113168f,
                                       0.1128018051f,   -0.3761232495f, 1.1283791065f};
 
-// erf(x) = x P(x^2) to 3e-5, and exactly 1 (to rounding) from erf_fast_end on, so that whole lines
-// come out exact: a minimax fit with neither exponential nor division. What it adds to a frame's
-// error is far below what slicing does.
+// erf(x) = x P(x^2) to 3e-5, and exactly 1 (to rounding) beyond erf_fast_end, so whole lines are
+// exact: a minimax fit without exponential or division, whose error is far below that of slicing.
 inline constexpr float erf_fast[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
                                      -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
                                      1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};

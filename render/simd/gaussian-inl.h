@@ -112,7 +112,8 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
     V mean;
     if constexpr (is_float) {
       using coefficient::gauss_nodes, coefficient::gauss_weights;
-      mean = hn::Add(pair(gauss_nodes[0], gauss_weights[0]), pair(gauss_nodes[1], gauss_weights[1]));
+      mean =
+          hn::Add(pair(gauss_nodes[0], gauss_weights[0]), pair(gauss_nodes[1], gauss_weights[1]));
     } else {
       mean = hn::Add(hn::Add(pair(0.2386191860831969086, 0.4679139345726910474),
                              pair(0.6612093864662645137, 0.3607615730481386076)),
@@ -127,15 +128,15 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
 // The cosine of the angle by which light turns towards the eye at a point that is `along` past the
 // light on the ray and `distance` from it.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V CosTurn(D d, V along, V distance) {
-  const V least = hn::Set(d, hn::TFromD<D>(1e-30));
-  return hn::Neg(hn::Div(along, hn::Max(distance, least)));
+HWY_INLINE V CosTheta(D d, V along, V distance) {
+  const V min_value = hn::Set(d, hn::TFromD<D>(1e-30));
+  return hn::Neg(hn::Div(along, hn::Max(distance, min_value)));
 }
 
 // See henyey_greenstein() in core/transport/phase_function.h.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V HenyeyGreenstein(D d, V cos_turn, hn::TFromD<D> g) {
-  const V s = hn::NegMulAdd(hn::Set(d, 2 * g), cos_turn, hn::Set(d, 1 + g * g));
+HWY_INLINE V HenyeyGreenstein(D d, V cos_theta, hn::TFromD<D> g) {
+  const V s = hn::NegMulAdd(hn::Set(d, 2 * g), cos_theta, hn::Set(d, 1 + g * g));
   return hn::Div(hn::Set(d, 1 - g * g), hn::Mul(s, hn::Sqrt(s)));
 }
 
@@ -175,12 +176,12 @@ struct Crossing {
     const V bend = hn::MulAdd(hn::Mul(m, m), k2, k2);
     const V shift = hn::Mul(hn::Mul(m, hn::Mul(k, length)),
                             hn::NegMulAdd(bend, hn::Set(d, 1.0f / 90.0f), hn::Set(d, 1.0f / 6.0f)));
-    const V near_middle = hn::Sub(hn::Mul(hn::Set(d, 0.5f), length), shift);
+    const V near_center = hn::Sub(hn::Mul(hn::Set(d, 0.5f), length), shift);
     const auto is_short = hn::Lt(hn::Mul(k, reach), hn::Set(d, 1.0f));
     // Where all underflows the quotient says nothing; half a Gaussian's mean is within 1 / a.
     const V zero = hn::Zero(d);
-    const V most = hn::Add(hn::Max(t0, zero), hn::Div(hn::Set(d, 1.0f), a));
-    const V t = hn::Min(hn::IfThenElse(is_short, near_middle, mean), hn::Min(most, length));
+    const V max_value = hn::Add(hn::Max(t0, zero), hn::Div(hn::Set(d, 1.0f), a));
+    const V t = hn::Min(hn::IfThenElse(is_short, near_center, mean), hn::Min(max_value, length));
     return hn::Max(t, zero);
   }
 };

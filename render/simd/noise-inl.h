@@ -10,8 +10,8 @@
 
 #include <bit>
 
-#include "render/cpu/kernels.h"
 #include "render/simd/gaussian-inl.h"
+#include "render/simd/gaussian_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -59,8 +59,9 @@ HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w,
   const hn::RebindToUnsigned<D> du;
   constexpr int bits_per_axis = std::countr_zero(static_cast<unsigned>(RayNoise::period));
   // Beyond this float tells no cells apart, and more would not fit the nodes' numbers.
-  const V most = hn::Set(d, 1e9f);
-  const V along = hn::Max(hn::Min(hn::Mul(hn::Set(d, noise.frequency), t), most), hn::Neg(most));
+  const V max_value = hn::Set(d, 1e9f);
+  const V along =
+      hn::Max(hn::Min(hn::Mul(hn::Set(d, noise.frequency), t), max_value), hn::Neg(max_value));
   const LatticeAxis<0, D> x(d, hn::MulAdd(along, w.x, hn::Set(d, noise.x)));
   const LatticeAxis<bits_per_axis, D> y(d, hn::MulAdd(along, w.y, hn::Set(d, noise.y)));
   LatticeAxis<2 * bits_per_axis, D> z(d, hn::MulAdd(along, w.z, hn::Set(d, noise.z)));
@@ -98,7 +99,8 @@ HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w,
 
 // Crossing::e of a Gaussian that the ray passes at t0, bent.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V BentDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3<V>& w, V a, V t0) {
+HWY_INLINE V DisplacedDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3<V>& w, V a,
+                               V t0) {
   const V3<V> p = minus(b, t0, w);
   const V3<V> g = PotentialGradient(d, noise, w, t0);
   const V amplitude = hn::Set(d, noise.amplitude);
@@ -112,16 +114,16 @@ HWY_INLINE V BentDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3
   return dot(gap, gap);
 }
 
-// Gaussian j of a batch as rays of direction w meet it. kBent is a batch's noise.on(): rays that
-// nothing bends pay nothing for those that are.
-template <bool kBent, class D, class V = hn::Vec<D>>
+// Gaussian j of a batch as rays of direction w meet it. kDisplaced is a batch's noise.on(): rays
+// that nothing bends pay nothing for those that are.
+template <bool kDisplaced, class D, class V = hn::Vec<D>>
 HWY_INLINE Crossing<D> BatchCrossing(D d, const GaussianBatch& g, std::size_t j, const V3<V>& w) {
   const V3<V> b{hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])};
   const V a = hn::Set(d, g.a[j]);
   Crossing<D> crossing(b, w, a);
-  if constexpr (kBent) {
-    if (!hn::AllTrue(d, hn::Gt(crossing.e, hn::Set(d, g.bent_cutoff[j])))) {
-      crossing.e = BentDistance(d, g.noise, b, w, a, crossing.t0);
+  if constexpr (kDisplaced) {
+    if (!hn::AllTrue(d, hn::Gt(crossing.e, hn::Set(d, g.displaced_cutoff[j])))) {
+      crossing.e = DisplacedDistance(d, g.noise, b, w, a, crossing.t0);
     }
   }
   return crossing;

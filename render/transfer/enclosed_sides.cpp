@@ -59,11 +59,11 @@ class Parts {
   explicit Parts(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), Index{0});
   }
-  Index of(Index i) {
+  Index root(Index i) {
     while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
     return i;
   }
-  void join(Index a, Index b) { parents_[of(a)] = of(b); }
+  void join(Index a, Index b) { parents_[root(a)] = root(b); }
 
  private:
   std::vector<Index> parents_;
@@ -112,11 +112,11 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
     for (; i < edges.size() && edges[i].low == first.low && edges[i].high == first.high; ++i) {
       sum += edges[i].sense;
     }
-    if (sum != 0) shapes[parts.of(first.low)].closed = false;
+    if (sum != 0) shapes[parts.root(first.low)].closed = false;
   }
   for (const auto face : mesh.faces()) {
     const auto corners = corners_of(face);
-    const Index part = parts.of(place[static_cast<std::size_t>(corners[0].idx())]);
+    const Index part = parts.root(place[static_cast<std::size_t>(corners[0].idx())]);
     // Beside a vertex of the part, where the volume loses no digits.
     const auto origin = mesh.point(OpenMesh::VertexHandle(static_cast<int>(part)));
     std::array<glm::dvec3, 3> p;
@@ -131,7 +131,7 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
 
   std::vector<Enclosed> result(place.size(), Enclosed::none);
   for (std::size_t i = 0; i < place.size(); ++i) {
-    const Shape& shape = shapes[parts.of(place[i])];
+    const Shape& shape = shapes[parts.root(place[i])];
     if (!shape.closed || shape.volume == 0.0) continue;
     const bool outward = (shape.volume > 0.0) == (shape.normals > 0.0);
     result[i] = outward ? Enclosed::back : Enclosed::front;

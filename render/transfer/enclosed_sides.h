@@ -7,19 +7,18 @@ namespace brume {
 
 struct TriangleMesh;
 
-// Surfaces are lit on both sides; the front is the one that vertex normals point to.
+// Surfaces are two-sided; vertex normals point to the front.
 enum class MeshSide { front, back };
 
-// Which side of a surface no light from outside can reach because it is the inside of a closed
-// part of the mesh.
+// The side that is inside a closed part of the mesh, which no light reaches.
 enum class Enclosed : std::uint8_t { none, front, back };
 
 inline bool is_enclosed(Enclosed enclosed, MeshSide side) {
   return enclosed == (side == MeshSide::front ? Enclosed::front : Enclosed::back);
 }
 
-// For each vertex. Vertices at the same place count as one, so that seams do not open a part. A
-// part is closed if each of its edges is passed as often one way as the other.
+// Per vertex. Coincident vertices are merged, so seams do not open a part. A part is closed if each
+// of its edges is traversed equally often in both directions.
 std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh);
 
 }  // namespace brume

@@ -13,7 +13,7 @@
 #include "core/scene/brdf.h"
 #include "core/scene/mesh.h"
 #include "core/scene/scene.h"
-#include "render/cpu/visibility.h"
+#include "render/visibility/ray_caster.h"
 
 namespace brume {
 namespace {
@@ -145,7 +145,7 @@ class Transfer {
     result_.vertices = mesh->n_vertices();
     Surface surface;
     surface.mesh = mesh;
-    visibility_.emplace(std::span(&surface, 1));
+    ray_caster_.emplace(std::span(&surface, 1));
   }
 
   // All rays of one side.
@@ -170,13 +170,13 @@ class Transfer {
     each_vertex(job, [&](std::size_t v) {
       ShVector<float> sum(result_.settings.order);
       for (const Exchange& e : exchanges[v]) {
-        const auto& from = result_.sides[e.from_back].reflected;
-        if (from.empty()) continue;
+        const auto& source = result_.sides[e.from_back].reflected;
+        if (source.empty()) continue;
         const glm::uvec3& corners = triangles_[e.triangle];
         const std::array weights{(1.0f - e.u - e.v) * e.weight, e.u * e.weight, e.v * e.weight};
         for (int k = 0; k < 3; ++k) {
           const std::size_t term = corners[k] * terms() + static_cast<std::size_t>(bounce) - 1;
-          const float* const light = from.data() + term * sum.size();
+          const float* const light = source.data() + term * sum.size();
           for (std::size_t i = 0; i < sum.size(); ++i) {
             sum[i] += weights[static_cast<std::size_t>(k)] * light[i];
           }
@@ -186,7 +186,7 @@ class Transfer {
     });
   }
 
-  RadianceTransfer take() { return std::move(result_); }
+  RadianceTransfer release() { return std::move(result_); }
 
  private:
   [[nodiscard]] std::size_t terms() const {
@@ -211,7 +211,7 @@ class Transfer {
     std::vector<glm::dvec3> directions(rays_.size());
     for (std::size_t k = 0; k < rays_.size(); ++k) directions[k] = matrix * rays_[k].direction;
     std::vector<SurfaceHit> hits(rays_.size());
-    visibility_->first_hits(geometry_.ray_origin(v, n), directions, hits);
+    ray_caster_->first_hits(geometry_.ray_origin(v, n), directions, hits);
 
     ShVector<double> open(result_.settings.order);
     ShVector<double> irradiance(result_.settings.order);
@@ -247,7 +247,7 @@ class Transfer {
   std::vector<glm::uvec3> triangles_;
   std::vector<Enclosed> enclosed_;
   std::vector<Ray> rays_;
-  std::optional<Visibility> visibility_;
+  std::optional<RayCaster> ray_caster_;
   std::array<Exchanges, 2> exchanges_;  // by MeshSide
   RadianceTransfer result_;
 };
@@ -291,7 +291,7 @@ ShVector<double> RadianceTransfer::reflected(MeshSide which, int bounce,
 std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const TriangleMesh>& mesh,
                                                   const TransferSettings& settings,
                                                   const Job& job) {
-  assert(1 <= settings.order && settings.order <= sh_most_bands);
+  assert(1 <= settings.order && settings.order <= sh_max_bands);
   assert(64 <= settings.directions && settings.directions <= 65536 && settings.directions % 8 == 0);
   assert(0 <= settings.bounces && settings.bounces <= 16);
   constexpr double reflect_cost = 0.1;  // of a bounce, beside casting the rays
@@ -312,7 +312,7 @@ std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const Tr
   }
   if (job.stop.stop_requested()) return std::nullopt;
   if (job.progress) job.progress(1.0);
-  return transfer.take();
+  return transfer.release();
 }
 
 }  // namespace brume

@@ -14,7 +14,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/content_hash.h"
 #include "core/io/file_bytes.h"
-#include "core/io/limits.h"
+#include "core/limits.h"
 #include "core/scene/mesh.h"
 
 namespace brume {
@@ -26,7 +26,7 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 constexpr std::uint32_t version = 1;
 
 // No coefficient is larger: sqrt(4 pi) for a function from 0 to 1.
-constexpr float greatest = 4.0f;
+constexpr float max_value = 4.0f;
 
 // Of the mesh and of all that decides how transfer is made from it.
 std::uint64_t hash_of(const TriangleMesh& mesh, const TransferSettings& settings) {
@@ -98,18 +98,18 @@ std::string encode(const RadianceTransfer& transfer, Header header) {
 RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, Header expected) {
   const auto refuse = [&](const char* what) { throw InputError(file, "", what); };
   const std::string bytes = read_bytes(file);
-  if (bytes.size() < sizeof(Header) + sizeof(std::uint64_t)) refuse("is cut off");
+  if (bytes.size() < sizeof(Header) + sizeof(std::uint64_t)) refuse("is truncated");
   Header header = expected;
   std::memcpy(&header, bytes.data(), sizeof(Header));
   if (header.sides > 3) refuse("is damaged");
   expected.sides = header.sides;
-  if (std::memcmp(&header, &expected, sizeof(Header)) != 0) refuse("is of something else");
+  if (std::memcmp(&header, &expected, sizeof(Header)) != 0) refuse("belongs to something else");
 
   const std::size_t count = expected.vertices * sh_size(settings.order);
   const std::size_t terms = static_cast<std::size_t>(settings.bounces) + 1;
   const auto sides = static_cast<std::size_t>(std::popcount(header.sides));
   const std::size_t payload = sizeof(float) * sides * count * (1 + terms);
-  if (bytes.size() != sizeof(Header) + payload + sizeof(std::uint64_t)) refuse("is cut off");
+  if (bytes.size() != sizeof(Header) + payload + sizeof(std::uint64_t)) refuse("is truncated");
   const std::string_view content(bytes.data(), sizeof(Header) + payload);
   std::uint64_t sum = 0;
   std::memcpy(&sum, bytes.data() + content.size(), sizeof(sum));
@@ -121,7 +121,7 @@ RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, 
     std::memcpy(values.data(), at, n * sizeof(float));
     at += n * sizeof(float);
     for (const float x : values) {
-      if (!(std::abs(x) <= greatest)) refuse("is damaged");
+      if (!(std::abs(x) <= max_value)) refuse("is damaged");
     }
   };
   RadianceTransfer transfer{settings, expected.vertices, {}};
@@ -174,7 +174,7 @@ std::optional<RadianceTransfer> cached_radiance_transfer(
       if (job.progress) job.progress(1.0);
       return transfer;
     } catch (const InputError& mistake) {
-      warn(mistake.what() + std::string("; radiance transfer is made anew"));
+      warn(mistake.what() + std::string("; radiance transfer is recomputed"));
     }
   }
   std::optional<RadianceTransfer> transfer = radiance_transfer(mesh, settings, job);
@@ -184,7 +184,7 @@ std::optional<RadianceTransfer> cached_radiance_transfer(
     fs::create_directories(folder, error);  // what went wrong shows as the file is written
     if (!bytes.empty()) write_atomically(file, bytes);
   } catch (const InputError& mistake) {
-    warn(mistake.what() + std::string("; radiance transfer is not kept"));
+    warn(mistake.what() + std::string("; radiance transfer is not cached"));
   }
   return transfer;
 }

@@ -10,23 +10,20 @@
 
 namespace brume {
 
-// Keeps radiance transfer on disk from one run to the next: a file for each mesh and settings, of 4
-// bytes for each coefficient. Deleting them is always safe. Version 1, little-endian: a header, the
-// visibility and the reflected light of each side, a hash of all that.
+// Disk cache of radiance transfer: one file per mesh and settings, 4 bytes per coefficient. Safe to
+// delete. Version 1, little-endian: header, visibility and reflected light per side, hash.
 
 // $XDG_CACHE_HOME/brume, else $HOME/.cache/brume; empty where neither is an absolute path.
 std::filesystem::path cache_folder();
 
-// The name is a hash of the mesh's points, normals and triangles and of the settings. Material,
-// scale and place do not matter to transfer.
+// File name: hash of the mesh's points, normals and triangles and of the settings. Material, scale
+// and transform do not matter.
 std::filesystem::path transfer_file(const std::filesystem::path& folder, const TriangleMesh& mesh,
                                     const TransferSettings& settings);
 
-// radiance_transfer(), read from the folder if it is there and else put there for the next time.
-// The folder is made where it is missing; with none (""), nothing is kept, nor is what would take
-// more than limits::file_bytes. A file that is damaged or not ours is replaced, and one that cannot
-// be read or written is done without; both append one line to `warnings`, if given. Nothing if
-// stopped.
+// radiance_transfer(), cached in `folder`, which is created if missing; with an empty folder, or
+// beyond limits::file_bytes, nothing is written. Damaged files are replaced; unreadable or
+// unwritable ones are tolerated; both append a line to `warnings`, if given. nullopt if stopped.
 std::optional<RadianceTransfer> cached_radiance_transfer(
     const std::shared_ptr<const TriangleMesh>& mesh, const TransferSettings& settings,
     const std::filesystem::path& folder, const Job& job = {},

@@ -12,27 +12,27 @@
 
 namespace brume {
 
-// A mesh with the transfer that is wanted of it.
+// A mesh and the requested transfer settings.
 struct TransferRequest {
   std::shared_ptr<const TriangleMesh> mesh;
   TransferSettings settings;
 
-  // By the mesh's identity: meshes of scenes are never changed.
+  // Compares mesh identity: meshes are immutable.
   bool operator==(const TransferRequest&) const = default;
 };
 
-// What a surface asks for; Surface::Transfer::none does not.
+// The request of a surface; not for Surface::Transfer::none.
 TransferRequest transfer_request(const Surface& surface);
 
-// Radiance transfer in memory. Thread-safe: one thread may make what another looks for.
+// Radiance transfer in memory. Thread-safe.
 class TransferStore {
  public:
-  // Null if it is not there.
+  // Null if missing.
   [[nodiscard]] std::shared_ptr<const RadianceTransfer> find(const TransferRequest& request) const;
   [[nodiscard]] bool has(std::span<const TransferRequest> requests) const;
 
-  // Makes what is missing and forgets what is not asked for. `folder` and `warnings` as of
-  // cached_radiance_transfer(). False if stopped: what was made until then is there.
+  // Computes missing transfer and drops what is not requested. `folder` and `warnings`: see
+  // cached_radiance_transfer(). False if stopped; completed results stay.
   bool make(std::span<const TransferRequest> requests, const std::filesystem::path& folder,
             const Job& job = {}, std::vector<std::string>* warnings = nullptr);
 

@@ -10,14 +10,14 @@
 #include <QStandardItemModel>
 #include <fstream>
 
-#include "app/animation_dialog.h"
 #include "app/document/paths.h"
-#include "app/frame_export.h"
-#include "app/scene_files.h"
-#include "app/timeline.h"
-#include "app/video_file.h"
+#include "app/document/timeline.h"
+#include "app/export/animation_dialog.h"
+#include "app/export/frame_export.h"
+#include "app/export/video_file.h"
+#include "app/files/scene_files.h"
 #include "app/viewport/viewport.h"
-#include "core/io/image_file.h"
+#include "core/io/image/image_file.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -90,7 +90,7 @@ class AnimationExportTest : public QObject {
     QCOMPARE(QImage(to_qstring(window.file("a_0000.png"))).size(), QSize(31, 21));
   }
 
-  void a_keyed_camera_is_the_one_that_sees() {
+  void a_keyed_camera_is_rendered() {
     Scene scene = dimming_scene();
     scene.camera_keys.eye = {{.time = 0.0, .value = {0, 0, 6}},
                              {.time = 0.1, .value = {0, 0, 600}}};
@@ -127,7 +127,7 @@ class AnimationExportTest : public QObject {
     QCOMPARE(fs::file_size(window.file("v.mp4")), std::uintmax_t{31 * 21 * 3 * 5});
   }
 
-  void what_ffmpeg_complains_of_is_said_and_nothing_is_left() {
+  void ffmpeg_errors_are_reported_and_leave_no_file() {
     const FakeFfmpeg ffmpeg("echo no such codec >&2\nexit 1\n");
     TestWindow window(dimming_scene());
     const fs::path folder = window.file("out");
@@ -202,7 +202,7 @@ class AnimationExportTest : public QObject {
     QCOMPARE(files_in(folder), std::size_t{0});
   }
 
-  void the_dialog_says_what_will_be_written() {
+  void the_dialog_previews_the_files() {
     const FakeFfmpeg ffmpeg("exit 0\n");
     TestWindow window(dimming_scene());
     window->timeline().set_range(3, 7);
@@ -210,7 +210,7 @@ class AnimationExportTest : public QObject {
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
     dialog.show();
     QVERIFY(!dialog.findChild<QLabel*>("no_video")->isVisible());
-    QSignalSpy wanted(&dialog, &AnimationDialog::wanted);
+    QSignalSpy requested(&dialog, &AnimationDialog::requested);
     dialog.findChild<QLineEdit*>("animation_file")->setText("/tmp/steam.png");
     dialog.findChild<QComboBox*>("animation_format")->setCurrentIndex(1);
     QCOMPARE(dialog.findChild<QLineEdit*>("animation_file")->text(), QString("/tmp/steam.exr"));
@@ -219,13 +219,13 @@ class AnimationExportTest : public QObject {
     QVERIFY(!button->isEnabled());
     dialog.findChild<QSpinBox*>("animation_last")->setValue(5);
     QTest::mouseClick(button, Qt::LeftButton);
-    QCOMPARE(wanted.count(), 1);
-    QCOMPARE(wanted[0][0].value<fs::path>(), fs::path("/tmp/steam.exr"));
-    QCOMPARE(wanted[0][1].toInt(), 3);
-    QCOMPARE(wanted[0][2].toInt(), 5);
+    QCOMPARE(requested.count(), 1);
+    QCOMPARE(requested[0][0].value<fs::path>(), fs::path("/tmp/steam.exr"));
+    QCOMPARE(requested[0][1].toInt(), 3);
+    QCOMPARE(requested[0][2].toInt(), 5);
   }
 
-  void frames_that_are_there_are_replaced_only_if_the_user_says_so() {
+  void existing_frames_are_replaced_on_confirmation() {
     TestWindow window(dimming_scene());
     for (const char* name : {"steam_0002.png", "steam_0004.png", "steam_0005.png", "steam_3.png",
                              "steam_0004.exr", "other_0004.png"}) {
@@ -234,7 +234,7 @@ class AnimationExportTest : public QObject {
     AnimationDialog dialog(window->timeline(), "/tmp", nullptr);
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
     dialog.show();
-    QSignalSpy wanted(&dialog, &AnimationDialog::wanted);
+    QSignalSpy requested(&dialog, &AnimationDialog::requested);
     auto* file = dialog.findChild<QLineEdit*>("animation_file");
     file->setText(to_qstring(window.file("steam.png")));
     dialog.findChild<QSpinBox*>("animation_first")->setValue(3);
@@ -251,21 +251,21 @@ class AnimationExportTest : public QObject {
                  asked.contains("steam_0005.png"),
              qPrintable(asked));
     QVERIFY(dialog.isVisible());
-    QCOMPARE(wanted.count(), 0);
+    QCOMPARE(requested.count(), 0);
     press(QMessageBox::Yes);
-    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(requested.count(), 1);
     dialog.show();
     file->setText(to_qstring(window.file("new.png")));
     QTest::mouseClick(button, Qt::LeftButton);  // nothing to ask
-    QCOMPARE(wanted.count(), 2);
+    QCOMPARE(requested.count(), 2);
     dialog.show();
     std::ofstream(window.file("steam.mp4")) << "old";
     file->setText(to_qstring(window.file("steam.mp4")));
     QVERIFY(press(QMessageBox::Cancel).contains("steam.mp4"));
-    QCOMPARE(wanted.count(), 2);
+    QCOMPARE(requested.count(), 2);
   }
 
-  void without_ffmpeg_there_is_no_video_and_the_dialog_says_why() {
+  void without_ffmpeg_video_is_disabled() {
     const QByteArray path = qgetenv("PATH");
     qputenv("PATH", "/nowhere");
     TestWindow window(dimming_scene());

@@ -9,18 +9,18 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_medium.h"
-#include "app/message_bar.h"
-#include "app/panels/number_field.h"
-#include "app/panels/value_field.h"
-#include "app/scene_files.h"
-#include "app/timeline.h"
+#include "app/document/timeline.h"
+#include "app/files/scene_files.h"
 #include "app/tools/airbrush_tool.h"
 #include "app/tools/emitter_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
+#include "app/window/message_bar.h"
 #include "core/authoring/particles.h"
-#include "core/io/limits.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
+#include "core/limits.h"
 #include "core/scene/at_time.h"
 #include "core/scene/mesh.h"
 #include "tests/app/test_window.h"
@@ -95,9 +95,9 @@ class AnimationTest : public QObject {
 
   void gaussians_beyond_the_limit_are_refused() {
     Scene scene = small_scene();
-    const Emitter full{.rate = 1e9, .lifetime = 1e3, .unknown = {}};
+    const Emitter full{.rate = 1e9, .lifetime = 1e3, .extra_json = {}};
     scene.emitters.assign(99, full);
-    scene.emitters.push_back({.rate = 99'989.0, .lifetime = 1.0, .unknown = {}});
+    scene.emitters.push_back({.rate = 99'989.0, .lifetime = 1.0, .extra_json = {}});
     QCOMPARE(gaussian_count(scene), limits::gaussians - 5);
     TestWindow window(scene);
     Document& document = window->document();
@@ -126,7 +126,7 @@ class AnimationTest : public QObject {
 
   void the_picture_follows_the_timeline() {
     Scene scene = small_scene();
-    scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0, .unknown = {}});
+    scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0, .extra_json = {}});
     TestWindow window(scene);
     QVERIFY(window.settle());
     QCOMPARE(shown_gaussians(window), std::size_t{6});
@@ -145,7 +145,7 @@ class AnimationTest : public QObject {
     // What is shown can be kept.
     auto* freeze = [&] {
       for (QAction* action : window->findChildren<QAction*>()) {
-        if (action->text().contains("Freeze")) return action;
+        if (action->text().contains("Bake")) return action;
       }
       return static_cast<QAction*>(nullptr);
     }();
@@ -206,7 +206,7 @@ class AnimationTest : public QObject {
     QCOMPARE(timeline.first(), 5);
   }
 
-  void the_airbrush_sprays_while_it_is_held_as_one_step() {
+  void the_airbrush_sprays_in_one_step() {
     TestWindow window;
     Document& document = window->document();
     const Scene before = document.scene();

@@ -6,10 +6,10 @@
 #include "app/commands/edit_medium.h"
 #include "app/document/autosave.h"
 #include "app/document/paths.h"
-#include "app/recovery_bar.h"
-#include "app/scene_files.h"
-#include "app/scene_load.h"
-#include "core/io/scene_file.h"
+#include "app/files/scene_files.h"
+#include "app/files/scene_load.h"
+#include "app/window/recovery_bar.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -44,7 +44,7 @@ class AutosaveTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void unsaved_work_is_kept_until_it_is_saved() {
+  void unsaved_work_is_backed_up_until_saved() {
     const QTemporaryDir temporary;
     const fs::path folder = to_path(temporary.path());
     Document document;
@@ -86,9 +86,9 @@ class AutosaveTest : public QObject {
       autosave->wait();
     }
     QCOMPARE(copies(folder).size(), std::size_t{2});
-    QVERIFY(first.left_behind().empty());  // both live
+    QVERIFY(first.recovery_files().empty());  // both live
     leave_behind(folder, small_scene(), "/nowhere/fog.brume");
-    const auto left = second.left_behind();
+    const auto left = second.recovery_files();
     QCOMPARE(left.size(), std::size_t{1});
     QVERIFY(left[0].file == fs::path("/nowhere/fog.brume"));
     first.end();
@@ -97,7 +97,7 @@ class AutosaveTest : public QObject {
     QCOMPARE(copies(folder).size(), std::size_t{1});
   }
 
-  void a_full_disk_is_said_once() {
+  void a_full_disk_is_reported_once() {
     const QTemporaryDir temporary;
     const fs::path folder = to_path(temporary.path()) / "recovery";
     Document document;
@@ -141,7 +141,7 @@ class AutosaveTest : public QObject {
     QVERIFY(copies(recovery_folder()).empty());
   }
 
-  void nobody_else_can_read_it() {
+  void recovery_files_are_private() {
     const QTemporaryDir temporary;
     const fs::path folder = to_path(temporary.path()) / "data/recovery";
     fs::create_directories(folder);  // as an older version left them: 0755, 0644
@@ -154,7 +154,7 @@ class AutosaveTest : public QObject {
       autosave.wait();
       add_gaussian(document, {{}, 1.0, 0.5});  // the second time the copy is replaced
     }
-    QCOMPARE(autosave.left_behind().size(), std::size_t{1});
+    QCOMPARE(autosave.recovery_files().size(), std::size_t{1});
     QCOMPARE(fs::status(folder).permissions(), fs::perms::owner_all);
     std::size_t files = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -166,7 +166,7 @@ class AutosaveTest : public QObject {
     QVERIFY(files >= 5);
   }
 
-  void pictures_of_scenes_are_nobody_elses() {
+  void scene_pictures_are_private() {
     const TestWindow window;
     const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
     const fs::path folder = to_path(cache) / "recent";
@@ -177,7 +177,7 @@ class AutosaveTest : public QObject {
     }
   }
 
-  void what_was_offered_long_ago_goes() {
+  void old_recovery_files_are_removed() {
     const QTemporaryDir temporary;
     const fs::path folder = to_path(temporary.path());
     Document document;
@@ -190,17 +190,17 @@ class AutosaveTest : public QObject {
     // Old, but never seen.
     fs::last_write_time(folder / "killed.brume",
                         fs::file_time_type::clock::now() - std::chrono::hours(24 * 400));
-    QCOMPARE(autosave.left_behind().size(), std::size_t{1});
+    QCOMPARE(autosave.recovery_files().size(), std::size_t{1});
     set_offered(Autosave::days_offered - 1);
-    QCOMPARE(autosave.left_behind().size(), std::size_t{1});
-    Autosave::note_offered(autosave.left_behind().front());  // the first time counts
+    QCOMPARE(autosave.recovery_files().size(), std::size_t{1});
+    Autosave::mark_offered(autosave.recovery_files().front());  // the first time counts
     set_offered(Autosave::days_offered + 1);
-    Autosave::note_offered({folder / "killed.brume", {}, {}});
-    QVERIFY(autosave.left_behind().empty());
+    Autosave::mark_offered({folder / "killed.brume", {}, {}});
+    QVERIFY(autosave.recovery_files().empty());
     QVERIFY(copies(folder).empty() && !fs::exists(folder / "killed.ini"));
   }
 
-  void what_dead_sessions_leave_besides_goes() {
+  void stale_session_files_are_removed() {
     const QTemporaryDir temporary;
     const fs::path folder = to_path(temporary.path());
     Document document;
@@ -211,7 +211,7 @@ class AutosaveTest : public QObject {
     std::ofstream(folder / ".brume-2-0.tmp") << "new";
     fs::last_write_time(folder / ".brume-1-0.tmp",
                         fs::file_time_type::clock::now() - std::chrono::hours(24 * 40));
-    QVERIFY(autosave.left_behind().empty());
+    QVERIFY(autosave.recovery_files().empty());
     for (const char* name : {"killed.ini", "killed.lock", ".brume-1-0.tmp"}) {
       QVERIFY2(!fs::exists(folder / name), name);
     }

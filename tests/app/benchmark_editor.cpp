@@ -9,16 +9,16 @@
 #include <cstdio>
 #include <ctime>
 
-#include "app/application.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
 #include "app/document/paths.h"
+#include "app/files/scene_files.h"
+#include "app/files/scene_load.h"
 #include "app/panels/gaussian_panel.h"
-#include "app/scene_files.h"
-#include "app/scene_load.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/application.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 #include "tests/random.h"
 
@@ -49,11 +49,11 @@ class MeteredApplication : public QApplication {
     const bool result = QApplication::notify(receiver, event);
     const double taken = thread_milliseconds() - start;
     --depth_;
-    hear(taken, name);
+    add_sample(taken, name);
     return result;
   }
 
-  void hear(double milliseconds, const QString& from) {
+  void add_sample(double milliseconds, const QString& from) {
     if (milliseconds <= longest) return;
     longest = milliseconds;
     whose = from;
@@ -119,7 +119,7 @@ class Benchmark {
     select_all(document);
     settle();
     measure("set the radius of all", 3, [&](int k) {
-      set_field(document, document.selection(), GaussianField::radius, 0.02 + 0.001 * k);
+      set_attribute(document, document.selection(), GaussianAttribute::radius, 0.02 + 0.001 * k);
     });
     measure("undo that", 3, [&](int) { document.undo_stack().undo(); });
     select_gaussians(document, {});
@@ -173,7 +173,7 @@ class Benchmark {
     for (int k = 0; k < times; ++k) {
       const double start = thread_milliseconds();
       act(k);
-      application_.hear(thread_milliseconds() - start, "the act itself");
+      application_.add_sample(thread_milliseconds() - start, "the act itself");
       QTest::qWait(30);
       times_.push_back(thread_milliseconds() - start);
     }

@@ -10,12 +10,12 @@
 #include <cstdlib>
 #include <thread>
 
-#include "app/message_bar.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/viewport/viewport_surface.h"
+#include "app/window/message_bar.h"
 #include "render/gl/failures.h"
-#include "render/gl/gl_renderer.h"
+#include "render/gl_renderer.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -39,16 +39,16 @@ bool has_stage(const RenderedFrame& frame, const char* name) {
 
 int furthest(const QImage& a, const QImage& b) {
   if (a.size() != b.size()) return 256;
-  int most = 0;
+  int max_value = 0;
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
       const QRgb p = a.pixel(x, y);
       const QRgb q = b.pixel(x, y);
-      most = std::max({most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
-                       std::abs(qBlue(p) - qBlue(q))});
+      max_value = std::max({max_value, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                            std::abs(qBlue(p) - qBlue(q))});
     }
   }
-  return most;
+  return max_value;
 }
 
 void turn(Viewport& view) {
@@ -117,7 +117,7 @@ class DisplayTest : public QObject {
     QVERIFY(!rest.frame.beauty.empty());
   }
 
-  void what_is_seen_is_what_would_have_been_read_back() {
+  void shared_textures_match_downloads() {
     QWidget parent;
     parent.resize(230, 170);
     const ViewportSurfaces surfaces;
@@ -226,7 +226,7 @@ class DisplayTest : public QObject {
     QCOMPARE(gl::live_objects(), objects);
   }
 
-  void views_come_and_go_and_change_their_size() {
+  void views_open_close_and_resize() {
     const std::size_t objects = gl::live_objects();
     {
       GlWindow window;
@@ -261,7 +261,7 @@ class DisplayTest : public QObject {
     QCOMPARE(gl::live_objects(), objects);
   }
 
-  void a_context_that_is_lost_in_motion_is_made_up_for() {
+  void a_lost_context_in_motion_falls_back() {
     const std::size_t objects = gl::live_objects();
     {
       GlWindow window;

@@ -10,7 +10,7 @@
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/panels/gaussian_table_model.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -55,7 +55,8 @@ void random_edit(Document& document, std::mt19937& random) {
       if (random() % 2 == 0) delete_selection(document, "Delete");
       break;
     case 3:
-      set_field(document, ids, gaussian_fields[random() % gaussian_fields.size()], number(random));
+      set_attribute(document, ids, gaussian_attributes[random() % gaussian_attributes.size()],
+                    number(random));
       break;
     default: {
       const MergeId drag = new_merge_id();
@@ -124,7 +125,7 @@ class DocumentTest : public QObject {
     QVERIFY(document.selection().empty());
   }
 
-  void a_gesture_is_one_step_and_none_if_it_comes_back() {
+  void a_gesture_is_one_step_or_none() {
     Document document;
     add_gaussian(document, {{1.0, 2.0, 3.0}, 1.0, 1.0});
     const std::vector<GaussianId> ids = document.selection();
@@ -149,7 +150,8 @@ class DocumentTest : public QObject {
     add_gaussian(document, {{}, 1.0, 1.0});
     document.undo_stack().undo();
     document.undo_stack().redo();
-    QVERIFY(set_field(document, document.selection(), GaussianField::radius, 1.0).isEmpty());
+    QVERIFY(
+        set_attribute(document, document.selection(), GaussianAttribute::radius, 1.0).isEmpty());
     QCOMPARE(document.undo_stack().count(), 1);
   }
 
@@ -158,18 +160,19 @@ class DocumentTest : public QObject {
     add_gaussian(document, {{}, 1.0, 1.0});
     const std::vector<GaussianId> ids = document.selection();
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    QVERIFY(!set_field(document, ids, GaussianField::radius, 0.0).isEmpty());
-    QVERIFY(!set_field(document, ids, GaussianField::radius, -1.0).isEmpty());
-    QVERIFY(!set_field(document, ids, GaussianField::density, -1e-9).isEmpty());
-    QVERIFY(!set_field(document, ids, GaussianField::center_x, infinity).isEmpty());
-    QVERIFY(!set_field(document, ids, GaussianField::center_x, parse_number("fog")).isEmpty());
+    QVERIFY(!set_attribute(document, ids, GaussianAttribute::radius, 0.0).isEmpty());
+    QVERIFY(!set_attribute(document, ids, GaussianAttribute::radius, -1.0).isEmpty());
+    QVERIFY(!set_attribute(document, ids, GaussianAttribute::density, -1e-9).isEmpty());
+    QVERIFY(!set_attribute(document, ids, GaussianAttribute::center_x, infinity).isEmpty());
+    QVERIFY(
+        !set_attribute(document, ids, GaussianAttribute::center_x, parse_number("fog")).isEmpty());
     QCOMPARE(document.undo_stack().count(), 1);
-    QVERIFY(set_field(document, ids, GaussianField::density, 0.0).isEmpty());
+    QVERIFY(set_attribute(document, ids, GaussianAttribute::density, 0.0).isEmpty());
     QCOMPARE(parse_number(" 0,25 "), 0.25);
   }
 
   // Whatever the editor takes, files can hold.
-  void what_is_accepted_can_be_saved_and_loaded() {
+  void accepted_values_round_trip() {
     const QTemporaryDir folder;
     const auto file = std::filesystem::path(folder.path().toStdString()) / "edited.brume";
     Document document;
@@ -182,15 +185,15 @@ class DocumentTest : public QObject {
     };
     add_gaussian(document, {{}, 1.0, 1.0});
     const std::vector<GaussianId> ids = document.selection();
-    for (const GaussianField field : gaussian_fields) {
+    for (const GaussianAttribute field : gaussian_attributes) {
       int taken = 0;
       for (const double value : {-1e300, -1.1e12, -1e12, -1.0, 0.0, 1e-300, 0.9e-12, 1e-12, 1.0,
                                  1e12, 1.1e12, 1e20, 1e300}) {
-        if (set_field(document, ids, field, value).isEmpty()) ++taken;
-        QVERIFY2(comes_back(), qPrintable(field_name(field) + number_text(value)));
+        if (set_attribute(document, ids, field, value).isEmpty()) ++taken;
+        QVERIFY2(comes_back(), qPrintable(attribute_name(field) + number_text(value)));
       }
       QVERIFY(taken >= 3);
-      QVERIFY(!set_field(document, ids, field, 1.1e12).isEmpty());
+      QVERIFY(!set_attribute(document, ids, field, 1.1e12).isEmpty());
     }
     const glm::dvec3 far_out(3e12, -4e15, 1.0);
     move_gaussians(document, ids, {&far_out, 1}, new_merge_id());
@@ -207,7 +210,7 @@ class DocumentTest : public QObject {
     const Camera before = document.scene().camera;
     Camera camera = before;
     camera.eye.x += 1.0;
-    set_scene_camera(document, camera, "Store view as scene camera");
+    set_scene_camera(document, camera, "Set scene camera to view");
     QVERIFY(document.scene().camera == camera && document.is_modified());
     document.undo_stack().undo();
     QVERIFY(document.scene().camera == before);
@@ -235,7 +238,7 @@ class DocumentTest : public QObject {
     QElapsedTimer timer;
     timer.start();
     document.select(odd);
-    set_field(document, odd, GaussianField::density, 0.2);
+    set_attribute(document, odd, GaussianAttribute::density, 0.2);
     delete_selection(document, "Delete");
     document.undo_stack().undo();
     QCOMPARE(model.rowCount(), 100000);

@@ -10,12 +10,12 @@
 #include <QScrollArea>
 #include <cstdio>
 
-#include "app/application.h"
 #include "app/document/paths.h"
-#include "app/scene_files.h"
-#include "app/scene_load.h"
+#include "app/files/scene_files.h"
+#include "app/files/scene_load.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/application.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

@@ -12,13 +12,13 @@
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
-#include "app/message_bar.h"
+#include "app/files/scene_files.h"
+#include "app/files/scene_load.h"
 #include "app/panels/gaussian_panel.h"
-#include "app/panels/number_field.h"
-#include "app/scene_files.h"
-#include "app/scene_load.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/number_field.h"
+#include "app/window/message_bar.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
 
@@ -270,7 +270,7 @@ class EditorTest : public QObject {
     QVERIFY(window->close());
   }
 
-  void a_broken_file_is_said_in_the_bar_and_nothing_is_lost() {
+  void a_broken_file_is_reported_and_nothing_is_lost() {
     TestWindow window;
     auto* bar = window->findChild<MessageBar*>();
     QVERIFY(!bar->isVisible());
@@ -296,7 +296,7 @@ class EditorTest : public QObject {
     QVERIFY2(editor.err.contains("nosuch.brume") && editor.err.count('\n') == 1, editor.err);
   }
 
-  void without_a_display_help_and_version_are_told() {
+  void help_and_version_work_without_a_display() {
     const QHash<QString, QString> nowhere{{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", ":6789"}};
     const Ended version = run_editor({"--version"}, nowhere);
     QCOMPARE(version.code, 0);
@@ -306,7 +306,7 @@ class EditorTest : public QObject {
     QVERIFY(help.out.contains("--screenshot"));
   }
 
-  void without_a_display_there_is_one_clear_error() {
+  void a_missing_display_is_one_clear_error() {
     for (const char* display : {"", ":6789"}) {
       const Ended editor = run_editor(
           {"x.brume"}, {{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", display}, {"WAYLAND_DISPLAY", ""}});

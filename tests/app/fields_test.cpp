@@ -13,13 +13,13 @@
 #include <functional>
 
 #include "app/commands/edit_medium.h"
-#include "app/panels/number_field.h"
-#include "app/panels/value_field.h"
-#include "app/timeline.h"
+#include "app/document/timeline.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -75,7 +75,7 @@ class FieldsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void what_is_typed_is_taken_however_the_field_is_left() {
+  void typed_values_are_committed_on_leaving() {
     TestWindow window;
     Document& document = window->document();
     auto& radius = *window->findChild<NumberField*>("radius");
@@ -106,7 +106,7 @@ class FieldsTest : public QObject {
     QCOMPARE(load_scene(document.file()).medium.radii()[0], value);
   }
 
-  void fields_of_panels_tools_and_timeline_take_it_too() {
+  void all_fields_follow_the_same_rules() {
     TestWindow window;
     window.key(Qt::Key_B);
     auto& brush = dynamic_cast<PaintbrushTool&>(window->tools().tool());
@@ -160,7 +160,7 @@ class FieldsTest : public QObject {
     QVERIFY(front.hasFocus());
   }
 
-  void a_refused_value_is_said_once() {
+  void a_refused_value_is_reported_once() {
     TestWindow window;
     window->document().select({1});
     auto& radius = *window->findChild<NumberField*>("radius");
@@ -175,20 +175,20 @@ class FieldsTest : public QObject {
   }
 
   // Another value may change meanwhile, as when something plays.
-  void what_is_being_typed_stays() {
+  void typing_is_not_interrupted() {
     TestWindow window;
     Document& document = window->document();
     document.select({1});
     auto& radius = *window->findChild<NumberField*>("radius");
     type(radius, "0.4");
-    set_field(document, document.selection(), GaussianField::density, 0.5);
+    set_attribute(document, document.selection(), GaussianAttribute::density, 0.5);
     QCOMPARE(radius.text(), QString("0.4"));
     QTest::keyClicks(&radius, "2");
     QTest::keyClick(&radius, Qt::Key_Return);
     QCOMPARE(document.medium().radii()[0], 0.42);
   }
 
-  void the_wheel_changes_only_what_has_the_focus() {
+  void the_wheel_changes_the_focused_field_only() {
     TestWindow window;
     window->document().select({1});
     window.key(Qt::Key_B);

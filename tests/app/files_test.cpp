@@ -9,13 +9,13 @@
 
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
-#include "app/file_dialogs.h"
+#include "app/files/file_dialogs.h"
+#include "app/files/scene_files.h"
+#include "app/files/scene_load.h"
 #include "app/import/scene_import.h"
-#include "app/message_bar.h"
-#include "app/plain_text.h"
-#include "app/scene_files.h"
-#include "app/scene_load.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/plain_text.h"
+#include "app/window/message_bar.h"
+#include "core/io/scene/scene_file.h"
 #include "core/scene/mesh.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
@@ -109,7 +109,7 @@ class FilesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void a_file_that_another_window_saved_is_noticed_and_reloaded() {
+  void a_file_changed_on_disk_is_reloaded() {
     TestWindow window;
     come_back(window);
     QTest::qWait(50);
@@ -123,7 +123,7 @@ class FilesTest : public QObject {
     QVERIFY(!bar_of(window).isVisible());
   }
 
-  void saving_over_what_another_window_saved_is_asked_about() {
+  void overwriting_external_changes_is_confirmed() {
     TestWindow window;
     Document& document = window->document();
     document.select({1, 2});
@@ -143,7 +143,7 @@ class FilesTest : public QObject {
     QVERIFY(window->files().save());  // no question: nobody else wrote this one
   }
 
-  void what_another_window_saved_can_be_overwritten() {
+  void external_changes_can_be_overwritten() {
     TestWindow window;
     change_on_disk(window);
     come_back(window);
@@ -156,7 +156,7 @@ class FilesTest : public QObject {
     QCOMPARE(count_on_disk(window), std::size_t{5});
   }
 
-  void who_keeps_theirs_is_not_asked_again_until_the_next_change() {
+  void keeping_own_work_is_asked_once_per_change() {
     TestWindow window;
     change_on_disk(window);
     come_back(window);
@@ -170,7 +170,7 @@ class FilesTest : public QObject {
     QVERIFY(!window->files().save());
   }
 
-  void a_file_that_was_only_touched_is_not_changed() {
+  void a_touched_file_is_unchanged() {
     TestWindow window;
     fs::last_write_time(window.file("scene.brume"), fs::file_time_type::clock::now());
     QVERIFY(window->files().save());
@@ -236,7 +236,7 @@ class FilesTest : public QObject {
             window.file("moved") / "b.obj");
   }
 
-  void a_found_file_that_is_damaged_is_said_and_nothing_is_lost() {
+  void a_damaged_file_is_reported_and_nothing_is_lost() {
     TestWindow window;
     write_scene_with_meshes(window);
     fs::remove(window.file("a.obj"));
@@ -297,7 +297,7 @@ class FilesTest : public QObject {
     QCOMPARE(window->minimumSizeHint().width(), width);
   }
 
-  void file_dialogs_open_where_they_were_used_last() {
+  void file_dialogs_remember_the_last_folder() {
     TestWindow window;
     const fs::path scenes = window.file("scenes");
     const fs::path meshes = window.file("meshes");

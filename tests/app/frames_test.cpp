@@ -9,16 +9,16 @@
 
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
-#include "app/frame_export.h"
-#include "app/frame_text.h"
-#include "app/message_bar.h"
+#include "app/export/frame_export.h"
 #include "app/viewport/frame_service.h"
 #include "app/viewport/viewport.h"
-#include "core/io/image_file.h"
-#include "core/io/scene_file.h"
-#include "render/compare.h"
+#include "app/widgets/frame_text.h"
+#include "app/window/message_bar.h"
+#include "core/io/image/image_file.h"
+#include "core/io/scene/scene_file.h"
 #include "render/gl/device.h"
 #include "render/gl/failures.h"
+#include "render/output/compare.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -87,7 +87,7 @@ class FramesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void a_frame_comes_and_changes_with_an_edit() {
+  void an_edit_updates_the_frame() {
     TestWindow window;
     Viewport& view = window->viewport();
     QCOMPARE(view.shown()->picture.size(),
@@ -154,7 +154,7 @@ class FramesTest : public QObject {
     connect(&view, &Viewport::frame_shown, this, [&] {
       if (view.shown()->request.moving) {
         in_motion = view.shown();
-        QCOMPARE(in_motion->request.settings.light_table, rest.light_table);
+        QCOMPARE(in_motion->request.settings.optical_depth_table, rest.optical_depth_table);
         QVERIFY(in_motion->request.settings.slices < rest.slices);
         QCOMPARE(in_motion->frame.statistics.light_pairs, std::uint64_t{0});
       }
@@ -181,7 +181,8 @@ class FramesTest : public QObject {
       const FrameRequest& request = view.shown()->request;
       if (!request.moving) return;
       edited = true;
-      QVERIFY(request.settings.light_table.directions < rest.light_table.directions);
+      QVERIFY(request.settings.optical_depth_table.directions <
+              rest.optical_depth_table.directions);
     });
     window.key(Qt::Key_A, Qt::ShiftModifier);
     QVERIFY(window.settle());
@@ -207,7 +208,7 @@ class FramesTest : public QObject {
     QVERIFY2(came.size() < 25, qPrintable(QString::number(came.size())));
   }
 
-  void a_long_frame_does_not_block_and_gives_way() {
+  void a_long_frame_is_cancelled_by_a_newer_one() {
     FrameService service(std::make_shared<TransferStore>());
     std::vector<std::uint64_t> came;
     connect(&service, &FrameService::frame_ready, this,
@@ -290,7 +291,7 @@ class FramesTest : public QObject {
     QVERIFY(!misses_transfer(view.shown()->frame));
   }
 
-  void opengl_renders_where_it_is_chosen() {
+  void opengl_renders_when_chosen() {
     TestWindow window;
     const auto* shown = window->findChild<QLabel*>("backend");
     const auto render_by = [&](const char* action) {
@@ -299,13 +300,13 @@ class FramesTest : public QObject {
     };
     const Frame cpu = render_by("backend_cpu");
     QCOMPARE(cpu.statistics.backend, "cpu");
-    QCOMPARE(shown->text(), "processor");
+    QCOMPARE(shown->text(), "CPU");
     const Frame gl = render_by("backend_gl");
     const auto* bar = window->findChild<MessageBar*>();
     if (!has_opengl()) {
       QCOMPARE(gl.statistics.backend, "cpu");
       QVERIFY(all_finite(gl));
-      QVERIFY(shown->text().startsWith("processor: "));
+      QVERIFY(shown->text().startsWith("CPU: "));
       QVERIFY(bar->isVisible() && bar->message().contains("instead of OpenGL"));
     } else {
       QCOMPARE(gl.statistics.backend, "gl");
@@ -317,11 +318,11 @@ class FramesTest : public QObject {
     // Nobody asks for software.
     const Frame chosen = render_by("backend_auto");
     QVERIFY(!gl::is_software_renderer(chosen.statistics.device));
-    QVERIFY(fall_back_text(chosen.statistics).isEmpty());
+    QVERIFY(fallback_text(chosen.statistics).isEmpty());
   }
 
   // And the picture goes on, with a message, until OpenGL is chosen again.
-  void the_processor_takes_over_where_opengl_fails() {
+  void the_cpu_takes_over_when_opengl_fails() {
     if (!has_opengl()) return;
     {
       TestWindow window;

@@ -15,7 +15,7 @@
 #include "app/document/document.h"
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -61,8 +61,9 @@ class RandomHands {
     if (below(3) == 0) delete_selection(document_, "Delete");
   }
   void set_a_field() {
-    set_field(document_, document_.selection(), gaussian_fields[below(gaussian_fields.size())],
-              number() - 0.2);  // some are refused
+    set_attribute(document_, document_.selection(),
+                  gaussian_attributes[below(gaussian_attributes.size())],
+                  number() - 0.2);  // some are refused
   }
   void drag() {
     const std::vector<GaussianId> ids = document_.selection();
@@ -83,7 +84,7 @@ class RandomHands {
     PaintStroke stroke({.radius = number(), .density = number()}, random_());
     gesture.begin();
     for (std::size_t k = below(4); k > 0; --k) {
-      gesture.apply(MediumEdit::add(document_.medium(), stroke.to(point())), "Paint");
+      gesture.apply(MediumEdit::add(document_.medium(), stroke.extend(point())), "Paint");
     }
     if (below(5) == 0) gesture.cancel();
   }
@@ -95,7 +96,7 @@ class RandomHands {
       const glm::dvec3 direction = glm::normalize(point());
       const EraserCone cone{{0, 0, 0}, direction, 0.4};
       gesture.apply(stroke.touch(document_.medium(), {&cone, 1},
-                                 [this](GaussianId id) { return document_.is_free(id); }),
+                                 [this](GaussianId id) { return document_.is_editable(id); }),
                     "Erase");
     }
     if (below(5) == 0) gesture.cancel();
@@ -180,8 +181,8 @@ class RandomHands {
   }
   void key() {
     document_.set_time(static_cast<double>(below(4)));
-    const std::vector<KeyRow> rows = key_rows(document_.scene());
-    const KeyRow& row = rows[below(rows.size())];
+    const std::vector<Track> rows = tracks(document_.scene());
+    const Track& row = rows[below(rows.size())];
     const auto moment = [this] { return static_cast<double>(below(4)); };
     switch (below(4)) {
       case 0:
@@ -235,7 +236,7 @@ class HistoryTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void whatever_is_done_can_be_undone_and_redone() {
+  void any_edit_can_be_undone_and_redone() {
     constexpr unsigned sequences = 2000;
     constexpr int acts = 50;
     int steps = 0;

@@ -10,21 +10,21 @@
 #include <QSpinBox>
 #include <fstream>
 
-#include "app/background_job.h"
 #include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/export/medium_dialog.h"
+#include "app/files/scene_files.h"
 #include "app/import/folder_dialog.h"
 #include "app/import/scene_import.h"
 #include "app/import/volume_dialog.h"
 #include "app/import/vtk_points.h"
-#include "app/medium_dialog.h"
-#include "app/message_bar.h"
-#include "app/scene_files.h"
-#include "app/timeline.h"
+#include "app/jobs/background_job.h"
 #include "app/viewport/viewport.h"
+#include "app/window/message_bar.h"
 #include "core/error.h"
-#include "core/io/gaussian_file.h"
-#include "core/io/scene_file.h"
-#include "core/io/volume_file.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/volume/volume_file.h"
 #include "core/scene/at_time.h"
 #include "tests/app/test_window.h"
 
@@ -132,7 +132,7 @@ class ImportTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
-  void meshes_that_are_dropped_at_once_all_come_as_one_step() {
+  void dropped_meshes_are_imported_in_one_step() {
     TestWindow window;
     Document& document = window->document();
     const char* text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -167,7 +167,7 @@ class ImportTest : public QObject {
     QCOMPARE(window->document().scene().surfaces.size(), std::size_t{2});
   }
 
-  void what_cannot_be_imported_is_said_when_it_is_dropped() {
+  void unsupported_drops_are_reported() {
     TestWindow window;
     fs::create_directory(window.file("folder"));
     write_text(window.file("cup.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -184,7 +184,7 @@ class ImportTest : public QObject {
     QCOMPARE(window->document().scene().surfaces.size(), std::size_t{1});
   }
 
-  void what_is_wrong_with_a_file_is_said_and_nothing_changes() {
+  void file_errors_are_reported_and_change_nothing() {
     TestWindow window;
     write_text(window.file("bad.csv"), "x,y,z,radius,density\n0,0,0,-1,1\n");
     drop(window, {window.file("bad.csv")});
@@ -277,11 +277,11 @@ class ImportTest : public QObject {
     QCOMPARE(seen.medium.size(), std::size_t{7});
     QVERIFY(std::abs(seen.medium.centers()[5].x - 2.0) < 1e-12);
     QVERIFY(window->files().save_to(window.file("steam.brume")));
-    QCOMPARE(at_time(load_scene(window.file("steam.brume")), 31 / 30.0).medium, seen.medium);
+    QCOMPARE(evaluate_at(load_scene(window.file("steam.brume")), 31 / 30.0).medium, seen.medium);
     for (QAction* action : window->findChildren<QAction*>()) {
-      if (action->text().contains("Freeze")) action->trigger();
+      if (action->text().contains("Bake")) action->trigger();
     }
-    QCOMPARE(document.undo_stack().undoText(), QString("Freeze 2 Gaussians"));
+    QCOMPARE(document.undo_stack().undoText(), QString("Bake 2 Gaussians"));
     for (QAction* action : window->findChildren<QAction*>()) {
       if (action->text().contains("Remove Seq")) action->trigger();
     }
@@ -342,7 +342,7 @@ class ImportTest : public QObject {
     QCOMPARE(files_in(folder), std::size_t{2});
   }
 
-  void the_medium_leaves_as_a_volume_whose_memory_is_told() {
+  void the_medium_exports_as_a_volume() {
     TestWindow window;
     for (QAction* action : window->findChildren<QAction*>()) {
       if (action->text().contains("Export Me")) action->trigger();
@@ -377,7 +377,7 @@ class ImportTest : public QObject {
     QVERIFY(fs::exists(window.file("gathered") / "files/bunny.obj"));
     QVERIFY(window->document().is_modified());  // what is being edited is not what was written
     window->gather_to(window.file("gathered"));
-    QVERIFY(wait(window).contains("is there already"));
+    QVERIFY(wait(window).contains("already exists"));
   }
 };
 

@@ -8,8 +8,8 @@
 #include "app/panels/gaussian_filter.h"
 #include "app/panels/gaussian_histogram.h"
 #include "app/panels/gaussian_panel.h"
-#include "app/panels/number_field.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/number_field.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -52,7 +52,7 @@ class InspectorTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void filters_say_what_they_are() {
+  void filters_report_errors() {
     const Gaussian gaussian{{1.0, -2.0, 3.0}, 0.5, 0.2};
     const auto passes = [&](const QString& text) {
       QString problem;
@@ -88,11 +88,11 @@ class InspectorTest : public QObject {
     QCOMPARE(column(table, 3), sorted(unsorted));
     // The selection is the same in any order, and an edit goes to the right Gaussian.
     table->selectRow(0);
-    const auto least = std::min_element(unsorted.begin(), unsorted.end()) - unsorted.begin();
+    const auto min_value = std::min_element(unsorted.begin(), unsorted.end()) - unsorted.begin();
     QCOMPARE(document.selection(),
-             std::vector<GaussianId>{document.medium().ids()[static_cast<std::size_t>(least)]});
+             std::vector<GaussianId>{document.medium().ids()[static_cast<std::size_t>(min_value)]});
     QVERIFY(table->model()->setData(table->model()->index(0, 3), "3.5"));
-    QCOMPARE(document.medium().radii()[static_cast<std::size_t>(least)], 3.5);
+    QCOMPARE(document.medium().radii()[static_cast<std::size_t>(min_value)], 3.5);
     QCOMPARE(column(table, 3).back(), 3.5);
     QCOMPARE(document.selection().size(), std::size_t{1});
     document.undo_stack().undo();
@@ -131,7 +131,7 @@ class InspectorTest : public QObject {
     QCOMPARE(table->model()->rowCount(), 5);
   }
 
-  void values_that_differ_are_mixed_and_written_to_all_in_one_step() {
+  void mixed_values_are_written_in_one_step() {
     TestWindow window;
     Document& document = window->document();
     auto* radius = window->findChild<NumberField*>("radius");
@@ -206,7 +206,7 @@ class InspectorTest : public QObject {
     QCOMPARE(GaussianHistogram::Axis(std::vector<double>{2.0}).position(2.0), 0.5);
   }
 
-  void at_the_cursor_is_what_the_pixel_gets() {
+  void cursor_panel_matches_the_pixel() {
     TestWindow window;
     Document& document = window->document();
     Viewport& view = window->viewport();

@@ -7,14 +7,14 @@
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
-#include "app/panels/frame_slider.h"
-#include "app/panels/key_strip.h"
-#include "app/panels/number_field.h"
-#include "app/panels/value_field.h"
-#include "app/scene_files.h"
-#include "app/timeline.h"
+#include "app/document/timeline.h"
+#include "app/files/scene_files.h"
+#include "app/panels/keyframe_track.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/frame_slider.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
+#include "core/io/scene/scene_file.h"
 #include "core/scene/at_time.h"
 #include "tests/app/test_window.h"
 
@@ -24,8 +24,8 @@ namespace {
 
 constexpr double frame = 1.0 / Timeline::frames_per_second;
 
-KeyStrip& strip(TestWindow& window) {
-  return *window->findChild<KeyStrip*>("keys");
+KeyframeTrack& strip(TestWindow& window) {
+  return *window->findChild<KeyframeTrack*>("keys");
 }
 
 void choose(TestWindow& window, const char* target) {
@@ -48,7 +48,7 @@ const PointLight& light(TestWindow& window) {
   return window->document().scene().lights.at(0);
 }
 
-void drag(KeyStrip& keys, QPoint from, QPoint to) {
+void drag(KeyframeTrack& keys, QPoint from, QPoint to) {
   QTest::mousePress(&keys, Qt::LeftButton, {}, from);
   for (int k = 1; k <= 4; ++k) {
     const QPointF at = QPointF(from) + QPointF(to - from) * k / 4.0;
@@ -72,7 +72,7 @@ class KeysTest : public QObject {
     QVERIFY(!strip(window).isVisible());
     choose(window, "Light 1 position");
     set_key_at(window, 0);
-    QCOMPARE(document.undo_stack().undoText(), QString("Set key of light 1 position"));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set keyframe of light 1 position"));
     QVERIFY(strip(window).isVisible());
     window->timeline().set_frame(30);
     move_light(window, {5, 2, 2});  // sets a key of now
@@ -96,7 +96,7 @@ class KeysTest : public QObject {
     const Scene saved = load_scene(window.file("keys.brume"));
     QVERIFY(saved.lights[0].keys == light(window).keys);
     QCOMPARE(saved.lights[0].position, glm::dvec3(1, 2, 2));
-    QCOMPARE(at_time(saved, 0.5).lights, shown->lights);
+    QCOMPARE(evaluate_at(saved, 0.5).lights, shown->lights);
 
     document.undo_stack().undo();
     QCOMPARE(light(window).position, glm::dvec3(1, 2, 2));
@@ -116,7 +116,7 @@ class KeysTest : public QObject {
     window->timeline().set_frame(60);
     move_light(window, {5, 2, 2});
     const Scene two_keys = document.scene();
-    KeyStrip& keys = strip(window);
+    KeyframeTrack& keys = strip(window);
     const auto times = [&] {
       std::vector<int> frames;
       for (const auto& key : light(window).keys.position)
@@ -125,7 +125,7 @@ class KeysTest : public QObject {
     };
     drag(keys, keys.position(0, 60), keys.position(0, 90));
     QCOMPARE(times(), (std::vector{0, 90}));
-    QCOMPARE(document.undo_stack().undoText(), QString("Move key of light 1 position"));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move keyframe of light 1 position"));
     QCOMPARE(document.undo_stack().count(), 3);
     QCOMPARE(window->timeline().frame(), 60);
     document.undo_stack().undo();
@@ -148,7 +148,7 @@ class KeysTest : public QObject {
     QTest::mouseClick(&keys, Qt::LeftButton, {}, keys.position(0, 30));
     QTest::keyClick(&keys, Qt::Key_Delete);
     QCOMPARE(times(), (std::vector{0, 60}));
-    QCOMPARE(document.undo_stack().undoText(), QString("Delete key of light 1 position"));
+    QCOMPARE(document.undo_stack().undoText(), QString("Delete keyframe of light 1 position"));
     QCOMPARE(document.medium().size(), std::size_t{5});  // Delete meant the key
     document.undo_stack().undo();
     QCOMPARE(times(), (std::vector{0, 30, 60}));
@@ -164,7 +164,7 @@ class KeysTest : public QObject {
     choose(window, "Light 1 intensity");
     set_key_at(window, 0);
     set_key_at(window, 60);
-    KeyStrip& keys = strip(window);
+    KeyframeTrack& keys = strip(window);
     QContextMenuEvent event(QContextMenuEvent::Mouse, keys.position(0, 0),
                             keys.mapToGlobal(keys.position(0, 0)));
     QApplication::sendEvent(&keys, &event);
@@ -176,13 +176,13 @@ class KeysTest : public QObject {
     menu->close();
     QCOMPARE(light(window).keys.intensity[0].interpolation, Interpolation::linear);
     QCOMPARE(window->document().undo_stack().undoText(),
-             QString("Make key of light 1 intensity linear"));
+             QString("Make keyframe of light 1 intensity linear"));
     // What is keyed after it goes on like this.
     set_key_at(window, 30);
     QCOMPARE(light(window).keys.intensity[1].interpolation, Interpolation::linear);
   }
 
-  void the_view_goes_with_the_camera_until_it_is_moved() {
+  void the_view_follows_the_camera_until_moved() {
     TestWindow window;
     Document& document = window->document();
     Viewport& view = window->viewport();
@@ -196,7 +196,7 @@ class KeysTest : public QObject {
     QVERIFY(document.scene().camera == aside);
     window->timeline().set_frame(30);
     QCOMPARE(view.camera().eye.x, 2.0);
-    QVERIFY(at_time(document.scene(), 1.0).camera == view.camera());
+    QVERIFY(evaluate_at(document.scene(), 1.0).camera == view.camera());
     view.set_camera(aside);
     window->timeline().set_frame(0);
     QVERIFY(view.camera() == aside);  // whoever looks from elsewhere stays there
@@ -213,7 +213,7 @@ class KeysTest : public QObject {
     choose(window, "Light 1 position");
     set_key_at(window, 60);
     const auto* slider = window->findChild<FrameSlider*>("frame_slider");
-    const KeyStrip& keys = strip(window);
+    const KeyframeTrack& keys = strip(window);
     const auto check = [&](int frame) {
       const double handle =
           slider->mapTo(&*window, slider->pos()).x() - slider->x() + slider->x_of(frame);
@@ -242,7 +242,7 @@ class KeysTest : public QObject {
     Document& document = window->document();
     const Scene before = document.scene();
     set_homogeneous_density(document, 0.1, no_merge);
-    choose(window, "Density everywhere");
+    choose(window, "Homogeneous density");
     set_key_at(window, 0);
     window->timeline().set_frame(60);
     set_homogeneous_density(document, 0.3, no_merge);

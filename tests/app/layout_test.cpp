@@ -47,18 +47,19 @@ class LayoutTest : public QObject {
   void every_panel_fits_on_a_small_screen() {
     TestWindow window;
     const auto fits = [&window] {
-      const QSize least = window->minimumSizeHint();
-      return least.width() <= small_screen.width() && least.height() <= small_screen.height();
+      const QSize min_value = window->minimumSizeHint();
+      return min_value.width() <= small_screen.width() &&
+             min_value.height() <= small_screen.height();
     };
     for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
       dock->show();
       dock->raise();
       QCoreApplication::processEvents();
-      const QSize least = window->minimumSizeHint();
+      const QSize min_value = window->minimumSizeHint();
       QVERIFY2(fits(), qPrintable(QString("%1: %2 x %3")
                                       .arg(dock->objectName())
-                                      .arg(least.width())
-                                      .arg(least.height())));
+                                      .arg(min_value.width())
+                                      .arg(min_value.height())));
     }
     window->resize(small_screen);
     QTRY_COMPARE(window->size(), small_screen);

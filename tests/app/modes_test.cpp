@@ -30,7 +30,7 @@ class ModesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void the_cost_is_that_of_the_frame() {
+  void the_cost_mode_matches_the_frame() {
     for (const int scale : {1, 4}) {
       Settings settings = sliced_settings({}, 12);
       settings.airlight_scale = scale;
@@ -52,7 +52,7 @@ class ModesTest : public QObject {
     QVERIFY(scale.ticks[2].toDouble() >= 0.5 * *std::max_element(pairs.begin(), pairs.end()));
   }
 
-  void the_error_of_each_pixel_is_that_against_the_reference() {
+  void the_error_map_matches_the_reference() {
     const auto frame = rendered(sliced_settings({}, 8));
     Settings settings;
     settings.airlight = AirlightMethod::reference;
@@ -82,14 +82,14 @@ class ModesTest : public QObject {
       worst = std::max(worst, std::abs(error - static_cast<double>(map->error[i])));
     }
     QVERIFY2(worst < 5e-3, qPrintable(QString::number(worst)));
-    const auto greatest = std::max_element(map->error.begin(), map->error.end());
-    QVERIFY(*greatest > 0.01F);
-    const auto at = static_cast<int>(greatest - map->error.begin());
+    const auto max_value = std::max_element(map->error.begin(), map->error.end());
+    QVERIFY(*max_value > 0.01F);
+    const auto at = static_cast<int>(max_value - map->error.begin());
     QVERIFY(error_picture(*map).pixel(at % 45, at / 45) != false_color(0.0));
     QCOMPARE(error_picture(*map).pixel(0, 0), false_color(0.0));
   }
 
-  void the_view_shows_the_error_as_it_becomes_known_until_something_changes() {
+  void the_error_map_refines_until_a_change() {
     TestWindow window;
     Viewport& view = window->viewport();
     auto* legend = view.findChild<Legend*>();

@@ -12,13 +12,13 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_lights.h"
-#include "app/panels/color_button.h"
 #include "app/panels/light_panel.h"
 #include "app/panels/material_panel.h"
-#include "app/panels/number_field.h"
-#include "app/panels/value_field.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/color_button.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -61,7 +61,7 @@ class PanelsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void lights_come_go_and_change() {
+  void lights_are_added_changed_and_deleted() {
     TestWindow window;
     Document& document = window->document();
     const Scene before = document.scene();
@@ -93,7 +93,7 @@ class PanelsTest : public QObject {
     QVERIFY(document.scene() == after);
   }
 
-  void a_drag_on_a_title_is_one_step_and_is_seen_at_once() {
+  void dragging_a_title_is_one_step() {
     TestWindow window;
     Document& document = window->document();
     drag_title(window, "light_intensity", 80);
@@ -176,7 +176,7 @@ class PanelsTest : public QObject {
     QVERIFY(document.scene() == after);
   }
 
-  void an_environment_comes_turns_and_goes() {
+  void an_environment_is_loaded_rotated_and_removed() {
     TestWindow window;
     Document& document = window->document();
     const Scene before = document.scene();

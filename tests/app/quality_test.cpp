@@ -9,13 +9,13 @@
 #include <algorithm>
 
 #include "app/document/paths.h"
-#include "app/frame_text.h"
+#include "app/files/scene_files.h"
 #include "app/panels/frontier_plot.h"
 #include "app/panels/performance_panel.h"
-#include "app/scene_files.h"
 #include "app/viewport/error_meter.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/frame_text.h"
+#include "core/io/scene/scene_file.h"
 #include "render/renderer.h"
 #include "tests/app/test_window.h"
 
@@ -61,11 +61,11 @@ const ErrorEstimate& error_of(MainWindow& window) {
 // With the keyboard, as a user would.
 void choose_bound(MainWindow& window, const QString& text) {
   auto* bounds = window.findChild<QComboBox*>("max_error");
-  const int wanted = bounds->findText(text);
-  QVERIFY(wanted >= 0);
+  const int requested = bounds->findText(text);
+  QVERIFY(requested >= 0);
   bounds->setFocus();
-  while (bounds->currentIndex() != wanted) {
-    QTest::keyClick(bounds, bounds->currentIndex() < wanted ? Qt::Key_Down : Qt::Key_Up);
+  while (bounds->currentIndex() != requested) {
+    QTest::keyClick(bounds, bounds->currentIndex() < requested ? Qt::Key_Down : Qt::Key_Up);
   }
 }
 
@@ -94,7 +94,7 @@ class QualityTest : public QObject {
                  percent_text(error_of(*window).rel_rmse));
   }
 
-  void the_error_is_grey_until_it_is_that_of_the_picture() {
+  void the_error_is_grey_while_outdated() {
     TestWindow window;
     auto* error = window->findChild<QLabel*>("error");
     QVERIFY(error->isEnabled());
@@ -140,7 +140,7 @@ class QualityTest : public QObject {
   }
 
   // Runs after the one above.
-  void the_plot_has_what_was_tried_where_you_are_and_what_auto_takes() {
+  void the_plot_shows_measured_current_and_auto_settings() {
     TestWindow window(dense_cloud());
     const auto* plot = window->findChild<FrontierPlot*>("frontier");
     choose_bound(*window, "10 % error");
@@ -150,9 +150,9 @@ class QualityTest : public QObject {
     QVERIFY(plot->points().size() >= 2);
     const auto count = [&](auto what) { return std::ranges::count(plot->points(), true, what); };
     QCOMPARE(count(&FrontierPlot::Point::is_shown), 1);
-    QCOMPARE(count(&FrontierPlot::Point::is_autos), 1);
+    QCOMPARE(count(&FrontierPlot::Point::is_auto_choice), 1);
     const FrontierPlot::Point autos =
-        *std::ranges::find(plot->points(), true, &FrontierPlot::Point::is_autos);
+        *std::ranges::find(plot->points(), true, &FrontierPlot::Point::is_auto_choice);
     QVERIFY(autos.is_shown);
     QCOMPARE(autos.error.rel_rmse, error_of(*window).rel_rmse);
     QVERIFY(autos.milliseconds > 0.0);
@@ -166,7 +166,7 @@ class QualityTest : public QObject {
     QCOMPARE(plot->points().back().settings.airlight, AirlightMethod::paper);
     QVERIFY(plot->points().back().is_shown);
     QCOMPARE(count(&FrontierPlot::Point::is_shown), 1);
-    QCOMPARE(count(&FrontierPlot::Point::is_autos), 1);
+    QCOMPARE(count(&FrontierPlot::Point::is_auto_choice), 1);
     // Far more error lies higher up.
     QVERIFY(plot->position(plot->points().back()).y() < plot->position(autos).y());
     window->findChild<QAction*>("airlight_auto")->trigger();
@@ -181,17 +181,16 @@ class QualityTest : public QObject {
     choose_bound(*window, "2 % error");
   }
 
-  void a_bound_that_cannot_be_held_is_said() {
+  void an_unreachable_bound_is_reported() {
     TestWindow window;
     window->viewport().quality().set_max_error(1e-9);
     QVERIFY(window.settle());
     QVERIFY(window->viewport().quality().is_exhausted());
-    QVERIFY2(label(*window, "error").contains("cannot be held"),
-             qPrintable(label(*window, "error")));
-    QVERIFY(label(*window, "why").contains("cannot be held"));
+    QVERIFY2(label(*window, "error").contains("cannot meet"), qPrintable(label(*window, "error")));
+    QVERIFY(label(*window, "why").contains("cannot meet"));
     window->viewport().quality().set_max_error(0.02);
     QVERIFY(window.settle());
-    QVERIFY(!label(*window, "error").contains("cannot be held"));
+    QVERIFY(!label(*window, "error").contains("cannot meet"));
   }
 
   void another_scene_starts_anew() {
@@ -203,7 +202,7 @@ class QualityTest : public QObject {
     QCOMPARE(window->viewport().quality().control().step(), QualityControl().step());
   }
 
-  void what_is_no_longer_shown_is_not_measured() {
+  void replaced_frames_are_not_measured() {
     const auto heavy = rendered(heavy_scene());
     const auto light = rendered(small_scene());
     ErrorMeter meter;
@@ -224,7 +223,7 @@ class QualityTest : public QObject {
     QCOMPARE(came.back(), light.get());
   }
 
-  void a_change_while_measuring_is_shown_at_once_and_ends_it() {
+  void a_change_cancels_measuring() {
     TestWindow window;
     const Scene heavy = heavy_scene();
     save_scene(heavy, window.file("heavy.brume"));
@@ -247,7 +246,7 @@ class QualityTest : public QObject {
     QVERIFY(window.settle());
   }
 
-  void the_panel_tells_what_the_frame_cost() {
+  void the_panel_shows_the_cost_of_the_frame() {
     TestWindow window;
     for (const char* name : {"light_table", "airlight", "composite", "frame"}) {
       QVERIFY2(stage(*window, name), name);

@@ -6,12 +6,12 @@
 #include "app/commands/clipboard.h"
 #include "app/commands/select_command.h"
 #include "app/document/paths.h"
-#include "app/scene_files.h"
-#include "app/tools/gizmo.h"
+#include "app/files/scene_files.h"
 #include "app/tools/selection_tool.h"
 #include "app/tools/tool_box.h"
+#include "app/viewport/gizmo.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -77,7 +77,7 @@ class SelectionTest : public QObject {
     QCOMPARE(document.selection(), Ids{3});
   }
 
-  void a_click_into_the_fog_takes_what_is_seen() {
+  void a_click_selects_the_visible_gaussian() {
     TestWindow window;
     // Well inside the outline, far from the handle.
     const QPoint beside = window.handle(1) + QPoint(22, 0);
@@ -86,7 +86,7 @@ class SelectionTest : public QObject {
     QCOMPARE(window->document().selection(), Ids{2});
   }
 
-  void a_lasso_selects_what_is_inside() {
+  void a_lasso_selects_enclosed_centers() {
     TestWindow window;
     Document& document = window->document();
     window.key(Qt::Key_L);
@@ -105,7 +105,7 @@ class SelectionTest : public QObject {
     QCOMPARE(document.selection(), (Ids{1, 2}));
   }
 
-  void a_brush_selects_what_it_passes_as_one_step() {
+  void a_brush_selects_in_one_step() {
     TestWindow window;
     Document& document = window->document();
     window.key(Qt::Key_C);
@@ -125,7 +125,7 @@ class SelectionTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 2);
   }
 
-  void it_grows_and_shrinks_by_touch() {
+  void selection_grows_and_shrinks_by_contact() {
     Scene scene = small_scene();
     scene.medium = {};
     for (int k = 0; k < 6; ++k) scene.medium.append({{0.5 * k - 1.5, 0, 0}, 0.3, 0.5});
@@ -141,7 +141,7 @@ class SelectionTest : public QObject {
     QCOMPARE(document.undo_stack().undoText(), QString("Select 4 Gaussians"));
   }
 
-  void what_is_hidden_is_not_seen_and_not_touched() {
+  void hidden_gaussians_are_invisible_and_protected() {
     TestWindow window;
     Document& document = window->document();
     document.select({2});
@@ -167,7 +167,7 @@ class SelectionTest : public QObject {
     QCOMPARE(window->viewport().shown()->request.scene->medium.size(), std::size_t{5});
   }
 
-  void isolating_hides_the_rest_and_shows_it_again() {
+  void isolating_toggles_the_rest() {
     TestWindow window;
     Document& document = window->document();
     document.select({2, 3});
@@ -178,7 +178,7 @@ class SelectionTest : public QObject {
     QVERIFY(document.hidden().empty());
   }
 
-  void what_is_locked_is_seen_but_not_touched() {
+  void locked_gaussians_are_visible_and_protected() {
     TestWindow window;
     Document& document = window->document();
     document.select({2});
@@ -224,7 +224,7 @@ class SelectionTest : public QObject {
 
   // Where the camera's target is below a floor, or the mouse points at the floor, what is pasted
   // lies on it.
-  void a_paste_lands_where_it_is_seen() {
+  void a_paste_lands_in_view() {
     QTemporaryDir folder;
     const QString mesh = folder.filePath("floor.off");
     {
@@ -241,16 +241,16 @@ class SelectionTest : public QObject {
     Document& document = window->document();
     document.select({2, 3});
     window.key(Qt::Key_C, Qt::ControlModifier);
-    const auto check = [&](QPoint wanted) {
+    const auto check = [&](QPoint requested) {
       window.key(Qt::Key_V, Qt::ControlModifier);
-      glm::dvec3 middle(0.0);
+      glm::dvec3 center(0.0);
       for (const GaussianId id : document.selection()) {
         const Gaussian pasted = document.medium().gaussian(*document.medium().index_of(id));
         QVERIFY2(pasted.center.y > 0.9 * pasted.radius,
                  qPrintable(QString::number(pasted.center.y)));
-        middle += 0.5 * pasted.center;
+        center += 0.5 * pasted.center;
       }
-      QVERIFY((film_position(window, middle) - wanted).manhattanLength() <= 3);
+      QVERIFY((film_position(window, center) - requested).manhattanLength() <= 3);
     };
     QTest::mouseMove(&*window, QPoint(5, 5));
     QTRY_VERIFY(!view.underMouse());

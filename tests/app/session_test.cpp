@@ -7,11 +7,11 @@
 #include <iterator>
 #include <set>
 
-#include "app/panels/number_field.h"
 #include "app/tools/airbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/number_field.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 #include "tests/random.h"
 
@@ -20,7 +20,7 @@ using namespace brume;
 namespace {
 
 constexpr int actions = 1000;
-constexpr int least_edits = 200;
+constexpr int min_edits = 200;
 
 // What the user did, as it would be read from a tape.
 struct Action {
@@ -221,7 +221,7 @@ class SessionTest : public QObject {
       start = first.bytes();
       first.play(tape);
       end = first.bytes();
-      QVERIFY2(first.edits >= least_edits, qPrintable(QString::number(first.edits)));
+      QVERIFY2(first.edits >= min_edits, qPrintable(QString::number(first.edits)));
       QVERIFY(end != start);
       for (const char* verb : {"Paint", "Erase", "Spray", "Move", "Rotate", "Delete", "Set", "Add",
                                "Duplicate", "Paste"}) {

@@ -5,12 +5,12 @@
 #include <QMenu>
 #include <glm/geometric.hpp>
 
-#include "app/application.h"
 #include "app/document/arithmetic.h"
-#include "app/document/gaussian_field.h"
-#include "app/panels/number_field.h"
-#include "app/scene_files.h"
+#include "app/document/gaussian_attribute.h"
+#include "app/files/scene_files.h"
 #include "app/viewport/view_grid.h"
+#include "app/widgets/application.h"
+#include "app/widgets/number_field.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;

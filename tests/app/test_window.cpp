@@ -2,12 +2,12 @@
 
 #include <QApplication>
 
-#include "app/application.h"
 #include "app/document/paths.h"
-#include "app/scene_files.h"
-#include "app/scene_load.h"
+#include "app/files/scene_files.h"
+#include "app/files/scene_load.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "app/widgets/application.h"
+#include "core/io/scene/scene_file.h"
 
 namespace brume {
 

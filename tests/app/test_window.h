@@ -4,7 +4,7 @@
 #include <QtTest/QtTest>
 #include <memory>
 
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "core/scene/scene.h"
 
 namespace brume {

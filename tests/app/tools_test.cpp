@@ -7,13 +7,13 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "app/keys.h"
-#include "app/panels/number_field.h"
-#include "app/panels/value_field.h"
 #include "app/tools/eraser_tool.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/keys.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -45,7 +45,7 @@ class ToolsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void each_key_is_for_one_action_and_each_action_is_there() {
+  void keys_are_unique_and_actions_exist() {
     TestWindow window;
     std::set<QString> keys;
     for (const KeyEntry& entry : key_table()) {
@@ -90,7 +90,7 @@ class ToolsTest : public QObject {
     }
   }
 
-  void keys_are_not_taken_from_a_text_field() {
+  void text_fields_receive_their_keys() {
     TestWindow window;
     window->document().select({1});
     auto* radius = window->findChild<NumberField*>("radius");
@@ -156,7 +156,7 @@ class ToolsTest : public QObject {
     QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, QPoint(380, 230));
   }
 
-  void a_stroke_can_be_cancelled_and_undone_while_it_lasts() {
+  void a_running_stroke_can_be_cancelled() {
     TestWindow window;
     Document& document = window->document();
     Viewport& view = window->viewport();
@@ -207,7 +207,7 @@ class ToolsTest : public QObject {
     QCOMPARE(window->document().undo_stack().count(), 1);
   }
 
-  void a_plane_stands_where_the_user_wants_it() {
+  void a_paint_plane_can_be_positioned() {
     TestWindow window;
     window.key(Qt::Key_B);
     PaintbrushTool& tool = ::tool<PaintbrushTool>(window);

@@ -4,10 +4,10 @@
 #include <QWheelEvent>
 #include <glm/geometric.hpp>
 
+#include "app/files/scene_files.h"
 #include "app/panels/gaussian_panel.h"
-#include "app/scene_files.h"
 #include "app/viewport/viewport.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -40,7 +40,7 @@ class ViewportTest : public QObject {
     QCOMPARE(window->document().selection(), std::vector<GaussianId>{2});
   }
 
-  void a_rectangle_selects_what_is_inside() {
+  void a_rectangle_selects_enclosed_centers() {
     TestWindow window;
     const QPoint around(20, 20);
     const QRect both = QRect(window.handle(0), window.handle(3)).normalized();
@@ -71,7 +71,7 @@ class ViewportTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
-  void a_drag_from_a_handle_that_is_not_selected_moves_nothing() {
+  void dragging_an_unselected_handle_moves_nothing() {
     TestWindow window;
     Document& document = window->document();
     const Scene before = document.scene();
@@ -91,7 +91,7 @@ class ViewportTest : public QObject {
     QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 2, 4}));
   }
 
-  void a_drag_that_returns_or_is_cancelled_leaves_nothing() {
+  void a_cancelled_drag_leaves_no_step() {
     TestWindow window;
     Document& document = window->document();
     const Scene before = document.scene();
@@ -156,7 +156,7 @@ class ViewportTest : public QObject {
     QCOMPARE(document.undo_stack().index(), 1);
   }
 
-  void the_view_stays_where_files_can_follow() {
+  void the_camera_stays_within_file_limits() {
     TestWindow window;
     Viewport& view = window->viewport();
     for (const int delta : {-12000, 12000}) {

@@ -47,7 +47,7 @@ class ViewsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void a_key_goes_to_four_views_and_back() {
+  void a_key_toggles_four_views() {
     TestWindow window;
     ViewGrid& views = window->views();
     QCOMPARE(views.panes().size(), std::size_t{1});
@@ -186,7 +186,7 @@ class ViewsTest : public QObject {
     QVERIFY(views.perspective().mode() == ViewMode::final);
   }
 
-  void fog_that_is_everywhere_does_not_hide_the_views_along_the_axes() {
+  void homogeneous_fog_does_not_hide_axis_views() {
     Scene scene = small_scene();
     scene.medium.set_homogeneous_density(0.1);
     TestWindow window(scene);
@@ -200,7 +200,7 @@ class ViewsTest : public QObject {
     QVERIFY(corner(pane(views, Projection::top)) > 0.9F);
   }
 
-  void the_active_view_comes_first_and_the_others_come_too() {
+  void the_active_view_renders_first() {
     FrameService service(std::make_shared<TransferStore>());
     std::vector<int> came;
     connect(&service, &FrameService::frame_ready, this,

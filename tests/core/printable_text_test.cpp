@@ -10,7 +10,7 @@
 namespace brume {
 namespace {
 
-TEST(PrintableText, KeepsWhatPrints) {
+TEST(PrintableText, PreservesPrintableText) {
   for (const char* text : {"", "plain", "sc\xc3\xa8ne", "\xe9\x9b\xbe", "\xf0\x9f\x8c\xab",
                            "C:\\folder \"a\" 'b'", "\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d"}) {
     EXPECT_EQ(printable(text), text);

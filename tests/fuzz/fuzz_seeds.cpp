@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/gaussian_file.h"
-#include "core/io/image_file.h"
-#include "core/io/volume_file.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/image/image_file.h"
+#include "core/io/volume/volume_file.h"
 #include "core/medium/medium.h"
 #include "core/volume/medium_grid.h"
 

@@ -13,14 +13,14 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "core/io/gaussian_csv.h"
-#include "core/io/gaussian_ply.h"
-#include "core/io/hdr_file.h"
-#include "core/io/image_file.h"
+#include "core/io/gaussians/gaussian_csv.h"
+#include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/image/hdr_file.h"
+#include "core/io/image/image_file.h"
 #include "core/io/merl_file.h"
-#include "core/io/mesh_file.h"
-#include "core/io/scene_file.h"
-#include "core/io/volume_file.h"
+#include "core/io/mesh/mesh_file.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/volume/volume_file.h"
 
 namespace brume {
 namespace {
@@ -32,7 +32,7 @@ struct Parser {
   std::string_view extension;
   void (*parse)(const Path& file);
   // Whoever asks for more at once is told that there is no more.
-  std::size_t most_memory = std::numeric_limits<std::size_t>::max();
+  std::size_t max_memory = std::numeric_limits<std::size_t>::max();
 };
 
 constexpr Parser parsers[] = {
@@ -78,10 +78,10 @@ extern "C" const char* __asan_default_options() {
   return "alloc_dealloc_mismatch=0";
 }
 
-static std::size_t most_memory = std::numeric_limits<std::size_t>::max();
+static std::size_t max_memory = std::numeric_limits<std::size_t>::max();
 
 void* operator new(std::size_t size) {
-  void* memory = size > most_memory ? nullptr : std::malloc(size);
+  void* memory = size > max_memory ? nullptr : std::malloc(size);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
@@ -103,12 +103,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::filesystem::path file = brume::input_file();
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-  most_memory = brume::parser().most_memory;
+  max_memory = brume::parser().max_memory;
   try {
     brume::parser().parse(file);
   } catch (const brume::InputError&) {
   }
-  most_memory = std::numeric_limits<std::size_t>::max();
+  max_memory = std::numeric_limits<std::size_t>::max();
   std::filesystem::remove(file);
   return 0;
 }

@@ -24,9 +24,9 @@
 #include "core/transport/homogeneous_airlight.h"
 #include "core/transport/incident_light.h"
 #include "core/transport/point_spread.h"
-#include "render/cpu/kernels.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/reference/airlight_integral.h"
+#include "render/simd/gaussian_kernels.h"
 
 namespace brume {
 namespace {
@@ -100,7 +100,7 @@ Real paper_gaussians(const Json& in) {
   const auto all = gaussians<Real>(in);
   const Real b0 = real<Real>(in.at("b0"));
   const Vec3<Real> s = vec<Real>(in.at("s"));
-  const LightPath<Real> path(s, ray.v, ray.w, Real(0));
+  const PointLightRay<Real> path(s, ray.v, ray.w, Real(0));
   Real sum = 0;
   const std::vector<Real> frozen = frozen_depths(all, b0, s, ray.v);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -115,7 +115,7 @@ Real paper_homogeneous(const Json& in) {
   const Vec3<Real> s = vec<Real>(in.at("s"));
   Real between = 0;
   for (const auto& g : gaussians<Real>(in)) between += optical_depth(g, s, ray.v);
-  const LightPath<Real> path(s, ray.v, ray.w, Real(0));
+  const PointLightRay<Real> path(s, ray.v, ray.w, Real(0));
   return real<Real>(in.at("I0")) * std::exp(-between) *
          homogeneous_airlight(real<Real>(in.at("b0")), path, ray.d);
 }
@@ -179,7 +179,7 @@ std::map<std::string, Quantity<Real>> quantities() {
       {"airlight_homog",
        [](const Json& in) {
          const Ray<Real> ray(in);
-         const LightPath<Real> path(vec<Real>(in["s"]), ray.v, ray.w, Real(0));
+         const PointLightRay<Real> path(vec<Real>(in["s"]), ray.v, ray.w, Real(0));
          return R{real<Real>(in["I0"]) * homogeneous_airlight(real<Real>(in["b0"]), path, ray.d)};
        }},
       {"airlight_gauss_exact",
@@ -210,8 +210,8 @@ std::map<std::string, Quantity<Real>> quantities() {
        [](const Json& in) {
          // Culling bounds are made once per Gaussian and always in double.
          const Gaussian g{vec<double>(in["b"]), 1.0 / in["a"].get<double>(), in["c"]};
-         const double r = reach(g.radius, g.density, in["eps"]);
-         return R{Real(r), Real(reach_cone(g.center, r, vec<double>(in["o"])))};
+         const double r = cutoff_radius(g.radius, g.density, in["eps"]);
+         return R{Real(r), Real(cutoff_cone(g.center, r, vec<double>(in["o"])))};
        }},
   };
 }
@@ -274,7 +274,7 @@ std::map<std::string, Quantity<float>> kernels() {
          glm::vec3 airlight;
          double depth_to_end = 0.0;
          paper_airlight(medium, indices, paper, {ray.v, std::array{ray.w}, std::array{ray.d}},
-                        Settings::Arithmetic::simd_float,
+                        Settings::Precision::simd_float,
                         {std::span(&airlight, 1), std::span(&depth_to_end, 1)});
          return R{airlight.x};
        }},

@@ -1,20 +1,20 @@
 // What `brume bench` says of fog besides its speed.
 
-#include "tools/bench/fog_errors.h"
+#include "tools/bench/errors/fog_errors.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tools/bench/noise_errors.h"
+#include "tools/bench/errors/noise_errors.h"
 
 namespace brume {
 namespace {
 
-TEST(FogErrors, GlowIsThatOfSingleScatteringInThinFogOnly) {
-  const std::vector<GlowRow> rows = measure_glow();
+TEST(FogErrors, InscatteringIsExactInThinFogOnly) {
+  const std::vector<InscatteringRow> rows = measure_inscattering();
   ASSERT_FALSE(rows.empty());
-  for (const GlowRow& row : rows) {
+  for (const InscatteringRow& row : rows) {
     // T e^-T over 1 - e^-T, which is what leaves the eye's side; in the middle of the Gaussian the
     // sky is dimmed on its way there, so single scattering gives less than that.
     EXPECT_GT(row.share, row.depth / std::expm1(row.depth)) << row.depth;
@@ -35,15 +35,15 @@ TEST(FogErrors, FewerPixelsChangeLittle) {
 }
 
 // See Noise.ChangesThePictureButNotTheMeanDepth; from near what comes closer looks larger.
-TEST(NoiseErrors, TheMeanDepthStays) {
+TEST(NoiseErrors, PreserveTheMeanOpticalDepth) {
   for (const NoiseDepthRow& row : measure_noise_depths()) {
-    EXPECT_LT(row.afar.least, row.afar.greatest);
-    EXPECT_LT(std::max(-row.afar.least, row.afar.greatest), 0.04) << row.cells;
-    EXPECT_LT(std::max(-row.near.least, row.near.greatest), 0.1) << row.cells;
+    EXPECT_LT(row.afar.min_value, row.afar.max_value);
+    EXPECT_LT(std::max(-row.afar.min_value, row.afar.max_value), 0.04) << row.cells;
+    EXPECT_LT(std::max(-row.near.min_value, row.near.max_value), 0.1) << row.cells;
   }
 }
 
-TEST(NoiseErrors, AreThoseOfTheSameFogWithoutNoise) {
+TEST(NoiseErrors, MatchTheFogWithoutNoise) {
   for (const ComparedError& row : measure_noise_errors(60)) {
     EXPECT_LT(row.error.rel_rmse, 1.25 * row.other->rel_rmse) << row.what;
     EXPECT_NE(row.error.rel_rmse, row.other->rel_rmse) << row.what;

@@ -34,8 +34,8 @@ std::string value_at(const char* layer, std::size_t i, float x) {
 std::string broken_promise(const Frame& frame) {
   for (std::size_t i = 0; i < frame.beauty.size(); ++i) {
     const float x = frame.beauty[i];
-    const float most = i % 4 == 3 ? 1.0f : std::numeric_limits<float>::max();
-    if (!is_finite(x) || !(x >= 0.0f && x <= most)) return value_at("beauty", i, x);
+    const float max_value = i % 4 == 3 ? 1.0f : std::numeric_limits<float>::max();
+    if (!is_finite(x) || !(x >= 0.0f && x <= max_value)) return value_at("beauty", i, x);
   }
   for (std::size_t i = 0; i < frame.airlight.size(); ++i) {
     const float x = frame.airlight[i];
@@ -66,7 +66,7 @@ std::vector<Settings> fast_methods(unsigned seed) {
   improved.paper = {.at_mean = true, .conserve_energy = true};
   Settings sliced = on_one_thread(AirlightMethod::sliced);
   sliced.slices = 4 + static_cast<int>(seed % 13);
-  sliced.light_table = {8, 4};
+  sliced.optical_depth_table = {8, 4};
   sliced.shadow_cells = 16;
   Settings march = on_one_thread(AirlightMethod::march);
   march.march_steps = 1 + static_cast<int>(seed % 7);
@@ -78,7 +78,7 @@ std::vector<Settings> fast_methods(unsigned seed) {
 // What takes adaptive quadrature.
 std::vector<Settings> slow_methods(unsigned seed) {
   Settings plain = on_one_thread(AirlightMethod::paper);
-  plain.arithmetic = Settings::Arithmetic::plain_double;
+  plain.precision = Settings::Precision::plain_double;
   if (seed % 2 == 0) plain.paper = {.at_mean = true, .conserve_energy = true};
   return {plain, on_one_thread(AirlightMethod::reference)};
 }
@@ -91,8 +91,8 @@ std::string broken_promise(unsigned seed, std::span<const Settings> methods) {
         broken_promise(*renderer.render(scene, scene.camera, scene.film, settings));
     if (!broken.empty()) {
       return "BRUME_FUZZ_SEED=" + std::to_string(seed) + " " + airlight_name(settings) +
-             (settings.arithmetic == Settings::Arithmetic::plain_double ? " in double" : "") +
-             ": " + broken;
+             (settings.precision == Settings::Precision::plain_double ? " in double" : "") + ": " +
+             broken;
     }
   }
   return {};

@@ -1,7 +1,7 @@
 // The hard cases of resources/hard_cases, on the CPU, against what their pixels are, which was
 // computed elsewhere to eleven digits.
 
-#include "tools/bench/hard_cases.h"
+#include "tools/bench/measure/hard_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ const std::vector<HardCase>& hard_cases() {
 
 class HardCases : public testing::TestWithParam<HardCase> {};
 
-TEST_P(HardCases, ComeOutRight) {
+TEST_P(HardCases, MatchTheGoldenValues) {
   const HardCase& hard_case = GetParam();
   const HardCaseErrors errors = measure_hard_case(hard_case);
   EXPECT_LE(errors.reference.airlight, hard_case_reference_bound);

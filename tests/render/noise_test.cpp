@@ -100,7 +100,7 @@ TEST(Noise, PaperInSimdIsThePlainFrame) {
       settings.paper = {improved, improved};
       settings.depth_error = 1e-7;  // culling is not the same in both
       const Frame fast = render_frame(scene, settings);
-      settings.arithmetic = Settings::Arithmetic::plain_double;
+      settings.precision = Settings::Precision::plain_double;
       const Frame plain = render_frame(scene, settings);
       EXPECT_LT(difference(fast.airlight, plain.airlight).relative_rmse, 2e-5);
       EXPECT_LT(difference(fast.transmittance, plain.transmittance).relative_rmse, 2e-5);
@@ -136,7 +136,7 @@ TEST(Noise, IsFixedInTheWorld) {
 TEST(Noise, IsContinuousWhenTheCameraMoves) {
   const Scene scene = noisy(cloud_scene(30, 3.0), 0.5, 3.0);
   Settings settings = method(AirlightMethod::paper);
-  settings.arithmetic = Settings::Arithmetic::plain_double;
+  settings.precision = Settings::Precision::plain_double;
   settings.depth_error = 1e-7;
   Renderer renderer;
   const auto seen_from = [&](double step) {
@@ -145,16 +145,16 @@ TEST(Noise, IsContinuousWhenTheCameraMoves) {
     return renderer.render(scene, camera, scene.film, settings)->transmittance;
   };
   const auto still = seen_from(0.0);
-  const auto greatest_change = [&](double step) {
+  const auto max_change = [&](double step) {
     const auto moved = seen_from(step);
-    double greatest = 0.0;
+    double max_value = 0.0;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      greatest = std::max(greatest, std::abs(static_cast<double>(moved[i] - still[i])));
+      max_value = std::max(max_value, std::abs(static_cast<double>(moved[i] - still[i])));
     }
-    return greatest;
+    return max_value;
   };
-  const double far = greatest_change(1e-2);
-  const double near = greatest_change(1e-3);
+  const double far = max_change(1e-2);
+  const double near = max_change(1e-3);
   EXPECT_LT(far, 0.05);
   EXPECT_LT(near, 0.15 * far);
   EXPECT_GT(near, 0.05 * far);
@@ -179,7 +179,7 @@ TEST(Noise, MovesWithTimeAndRenewsNoTables) {
   EXPECT_EQ(later.beauty, render_frame(scene, settings).beauty) << "a renderer with a past";
 }
 
-TEST(Noise, OfNoAmplitudeIsSkipped) {
+TEST(Noise, ZeroAmplitudeIsSkipped) {
   const Scene scene = cloud_scene(30, 1.0);
   const Frame without = render_frame(scene, sliced_settings({}, 16));
   const Frame with = render_frame(noisy(scene, 0.0, 5.0), sliced_settings({}, 16));

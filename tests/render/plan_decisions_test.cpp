@@ -1,6 +1,6 @@
 // What a plan leaves out: it may, and where it is needed it is there.
 
-#include "tools/bench/plan_decisions.h"
+#include "tools/bench/measure/plan_decisions.h"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ TEST_P(PlanDecisions, LeaveOutNothingThatIsSeen) {
   EXPECT_TRUE(why_is_said);
 
   // A billionth of it, and what single precision and light tables of other bounds make of the rest.
-  EXPECT_LT(greatest_change(left_out, made, needed), 2e-3);
-  EXPECT_GT(greatest_change(left_out, needed, needed), 2e-2);
+  EXPECT_LT(max_change(left_out, made, needed), 2e-3);
+  EXPECT_GT(max_change(left_out, needed, needed), 2e-2);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlanDecisions, testing::ValuesIn(plan_decisions()),

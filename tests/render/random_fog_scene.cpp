@@ -36,8 +36,8 @@ class RandomFogScene {
   }
 
  private:
-  int whole(int least, int greatest) {
-    return least + static_cast<int>(random_.uniform(0.0, greatest - least + 1));
+  int whole(int min_value, int max_value) {
+    return min_value + static_cast<int>(random_.uniform(0.0, max_value - min_value + 1));
   }
   bool one_in(int n) { return whole(1, n) == 1; }
 

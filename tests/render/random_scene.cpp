@@ -35,8 +35,8 @@ class RandomScene {
   }
 
  private:
-  int whole(int least, int greatest) {
-    return least + static_cast<int>(random_.uniform(0.0, greatest - least + 1));
+  int whole(int min_value, int max_value) {
+    return min_value + static_cast<int>(random_.uniform(0.0, max_value - min_value + 1));
   }
   bool one_in(int n) { return whole(1, n) == 1; }
   // Mostly `ordinary`, at times any power of ten in the range.

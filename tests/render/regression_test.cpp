@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render/auto_quality.h"
+#include "render/quality/auto_quality.h"
 #include "render/renderer.h"
-#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
 namespace {
@@ -34,7 +34,7 @@ TEST(Regression, FramesTakeNoMoreWorkAndAreNoWorse) {
     settings.airlight_scale = row.scale;
     settings = sliced_settings(settings, row.slices);
     const Frame frame = *Renderer().render(row.scene, row.scene.camera, row.scene.film, settings);
-    const auto sample = ErrorSample::take(row.scene, row.scene.camera, frame, 60, 1, 1e-3);
+    const auto sample = ErrorSample::create(row.scene, row.scene.camera, frame, 60, 1, 1e-3);
     const double error = sample->measure(frame).rel_rmse;
     const double view = 1e-6 * static_cast<double>(frame.statistics.view_pairs);
     const double light = 1e-6 * static_cast<double>(frame.statistics.light_pairs);

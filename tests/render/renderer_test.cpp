@@ -97,7 +97,7 @@ TEST(Renderer, SurfacesArePlacedByTheirTransform) {
   EXPECT_TRUE(std::isinf(frame.depth[center_pixel(frame)]));
 }
 
-TEST(Renderer, KeepsOnlyWhatHasNotChanged) {
+TEST(Renderer, ReusesOnlyUnchangedData) {
   Scene scene = busy_scene();
   Renderer renderer;
   const auto check = [&](const char* what) {
@@ -133,7 +133,7 @@ TEST(Renderer, SameFrameOnAnyNumberOfThreads) {
   EXPECT_EQ(render_frame(scene, one).beauty, render_frame(scene, {}).beauty);
 }
 
-TEST(Renderer, StopsWhenAsked) {
+TEST(Renderer, StopsOnRequest) {
   Scene scene = cloud_scene(300, 3.0);
   scene.film = {1024, 1024};
   Settings settings;
@@ -150,13 +150,13 @@ TEST(Renderer, StopsWhenAsked) {
   EXPECT_LT(last, 1.0);
 }
 
-TEST(Renderer, SaysWhatItSkippedAndWhy) {
+TEST(Renderer, ReportsSkippedStages) {
   Scene scene = cloud_scene(5, 1.0);
   scene.lights.clear();
   const Frame frame = render_frame(scene, {});
   bool found = false;
   for (const SkippedStage& s : frame.statistics.skipped) {
-    found = found || (s.stage == "airlight" && s.why == "no light shines");
+    found = found || (s.stage == "airlight" && s.why == "nothing emits light");
   }
   EXPECT_TRUE(found);
   for (const float x : frame.airlight) EXPECT_EQ(x, 0.0f);
@@ -226,7 +226,7 @@ TEST(Renderer, CountsPairs) {
   EXPECT_GT(counted.light_pairs, counted.view_pairs);  // at each point of a ray one to the light
 }
 
-TEST(Display, KeepsColoursBelowTheKneeAndBoundsTheRest) {
+TEST(Display, PreservesColoursBelowTheKnee) {
   Frame frame;
   frame.film = {3, 1};
   frame.beauty = {0, 0, 0, 0, 0.2f + 0.04f, 0.2f + 0.04f, 0.2f + 0.04f, 1, 1e30f, 1, 0, 1};

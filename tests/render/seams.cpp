@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/tiles.h"
+#include "render/geometry/tiles.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
 

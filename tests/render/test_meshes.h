@@ -3,7 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <memory>
 
-#include "tools/bench/mesh_patches.h"
+#include "tools/bench/scenes/mesh_patches.h"
 
 namespace brume {
 

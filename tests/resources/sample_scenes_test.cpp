@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
 #include "core/scene/radiance_map.h"
@@ -55,7 +55,7 @@ double density_at(const Medium& medium, const glm::dvec3& point) {
   return sum;
 }
 
-TEST(SampleScenes, AreWhatTheGeneratorWrites) {
+TEST(SampleScenes, MatchTheGenerator) {
   const fs::path folder = fs::path(testing::TempDir()) / "brume_sample_scenes";
   fs::remove_all(folder);
   const std::string command =
@@ -125,7 +125,7 @@ TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
   const Medium medium = load("dense_cloud.brume").medium;
   ASSERT_EQ(medium.size(), 300u);
   const double golden_angle = 2.399963229728653;
-  double greatest = 0.0;
+  double max_value = 0.0;
   for (int k = 0; k < 500; ++k) {
     const double z = (k + 0.5) / 500.0;  // a half sphere: a line has no sign
     const double r = std::sqrt(1.0 - z * z);
@@ -138,13 +138,13 @@ TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
             glm::length(glm::cross(g.center - medium.centers()[i], direction)) / g.radius;
         depth += g.density * g.radius * std::exp(-h * h);
       }
-      greatest = std::max(greatest, depth * std::sqrt(3.141592653589793));
+      max_value = std::max(max_value, depth * std::sqrt(3.141592653589793));
     }
   }
   // No line through a centre is deeper than the deepest line, and some come close.
-  EXPECT_LE(greatest, 10.01);
-  EXPECT_GT(greatest, 9.8);
-  EXPECT_NEAR(summarize(medium).greatest_optical_depth, 10.0, 0.01);
+  EXPECT_LE(max_value, 10.01);
+  EXPECT_GT(max_value, 9.8);
+  EXPECT_NEAR(summarize(medium).max_optical_depth, 10.0, 0.01);
 }
 
 TEST(SampleScenes, LightAndCameraInside) {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/io/gaussian_file.h"
+#include "core/io/gaussians/gaussian_file.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -69,7 +69,7 @@ TEST_F(AnimationCommands, PlaysASequenceThatWasFitted) {
   std::filesystem::remove(file("s_25.csv"));
   EXPECT_EQ(run_brume({"export", file("out/s.brume"), "-o", file("n.ply")}).exit_code, 0);
   EXPECT_EQ(read_gaussians(file("n.ply")).size(), 40u);
-  expect_refused({"gather", file("out/s.brume"), file("out")}, {"out", "is there already"});
+  expect_refused({"gather", file("out/s.brume"), file("out")}, {"out", "already exists"});
   expect_refused({"export", scene, "-o", file("n.ply")}, {"medium.sequences[0].file", "s_25.csv"});
 }
 

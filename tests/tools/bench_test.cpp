@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/tools/command_line.h"
-#include "tools/bench/bench_compare.h"
-#include "tools/bench/bench_html.h"
-#include "tools/bench/bench_json.h"
-#include "tools/bench/bench_markdown.h"
-#include "tools/bench/bench_tables.h"
-#include "tools/bench/frontier.h"
+#include "tools/bench/measure/frontier.h"
+#include "tools/bench/report/bench_compare.h"
+#include "tools/bench/report/bench_html.h"
+#include "tools/bench/report/bench_json.h"
+#include "tools/bench/report/bench_markdown.h"
+#include "tools/bench/report/bench_tables.h"
 
 namespace brume {
 namespace {
@@ -29,7 +29,7 @@ Measurement measured(double cpu, double error) {
   return m;
 }
 
-TEST(Frontier, IsWhatNothingBeats) {
+TEST(Frontier, ContainsUndominatedSettings) {
   const std::vector<Measurement> all = {measured(10, 0.02), measured(5, 0.05), measured(12, 0.03),
                                         measured(20, 0.005), measured(5.5, 0.06)};
   EXPECT_EQ(frontier(all), (std::vector<std::size_t>{1, 0, 3}));
@@ -54,21 +54,21 @@ std::string report(double cpu, double error) {
       .dump();
 }
 
-TEST(BenchCompare, SaysWhatIsWorseBeyondTheSpread) {
+TEST(BenchCompare, ReportsRegressionsBeyondTheSpread) {
   const std::string old = report(10.0, 0.01);
   EXPECT_TRUE(compare_reports("old.json", old, report(12.0, 0.012)).empty());
   EXPECT_TRUE(compare_reports("old.json", old, report(5.0, 0.005)).empty());
   const auto slower = compare_reports("old.json", old, report(14.0, 0.01));
   ASSERT_EQ(slower.size(), 1u);
-  EXPECT_EQ(slower[0], "a, sliced 24: slower, at best 12.6 ms where it was at most 11.0 ms");
+  EXPECT_EQ(slower[0], "a, sliced 24: slower, now at least 12.6 ms, before at most 11.0 ms");
   const auto worse = compare_reports("old.json", old, report(10.0, 0.02));
   ASSERT_EQ(worse.size(), 1u);
-  EXPECT_EQ(worse[0], "a, sliced 24: less accurate, at least 1.80% where it was at most 1.10%");
+  EXPECT_EQ(worse[0], "a, sliced 24: less accurate, now at least 1.80%, before at most 1.10%");
   EXPECT_THROW(compare_reports("old.json", "{}", old), InputError);
   EXPECT_THROW(compare_reports("old.json", "no json", old), InputError);
 }
 
-TEST(BenchCompare, HoldsRowsOfErrorsAgainstTheOldOnes) {
+TEST(BenchCompare, ComparesErrorRowsWithOldOnes) {
   for (const char* section : {"patches", "noise", "lamp_light", "arriving_light", "transfer"}) {
     const auto with_row = [&](const char* what, double error) {
       Json json = Json::parse(report(10.0, 0.01));
@@ -81,17 +81,17 @@ TEST(BenchCompare, HoldsRowsOfErrorsAgainstTheOldOnes) {
     EXPECT_TRUE(compare_reports("old.json", report(10.0, 0.01), old).empty());
     const auto worse = compare_reports("old.json", old, with_row("a ball", 0.02));
     ASSERT_EQ(worse.size(), 1u) << section;
-    EXPECT_EQ(worse[0], "a ball: less accurate, at least 1.80% where it was at most 1.10%");
+    EXPECT_EQ(worse[0], "a ball: less accurate, now at least 1.80%, before at most 1.10%");
   }
 }
 
 // What --compare reads is what is written.
-TEST(BenchCompare, ReadsWhatIsWritten) {
+TEST(BenchCompare, RoundTripsReports) {
   const auto json = [](double error) {
     BenchReport written;
     const ErrorEstimate estimate{error, 0.9 * error, 1.1 * error, 9};
     for (auto rows : {&BenchReport::patches, &BenchReport::noise, &BenchReport::lamp_light,
-                      &BenchReport::arriving_light, &BenchReport::transfer}) {
+                      &BenchReport::incident_light, &BenchReport::transfer}) {
       (written.*rows).push_back({"a ball", estimate, estimate});
     }
     return to_json(written);
@@ -106,7 +106,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-TEST(BenchTables, AreAllOnThePageAndInHtml) {
+TEST(BenchTables, AppearInMarkdownAndHtml) {
   BenchReport report;
   SceneReport& scene = report.scenes.emplace_back();
   scene.name = "fog & mist";
@@ -122,14 +122,14 @@ TEST(BenchTables, AreAllOnThePageAndInHtml) {
   report.noise_depths.push_back({2.0, {-0.0031, -0.0168, 0.0171}, {0.0, -0.02, 0.029}});
   report.noise.push_back({"torn fog", small, large});
   report.lamp_light.push_back({"lit ball", small, large});
-  report.arriving_light.push_back({"under a sky", small, large});
+  report.incident_light.push_back({"under a sky", small, large});
   report.transfer.push_back({"floor", small, large});
   report.transfer.push_back({"bowl", large, {}});
   report.curves.push_back({"lights", {{1.0, 2.0}, {10.0, 30.0}}, 1.2});
   report.thread_rows.push_back({1, {4.0, 3.0, 5.0}});
   report.savings.push_back({"noise", "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
   report.hard_cases.emplace_back().hard_case.breaks = "x < y";
-  report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}, {}, {}});
+  report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}});
   const std::vector<ReportTable> tables = bench_tables(report);
   EXPECT_EQ(tables.size(), 16u);
   const std::string page = to_markdown(report);
@@ -174,14 +174,14 @@ TEST_F(BenchCommand, WritesAReport) {
   ASSERT_EQ(json["scenes"].size(), 1u);
   const Json& settings = json["scenes"][0]["settings"];
   EXPECT_GT(settings.size(), 10u);
-  double least_error = 1.0;
+  double min_error = 1.0;
   for (const Json& setting : settings) {
     EXPECT_GT(setting["cpu_ms"]["min"].get<double>(), 0.0) << setting;
     EXPECT_LE(setting["cpu_ms"]["min"], setting["cpu_ms"]["median"]) << setting;
     EXPECT_LE(setting["error"]["low"], setting["error"]["high"]) << setting;
-    least_error = std::min(least_error, setting["error"]["rel_rmse"].get<double>());
+    min_error = std::min(min_error, setting["error"]["rel_rmse"].get<double>());
   }
-  EXPECT_LT(least_error, 0.01);
+  EXPECT_LT(min_error, 0.01);
   EXPECT_EQ(settings[0]["setting"], "paper");
   EXPECT_GT(settings[0]["error"]["rel_rmse"], 0.02);
   const std::string html = content_of(file("report.html"));
@@ -224,7 +224,7 @@ TEST_F(BenchCommand, SavesItsScenes) {
 TEST_F(BenchCommand, RefusesBeforeLongWork) {
   expect_refused({"bench", "--quick"}, {"-o"});
   expect_refused({"bench", "-o", file("missing/report")}, {"missing"});
-  expect_refused({"bench", "-o", file("report"), "--compare", scene_}, {scene_, "no report"});
+  expect_refused({"bench", "-o", file("report"), "--compare", scene_}, {scene_, "not a report"});
   // Reports that lack what shows only as two of them are compared.
   for (const char* report :
        {"", R"({"scenes": [], "table_one": [{"name": "box"}]})",
@@ -235,7 +235,7 @@ TEST_F(BenchCommand, RefusesBeforeLongWork) {
             "error": {"low": 0, "high": 1}}]})"}) {
     const std::string old = folder_.write("old.json", report).string();
     expect_refused({"bench", "--quick", scene_, "-o", file("report"), "--compare", old},
-                   {old, "no report"});
+                   {old, "not a report"});
   }
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/image_file.h"
+#include "core/io/image/image_file.h"
 #include "tests/tools/run_program.h"
 
 namespace brume {

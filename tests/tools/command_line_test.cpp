@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/io/gaussian_file.h"
-#include "core/io/image_file.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/image/image_file.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -120,7 +120,7 @@ TEST_F(CommandLine, RendersAllLayersToExr) {
   }
 }
 
-TEST_F(CommandLine, TakesTheOptionsOfPaper) {
+TEST_F(CommandLine, AcceptsTheOptionsOfPaper) {
   const std::map<std::string, std::vector<std::string>> cases{
       {"paper", {}},
       {"paper+mean", {"--paper-mean"}},
@@ -268,7 +268,7 @@ TEST_F(CommandLine, TimesAMovedFrame) {
   EXPECT_EQ(stats["frame_ms"]["min"], stats["frame_ms"]["max"]);
 }
 
-TEST_F(CommandLine, TellsTheThreadsThatRun) {
+TEST_F(CommandLine, ReportsTheNumberOfThreads) {
   const auto threads = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"render",  scene_,         "-o",     file("o.exr"),
                                        "--stats", file("s.json"), "--size", "2x2"};
@@ -308,7 +308,7 @@ TEST_F(CommandLine, WarnsOnStandardError) {
 }
 
 // In the cache folder of the user, from one run to the next.
-TEST_F(CommandLine, KeepsRadianceTransfer) {
+TEST_F(CommandLine, CachesRadianceTransfer) {
   Json scene = Json::parse(scene_text);
   scene["surfaces"][0]["transfer"] = "interreflection";
   const std::string with_transfer = folder_.write("t.brume", scene.dump()).string();
@@ -331,7 +331,7 @@ TEST_F(CommandLine, KeepsRadianceTransfer) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "cache"));
   const Json skipped = Json::parse(content_of(folder_ / "s.json"))["skipped"];
   EXPECT_TRUE(std::ranges::any_of(skipped, [](const Json& s) {
-    return s["stage"] == "transfer" && s["why"] == "no surface asks for it";
+    return s["stage"] == "transfer" && s["why"] == "no surface requests it";
   }));
 
   const ProgramResult first = render(with_transfer);
@@ -411,7 +411,7 @@ TEST_F(CommandLine, RefusesWhatHasNothingToCompare) {
   expect_refused({"compare", file("a.exr")}, {"B"});
 }
 
-TEST_F(CommandLine, TellsWhatASceneHolds) {
+TEST_F(CommandLine, SummarizesAScene) {
   const ProgramResult result = run_brume({"info", scene_, "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json info = Json::parse(result.out);
@@ -437,7 +437,7 @@ TEST_F(CommandLine, TellsWhatASceneHolds) {
       << words.out;
 }
 
-TEST_F(CommandLine, TellsWhatAMediumHolds) {
+TEST_F(CommandLine, SummarizesAMedium) {
   write_gaussians(folder_ / "m.ply", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
   const ProgramResult result = run_brume({"info", file("m.ply"), "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -446,7 +446,7 @@ TEST_F(CommandLine, TellsWhatAMediumHolds) {
   EXPECT_DOUBLE_EQ(medium["greatest_optical_depth"], std::sqrt(std::acos(-1.0)) * 0.5);
 }
 
-TEST_F(CommandLine, TakesExtensionsInAnyCase) {
+TEST_F(CommandLine, AcceptsExtensionsInAnyCase) {
   write_gaussians(folder_ / "M.PLY", std::vector<Gaussian>{{{1, 2, 3}, 2, 0.25}});
   EXPECT_EQ(run_brume({"info", file("M.PLY")}).exit_code, 0);
   EXPECT_EQ(run_brume({"info", folder_.write("A.Brume", scene_text).string()}).exit_code, 0);

@@ -1,4 +1,4 @@
-#include "render/compare.h"
+#include "render/output/compare.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(Compare, MeasuresAAgainstB) {
   EXPECT_EQ(result.incomparable, 0u);
 }
 
-TEST(Compare, TakesAllChannelsTogether) {
+TEST(Compare, CombinesAllChannels) {
   const std::vector<float> ones{1, 1};
   const std::vector<float> threes{3, 3};
   const Comparison result = compare(std::vector<ChannelPair>{{ones, ones}, {threes, ones}});

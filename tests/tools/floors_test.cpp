@@ -43,7 +43,10 @@ TEST_F(Floors, FailWhereAnArrowPointsUp) {
            {"render/b.cpp", "#include \"core/../app/a.h\"\n"},
            {"tools/b.h", "#include <QWidget>\n"},
            {"tools/b.h", "#include <vtkNew.h>\n"},
-           {"app/b.h", "#include \"tools/a.h\"\n"}}) {
+           {"app/b.h", "#include \"tools/a.h\"\n"},
+           {"render/cpu/b.h", "#include \"render/gl/a.h\"\n"},
+           {"render/geometry/b.h", "#include \"render/settings.h\"\n"},
+           {"app/viewport/b.h", "#include \"app/tools/select.h\"\n"}}) {
     SCOPED_TRACE(std::string(file) + ": " + text);
     write(file, text);
     EXPECT_FALSE(passes());

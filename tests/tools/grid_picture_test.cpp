@@ -12,7 +12,7 @@ namespace brume {
 namespace {
 
 // A volume looks like the Gaussians that it was sampled from.
-TEST(GridPicture, IsThatOfTheMedium) {
+TEST(GridPicture, MatchesTheMedium) {
   Random random(1);
   Scene scene;
   for (int i = 0; i < 20; ++i) {

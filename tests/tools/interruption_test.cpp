@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/io/gaussian_file.h"
+#include "core/io/gaussians/gaussian_file.h"
 #include "tests/tools/command_line.h"
 #include "tests/tools/running_program.h"
 
@@ -86,7 +86,7 @@ TEST_F(Interruption, AutoTellsItsProgress) {
 }
 
 // As scripts start what they put in the background.
-TEST_F(Interruption, IsHeardWhereItWasIgnored) {
+TEST_F(Interruption, WorksWhereTheSignalWasIgnored) {
   const auto old = std::signal(SIGINT, SIG_IGN);
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu"});
   std::signal(SIGINT, old);
@@ -120,11 +120,11 @@ TEST_F(Interruption, ThreadsBindAllWork) {
   write_cloud(3'000);  // a second or two: this one is waited for
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu", "--threads",
                           "1", "--size", "64x48"});
-  std::size_t most = 0;
+  std::size_t max_value = 0;
   for (int i = 0; i < 200 && program.read(); ++i) {
-    most = std::max(most, working_threads(program.pid()));
+    max_value = std::max(max_value, working_threads(program.pid()));
   }
-  EXPECT_EQ(most, 1u);
+  EXPECT_EQ(max_value, 1u);
 }
 
 }  // namespace

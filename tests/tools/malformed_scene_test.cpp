@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/io/image_file.h"
+#include "core/io/image/image_file.h"
 #include "tests/tools/malformed_scenes.h"
 #include "tests/tools/run_program.h"
 
@@ -51,7 +51,7 @@ class MalformedScene : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(MalformedScene, TheSceneTheCasesStartFromIsGood) {
+TEST_F(MalformedScene, BaseSceneIsValid) {
   write("scene.brume", good_scene());
   const ProgramResult result = run_brume(
       {"render", (folder_ / "scene/scene.brume").string(), "-o", (folder_ / "o.exr").string()});
@@ -83,7 +83,7 @@ TEST_F(MalformedScene, EachCaseIsRefusedInOneLine) {
   }
 }
 
-TEST_F(MalformedScene, ASceneThatIsNoFileIsRefused) {
+TEST_F(MalformedScene, RefusesFoldersAndDevices) {
   const std::string out = (folder_ / "o.exr").string();
   for (const std::string& scene :
        {(folder_ / "none.brume").string(), folder_.path().string(), std::string("/dev/null"),
@@ -96,7 +96,7 @@ TEST_F(MalformedScene, ASceneThatIsNoFileIsRefused) {
   }
 }
 
-TEST_F(MalformedScene, AnOldOutputStays) {
+TEST_F(MalformedScene, PreservesTheOldOutput) {
   write("scene.brume", "{");
   folder_.write("o.exr", "old");
   EXPECT_EQ(run_brume({"render", (folder_ / "scene/scene.brume").string(), "-o",
@@ -106,7 +106,7 @@ TEST_F(MalformedScene, AnOldOutputStays) {
   EXPECT_EQ(content_of(folder_ / "o.exr"), "old");
 }
 
-TEST_F(MalformedScene, ASceneTooLargeIsRefusedUnread) {
+TEST_F(MalformedScene, RefusesHugeFilesUnread) {
   const auto scene = folder_.write("scene/scene.brume", "{");
   std::filesystem::resize_file(scene, (std::uintmax_t{1} << 30) + 1);  // takes no space on disk
   const ProgramResult result =

@@ -152,7 +152,7 @@ std::vector<MalformedCase> malformed_cases() {
       {"eye at the target",
        camera(R"("eye": [1, 2, 3], "target": [1, 2, 3])"),
        "camera.target",
-       {"another point"}},
+       {"any other point"}},
       {"up of length 0", camera(R"("up": [0, 0, 0])"), "camera.up", {"length 0"}},
       {"field of view 0", camera(R"("vertical_fov": 0)"), "camera.vertical_fov", {"(0, 180)"}},
       {"field of view 180", camera(R"("vertical_fov": 180)"), "camera.vertical_fov", {"found 180"}},
@@ -160,7 +160,7 @@ std::vector<MalformedCase> malformed_cases() {
       {"negative height", film(R"("height": -3)"), "film.height", {"found -3"}},
       {"width too great", film(R"("width": 16385)"), "film.width", {"16384"}},
       {"width beyond 64 bits", film(R"("width": 18446744073709551617)"), "film.width"},
-      {"half a pixel", film(R"("width": 4.5)"), "film.width", {"found 4.5", "whole number"}},
+      {"half a pixel", film(R"("width": 4.5)"), "film.width", {"found 4.5", "integer"}},
       {"width as text", film(R"("width": "4")"), "film.width", {"found \"4\""}},
 
       // The medium.
@@ -223,7 +223,7 @@ std::vector<MalformedCase> malformed_cases() {
       {"medium file with NaN", medium_file("nan.ply"), "medium.file", {"nan.ply", "vertex 1"}},
       {"medium file truncated", medium_file("short.ply"), "medium.file", {"short.ply"}},
       {"medium file of a huge count", medium_file("huge.ply"), "medium.file", {"huge.ply"}},
-      {"medium file a number", medium(R"("file": 1)"), "medium.file", {"found 1", "a text"}},
+      {"medium file a number", medium(R"("file": 1)"), "medium.file", {"found 1", "a string"}},
       {"medium file without a name", medium_file(""), "medium.file", {"a file name"}},
       {"medium file with a zero byte", medium_file("a\\u0000b"), "medium.file", {"a file name"}},
       {"medium file with a long name", medium_file(std::string(5000, 'a')), "medium.file"},

@@ -73,7 +73,7 @@ TEST_F(Messages, ManyWarningsAreCounted) {
       << result.err;
 }
 
-TEST_F(Messages, SayWhichVoxelWouldDo) {
+TEST_F(Messages, SuggestASufficientVoxelSize) {
   const std::string scene =
       folder_
           .write("small.brume",

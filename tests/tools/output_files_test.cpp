@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "core/io/gaussian_file.h"
-#include "core/io/volume_file.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/volume/volume_file.h"
 #include "tests/tools/command_line.h"
 
 namespace brume {
@@ -31,8 +31,8 @@ class OutputFiles : public CommandLine {
   }
 
   // Refused, and all files are what they were.
-  void expect_kept(const std::vector<std::string>& arguments,
-                   const std::vector<std::string>& parts) const {
+  void expect_cached(const std::vector<std::string>& arguments,
+                     const std::vector<std::string>& parts) const {
     SCOPED_TRACE(arguments.back());
     const auto before = contents();
     expect_refused(arguments, parts);
@@ -56,7 +56,7 @@ struct FullDiskCase {
 };
 
 // 1024 bytes are all that a file may grow to.
-TEST_F(OutputFiles, AFullDiskKeepsTheOldFile) {
+TEST_F(OutputFiles, AFullDiskPreservesTheOldFile) {
   ASSERT_EQ(run_brume({"export", many_, "-o", file("in.vdb"), "--voxel", "1"}).exit_code, 0);
   const std::vector<FullDiskCase> cases{
       {"o.exr", {"render", many_, "-o", file("o.exr"), "--airlight", "paper"}},
@@ -88,12 +88,12 @@ TEST_F(OutputFiles, AFullDiskKeepsTheOldFile) {
   }
 }
 
-TEST_F(OutputFiles, AFullDiskLeavesNothingOfAGatheredScene) {
+TEST_F(OutputFiles, AFullDiskLeavesNoGatheredScene) {
   const std::size_t entries = folder_.entry_count();
   const ProgramResult result =
       run_brume({"gather", many_, file("all")}, {.before = "ulimit -f 2; "});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_TRUE(result.err.starts_with("brume: error: " + file("all") + ": cannot be made: "));
+  EXPECT_TRUE(result.err.starts_with("brume: error: " + file("all") + ": cannot be created: "));
   EXPECT_NE(result.err.find("many.ply: cannot be written: File too large"), std::string::npos)
       << result.err;
   EXPECT_EQ(folder_.entry_count(), entries);
@@ -122,56 +122,56 @@ TEST_F(OutputFiles, NoOutputIsAnInput) {
   fs::create_hard_link(folder_ / "sky.exr", folder_ / "hard.exr");
   fs::create_symlink("many.ply", folder_ / "link.csv");
   const std::string same = "is the same file as the input ";
-  expect_kept({"render", scene_, "-o", file("o.png"), "--stats", scene_}, {scene_ + ": " + same});
-  expect_kept({"render", many_, "-o", file("o.png"), "--stats", file("floor.obj")},
-              {"floor.obj: " + same});
+  expect_cached({"render", scene_, "-o", file("o.png"), "--stats", scene_}, {scene_ + ": " + same});
+  expect_cached({"render", many_, "-o", file("o.png"), "--stats", file("floor.obj")},
+                {"floor.obj: " + same});
   for (const char* name : {"sky.exr", "./sky.exr", "link.exr", "hard.exr"}) {
-    expect_kept({"render", many_, "-o", file(name)}, {file(name) + ": " + same, "sky.exr"});
+    expect_cached({"render", many_, "-o", file(name)}, {file(name) + ": " + same, "sky.exr"});
   }
   for (const char* name : {"many.ply", "link.csv"}) {
-    expect_kept({"export", many_, "-o", file(name)}, {file(name) + ": " + same, "many.ply"});
+    expect_cached({"export", many_, "-o", file(name)}, {file(name) + ": " + same, "many.ply"});
   }
-  expect_kept({"export", file("many.ply"), "-o", file("./many.ply")}, {same});
+  expect_cached({"export", file("many.ply"), "-o", file("./many.ply")}, {same});
 
   fs::copy_file(std::string(BRUME_VOLUMES) + "/smoke_0025.vdb", folder_ / "smoke.vdb");
   fs::create_symlink("smoke.vdb", folder_ / "volume.ply");
-  expect_kept({"fit", file("smoke.vdb"), "-o", file("volume.ply")}, {"volume.ply: " + same});
+  expect_cached({"fit", file("smoke.vdb"), "-o", file("volume.ply")}, {"volume.ply: " + same});
 
   folder_.write("report.json", R"({ "scenes": [], "table_one": [] })");
   folder_.write("peers.json", R"({ "peers": [] })");
-  expect_kept({"bench", "-o", file("report"), "--compare", file("report.json")},
-              {"report.json: " + same});
-  expect_kept({"bench", "-o", file("peers"), "--peers", file("peers.json")},
-              {"peers.json: " + same});
+  expect_cached({"bench", "-o", file("report"), "--compare", file("report.json")},
+                {"report.json: " + same});
+  expect_cached({"bench", "-o", file("peers"), "--peers", file("peers.json")},
+                {"peers.json: " + same});
   fs::create_symlink("a.brume", folder_ / "a.svg");
-  expect_kept({"bench", scene_, "-o", file("a")}, {"a.svg: " + same});
+  expect_cached({"bench", scene_, "-o", file("a")}, {"a.svg: " + same});
 }
 
 TEST_F(OutputFiles, NoFrameOfASequenceIsAnInput) {
   fs::copy_file(folder_ / "many.ply", folder_ / "m_1.ply");
   fs::copy_file(folder_ / "many.ply", folder_ / "m_2.ply");
   const std::string same = "is the same file as the input ";
-  expect_kept({"export", file("m_%d.ply"), "--frames", "1-2", "-o", file("m_%d.ply")}, {same});
+  expect_cached({"export", file("m_%d.ply"), "--frames", "1-2", "-o", file("m_%d.ply")}, {same});
   // Already before the first frame is written.
   fs::create_symlink("m_2.ply", folder_ / "o_2.csv");
-  expect_kept({"export", file("m_%d.ply"), "--frames", "1-2", "-o", file("o_%d.csv")},
-              {"o_2.csv: " + same});
+  expect_cached({"export", file("m_%d.ply"), "--frames", "1-2", "-o", file("o_%d.csv")},
+                {"o_2.csv: " + same});
 }
 
 TEST_F(OutputFiles, NoTwoOutputsAreOneFile) {
   const std::string same = "is the same file as the output ";
-  expect_kept({"render", scene_, "-o", file("o.exr"), "--stats", file("o.exr")}, {same});
-  expect_kept({"render", scene_, "-o", file("o.exr"), "--stats", file("./o.exr")}, {same});
+  expect_cached({"render", scene_, "-o", file("o.exr"), "--stats", file("o.exr")}, {same});
+  expect_cached({"render", scene_, "-o", file("o.exr"), "--stats", file("./o.exr")}, {same});
   fs::create_symlink("o.exr", folder_ / "s.json");
-  expect_kept({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json")}, {same});
+  expect_cached({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json")}, {same});
   fs::create_symlink("s.json", folder_ / "t.json");
-  expect_kept({"render", scene_, "-o", file("o.exr"), "--stats", file("t.json")}, {same});
+  expect_cached({"render", scene_, "-o", file("o.exr"), "--stats", file("t.json")}, {same});
   folder_.write("o.exr", "old");
-  expect_kept({"render", scene_, "-o", file("o.exr"), "--stats", file("t.json")}, {same});
+  expect_cached({"render", scene_, "-o", file("o.exr"), "--stats", file("t.json")}, {same});
 }
 
-TEST_F(OutputFiles, ASceneIsNotGatheredIntoItsOwnFolder) {
-  expect_kept({"gather", scene_, folder_.path().string()}, {"is there already"});
+TEST_F(OutputFiles, RefusesToGatherIntoTheScenesFolder) {
+  expect_cached({"gather", scene_, folder_.path().string()}, {"already exists"});
 }
 
 }  // namespace

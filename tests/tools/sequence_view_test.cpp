@@ -30,10 +30,10 @@ TEST(SequenceView, FittedSmokeDoesNotFlicker) {
   const FittedVolume second = *fitter.next(volumes / "smoke_0026.vdb");
   const FittedVolume by_itself = *VolumeFitter(how).next(volumes / "smoke_0026.vdb");
   const SequenceView view(first.grid, Film{48, 48});
-  const std::vector<float> before = view.of(first.fit.gaussians);
-  const std::vector<float> smoke = difference(view.of(second.grid), view.of(first.grid));
-  const std::vector<float> fog = difference(view.of(second.fit.gaussians), before);
-  const std::vector<float> anew = difference(view.of(by_itself.fit.gaussians), before);
+  const std::vector<float> before = view.render(first.fit.gaussians);
+  const std::vector<float> smoke = difference(view.render(second.grid), view.render(first.grid));
+  const std::vector<float> fog = difference(view.render(second.fit.gaussians), before);
+  const std::vector<float> anew = difference(view.render(by_itself.fit.gaussians), before);
   const std::vector<float> nothing(smoke.size());
   EXPECT_NEAR(std::sqrt(squares_between(fog, nothing) / squares_between(smoke, nothing)), 1.0, 0.1);
   const double flicker = std::sqrt(squares_between(fog, smoke));

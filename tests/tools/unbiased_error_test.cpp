@@ -1,4 +1,4 @@
-#include "tools/bench/unbiased_error.h"
+#include "tools/bench/errors/unbiased_error.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ Noisy noisy(double error, double noise, unsigned seed) {
   return result;
 }
 
-TEST(UnbiasedError, DoesNotCountTheNoise) {
+TEST(UnbiasedError, ExcludesTheNoise) {
   constexpr double error = 0.02;
   for (const double noise : {0.001, 0.1}) {
     constexpr int trials = 400;
@@ -46,7 +46,7 @@ TEST(UnbiasedError, DoesNotCountTheNoise) {
   }
 }
 
-TEST(UnbiasedError, OfNoErrorIsNone) {
+TEST(UnbiasedError, IsZeroWithoutError) {
   const Noisy runs = noisy(0.0, 0.1, 3);
   const ErrorEstimate found = unbiased_error(runs.differences, runs.values);
   EXPECT_EQ(found.low, 0.0);

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/io/gaussian_file.h"
-#include "core/io/volume_file.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/volume/volume_file.h"
 #include "core/transport/optical_depth.h"
 #include "tests/random.h"
 #include "tests/tools/command_line.h"

@@ -7,17 +7,17 @@
 #include <memory>
 #include <string_view>
 
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/transfer/transfer_store.h"
-#include "tools/bench/arriving_light_errors.h"
-#include "tools/bench/benchmark_scenes.h"
 #include "tools/bench/cost_curves.h"
-#include "tools/bench/lamp_light_errors.h"
+#include "tools/bench/errors/incident_light_errors.h"
+#include "tools/bench/errors/surface_light_errors.h"
+#include "tools/bench/errors/transfer_errors.h"
 #include "tools/bench/scene_report.h"
-#include "tools/bench/table_one_scenes.h"
-#include "tools/bench/transfer_errors.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+#include "tools/bench/scenes/table_one_scenes.h"
 
 namespace brume {
 namespace {
@@ -31,7 +31,7 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   Renderer chooser(transfers);
   Settings settings = fewest_slices(chooser, scene);
   settings.threads = options.threads;
-  const Truth truth = find_truth(scene, 300, 1e-3);
+  const Truth truth = find_reference(scene, 300, 1e-3);
   TableOneRow row{kind.name, kind.frames_per_second, {}, {}};
   Renderer renderer(transfers);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
@@ -42,7 +42,7 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   return row;
 }
 
-// Null where no OpenGL is asked for or there is none.
+// Null if OpenGL is not requested or not available.
 std::unique_ptr<GlRenderer> gl_renderer(Backend backend) {
   if (backend == Backend::cpu) return nullptr;
   std::string problem;
@@ -70,15 +70,15 @@ void measure_errors(BenchReport& report, const std::function<void(const std::str
   tell("errors of environment inscattering");
   report.skies = measure_skies();
   report.patches = measure_patches();
-  report.glow = measure_glow();
+  report.glow = measure_inscattering();
   tell("errors of interpolation and noise");
   report.scales = measure_scales();
   report.noise_depths = measure_noise_depths();
   report.noise = measure_noise_errors(400);
   tell("light on surfaces: lights");
-  report.lamp_light = measure_lamp_light(40'000);
+  report.lamp_light = measure_surface_light(40'000);
   tell("light on surfaces: environment");
-  report.arriving_light = measure_arriving_light(2'000);
+  report.incident_light = measure_incident_light(2'000);
   tell("light on surfaces: radiance transfer");
   report.transfer = measure_transfer(2'000);
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "render/gl/gl_renderer.h"
-#include "tools/bench/bench_report.h"
+#include "render/gl_renderer.h"
+#include "tools/bench/report/bench_report.h"
 
 namespace brume {
 
@@ -15,7 +15,7 @@ struct BenchOptions {
   int threads = 0;                            // 0: all
   Backend backend = Backend::auto_;           // auto_: OpenGL too where a GPU answers
   std::vector<std::filesystem::path> scenes;  // in place of the built-in ones, and of all else
-  std::vector<PeerRow> peers;                 // of other programs, see read_peers()
+  std::vector<OtherRendererRow> peers;        // of other programs, see read_other_renderers()
 };
 
 struct BenchScene {
@@ -26,7 +26,7 @@ struct BenchScene {
 // What is measured unless scenes are given. Quick: without those of resources/scenes.
 std::vector<BenchScene> built_in_scenes(bool quick);
 
-// `tell` hears what is measured next.
+// `tell` gets the name of each measurement before it starts.
 BenchReport run_bench(const BenchOptions& options,
                       const std::function<void(const std::string&)>& tell);
 

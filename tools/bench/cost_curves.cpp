@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/renderer.h"
-#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// One thing at a time grows; the rest is the box of 1,000 Gaussians with one lamp, sliced 24.
+// Varies one parameter at a time; base scene: the box of 1,000 Gaussians with one light, sliced 24.
 std::vector<CostCurve> measure_cost_curves(const BenchOptions& options,
                                            const std::function<void(const std::string&)>& tell);
 

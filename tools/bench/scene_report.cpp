@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/io/image_file.h"
+#include "core/io/image/image_file.h"
 #include "render/renderer.h"
 
 namespace brume {
@@ -79,7 +79,7 @@ SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, 
   report.environment = scene.environment.has_value();
   report.film = scene.film;
   const std::size_t pixels = scene.medium.size() > 1000 ? 150 : 400;
-  const Truth truth = find_truth(scene, options.quick ? pixels / 2 : pixels);
+  const Truth truth = find_reference(scene, options.quick ? pixels / 2 : pixels);
   const double seconds = options.quick ? 0.15 : 0.4;
   report.reference_cpu_milliseconds = truth.frame_cpu_milliseconds;
   for (const Settings& settings : tried_settings(options)) {
@@ -89,7 +89,7 @@ SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, 
       report.on_gl.push_back(measure(*gl, scene, settings, truth.sample, seconds));
     }
   }
-  report.peers = peers_of(options.peers, report.name, report.film);
+  report.peers = other_renderers_of(options.peers, report.name, report.film);
   const auto shown = cheapest_within(report.settings, 0.02);
   report.picture = picture(
       scene, report.settings[shown.value_or(report.settings.size() - 1)].settings, options.quick);

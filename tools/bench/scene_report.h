@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/gl/gl_renderer.h"
+#include "render/gl_renderer.h"
 #include "tools/bench/bench_run.h"
 
 namespace brume {

@@ -9,7 +9,7 @@ Backend parse_backend(const std::string& name) {
   if (name == "auto") return Backend::auto_;
   if (name == "cpu") return Backend::cpu;
   if (name == "gl") return Backend::gl;
-  throw UsageError("--backend: found " + shown(name) + "; allowed: auto, cpu, gl");
+  throw UsageError("--backend: found " + quoted_text(name) + "; allowed: auto, cpu, gl");
 }
 
 }  // namespace brume

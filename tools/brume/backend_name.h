@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/gl/gl_renderer.h"
+#include "render/gl_renderer.h"
 
 namespace brume {
 

@@ -7,13 +7,13 @@
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
-#include "core/io/scene_file.h"
-#include "tools/bench/bench_compare.h"
-#include "tools/bench/bench_html.h"
-#include "tools/bench/bench_json.h"
-#include "tools/bench/bench_markdown.h"
+#include "core/io/scene/scene_file.h"
 #include "tools/bench/bench_run.h"
-#include "tools/bench/frontier_plot.h"
+#include "tools/bench/report/bench_compare.h"
+#include "tools/bench/report/bench_html.h"
+#include "tools/bench/report/bench_json.h"
+#include "tools/bench/report/bench_markdown.h"
+#include "tools/bench/report/frontier_plot.h"
 #include "tools/brume/backend_name.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
@@ -35,21 +35,21 @@ std::string shown_command(bool quick, bool of_scenes, bool with_peers) {
 class BenchCommand final : public Command {
  public:
   explicit BenchCommand(CLI::App& app) {
-    app.add_option("SCENE", scenes_, "scenes, .brume, in place of the built-in ones");
-    app.add_option("-o,--output", output_,
-                   "NAME.md, NAME.json, NAME.html and NAME.svg are written");
+    app.add_option("SCENE", scenes_, "scenes (.brume) instead of the built-in ones");
+    app.add_option("-o,--output", output_, "writes NAME.md, NAME.json, NAME.html and NAME.svg");
     app.add_flag("--quick", quick_, "fewer settings and frames: two minutes on two cores");
-    app.add_option("--threads", threads_, "worker threads, by default all there are")
+    app.add_option("--threads", threads_, "worker threads; default: all")
         ->check(finite_in(1, 1024));
     app.add_option("--backend", backend_,
-                   "auto, cpu or gl: whether OpenGL is measured too; auto does where a GPU answers")
+                   "measure OpenGL too: auto (if a GPU answers), cpu (no) or gl (yes)")
         ->capture_default_str();
-    app.add_option("--peers", peers_, "what other programs take, from tools/compare-peers");
-    app.add_option("--plot", plotted_, "the scene of NAME.svg, by default the first");
-    app.add_option("--compare", compare_,
-                   "an older NAME.json: says what got slower or less accurate, and fails if so");
+    app.add_option("--peers", peers_, "results of other renderers, from tools/compare-peers");
+    app.add_option("--plot", plotted_, "the scene shown in NAME.svg; default: the first");
+    app.add_option(
+        "--compare", compare_,
+        "compare with an older NAME.json; exit with 1 if anything is slower or less accurate");
     app.add_option("--save-scenes", folder_,
-                   "writes the built-in scenes into this folder, as .brume, and measures nothing");
+                   "only write the built-in scenes into this folder, as .brume");
   }
 
   ExitCode run() override {
@@ -71,7 +71,7 @@ class BenchCommand final : public Command {
                          .backend = parse_backend(backend_),
                          .scenes = {scenes_.begin(), scenes_.end()},
                          .peers = {}};
-    if (!peers_.empty()) options.peers = read_peers(peers_);
+    if (!peers_.empty()) options.peers = read_other_renderers(peers_);
     std::optional<tbb::global_control> bound;
     if (threads_ > 0) {
       bound.emplace(tbb::global_control::max_allowed_parallelism,

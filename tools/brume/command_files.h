@@ -9,9 +9,8 @@
 
 namespace brume {
 
-// The files of one command, each named before the work begins. No output may be an input, nor two
-// outputs one file, by whatever names: links, hard ones too, and spellings like ./a count as the
-// file they lead to.
+// The files of a command, registered before work begins. No output may be an input, nor two outputs
+// the same file, resolving symbolic and hard links and spellings like ./a.
 class CommandFiles {
  public:
   // An input. One that is not there is left to its reader. Throws InputError if it is an output.

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/io/image_file.h"
-#include "render/compare.h"
+#include "core/io/image/image_file.h"
+#include "render/output/compare.h"
 #include "tools/brume/command.h"
 #include "tools/brume/finite_in.h"
 
@@ -19,9 +19,10 @@ nlohmann::ordered_json finite_or_null(double value) {
 class CompareCommand final : public Command {
  public:
   explicit CompareCommand(CLI::App& app) {
-    app.add_option("A", a_, "the image in question, .exr")->required();
+    app.add_option("A", a_, "the image to check, .exr")->required();
     app.add_option("B", b_, "the reference, .exr")->required();
-    app.add_option("--layer", layer_, "compare this layer, such as airlight or Z, not the beauty");
+    app.add_option("--layer", layer_,
+                   "compare this layer, such as airlight or Z, instead of the beauty");
     app.add_option("--max-rel-rmse", max_rel_rmse_, "exit with 1 if rel_rmse is above this")
         ->check(finite_in(0.0, 1e12));
   }
@@ -34,7 +35,7 @@ class CompareCommand final : public Command {
     }
     std::vector<ChannelPair> pairs;
     const std::vector<std::string> names = channels_of(b, b_);
-    if (channels_of(a, a_) != names) throw InputError(a_, "", "has other channels than " + b_);
+    if (channels_of(a, a_) != names) throw InputError(a_, "", "has different channels from " + b_);
     for (const std::string& name : names) {
       pairs.push_back({a.channels.at(name), b.channels.at(name)});
     }

@@ -4,10 +4,10 @@
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
-#include "core/io/gaussian_file.h"
-#include "core/io/number_domain.h"
+#include "core/io/gaussians/gaussian_file.h"
 #include "core/io/text_scanner.h"
-#include "core/io/volume_file.h"
+#include "core/io/volume/volume_file.h"
+#include "core/number_domain.h"
 #include "core/scene/at_time.h"
 #include "core/volume/medium_grid.h"
 #include "tools/brume/command.h"
@@ -21,8 +21,8 @@
 namespace brume {
 namespace {
 
-constexpr std::uintmax_t most_bytes = std::uintmax_t{2} << 30;
-constexpr std::size_t most_blocks = most_bytes / sizeof(DensityGrid::Block);
+constexpr std::uintmax_t max_bytes = std::uintmax_t{2} << 30;
+constexpr std::size_t max_blocks = max_bytes / sizeof(DensityGrid::Block);
 
 std::string in_megabytes(std::uintmax_t bytes) {
   return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
@@ -31,23 +31,23 @@ std::string in_megabytes(std::uintmax_t bytes) {
 class ExportCommand final : public Command {
  public:
   explicit ExportCommand(CLI::App& app) {
-    app.add_option("SCENE", input_,
-                   "a scene, .brume, or Gaussians, .ply or .csv; these with %04d for the frame: a "
-                   "sequence")
+    app.add_option(
+           "SCENE", input_,
+           "a scene (.brume) or Gaussians (.ply, .csv; with %04d for the frame, a sequence)")
         ->required();
     app.add_option("-o,--output", output_,
-                   "its Gaussians: .vdb (a fog volume, grid density), .ply or .csv")
+                   "output: .vdb (a fog volume with the grid density), .ply or .csv")
         ->required();
     app.add_option("--voxel", voxel_size_,
-                   "size of a voxel of the .vdb; by default half the least radius")
+                   "voxel size of the .vdb; default: half the smallest radius")
         ->check(finite_in(1e-12, 1e12));
     app.add_flag("--half", half_, "store the .vdb in half precision");
     auto* const time =
-        app.add_option("--time", time_, "the moment to write [s], of keys and emitters");
+        app.add_option("--time", time_, "time to export [s], for keyframes and emitters");
     time->check(finite_in(-1e9, 1e9))->capture_default_str();
     app.add_option("--frames", frames_,
-                   "FIRST-LAST, a sequence: OUT with %04d for the frame; frame n of a scene is at "
-                   "n / fps seconds")
+                   "export a sequence, FIRST-LAST; OUT needs %04d for the frame; frame n of a "
+                   "scene is at n / fps seconds")
         ->excludes(time);
     app.add_option("--fps", fps_, "frames per second")
         ->check(finite_in(1e-3, 1e6))
@@ -57,8 +57,9 @@ class ExportCommand final : public Command {
   ExitCode run() override {
     const std::string extension = lower_case_extension(output_);
     if (extension != ".vdb" && extension != ".ply" && extension != ".csv") {
-      throw InputError(output_, "",
-                       "found the extension " + shown(extension) + "; allowed: .vdb, .ply, .csv");
+      throw InputError(
+          output_, "",
+          "found the extension " + quoted_text(extension) + "; allowed: .vdb, .ply, .csv");
     }
     if (extension != ".vdb" && (half_ || voxel_size_ > 0.0)) {
       throw UsageError("--voxel and --half: only for .vdb");
@@ -76,12 +77,12 @@ class ExportCommand final : public Command {
     const FramePattern outputs = parse_pattern(output_);
     const std::vector<int> frames = parse_frames(frames_);
     for (const int frame : frames) {
-      files_.add_output(outputs.of(frame));
-      if (are_files) files_.add_input(parse_pattern(input_).of(frame));
+      files_.add_output(outputs.file_of(frame));
+      if (are_files) files_.add_input(parse_pattern(input_).file_of(frame));
     }
     for (const int frame : frames) {
-      write(are_files ? read_file(parse_pattern(input_).of(frame)) : read(frame / fps_),
-            outputs.of(frame));
+      write(are_files ? read_file(parse_pattern(input_).file_of(frame)) : read(frame / fps_),
+            outputs.file_of(frame));
     }
     return done;
   }
@@ -103,11 +104,11 @@ class ExportCommand final : public Command {
       scene_ = read_scene(input_, files_);
       const double homogeneous = scene_->medium.homogeneous_density();
       if (homogeneous > 0.0) {
-        print_warnings({"the homogeneous density, " + shown(homogeneous) +
-                        " everywhere, has no bounds and is left out"});
+        print_warnings({"the homogeneous density, " + quoted_text(homogeneous) +
+                        ", has no bounds and is not exported"});
       }
     }
-    return at_time(*scene_, time).medium;
+    return evaluate_at(*scene_, time).medium;
   }
 
   void write(const Medium& medium, const std::string& output) {
@@ -123,24 +124,25 @@ class ExportCommand final : public Command {
     write_gaussians(output, gaussians);
   }
 
-  // Says how large the grid will be before it is made. All frames have the voxels of the first that
-  // has any.
+  // Reports the size of the grid in advance. All frames use the voxel size of the first non-empty
+  // one.
   [[nodiscard]] DensityGrid sample(const Medium& medium, const std::string& output) {
     if (!(voxel_size_ > 0.0)) voxel_size_ = fitting_voxel_size(medium);
     const double size = voxel_size_ > 0.0 ? voxel_size_ : 1.0;  // nothing to sample
-    const auto plan = MediumSampling::plan(medium, size, most_blocks);
+    const auto plan = MediumSampling::plan(medium, size, max_blocks);
     if (!plan) refuse(medium, size);
-    print_note("voxels of " + shown(size) + ", " + in_megabytes(plan->bytes()) + " of memory");
+    print_note("voxels of " + quoted_text(size) + ", " + in_megabytes(plan->bytes()) +
+               " of memory");
     const ProgressLine line("sampling " + output);
     return finished(plan->sample(interruption(), line.progress()));
   }
 
   [[noreturn]] void refuse(const Medium& medium, double size) const {
-    const auto sufficient = sufficient_voxel_size(medium, size, most_blocks);
+    const auto sufficient = sufficient_voxel_size(medium, size, max_blocks);
     throw InputError(input_, "medium",
-                     "a grid with voxels of " + shown(size) + " needs more than " +
-                         in_megabytes(most_bytes) + "; allowed: a larger --voxel" +
-                         (sufficient ? ", of " + shown(*sufficient) + " or more" : ""));
+                     "a grid with voxels of " + quoted_text(size) + " needs more than " +
+                         in_megabytes(max_bytes) + "; allowed: a larger --voxel" +
+                         (sufficient ? ", of " + quoted_text(*sufficient) + " or more" : ""));
   }
 
   std::string input_;

@@ -9,7 +9,7 @@
 #include "core/fit/fit_error.h"
 #include "core/fit/volume_fitter.h"
 #include "core/io/file_bytes.h"
-#include "core/io/gaussian_file.h"
+#include "core/io/gaussians/gaussian_file.h"
 #include "core/io/text_scanner.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
@@ -24,36 +24,35 @@ namespace {
 class FitCommand final : public Command {
  public:
   explicit FitCommand(CLI::App& app) {
-    app.add_option("VOLUME", volume_, "the volume, .vdb; with %04d for the frame: a sequence")
+    app.add_option("VOLUME", volume_, "the volume, .vdb; with %04d for the frame, a sequence")
         ->required();
     app.add_option("-o,--output", output_, "the Gaussians, .ply or .csv")->required();
-    app.add_option("--count", how_.options.count, "Gaussians, at most")
+    app.add_option("--count", how_.options.count, "maximum number of Gaussians")
         ->check(finite_in(1, 1e6))
         ->capture_default_str();
     auto* const error =
         app.add_option("--max-error", how_.options.max_error,
-                       "relative RMS error of density to reach, with as few Gaussians as will do");
+                       "relative RMS error of density to reach with as few Gaussians as possible");
     error->check(finite_in(1e-4, 1.0));
-    app.add_option("--grid", how_.grid, "the grid of the volume")->capture_default_str();
-    app.add_option("--up", up_, "the axis that is up in the volume: y, or z, which is turned to y")
+    app.add_option("--grid", how_.grid, "the grid to fit")->capture_default_str();
+    app.add_option("--up", up_, "up axis of the volume: y, or z, which is rotated to y")
         ->check(CLI::IsMember({"y", "z"}))
         ->capture_default_str();
     app.add_option("--density-scale", how_.density_scale,
-                   "what a density of 1 in the volume scatters [1/u]")
+                   "scattering coefficient of a density of 1 [1/u]")
         ->check(finite_in(1e-12, 1e12))
         ->capture_default_str();
-    app.add_option("--frames", frames_, "FIRST-LAST, of a sequence");
+    app.add_option("--frames", frames_, "fit a sequence, FIRST-LAST");
     app.add_option("--fps", how_.frames_per_second,
-                   "frames per second, where a sequence has velocities to move its Gaussians with")
+                   "frames per second of a sequence with velocities")
         ->check(finite_in(1e-3, 1e6))
         ->capture_default_str();
     app.footer(
         "Prints one line of JSON per frame: the relative RMS errors of density and of optical\n"
         "depth along 10,000 random lines, the mass over the volume's, and seconds. A frame of a\n"
-        "sequence starts from the one before; a Gaussian keeps its id in the column id; those "
-        "that\n"
-        "are renewed left off where they were of no more use, began where smoke was missing, and\n"
-        "have a new one.");
+        "sequence starts from the Gaussians of the previous frame, which keep their number in "
+        "the\ncolumn id. Renewed ones were moved to where the residual is largest and get a new "
+        "number.");
   }
 
   ExitCode run() override {
@@ -66,7 +65,7 @@ class FitCommand final : public Command {
     const std::string extension = lower_case_extension(output_);
     if (extension != ".ply" && extension != ".csv") {
       throw InputError(output_, "",
-                       "found the extension " + shown(extension) + "; allowed: .ply, .csv");
+                       "found the extension " + quoted_text(extension) + "; allowed: .ply, .csv");
     }
     how_.z_up = up_ == "z";
     fitter_.emplace(how_);
@@ -83,10 +82,10 @@ class FitCommand final : public Command {
     const FramePattern outputs = parse_pattern(output_);
     const std::vector<int> frames = parse_frames(frames_);
     for (const int frame : frames) {
-      files.add_input(volumes.of(frame));
-      files.add_output(outputs.of(frame));
+      files.add_input(volumes.file_of(frame));
+      files.add_output(outputs.file_of(frame));
     }
-    for (const int frame : frames) fit(volumes.of(frame), outputs.of(frame), frame);
+    for (const int frame : frames) fit(volumes.file_of(frame), outputs.file_of(frame), frame);
     return done;
   }
 

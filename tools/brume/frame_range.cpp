@@ -9,19 +9,19 @@ namespace brume {
 
 FramePattern parse_pattern(const std::string& text) {
   if (const auto pattern = FramePattern::parse(text)) return *pattern;
-  throw UsageError("found " + shown(text) +
+  throw UsageError("found " + quoted_text(text) +
                    "; allowed for a sequence: a name with one %d or %04d for the frame");
 }
 
 std::vector<int> parse_frames(const std::string& text) {
-  constexpr int most = 100'000;
+  constexpr int max_value = 100'000;
   const std::size_t dash = text.find('-');
   const auto first = parse_integer(text.substr(0, dash));
   const auto last = dash == std::string::npos ? first : parse_integer(text.substr(dash + 1));
   if (!first || !last || *first < 0 || *last < *first || *last > 1'000'000'000 ||
-      *last - *first >= most) {
-    throw UsageError("--frames: found " + shown(text) + "; allowed: FIRST-LAST, at most " +
-                     std::to_string(most) + " frames");
+      *last - *first >= max_value) {
+    throw UsageError("--frames: found " + quoted_text(text) + "; allowed: FIRST-LAST, at most " +
+                     std::to_string(max_value) + " frames");
   }
   std::vector<int> frames(static_cast<std::size_t>(*last - *first + 1));
   std::iota(frames.begin(), frames.end(), static_cast<int>(*first));

@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/io/gather.h"
+#include "core/io/scene/gather.h"
 #include "tools/brume/command.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/progress_line.h"
@@ -14,10 +14,8 @@ class GatherCommand final : public Command {
  public:
   explicit GatherCommand(CLI::App& app) {
     app.add_option("SCENE", scene_, "the scene, .brume")->required();
-    app.add_option("FOLDER", folder_, "a folder that is not there yet, or is empty")->required();
-    app.footer(
-        "FOLDER then has the scene, under its name, and in FOLDER/files a copy of every\n"
-        "file it refers to.");
+    app.add_option("FOLDER", folder_, "a new or empty folder")->required();
+    app.footer("The scene keeps its name; copies of the files it refers to go to FOLDER/files.");
   }
 
   ExitCode run() override {

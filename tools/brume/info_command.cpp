@@ -4,11 +4,11 @@
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
-#include "core/io/gaussian_file.h"
-#include "core/io/number_domain.h"
+#include "core/io/gaussians/gaussian_file.h"
 #include "core/io/text_scanner.h"
-#include "core/io/volume_file.h"
+#include "core/io/volume/volume_file.h"
 #include "core/medium/medium_summary.h"
+#include "core/number_domain.h"
 #include "core/scene/mesh.h"
 #include "tools/brume/command.h"
 #include "tools/brume/progress_line.h"
@@ -23,8 +23,8 @@ Json to_json(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-Json bounds(const glm::dvec3& least, const glm::dvec3& greatest) {
-  return Json::array({to_json(least), to_json(greatest)});
+Json bounds(const glm::dvec3& min_value, const glm::dvec3& max_value) {
+  return Json::array({to_json(min_value), to_json(max_value)});
 }
 
 Json medium_json(const Medium& medium) {
@@ -33,12 +33,12 @@ Json medium_json(const Medium& medium) {
   json["gaussians"] = medium.size();
   json["homogeneous_density"] = medium.homogeneous_density();
   if (!medium.empty()) {
-    json["center_bounds"] = bounds(summary.least_center, summary.greatest_center);
-    json["bounds"] = bounds(summary.least_extent, summary.greatest_extent);
-    json["radius_range"] = Json::array({summary.least_radius, summary.greatest_radius});
+    json["center_bounds"] = bounds(summary.min_center, summary.max_center);
+    json["bounds"] = bounds(summary.min_extent, summary.max_extent);
+    json["radius_range"] = Json::array({summary.min_radius, summary.max_radius});
   }
   json["peak_density"] = summary.peak_density;
-  json["greatest_optical_depth"] = summary.greatest_optical_depth;
+  json["greatest_optical_depth"] = summary.max_optical_depth;
   return json;
 }
 
@@ -75,7 +75,7 @@ Json grids_json(const std::string& file) {
     entry["name"] = grid.name;
     entry["type"] = grid.type;
     entry["voxels"] = grid.voxels;
-    if (grid.voxels > 0) entry["bounds"] = bounds(grid.least, grid.greatest);
+    if (grid.voxels > 0) entry["bounds"] = bounds(grid.min_value, grid.max_value);
     entry["voxel_size"] = to_json(grid.voxel_size);
     json.push_back(std::move(entry));
   }
@@ -85,7 +85,7 @@ Json grids_json(const std::string& file) {
 // A value on one line: numbers bare, lists with spaces.
 std::string as_words(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_float()) return shown(value.get<double>());
+  if (value.is_number_float()) return quoted_text(value.get<double>());
   if (!value.is_array() && !value.is_object()) return value.dump();
   std::string text;
   for (const auto& [key, member] : value.items()) {
@@ -117,14 +117,14 @@ void print_lines(std::ostream& out, const Json& json, const std::string& indent)
 class InfoCommand final : public Command {
  public:
   explicit InfoCommand(CLI::App& app) {
-    app.add_option("FILE", file_, "a scene, .brume, Gaussians, .ply or .csv, or a volume, .vdb")
+    app.add_option("FILE", file_, "a scene (.brume), Gaussians (.ply, .csv) or a volume (.vdb)")
         ->required();
     app.add_flag("--json", as_json_, "print JSON");
     app.footer(
-        "Peak density and greatest optical depth are searched for, so they are lower bounds: the\n"
-        "density at the centres of the Gaussians, the depth along lines through them, the best of\n"
-        "which are moved and turned until no step makes them deeper. Where Gaussians are so many\n"
-        "that this would take long, only the thickest are tried, and fewer steps are made.");
+        "Peak density and maximum optical depth are found by search, so they are lower bounds. "
+        "The\ndensity is evaluated at the centres of the Gaussians; the optical depth along lines "
+        "through\nthem, the best of which are refined. If there are very many Gaussians, only the "
+        "densest\nare tried, with fewer steps.");
   }
 
   ExitCode run() override {
@@ -147,7 +147,7 @@ class InfoCommand final : public Command {
     } else {
       throw InputError(
           file_, "",
-          "found the extension " + shown(extension) + "; allowed: .brume, .ply, .csv, .vdb");
+          "found the extension " + quoted_text(extension) + "; allowed: .brume, .ply, .csv, .vdb");
     }
     std::ostringstream text;
     if (as_json_) {

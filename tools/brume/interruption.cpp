@@ -77,14 +77,15 @@ void check_interrupted() {
 
 InterruptionWatch::InterruptionWatch() {
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw std::system_error(errno, std::generic_category(), "a pipe cannot be made");
+    throw std::system_error(errno, std::generic_category(), "a pipe cannot be created");
   }
   watcher = std::thread(watch);
   struct sigaction action {};
   action.sa_handler = on_interrupt;
   action.sa_flags = SA_RESTART;
   ::sigaction(SIGINT, &action, &previous);
-  // Scripts start what they put in the background with SIGINT ignored; who sends one means it.
+  // Shell scripts start background jobs with SIGINT ignored; handle it nevertheless, since sending
+  // one is deliberate.
   if (previous.sa_handler == SIG_IGN) previous.sa_handler = SIG_DFL;
 }
 

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "core/io/temporary_files.h"
 #include "core/printable_text.h"
-#include "render/frame_memory.h"
+#include "render/util/frame_memory.h"
 #include "tools/brume/command.h"
 #include "tools/brume/interruption.h"
 #include "tools/brume/suggestion.h"
@@ -66,7 +66,7 @@ void check_names(const CLI::App& app, const std::vector<std::string>& arguments)
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Brume renders what light does in fog.", "brume");
+  CLI::App app("Brume renders light in fog.", "brume");
   app.set_version_flag("--version", "brume " BRUME_VERSION);
   struct Subcommand {
     CLI::App* app;
@@ -79,9 +79,9 @@ int run(int argc, char** argv) {
   };
   add("render", "render a frame of a scene", make_render_command);
   add("compare", "compare two EXR images", make_compare_command);
-  add("info", "say what a scene or a medium holds", make_info_command);
+  add("info", "print what a scene, a medium or a volume contains", make_info_command);
   add("fit", "fit Gaussians to a volume", make_fit_command);
-  add("export", "write the medium of a scene for others", make_export_command);
+  add("export", "export the medium of a scene for other programs", make_export_command);
   add("gather", "copy a scene and its files into one folder", make_gather_command);
   add("bench", "measure speed against error", make_bench_command);
 

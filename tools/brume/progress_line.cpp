@@ -14,7 +14,7 @@
 namespace brume {
 
 ProgressLine::ProgressLine(const std::string& what)
-    : what_(printable(shown(what))), is_watched_(::isatty(STDERR_FILENO) != 0) {
+    : what_(printable(quoted_text(what))), is_watched_(::isatty(STDERR_FILENO) != 0) {
   if (is_watched_) std::cerr << '\r' + what_ + " ...\033[K" << std::flush;
 }
 

@@ -3,12 +3,11 @@
 #include <functional>
 #include <string>
 
-#include "render/job.h"
+#include "render/util/job.h"
 
 namespace brume {
 
-// Says on the terminal what is being done and how far it is, if somebody watches, and is gone in
-// the end.
+// A progress line on the terminal, if interactive; erased at the end.
 class ProgressLine {
  public:
   explicit ProgressLine(const std::string& what);
@@ -16,10 +15,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Takes shares in [0, 1], from any thread; null if nobody watches.
+  // Callback for the completed fraction, thread-safe; null if not interactive.
   [[nodiscard]] std::function<void(double)> progress() const;
 
-  // Tells its progress here and listens to Ctrl-C.
+  // A job that reports progress here and stops on Ctrl-C.
   [[nodiscard]] Job job() const;
 
  private:

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/io/scene_file.h"
-#include "core/io/scene_files.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/scene/scene_files.h"
 #include "tools/brume/command.h"
 #include "tools/brume/progress_line.h"
 

@@ -8,12 +8,12 @@
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
-#include "core/io/limits.h"
 #include "core/io/text_scanner.h"
+#include "core/limits.h"
 #include "core/scene/at_time.h"
-#include "render/auto_quality.h"
-#include "render/frame_file.h"
-#include "render/gl/gl_renderer.h"
+#include "render/gl_renderer.h"
+#include "render/output/frame_file.h"
+#include "render/quality/auto_quality.h"
 #include "render/render_plan.h"
 #include "render/transfer/transfer_cache.h"
 #include "render/transfer/transfer_store.h"
@@ -31,10 +31,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int most_march_steps = 65'536;
+constexpr int max_march_steps = 65'536;
 
 // Sets the method and what belongs to it; false: auto.
-bool take_airlight(const std::string& name, Settings& settings) {
+bool copy_airlight(const std::string& name, Settings& settings) {
   constexpr std::string_view march = "march:";
   if (name == "auto") return false;
   for (const auto method :
@@ -45,15 +45,15 @@ bool take_airlight(const std::string& name, Settings& settings) {
   }
   if (name.starts_with(march)) {
     const auto steps = parse_integer(std::string_view(name).substr(march.size()));
-    if (steps && *steps >= 1 && *steps <= most_march_steps) {
+    if (steps && *steps >= 1 && *steps <= max_march_steps) {
       settings.airlight = AirlightMethod::march;
       settings.march_steps = static_cast<int>(*steps);
       return true;
     }
   }
-  throw UsageError("--airlight: found " + shown(name) +
+  throw UsageError("--airlight: found " + quoted_text(name) +
                    "; allowed: auto, paper, sliced, reference, march:N with N from 1 to " +
-                   std::to_string(most_march_steps));
+                   std::to_string(max_march_steps));
 }
 
 Film parse_size(const std::string& text) {
@@ -61,8 +61,8 @@ Film parse_size(const std::string& text) {
   const auto side = [&](std::string_view part) {
     const auto value = parse_integer(part);
     if (!value || *value < 1 || *value > limits::film_side) {
-      throw UsageError("--size: found " + shown(text) + "; allowed: WIDTHxHEIGHT, each 1 to " +
-                       std::to_string(limits::film_side));
+      throw UsageError("--size: found " + quoted_text(text) +
+                       "; allowed: WIDTHxHEIGHT, each 1 to " + std::to_string(limits::film_side));
     }
     return static_cast<int>(*value);
   };
@@ -80,46 +80,47 @@ class RenderCommand final : public Command {
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
     app.add_option("--airlight", airlight_, "auto, paper, sliced, reference or march:STEPS")
         ->capture_default_str();
-    app.add_option("--slices", slices_, "of sliced, per ray through the medium")
+    app.add_option("--slices", slices_, "slices per view ray, for sliced")
         ->check(finite_in(4, 256))
         ->capture_default_str();
     app.add_option("--airlight-scale", airlight_scale_,
-                   "1, 2 or 4: airlight at so much less width and height, upsampled by depth; "
-                   "not given, auto takes 4 and the others 1")
+                   "compute the airlight at 1/1, 1/2 or 1/4 of the width and height and upsample "
+                   "it; default: 4 for auto, else 1")
         ->check(CLI::IsMember({1, 2, 4}));
     app.add_flag("--paper-mean", paper_.at_mean,
-                 "paper: takes light at the mean of a Gaussian on the ray");
+                 "paper: evaluate the light of a Gaussian at its mean on the ray");
     app.add_flag("--paper-energy", paper_.conserve_energy,
-                 "paper: scales a ray's airlight to what the ray takes away");
+                 "paper: scale the airlight of a ray to conserve energy");
     app.add_flag("--paper-spread", paper_spread_,
-                 "light scattered onto surfaces: by the paper's one point spread function");
-    app.add_option("--max-error", max_error_, "the relative RMSE of the airlight that auto keeps")
+                 "light scattered onto surfaces: use the paper's single point spread function");
+    app.add_option("--max-error", max_error_,
+                   "the relative RMSE of the airlight that auto must meet")
         ->check(finite_in(1e-4, 10.0))
         ->capture_default_str();
     app.add_option("--tolerance", tolerance_, "relative tolerance of the reference")
         ->check(finite_in(1e-12, 1.0))
         ->capture_default_str();
-    app.add_option("--time", time_, "the moment to show [s], of keys, emitters and the wind")
+    app.add_option("--time", time_, "time to render [s], for keyframes, emitters and noise")
         ->check(finite_in(-1e9, 1e9))
         ->capture_default_str();
     app.add_option("--backend", backend_,
-                   "auto, cpu or gl: gl is OpenGL 4.5, auto takes it where a GPU answers")
+                   "auto, cpu or gl (OpenGL 4.5); auto uses gl if a GPU answers")
         ->capture_default_str();
-    app.add_option("--threads", threads_, "worker threads, at most and by default all there are")
+    app.add_option("--threads", threads_, "maximum number of worker threads; default: all")
         ->check(finite_in(1, 1024));
-    app.add_option("--repeat", repeat_, "moved frames to render after the first, for --stats")
+    app.add_option("--repeat", repeat_,
+                   "frames with a moved camera to render after the first, for --stats")
         ->check(finite_in(1, 1e6))
         ->capture_default_str();
-    app.add_option("--exposure", exposure_, "of a .png, in stops")
+    app.add_option("--exposure", exposure_, "exposure of a .png, in stops")
         ->check(finite_in(-100.0, 100.0))
         ->capture_default_str();
-    app.add_option("--stats", stats_file_,
-                   "write what a frame costs, as JSON; times are those of the moved frames");
+    app.add_option("--stats", stats_file_, "write timings and measured error as JSON");
   }
 
   ExitCode run() override {
     Settings settings = sliced_settings({}, slices_);
-    const bool is_chosen = take_airlight(airlight_, settings);
+    const bool is_chosen = copy_airlight(airlight_, settings);
     settings.paper = paper_;
     settings.paper_spread = paper_spread_;
     if (airlight_scale_ > 1 && settings.airlight == AirlightMethod::reference) {
@@ -139,7 +140,7 @@ class RenderCommand final : public Command {
     CommandFiles files = outputs();
 
     const Clock::time_point start = Clock::now();
-    const Scene scene = at_time(read_scene(scene_file_, files), time_);
+    const Scene scene = evaluate_at(read_scene(scene_file_, files), time_);
     const Film film = size_.empty() ? scene.film : wanted;
     const auto transfers = std::make_shared<TransferStore>();
     const double transfer_milliseconds = make_transfers(scene, settings, *transfers);
@@ -162,7 +163,7 @@ class RenderCommand final : public Command {
     if (backend == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error && error->high > max_error_) {
       std::ostringstream text;
-      text << "no setting is sure to keep --max-error " << max_error_
+      text << "no setting is certain to meet --max-error " << max_error_
            << "; this one has a relative RMSE of " << error->rel_rmse << ", " << error->low
            << " to " << error->high;
       print_warnings({text.str()});
@@ -192,14 +193,14 @@ class RenderCommand final : public Command {
   }
 
  private:
-  // Who asks for gl is told where it is not what rendered.
+  // Reports when gl was requested but did not render.
   static void warn_of_cpu(std::string problem, const FrameStatistics& statistics) {
     if (statistics.backend == "gl") return;
     if (problem.empty() && !statistics.on_cpu.empty()) problem = statistics.on_cpu.front().why;
     print_warnings({"--backend gl: rendered on the CPU: " + problem});
   }
 
-  // Whatever would fail after the work fails before it.
+  // Checks everything that could fail before the work.
   [[nodiscard]] CommandFiles outputs() const {
     check_frame_extension(output_);
     CommandFiles files;
@@ -213,7 +214,7 @@ class RenderCommand final : public Command {
     return stats_file_.empty() && repeat_ == 1 ? 0 : repeat_;
   }
 
-  // Renders frame `number` of all; says how far it is if somebody watches.
+  // Renders frame `number`, with progress if interactive.
   Frame render(FrameRenderer& renderer, const Scene& scene, const Camera& camera, const Film& film,
                const Settings& settings, int number) const {
     const ProgressLine line("frame " + std::to_string(number) + " of " +
@@ -222,8 +223,7 @@ class RenderCommand final : public Command {
         renderer.render(scene, camera, film, settings, interruption(), line.progress()));
   }
 
-  // The radiance transfer that the scene needs, of the cache on disk or computed. Returns the time
-  // that took [ms].
+  // Radiance transfer of the scene, from the disk cache or computed. Returns the time [ms].
   static double make_transfers(const Scene& scene, const Settings& settings,
                                TransferStore& transfers) {
     const Clock::time_point start = Clock::now();

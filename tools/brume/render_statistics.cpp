@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "tools/bench/device_name.h"
-#include "tools/bench/measurement.h"
+#include "tools/bench/measure/device_name.h"
+#include "tools/bench/measure/measurement.h"
 
 namespace brume {
 namespace {
@@ -68,7 +68,8 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["exact_pixels"] = first.exact_pixels;  // whose airlight is not interpolated
   json["threads"] = run.settings.threads;
   json["repeat"] = run.repeat;
-  json["frame_ms"] = Json{{"median", frame.median}, {"min", frame.least}, {"max", frame.greatest}};
+  json["frame_ms"] =
+      Json{{"median", frame.median}, {"min", frame.min_value}, {"max", frame.max_value}};
   json["first_frame_ms"] = run.first_frame_milliseconds;
   json["transfer_ms"] = run.transfer_milliseconds;
   json["stages"] = stage_medians(moved);

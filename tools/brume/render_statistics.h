@@ -4,13 +4,13 @@
 #include <span>
 #include <string>
 
-#include "render/error_estimate.h"
 #include "render/frame.h"
+#include "render/quality/error_estimate.h"
 #include "render/settings.h"
 
 namespace brume {
 
-// What --stats says of a run besides what the frames say themselves.
+// Run statistics of --stats besides those of the frames.
 struct RenderRun {
   std::string scene;
   Film film;

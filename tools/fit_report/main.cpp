@@ -14,7 +14,7 @@
 #include "core/fit/gaussian_fit.h"
 #include "core/fit/next_start.h"
 #include "core/io/frame_pattern.h"
-#include "core/io/volume_file.h"
+#include "core/io/volume/volume_file.h"
 #include "tools/fit_report/sequence_view.h"
 
 namespace brume {
@@ -37,8 +37,8 @@ void print_errors_by_count(const DensityGrid& grid) {
   }
 }
 
-// Fits frame after frame as `brume fit` does and renders each, and the volume itself. How much
-// pictures change from frame to frame says whether the Gaussians flicker.
+// Fits frame by frame as `brume fit` does and renders fit and volume. The change between frames
+// shows whether Gaussians flicker.
 void print_coherence(const FramePattern& files, int first, int last, std::size_t count) {
   std::optional<SequenceView> view;
   std::vector<Gaussian> gaussians;
@@ -49,7 +49,7 @@ void print_coherence(const FramePattern& files, int first, int last, std::size_t
       "| frame | CPU seconds | picture apart | change, volume | change, Gaussians |\n"
       "|---|---|---|---|---|");
   for (int number = first; number <= last; ++number) {
-    const DensityGrid grid = read_volume(files.of(number), "density");
+    const DensityGrid grid = read_volume(files.file_of(number), "density");
     if (!view) view.emplace(grid, Film{96, 96});
     const double start = cpu_seconds();
     if (gaussians.empty()) {
@@ -59,9 +59,9 @@ void print_coherence(const FramePattern& files, int first, int last, std::size_t
       gaussians = refit_gaussians(grid, gaussians)->fit.gaussians;
     }
     const double seconds = cpu_seconds() - start;
-    velocity = read_velocity(files.of(number));
-    std::vector<float> volume = view->of(grid);
-    std::vector<float> fit = view->of(gaussians);
+    velocity = read_velocity(files.file_of(number));
+    std::vector<float> volume = view->render(grid);
+    std::vector<float> fit = view->render(gaussians);
     const double scale = squares_between(volume, std::vector<float>(volume.size()));
     std::printf("| %d | %.1f | %.1f%% |", number, seconds,
                 100.0 * std::sqrt(squares_between(fit, volume) / scale));
@@ -87,15 +87,15 @@ int run(const std::vector<std::string>& arguments) {
   const auto files = arguments.empty() ? std::nullopt : FramePattern::parse(arguments[0]);
   if (arguments.size() < 3 || arguments.size() > 4 || !files) {
     std::cerr << "usage: brume-fit-report VOLUME_%04d.vdb FIRST LAST [COUNT]\n"
-                 "Prints the errors of the middle frame against the number of Gaussians, then how "
-                 "much the\npictures of COUNT (500) Gaussians change from frame to frame, beside "
+                 "Prints the errors of the middle frame by number of Gaussians, then how much the "
+                 "pictures of\nCOUNT (500) Gaussians change from frame to frame, compared with "
                  "those of the volume.\n";
     return 2;
   }
   const int first = std::stoi(arguments[1]);
   const int last = std::stoi(arguments[2]);
   const std::size_t count = arguments.size() == 4 ? std::stoul(arguments[3]) : 500;
-  print_errors_by_count(read_volume(files->of((first + last) / 2), "density"));
+  print_errors_by_count(read_volume(files->file_of((first + last) / 2), "density"));
   std::puts("");
   print_coherence(*files, first, last, count);
   return 0;

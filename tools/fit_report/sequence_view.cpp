@@ -31,11 +31,11 @@ SequenceView::SequenceView(const DensityGrid& first, const Film& film) : film_(f
   light_.intensity = glm::dvec3(size * size);
 }
 
-std::vector<float> SequenceView::of(const DensityGrid& grid) const {
+std::vector<float> SequenceView::render(const DensityGrid& grid) const {
   return grid_picture(grid, camera_, film_, light_);
 }
 
-std::vector<float> SequenceView::of(std::span<const Gaussian> gaussians) const {
+std::vector<float> SequenceView::render(std::span<const Gaussian> gaussians) const {
   Scene scene;
   for (const Gaussian& g : gaussians) scene.medium.append(g);
   scene.lights.push_back(light_);

@@ -16,8 +16,8 @@ class SequenceView {
   SequenceView(const DensityGrid& first, const Film& film);
 
   // Pictures: radiance, red only, rows from the top.
-  [[nodiscard]] std::vector<float> of(const DensityGrid& grid) const;
-  [[nodiscard]] std::vector<float> of(std::span<const Gaussian> gaussians) const;
+  [[nodiscard]] std::vector<float> render(const DensityGrid& grid) const;
+  [[nodiscard]] std::vector<float> render(std::span<const Gaussian> gaussians) const;
 
  private:
   Camera camera_;

@@ -15,9 +15,9 @@
 #include "core/io/atomic_file.h"
 #include "render/gl/arithmetic_peak.h"
 #include "render/gl/egl_context.h"
-#include "render/gl/gl_renderer.h"
-#include "tools/bench/benchmark_scenes.h"
-#include "tools/bench/table_one_scenes.h"
+#include "render/gl_renderer.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+#include "tools/bench/scenes/table_one_scenes.h"
 
 namespace brume {
 namespace {
@@ -50,7 +50,7 @@ bool is_on_device(const std::string& stage) {
 
 // One scene with one film and scale: the first frame makes everything, the others move the camera.
 Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int scale,
-             const Options& options, double most_pairs) {
+             const Options& options, double max_pairs) {
   Settings settings;
   settings.airlight_scale = scale;
   settings = sliced_settings(settings, options.slices);
@@ -104,7 +104,7 @@ Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int sca
     stages[names[i]] = time;
     if (names[i] == "airlight" && time > 0.0) {
       row["pairs_per_second"] = 1e3 * pairs / time;
-      row["share_of_limit"] = 1e3 * pairs / time / most_pairs;
+      row["share_of_limit"] = 1e3 * pairs / time / max_pairs;
     }
   }
   row["pairs"] = pairs;
@@ -156,7 +156,7 @@ int run(const Options& options) {
       }
     }
   };
-  // Those of the paper's own five rows; the others are the same without lamps.
+  // The paper's five rows; the others are the same without point lights.
   for (const TableOneScene& kind : std::span(table_one_scenes).first(options.table_one ? 5 : 0)) {
     measure_all(kind.name, kind.make(), kind.frames_per_second);
   }
@@ -176,10 +176,10 @@ int main(int argc, char** argv) {
   brume::Options options;
   bool is_quick = false;
   app.add_option("-o,--output", options.output, "the report, .json")->required();
-  app.add_option("--frames", options.frames, "moved frames of each row")
+  app.add_option("--frames", options.frames, "frames with a moved camera per row")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
-  app.add_flag("--quick", is_quick, "tiny films and media: whether all of it works, not how fast");
+  app.add_flag("--quick", is_quick, "tiny films and media, only to check that it works");
   CLI11_PARSE(app, argc, argv);
   if (is_quick) {
     options.films = {{48, 36}};

@@ -57,7 +57,7 @@ SampleScene dense_cloud() {
   }
   Medium medium;
   for (const Gaussian& g : scene.gaussians) medium.append(g);
-  const double scale = 10.0 / summarize(medium).greatest_optical_depth;
+  const double scale = 10.0 / summarize(medium).max_optical_depth;
   for (Gaussian& g : scene.gaussians) g.density *= scale;
   return scene;
 }

@@ -15,7 +15,7 @@ void append_u16(std::string& bytes, std::uint16_t value) {
   bytes += static_cast<char>(value >> 8);
 }
 
-// Little-endian, whatever the machine.
+// Little-endian on any machine.
 void append_float(std::string& bytes, double value) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(rounded(value)));
   append_u16(bytes, static_cast<std::uint16_t>(bits & 0xffff));

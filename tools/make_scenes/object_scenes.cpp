@@ -44,7 +44,7 @@ SampleScene teapot_steam() {
                     ground(14.0, {0.36, 0.27, 0.2})};
   scene.lights = {{{3.9, 4.2, -2.6}, {150.0, 132.0, 110.0}},
                   {{-3.2, 3.4, 3.4}, {48.0, 58.0, 78.0}}};
-  // A plume from the spout's mouth: it widens and thins as it rises, and noise bends it.
+  // A plume from the spout: widens and thins as it rises, displaced by noise.
   HashRandom random(7);
   const glm::dvec3 mouth(1.57, 1.27, 0.0);
   const int count = 72;

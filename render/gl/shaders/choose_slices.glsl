@@ -1,4 +1,4 @@
-// The slices of each tile of a film: FilmSlices::choose() of render/cpu. A work group takes a tile.
+// Slice boundaries per tile: FilmSlices::choose(). One work group per tile.
 #include "constants.glsl"
 #include "tile_list.glsl"
 #include "linear.glsl"
@@ -39,7 +39,7 @@ void main() {
     longest = max(longest, depth >= 0.0 ? depth : ray_end);
   }
   const bool is_corner = id < 4;
-  MiddleRay ray = middle_ray(is_corner, ray_direction(pixels.xy + corner_));
+  CenterRay ray = center_ray(is_corner, ray_direction(pixels.xy + corner_));
   ray.longest = reduce_max(longest);
   choose_slices(ray, offsets[tile], offsets[tile + 1], slices, per_light, b0);
   barrier();

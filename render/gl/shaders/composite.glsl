@@ -1,5 +1,5 @@
-// Eq. 29: what is behind the medium, through it, and what the medium adds. Behind it is what
-// surfaces send, or the environment where there is none: behind_medium() of render/composite.
+// Compositing, eq. 29: airlight + transmittance * background. Background: outgoing radiance of
+// surfaces, or the environment; see behind_medium() of render/cpu/composite.
 #include "radiance_map.glsl"
 #include "rays.glsl"
 

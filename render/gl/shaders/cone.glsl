@@ -2,7 +2,7 @@
 shared vec4 axis;            // of the cone, and the cosine of its half angle
 shared vec3 directions[64];  // of the rays, unit; 0: there is none
 
-// By one of the group, once all directions are there.
+// Called by one invocation when all directions are set.
 void find_cone() {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 64; ++i) sum += directions[i];
@@ -20,9 +20,9 @@ void find_cone() {
 }
 
 // A ball around b, seen from where the rays start.
-bool touches_cone(vec3 b, float reach) {
+bool touches_cone(vec3 b, float cutoff_radius) {
   if (axis.w <= 0.0) return true;
   const float along = dot(b, axis.xyz);
   const float across = length(b - along * axis.xyz);
-  return across * axis.w - along * sqrt(max(1.0 - axis.w * axis.w, 0.0)) <= 1.0001 * reach;
+  return across * axis.w - along * sqrt(max(1.0 - axis.w * axis.w, 0.0)) <= 1.0001 * cutoff_radius;
 }

@@ -6,17 +6,17 @@ layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; <
 layout(rgba32f, binding = 1) writeonly uniform image2D samples;   // one for scale x scale pixels
 layout(rgba32f, binding = 2) writeonly uniform image2D airlight_image;  // RGB, transmittance
 layout(r32f, binding = 3) writeonly uniform image2D pairs_image;
-// Of pixels asked for again: each group's tile, its first pixel and their number; x + y << 16.
-layout(std430, binding = 5) readonly buffer Asked { uint asked[]; };
+// Requested exact pixels: per work group tile, first pixel and count; x + y << 16.
+layout(std430, binding = 5) readonly buffer Requests { uint requests[]; };
 
 uniform ivec2 film;
 uniform ivec2 sample_film;
 uniform ivec2 tiles;
 uniform int scale;
 uniform float ray_end;  // of rays that hit nothing
-uniform int again;      // 1: pixels are those of `asked`
+uniform int again;      // 1: pixels are those of `requests`
 uniform int groups;     // of those that are to run
-uniform int batches_at; // where groups begin in `asked`
+uniform int batches_at; // where groups begin in `requests`
 
 struct PixelOfGroup {
   bool live;
@@ -31,9 +31,9 @@ PixelOfGroup pixel_of_group() {
   PixelOfGroup pixel;
   if (again != 0) {
     const uint batch = batches_at + 3 * min(group, uint(groups - 1));
-    pixel.tile = int(asked[batch]);
-    pixel.live = group < uint(groups) && id < asked[batch + 2];
-    const uint bits = asked[asked[batch + 1] + (pixel.live ? id : 0u)];
+    pixel.tile = int(requests[batch]);
+    pixel.live = group < uint(groups) && id < requests[batch + 2];
+    const uint bits = requests[requests[batch + 1] + (pixel.live ? id : 0u)];
     pixel.at = ivec2(bits & 0xffffu, bits >> 16);
     pixel.sample_at = ivec2(0);
     return pixel;

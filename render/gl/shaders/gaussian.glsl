@@ -72,9 +72,9 @@ float crossing_depth(Crossing crossing, float a, float length_) {
   return segment_integral(crossing.e, -a * crossing.t0, a * (length_ - crossing.t0), a * length_);
 }
 
-float henyey_greenstein(float cos_turn, float g) {
-  const float s = 1.0 + g * g - 2.0 * g * cos_turn;
+float henyey_greenstein(float cos_theta, float g) {
+  const float s = 1.0 + g * g - 2.0 * g * cos_theta;
   return (1.0 - g * g) / (s * sqrt(s));
 }
 
-float cos_turn(float along, float distance_) { return -along / max(distance_, 1e-30); }
+float cos_theta(float along, float distance_) { return -along / max(distance_, 1e-30); }

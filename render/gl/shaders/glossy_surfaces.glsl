@@ -1,4 +1,4 @@
-// The light that surfaces send to the eye where some are not diffuse: a shader of its own, since it
-// needs several times as much memory for each pixel.
+// Surface shading with non-diffuse materials: a separate shader, since it needs several times as
+// many registers.
 const bool glossy = true;
 #include "shade_surfaces.glsl"

@@ -1,15 +1,15 @@
 // The optical depth of Gaussians on `chunk` slices of a ray at a time, in registers: see
-// accumulate_increments() in render/cpu/slice_kernels.h. The including shader declares the shared
+// accumulate_increments() in render/lighting/slice_kernels.h. The including shader declares the shared
 // nearest[] and farthest[], ascending: between them each boundary of all rays of the group is.
 #include "gaussian.glsl"
 #pragma optionNV(unroll all)
 
 // The slices [x, y) of the chunk at `first` that [from, to] touches, of slices before `last`.
-ivec2 touched_slices(float from, float to, int first, int last) {
+ivec2 touched_slices(float begin, float to, int first, int last) {
   ivec2 range = ivec2(0);
   const int count = min(chunk, last - first);
   for (int k = 0; k < count; ++k) {
-    if (farthest[first + k + 1] <= from) range.x = k + 1;
+    if (farthest[first + k + 1] <= begin) range.x = k + 1;
     if (nearest[first + k] < to) range.y = k + 1;
   }
   return range;

@@ -1,4 +1,4 @@
-// Depth-aware upsampling: AirlightSamples and upsample() of render/upsampling.h, for one tile. Lists
+// Depth-aware upsampling: AirlightSamples and upsample() of render/cpu/upsampling.h, for one tile. Lists
 // the pixels that this is not good enough for, in batches for the method to take again.
 #include "constants.glsl"
 #include "linear.glsl"
@@ -19,7 +19,7 @@ layout(std430, binding = 4) buffer Totals {
   uint asked_pixels;
   float mean_square;
 };
-layout(std430, binding = 5) writeonly buffer Asked { uint asked[]; };
+layout(std430, binding = 5) writeonly buffer Requests { uint requests[]; };
 layout(std430, binding = 6) readonly buffer Entries { uint list[]; };
 
 uniform ivec2 film;
@@ -29,7 +29,7 @@ uniform int scale;
 uniform float b0;
 uniform float tolerance;
 uniform int capacity;    // pixels that a tile may ask for
-uniform int batches_at;  // where batches begin in `asked`
+uniform int batches_at;  // where batches begin in `requests`
 
 const float endless = 1e30;
 shared uint sums[128];
@@ -51,28 +51,28 @@ vec4 tolerated() {  // 1 / what is tolerated
 
 // How far the middle between two samples is from the line between them, from three in a row: an
 // eighth of the second difference; in units of what is tolerated.
-float bend_of(vec4 a, vec4 b, vec4 c) {
+float curvature_of(vec4 a, vec4 b, vec4 c) {
   const vec4 d = abs(a + c - 2.0 * b) * tolerated() * 0.125;
   return max(max(d.x, d.y), max(d.z, d.w));
 }
 
-float bend_along(ivec2 at, ivec2 step_) {
+float curvature_along(ivec2 at, ivec2 step_) {
   // Across the edge of an object, distances tell.
   const float t = sample_distance(at);
   if (!continuous(sample_distance(at - step_), t) || !continuous(t, sample_distance(at + step_))) {
     return 0.0;
   }
-  return bend_of(imageLoad(samples, at - step_), imageLoad(samples, at),
+  return curvature_of(imageLoad(samples, at - step_), imageLoad(samples, at),
                  imageLoad(samples, at + step_));
 }
 
-// How wrong linear interpolation beside a sample is.
-float bend(ivec2 at) {
+// Error of linear interpolation beside a sample.
+float curvature(ivec2 at) {
   // With fewer than three in a row nothing tells.
-  float most = sample_film.x < 3 || sample_film.y < 3 ? 2.0 : 0.0;
-  if (at.x > 0 && at.x + 1 < sample_film.x) most = max(most, bend_along(at, ivec2(1, 0)));
-  if (at.y > 0 && at.y + 1 < sample_film.y) most = max(most, bend_along(at, ivec2(0, 1)));
-  return most;
+  float max_value = sample_film.x < 3 || sample_film.y < 3 ? 2.0 : 0.0;
+  if (at.x > 0 && at.x + 1 < sample_film.x) max_value = max(max_value, curvature_along(at, ivec2(1, 0)));
+  if (at.y > 0 && at.y + 1 < sample_film.y) max_value = max(max_value, curvature_along(at, ivec2(0, 1)));
+  return max_value;
 }
 
 // AirlightSamples::Surroundings.
@@ -84,7 +84,7 @@ struct Surroundings {
   vec2 t_per_pixel;
 };
 
-bool goes_on(ivec2 from, ivec2 to) {
+bool is_continuous(ivec2 from, ivec2 to) {
   return all(greaterThanEqual(to, ivec2(0))) && all(lessThan(to, sample_film)) &&
          continuous(sample_distance(from), sample_distance(to));
 }
@@ -93,28 +93,28 @@ bool goes_on(ivec2 from, ivec2 to) {
 bool slope(ivec2 at, ivec2 step_, out vec4 value, out float distance_) {
   value = vec4(0.0);
   distance_ = 0.0;
-  const bool before = goes_on(at, at - step_);
-  const bool after = goes_on(at, at + step_);
+  const bool before = is_continuous(at, at - step_);
+  const bool after = is_continuous(at, at + step_);
   if (!before && !after) return false;
-  const int middle = before && after ? 0 : before ? -1 : 1;
-  if (middle != 0 && !goes_on(at + middle * step_, at + 2 * middle * step_)) return false;
+  const int center = before && after ? 0 : before ? -1 : 1;
+  if (center != 0 && !is_continuous(at + center * step_, at + 2 * center * step_)) return false;
   // The last ones may be nearer.
-  if (any(greaterThan((at + (middle + 1) * step_) * scale, film - 1))) return false;
-  const ivec2 places[3] = ivec2[3](at + (middle - 1) * step_, at + middle * step_,
-                                   at + (middle + 1) * step_);
+  if (any(greaterThan((at + (center + 1) * step_) * scale, film - 1))) return false;
+  const ivec2 places[3] = ivec2[3](at + (center - 1) * step_, at + center * step_,
+                                   at + (center + 1) * step_);
   const vec4 a = imageLoad(samples, places[0]);
   const vec4 b = imageLoad(samples, places[1]);
   const vec4 c = imageLoad(samples, places[2]);
-  if (!(bend_of(a, b, c) <= most_bend_of_surroundings)) return false;
+  if (!(curvature_of(a, b, c) <= max_curvature_of_surroundings)) return false;
   // Of the parabola through all three, at this one.
   const float each = 1.0 / float(scale);
-  const float from_middle = float(-middle);
-  value = each * (0.5 * (c - a) + from_middle * (a + c - 2.0 * b));
+  const float from_center = float(-center);
+  value = each * (0.5 * (c - a) + from_center * (a + c - 2.0 * b));
   if (sample_distance(at) < endless) {
     const float ta = sample_distance(places[0]);
     const float tb = sample_distance(places[1]);
     const float tc = sample_distance(places[2]);
-    distance_ = each * (0.5 * (tc - ta) + from_middle * (ta + tc - 2.0 * tb));
+    distance_ = each * (0.5 * (tc - ta) + from_center * (ta + tc - 2.0 * tb));
   }
   return true;
 }
@@ -142,11 +142,11 @@ vec4 value_at(Surroundings s, ivec2 pixel) {
 
 // How much nearer or farther a surface may be than expected without the airlight telling.
 float depth_tolerance(int tile) {
-  float least = b0 > 0.0 ? free_paths_per_tolerance * tolerance / b0 : endless;
+  float min_value = b0 > 0.0 ? free_paths_per_tolerance * tolerance / b0 : endless;
   for (uint k = offsets[tile]; k < offsets[tile + 1]; ++k) {
-    least = min(least, radii_per_tolerance * tolerance / seen[2 * list[k]].w);
+    min_value = min(min_value, radii_per_tolerance * tolerance / seen[2 * list[k]].w);
   }
-  return least;
+  return min_value;
 }
 
 struct Cell {
@@ -176,7 +176,7 @@ Cell cell_at(ivec2 at, ivec2 last) {
   cell.open = all(none);
   cell.solid = !any(none);
   cell.straight = (cell.open || cell.solid) &&
-                  max(max(bend(at), bend(right)), max(bend(below), bend(beside))) <= 1.0;
+                  max(max(curvature(at), curvature(right)), max(curvature(below), curvature(beside))) <= 1.0;
   return cell;
 }
 
@@ -206,7 +206,7 @@ bool of_surface(Surroundings corners[4], Cell cell, ivec2 pixel, float near, out
     share += shares[k];
     value += shares[k] * value_at(corners[k], pixel);
   }
-  if (share < least_surface_share) return false;
+  if (share < min_surface_share) return false;
   value /= share;
   return true;
 }
@@ -228,7 +228,7 @@ uint near_lights(Cell cell, int tile) {
   return bits;
 }
 
-// Fills a cell's pixels. Returns those that must be asked for, a bit for each, row by row.
+// Fills a cell's pixels. Returns a bit mask of pixels to evaluate exactly, row-major.
 uint fill(Cell cell, ivec2 at, float near, uint exact) {
   const ivec2 size = cell.end - cell.begin;
   uint uneven = 0u;
@@ -291,7 +291,7 @@ void main() {
   for (uint bits = left; bits != 0u; bits &= bits - 1u) {
     const int k = findLSB(bits);
     const ivec2 pixel = cell.begin + ivec2(k % columns, k / columns);
-    asked[place++] = uint(pixel.x | pixel.y << 16);
+    requests[place++] = uint(pixel.x | pixel.y << 16);
   }
   const uint groups = (all_ + 127u) / 128u;
   if (id == 0 && all_ > 0u) {
@@ -301,8 +301,8 @@ void main() {
   barrier();
   for (uint k = uint(id); k < groups; k += 128u) {
     const uint batch = uint(batches_at) + 3u * (first_batch + k);
-    asked[batch] = uint(tile);
-    asked[batch + 1u] = begin + 128u * k;
-    asked[batch + 2u] = min(all_ - 128u * k, 128u);
+    requests[batch] = uint(tile);
+    requests[batch + 1u] = begin + 128u * k;
+    requests[batch + 2u] = min(all_ - 128u * k, 128u);
   }
 }

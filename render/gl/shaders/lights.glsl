@@ -1,4 +1,4 @@
-// What lights send to points on a view ray: see sum_slices() in render/cpu/slice_kernels.h.
+// Light from point lights at points on a view ray: see sum_slices() in render/lighting/slice_kernels.h.
 #include "direction_map.glsl"
 #include "gaussian.glsl"
 

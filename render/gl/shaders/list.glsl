@@ -11,11 +11,11 @@ layout(std430, binding = 6) writeonly buffer Entries { uint list[]; };
 
 uniform uint count;
 uniform int columns;
-uniform uint most_coarse;  // more would not fit
+uniform uint max_coarse;  // more would not fit
 uniform int fill;          // 0: count
 
 void main() {
-  if (coarse > most_coarse) return;
+  if (coarse > max_coarse) return;
   const uint at = linear_group() * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   const uint i = at / 8u;
   if (i >= count) return;

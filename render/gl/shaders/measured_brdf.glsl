@@ -35,7 +35,7 @@ vec3 measured_brdf(int table, vec3 wi, vec3 wo, vec3 n) {
     const int h = cell_near(at.x, corner_.x, theta_h_cells, false);
     const int d = cell_near(at.y, corner_.y, theta_d_cells, false);
     const int p = cell_near(at.z, corner_.z, phi_d_cells, true);
-    const vec3 value = arriving_values[table + (h * theta_d_cells + d) * phi_d_cells + p].rgb;
+    const vec3 value = incident_values[table + (h * theta_d_cells + d) * phi_d_cells + p].rgb;
     if (any(lessThan(value, vec3(0.0)))) continue;  // not measured
     const vec3 share = mix(1.0 - f, f, vec3(corner_));
     sum += share.x * share.y * share.z * value;

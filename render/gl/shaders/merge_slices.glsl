@@ -1,4 +1,4 @@
-// The slices of the nodes between tiles: merge_slices() of render/cpu/film_slices.h. A work group takes a
+// Merged slice boundaries at nodes: merge_slices() of render/cpu/film_slices.h. One work group per
 // node.
 #include "constants.glsl"
 #include "linear.glsl"
@@ -12,7 +12,7 @@ layout(std430, binding = 5) readonly buffer Chosen { float chosen[]; };  // see 
 uniform ivec2 tiles;
 uniform int stride;
 
-shared float merged[4 * most_boundaries];
+shared float merged[4 * max_boundaries];
 
 // How many of an ascending list are less than a value, or no greater.
 int count_before(int first, int count, float value, bool or_equal) {

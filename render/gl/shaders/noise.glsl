@@ -1,4 +1,4 @@
-// Rays bent by noise: render/simd/noise-inl.h in GLSL.
+// Rays displaced by noise: GLSL counterpart of render/simd/noise-inl.h.
 #include "gaussian.glsl"
 
 uniform float noise_amplitude;  // over noise_lattice::rms; 0: none
@@ -47,10 +47,10 @@ vec3 potential_gradient(vec3 w, float t) {
   return sum;
 }
 
-// crossing_of() for a ray that noise bends. What is farther than bent_cutoff stays out of reach.
-Crossing view_crossing(vec3 b, vec3 w, float a, float bent_cutoff) {
+// crossing_of() for a displaced ray. Gaussians beyond displaced_cutoff stay culled.
+Crossing view_crossing(vec3 b, vec3 w, float a, float displaced_cutoff) {
   Crossing crossing = crossing_of(b, w, a);
-  if (noise_amplitude > 0.0 && crossing.e <= bent_cutoff) {
+  if (noise_amplitude > 0.0 && crossing.e <= displaced_cutoff) {
     const vec3 gap = a * (b - crossing.t0 * w) -
                      noise_amplitude * cross(w, potential_gradient(w, crossing.t0));
     crossing.e = dot(gap, gap);

@@ -1,5 +1,5 @@
-// The paper's airlight: paper_airlight() and its kernels in render/cpu. A work group takes the
-// pixels of a tile, or a batch of those that upsampling asks for again.
+// The paper's airlight: paper_airlight() and its kernels in render/cpu. One work group per tile, or
+// per batch of exact pixels.
 #include "constants.glsl"
 #include "tile_list.glsl"
 
@@ -10,8 +10,8 @@ struct PaperLight {
 };
 
 layout(std430, binding = 0) readonly buffer Lights { PaperLight lights[]; };
-// Per light and Gaussian what takes light on its way there and on to the eye; then per Gaussian
-// what does from there to the eye.
+// Per light and Gaussian the optical depth from light to Gaussian to eye; then per Gaussian that to
+// the eye.
 layout(std430, binding = 1) readonly buffer Frozen { float frozen[]; };
 
 #include "film.glsl"
@@ -44,7 +44,7 @@ float mean_parameter(Crossing view, float a, float length_, float unit_depth) {
   const float u0 = clamp(-a * view.t0, -1e4, 1e4);
   const float u1 = clamp(a * (length_ - view.t0), -1e4, 1e4);
   const float k = a * length_;
-  const float most = max(view.t0, 0.0) + 1.0 / a;
+  const float max_value = max(view.t0, 0.0) + 1.0 / a;
   float t;
   if (k * (1.0 + abs(u0) + abs(u1)) < 1.0) {
     // The quotient cancels on a short segment: from its middle, by the density's slope there.
@@ -56,7 +56,7 @@ float mean_parameter(Crossing view, float a, float length_, float unit_depth) {
     const float second = exp(-(u1 * u1 + view.e));
     t = view.t0 + (first - second) / max(1.77245385 * unit_depth, 1e-37) / a;
   }
-  return max(min(t, min(most, length_)), 0.0);
+  return max(min(t, min(max_value, length_)), 0.0);
 }
 
 // Airlight of the homogeneous part (eqs. 17 to 19), per unit of radiant intensity.
@@ -70,8 +70,8 @@ float fog_airlight(vec4 light, vec3 w, float length_) {
   // Past this point the path is longer than the shortest one by a depth of 10.
   const float longer = 10.0 / b0;
   const float detour = ts > 0.0 ? gap2 / max(start + ts, 1e-30) : start - ts;
-  const float reach = longer * (start + longer + start) / (2.0 * (longer + detour));
-  const float end = min(length_, reach);
+  const float cutoff_radius = longer * (start + longer + start) / (2.0 * (longer + detour));
+  const float end = min(length_, cutoff_radius);
   // The angle at the light between start and end.
   const float span = atan(h * end, start2 - ts * end);
   // Panels double from the phase function's peak, at angle 0 between light and view or at pi.
@@ -93,7 +93,7 @@ float fog_airlight(vec4 light, vec3 w, float length_) {
         const float along = t - ts;
         const float distance_ = sqrt(along * along + gap2);
         float value = exp(-b0 * (t + distance_));
-        if (anisotropy != 0.0) value *= henyey_greenstein(cos_turn(along, distance_), anisotropy);
+        if (anisotropy != 0.0) value *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
         mean += fog_weights[i] * value;
       }
       sum += part * mean;
@@ -161,12 +161,12 @@ void main() {
             shape.x * crossing_depth(crossing_of(q, to_light, g.w), g.w, distance_);
         float light =
             through * exp(-(frozen[l * gaussian_count + i] + own + light_depth)) / distance2;
-        if (anisotropy != 0.0) light *= henyey_greenstein(cos_turn(along, distance_), anisotropy);
-        const vec3 sent = lights[l].intensity.rgb * (phase * light);
+        if (anisotropy != 0.0) light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
+        const vec3 outgoing = lights[l].intensity.rgb * (phase * light);
         if (lights[l].options.x != 0) {
-          conserved += sent;
+          conserved += outgoing;
         } else {
-          plain += sent;
+          plain += outgoing;
         }
       }
     }
@@ -183,5 +183,5 @@ void main() {
     }
     depth += b0 * length_;
   }
-  store_pixel(pixel, airlight + glow(w, depth), depth, pairs);
+  store_pixel(pixel, airlight + environment_inscattering(w, depth), depth, pairs);
 }

@@ -7,7 +7,7 @@ layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Centers { double centers[]; };  // x y z of each
 layout(std430, binding = 1) readonly buffer Shapes { vec4 shapes[]; };  // a, scale, cutoff, reach
-// Two of each: b - eye, a; scale, cutoff, the same before noise bends the ray, reach.
+// Two vectors per Gaussian: b - eye, a; scale, cutoff, cutoff before displacement, cutoff radius.
 layout(std430, binding = 2) writeonly buffer Seen { vec4 seen[]; };
 // [x0, x1) x [y0, y1) in tiles: x0 + y0 << 16, x1 + y1 << 16.
 layout(std430, binding = 3) writeonly buffer Rectangles { uvec2 rectangles[]; };
@@ -58,9 +58,9 @@ void main() {
   if (i >= count) return;
   const dvec3 q = dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - eye;
   const vec4 shape = shapes[i];
-  const float bent = sqrt(shape.z) + farther;
+  const float displaced = sqrt(shape.z) + farther;
   seen[2 * i] = vec4(vec3(q), shape.x);
-  seen[2 * i + 1] = vec4(shape.y, shape.z, bent * bent, shape.w);
+  seen[2 * i + 1] = vec4(shape.y, shape.z, displaced * displaced, shape.w);
   rectangles[i] = uvec2(0u);
   if (!(shape.w > 0.0)) return;
 

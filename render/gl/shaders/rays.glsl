@@ -1,5 +1,5 @@
-// The view rays of a film: see CameraRays. In double precision up to the direction, since a narrow
-// view has pixels closer than float tells apart.
+// View rays of a film: see CameraRays. Double precision up to the direction, since pixels of narrow
+// views are closer than float resolves.
 uniform dvec3 corner;
 uniform dvec3 per_x;
 uniform dvec3 per_y;

@@ -1,4 +1,4 @@
-// Reflection of light given as spherical harmonics: reflect() of render/cpu/reflection_kernels. The
+// Reflection of light given as spherical harmonics: reflect() of render/simd/reflection_kernels. The
 // table and the elements of a quarter turn about x are among the values of shade_surfaces.glsl.
 
 uniform int turn_at, turn_count;
@@ -34,7 +34,7 @@ void quarter_turn(bool inverse_, vec3 f[sh_count], out vec3 result[sh_count]) {
   }
 }
 
-// What a surface of normal n sends to the eye of light f; the table begins at `table`.
+// Outgoing radiance of a surface of normal n under light f; its table begins at `table`.
 vec3 reflected(int table, vec3 n, vec3 to_eye, vec3 f[sh_count]) {
   // The frame of the surface is the world turned about z and y to the normal, and then about it to
   // the eye.

@@ -1,5 +1,5 @@
-// The light that surfaces send to the eye: surface_radiance() and TransferredLight of render/cpu. A
-// file that includes this says whether any surface is `glossy`, that is not diffuse.
+// Surface shading: surface_radiance() and VertexLighting of render/cpu. The including file
+// defines whether any surface is `glossy` (not diffuse).
 #include "lights.glsl"
 #include "rays.glsl"
 #include "spherical_harmonics.glsl"
@@ -7,13 +7,13 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// RGB per pixel. Not an image: software compiles a shader anew for other sizes of images.
+// RGB per pixel. Not an image: software renderers recompile for other image sizes.
 layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
-// What arrives of an environment at the nodes of a grid: for each basis function R G B 0. Then what
-// does at vertices of surfaces with radiance transfer: of each what it sends, and for each basis
-// function what it is still to reflect. Then the average depths around surfaces, four to a vector,
-// and the tables of measured materials.
-layout(std430, binding = 6) readonly buffer Arriving { vec4 arriving_values[]; };
+// Incident environment light at grid nodes, R G B 0 per basis function. Then vertex lighting of
+// surfaces with radiance transfer: per vertex the outgoing radiance, and per basis function the
+// light still to be reflected. Then average depths around surfaces, four per vector, and the tables
+// of measured materials.
+layout(std430, binding = 6) readonly buffer Arriving { vec4 incident_values[]; };
 // Per surface: reflectance / pi and Phong's exponent; his highlight, and where the ReflectionTable
 // is (0: diffuse); whether it has transfer, the functions that it still reflects, and where the
 // light at its front and back begins (< 0: there is none); the corner of its grid of average depths
@@ -27,16 +27,16 @@ uniform float b0;
 uniform float albedo;
 uniform float margin;  // Visibility::self_hit_margin
 uniform ivec2 film;
-// 1: instead of tables there are, of each light and pixel, what Gaussians take of the light.
+// 1: instead of tables, the optical depth of Gaussians per light and pixel.
 uniform int has_depths;
 uniform int scatters;  // whether the medium sends light of lamps around
 uniform int scatter_at, environment_at, densities_at;
 uniform int has_environment;
 uniform float environment_intensity;
 uniform float fog_depth;         // b0's part of the average depth
-uniform int arriving_levels;                 // 0: there is none
-uniform vec4 arriving_first[2];              // as source.glsl has them
-uniform ivec4 arriving_count[2];
+uniform int incident_levels;                 // 0: there is none
+uniform vec4 incident_first[2];              // as source.glsl has them
+uniform ivec4 incident_count[2];
 
 const int surface_size = 24;
 
@@ -55,7 +55,7 @@ struct LightAtPoint {
   float depth;
 };
 
-LightAtPoint see_light(int l, SurfacePoint point, int pixel, int pixels) {
+LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   LightAtPoint at;
   const vec3 q = point.position - lights[l].position.xyz;
   const float square = dot(q, q);
@@ -84,18 +84,18 @@ vec3 direct_light(int l, SurfacePoint point, LightAtPoint at, vec3 to_eye) {
   if (!(at.cosine > 0.0) || !is_lit(l, point, at.length_)) return vec3(0.0);
   const int material = surface_size * point.surface;
   const vec3 intensity = lights[l].intensity.rgb;
-  const float arrives = at.cosine * at.inverse_square * exp(-at.depth);
+  const float incoming = at.cosine * at.inverse_square * exp(-at.depth);
   const int measured = int(values[material + 19]);
   if (measured >= 0) {
-    return measured_brdf(measured, -at.w, to_eye, point.normal) * intensity * arrives;
+    return measured_brdf(measured, -at.w, to_eye, point.normal) * intensity * incoming;
   }
-  const vec3 radiance = arrives * (values_rgb(material) * intensity);
+  const vec3 radiance = incoming * (values_rgb(material) * intensity);
   const vec3 highlight = values_rgb(material + 4);
   // w mirrored at the normal, times the direction to the eye.
   const float r = 2.0 * at.cosine * dot(point.normal, to_eye) + dot(at.w, to_eye);
   if (highlight == vec3(0.0) || !(r > 0.0)) return radiance;
   const float lobe = exp(values[material + 3] * log(clamp(r, 1e-30, 1.0)));
-  return radiance + arrives * lobe * (highlight * intensity);
+  return radiance + incoming * lobe * (highlight * intensity);
 }
 
 float scatter_polynomial(int at, float x) {
@@ -104,7 +104,7 @@ float scatter_polynomial(int at, float x) {
   return p;
 }
 
-// find_spread(): how much of a lamp's light in each band the medium scatters onto a point.
+// find_spread(): per band, the fraction of a point light scattered onto a point.
 void find_spread(int l, LightAtPoint at, out float factors[sh_bands]) {
   for (int k = 0; k < sh_bands; ++k) factors[k] = 0.0;
   if (!(at.depth > 0.0 && at.depth < scatter_opaque)) return;
@@ -120,7 +120,7 @@ void find_spread(int l, LightAtPoint at, out float factors[sh_bands]) {
   }
 }
 
-// add_scattered_light(): what a diffuse surface sends of that.
+// add_scattered_light(): its diffuse reflection.
 vec3 scattered_light(int l, SurfacePoint point, LightAtPoint at, float factors[sh_bands]) {
   const float c = at.cosine;
   const float c2 = c * c;
@@ -141,16 +141,16 @@ void add_scattered(int l, LightAtPoint at, float factors[sh_bands], inout vec3 l
   }
 }
 
-// What arrives at a point, by the grid.
-void find_arriving(vec3 p, out vec3 light[grid_functions]) {
+// Incident light at a point, from the grid.
+void find_incident(vec3 p, out vec3 light[grid_functions]) {
   int level = 0;
-  vec3 at = arriving_first[0].w * (p - arriving_first[0].xyz);
-  if (arriving_levels > 1 && (any(lessThan(at, vec3(0.0))) ||
-                              any(greaterThan(at, vec3(arriving_count[0].xyz - 1))))) {
+  vec3 at = incident_first[0].w * (p - incident_first[0].xyz);
+  if (incident_levels > 1 && (any(lessThan(at, vec3(0.0))) ||
+                              any(greaterThan(at, vec3(incident_count[0].xyz - 1))))) {
     level = 1;
-    at = arriving_first[1].w * (p - arriving_first[1].xyz);
+    at = incident_first[1].w * (p - incident_first[1].xyz);
   }
-  const ivec4 count = arriving_count[level];
+  const ivec4 count = incident_count[level];
   const vec3 last = vec3(count.xyz - 2);
   const vec3 inside = clamp(at, vec3(0.0), last + 1.0);
   const vec3 low = min(floor(inside), last);
@@ -163,7 +163,7 @@ void find_arriving(vec3 p, out vec3 light[grid_functions]) {
     const int first =
         count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
     for (int i = 0; i < grid_functions; ++i) {
-      light[i] += share.x * share.y * share.z * arriving_values[first + i].rgb;
+      light[i] += share.x * share.y * share.z * incident_values[first + i].rgb;
     }
   }
 }
@@ -184,26 +184,26 @@ float average_depth(SurfacePoint point) {
     const vec3 share = mix(1.0 - f, f, vec3(corner_));
     const ivec3 node = min(cell + corner_, nodes_ - 1);
     const int i = (node.z * nodes_.y + node.y) * nodes_.x + node.x;
-    sum += share.x * share.y * share.z * arriving_values[first + i / 4][i % 4];
+    sum += share.x * share.y * share.z * incident_values[first + i / 4][i % 4];
   }
   return sum;
 }
 
-// EnvironmentLight::arriving(): how much of each band arrives, where there is no grid.
+// EnvironmentLight::arriving(): per-band fractions, without a grid.
 void find_shares(SurfacePoint point, out float shares[sh_bands]) {
   const float depth = fog_depth + average_depth(point);
-  const float straight = exp(-depth);
+  const float unscattered = exp(-depth);
   const float root = sqrt(depth);
   const float x = scatter_scale * root / (root + 1.0) - 1.0;
   const bool passes = depth > 0.0 && depth < scatter_opaque;
   const int first = environment_at + 4 * sh_count;
   for (int l = 0; l < sh_bands; ++l) {
     const float spread = scatter_polynomial(first + l * scatter_terms, x);
-    shares[l] = straight + (passes ? albedo * depth * straight * spread : 0.0);
+    shares[l] = unscattered + (passes ? albedo * depth * unscattered * spread : 0.0);
   }
 }
 
-// The mean of the light that arrives beside that without a medium.
+// Mean incident light relative to that without medium.
 vec3 dimming(vec3 mean) {
   const vec3 all = values_rgb(environment_at);
   return mix(vec3(0.0), environment_intensity * mean / max(all, vec3(1e-37)),
@@ -215,9 +215,9 @@ vec3 environment_light(SurfacePoint point) {
   float y[sh_count];
   sh_basis(point.normal, y);
   vec3 sum = vec3(0.0);
-  if (arriving_levels > 0) {
+  if (incident_levels > 0) {
     vec3 light[grid_functions];
-    find_arriving(point.position, light);
+    find_incident(point.position, light);
     for (int l = 0; l < 3; ++l) {
       vec3 band = vec3(0.0);
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) band += y[i] * light[i];
@@ -241,28 +241,28 @@ vec3 environment_light(SurfacePoint point) {
 
 // light += EnvironmentLight::incident().
 void add_environment(SurfacePoint point, inout vec3 light[sh_count]) {
-  vec3 arrives[grid_functions];
+  vec3 incoming[grid_functions];
   float shares[sh_bands];
-  if (arriving_levels > 0) {
-    find_arriving(point.position, arrives);
+  if (incident_levels > 0) {
+    find_incident(point.position, incoming);
   } else {
     find_shares(point, shares);
   }
   for (int l = 0; l < sh_bands; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       const vec3 outside = values_rgb(environment_at + 4 * i);
-      if (arriving_levels == 0) {
+      if (incident_levels == 0) {
         light[i] += shares[l] * outside;
       } else if (i < grid_functions) {
-        light[i] += environment_intensity * arrives[i];
+        light[i] += environment_intensity * incoming[i];
       } else {
-        light[i] += dimming(arrives[0]) * outside;
+        light[i] += dimming(incoming[0]) * outside;
       }
     }
   }
 }
 
-// TransferredLight::add(): what radiance transfer has made of light at the vertices.
+// VertexLighting::add(): what radiance transfer has made of light at the vertices.
 vec3 transferred_light(SurfacePoint point, ivec4 hit, vec3 to_eye) {
   const int surface = surface_size * point.surface;
   const int first = int(values[surface + (point.on_back ? 11 : 10)]);
@@ -278,9 +278,9 @@ vec3 transferred_light(SurfacePoint point, ivec4 hit, vec3 to_eye) {
   }
   for (int k = 0; k < 3; ++k) {
     const int at = first + (1 + functions) * vertex_of(hit.w, k);
-    sent += weights[k] * arriving_values[at].rgb;
+    sent += weights[k] * incident_values[at].rgb;
     if (!glossy) continue;
-    for (int i = 0; i < functions; ++i) light[i] += weights[k] * arriving_values[at + 1 + i].rgb;
+    for (int i = 0; i < functions; ++i) light[i] += weights[k] * incident_values[at + 1 + i].rgb;
   }
   if (glossy && functions > 0) {
     sent += reflected(int(values[surface + 7]), point.normal, to_eye, light);
@@ -299,7 +299,7 @@ vec3 surface_light(SurfacePoint point, ivec4 hit, vec3 to_eye, int index, int pi
   }
   vec3 radiance = vec3(0.0);
   for (int l = 0; l < light_count; ++l) {
-    const LightAtPoint at = see_light(l, point, index, pixels);
+    const LightAtPoint at = point_to_light(l, point, index, pixels);
     radiance += direct_light(l, point, at, to_eye);
     if (!is_scattered) continue;
     float factors[sh_bands];

@@ -1,18 +1,18 @@
-// Where the slices of a tile's rays begin and end: choose_slices() of render/cpu/slice_boundaries.h, by
+// Where the slices of a tile's rays begin and end: choose_slices() of render/lighting/slice_boundaries.h, by
 // all invocations of the group together. Leaves them in boundaries[0 .. boundary_count), ascending.
-shared float boundaries[most_boundaries];
-shared float unsorted[most_boundaries];
+shared float boundaries[max_boundaries];
+shared float unsorted[max_boundaries];
 shared uint unsorted_count;
 shared int boundary_count;
-shared float demand_rate[most_bins];
-shared float demand_curvature[most_bins];
+shared float demand_rate[max_bins];
+shared float demand_curvature[max_bins];
 shared vec4 demand_of[group_size];  // a Gaussian: place on the ray, radius, peak, radii that matter
 
-#include "middle_ray.glsl"
+#include "center_ray.glsl"
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
 
-// See core_radii() of render/cpu/slice_boundaries.cpp.
+// See core_radii() of render/lighting/slice_boundaries.cpp.
 float core_radii(float depth) { return depth < slice_opaque ? 2.0 : sqrt(log(50.0 * depth)); }
 
 // What a box of a Gaussian demands of a bin: rate and curvature.
@@ -22,7 +22,7 @@ vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float
 }
 
 // As passing() of the CPU: t, and h in radii.
-vec2 passing(MiddleRay ray, vec3 q, float a) {
+vec2 passing(CenterRay ray, vec3 q, float a) {
   const vec2 nearest = nearest_pass(ray, q);
   const float center = dot(q, ray.w);
   const float h = a * nearest.y;
@@ -30,7 +30,7 @@ vec2 passing(MiddleRay ray, vec3 q, float a) {
 }
 
 // Slice demand: see SliceDemand.
-void find_demand(MiddleRay ray, vec2 core, int bins, uint begin, uint end) {
+void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
   const int id = int(gl_LocalInvocationID.x);
   const float width = (core.y - core.x) / float(bins);
   for (int bin = id; bin < bins; bin += group_size) {
@@ -89,13 +89,13 @@ void cut_demand(vec2 core, int bins, int count) {
     depth += demand_rate[i] * width;
     sum += demand_curvature[i];
   }
-  const float even = sum > 0.0 ? 0.3 * sum / float(bins) : 1.0;
-  sum += even * float(bins);
+  const float uniform = sum > 0.0 ? 0.3 * sum / float(bins) : 1.0;
+  sum += uniform * float(bins);
   add_boundary(core.x);
   float reached = 0.0;
   int k = 1;
   for (int i = 0; i < bins && k < count; ++i) {
-    const float here = demand_curvature[i] + even;
+    const float here = demand_curvature[i] + uniform;
     while (k < count && sum * float(k) / float(count) <= reached + here) {
       add_boundary(core.x +
                    width * (float(i) + (sum * float(k) / float(count) - reached) / here));
@@ -107,15 +107,15 @@ void cut_demand(vec2 core, int bins, int count) {
 }
 
 // Where light falls off within a medium, slices of equal angle as seen from the light.
-void add_equi_angular(int l, MiddleRay ray, vec2 range, int count) {
+void add_equi_angular(int l, CenterRay ray, vec2 range, int count) {
   const int k = int(gl_LocalInvocationID.x) + 1;
   const vec3 q = lights[l].position.xyz;
   const vec3 w = ray.w;
   const float ts = nearest_pass(ray, q).x;
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
   // what is near the light if the medium is endless.
-  const float least = 0.25 * min(range.y - range.x, 16.0 * length(q - range.x * w)) / float(count);
-  const float h = max(max(length(q - dot(q, w) * w), max(lights[l].position.w, least)),
+  const float min_value = 0.25 * min(range.y - range.x, 16.0 * length(q - range.x * w)) / float(count);
+  const float h = max(max(length(q - dot(q, w) * w), max(lights[l].position.w, min_value)),
                       max(1e-6 * abs(ts), 1e-30));
   // From the light's foot on the ray, where angles are well known in single precision.
   const float begin = atan((range.x - ts) / h);
@@ -126,7 +126,7 @@ void add_equi_angular(int l, MiddleRay ray, vec2 range, int count) {
   }
 }
 
-void sort_boundaries(float least) {
+void sort_boundaries(float min_value) {
   const int id = int(gl_LocalInvocationID.x);
   barrier();
   const int count = int(unsorted_count);
@@ -142,7 +142,7 @@ void sort_boundaries(float least) {
   if (id == 0) {
     int kept = min(count, 1);
     for (int i = 1; i < count; ++i) {
-      const float apart = max(least, 1e-6 * boundaries[i]);
+      const float apart = max(min_value, 1e-6 * boundaries[i]);
       if (!(boundaries[i] - boundaries[kept - 1] < apart)) boundaries[kept++] = boundaries[i];
     }
     boundary_count = kept;
@@ -150,46 +150,46 @@ void sort_boundaries(float least) {
   barrier();
 }
 
-void choose_slices(MiddleRay ray, uint begin, uint end, int slices, int per_light, float b0) {
+void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_light, float b0) {
   const int id = int(gl_LocalInvocationID.x);
   barrier();
   if (id == 0) {
     unsorted_count = 0u;
     boundary_count = 0;
   }
-  vec2 reach = vec2(endless, 0.0);
-  vec2 core = reach;
+  vec2 cutoff_radius = vec2(endless, 0.0);
+  vec2 core = cutoff_radius;
   for (uint k = begin + id; k < end; k += group_size) {
     const uint i = list[k];
     const vec4 g = seen[2 * i];
     const float t = passing(ray, g.xyz, g.w).x;
     const float r = seen[2 * i + 1].w;
     const float half_ = min(core_radii(2.0 * seen[2 * i + 1].x) / g.w, r);
-    reach = vec2(min(reach.x, dot(g.xyz, ray.w) - r),
-                 max(reach.y, nearest_pass(ray, g.xyz).x + r));
+    cutoff_radius = vec2(min(cutoff_radius.x, dot(g.xyz, ray.w) - r),
+                 max(cutoff_radius.y, nearest_pass(ray, g.xyz).x + r));
     core = vec2(min(core.x, t - half_), max(core.y, t + half_));
   }
   const vec2 ends = vec2(0.0, ray.longest);
-  reach = clamp(vec2(reduce_min(reach.x), reduce_max(reach.y)), ends.xx, ends.yy);
+  cutoff_radius = clamp(vec2(reduce_min(cutoff_radius.x), reduce_max(cutoff_radius.y)), ends.xx, ends.yy);
   core = clamp(vec2(reduce_min(core.x), reduce_max(core.y)), ends.xx, ends.yy);
-  vec2 whole = reach;
+  vec2 whole = cutoff_radius;
   if (b0 > 0.0) {
-    whole = vec2(0.0, min(ray.longest, max(reach.x < reach.y ? reach.y : 0.0, fog_end / b0)));
+    whole = vec2(0.0, min(ray.longest, max(cutoff_radius.x < cutoff_radius.y ? cutoff_radius.y : 0.0, opaque_fog_depth / b0)));
   }
   if (!(whole.x < whole.y)) return;
   if (id == 0) {
     add_boundary(whole.x);
     add_boundary(whole.y);
   }
-  if (reach.x < reach.y) {
+  if (cutoff_radius.x < cutoff_radius.y) {
     if (core.x < core.y) {
       const int bins = 4 * slices;
       find_demand(ray, core, bins, begin, end);
       if (id == 0) cut_demand(core, bins, slices - 2);
     }
     if (id == 0) {
-      add_boundary(reach.x);
-      add_boundary(reach.y);
+      add_boundary(cutoff_radius.x);
+      add_boundary(cutoff_radius.y);
     }
   }
   barrier();

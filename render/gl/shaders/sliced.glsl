@@ -1,5 +1,5 @@
-// The sliced airlight: sliced_airlight() and sum_slices() of render/cpu. A work group takes the
-// pixels of a tile, or a batch of those that upsampling asks for again.
+// The sliced airlight: sliced_airlight() and sum_slices() of render/cpu. One work group per tile,
+// or per batch of exact pixels.
 #include "constants.glsl"
 #include "tile_list.glsl"
 
@@ -9,7 +9,7 @@
 #include "shadows.glsl"
 #include "ray_slices.glsl"
 #include "increments.glsl"
-#include "middle_ray.glsl"
+#include "center_ray.glsl"
 #include "source.glsl"
 #include "compact.glsl"
 
@@ -24,7 +24,7 @@ shared float spilled[chunk * group_size];
 shared float spilled_ends[chunk * group_size];
 
 // The slices of the chunk at `first` that any ray of the group may meet Gaussian i in.
-ivec4 slices_of(uint i, MiddleRay ray, int first, int last) {
+ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
   const vec4 g = seen[2 * i];
   // A ray that is off the middle one by d meets it at most |d| h + |d|^2 t / 2 before or after.
   const float t = dot(g.xyz, ray.w);
@@ -42,10 +42,10 @@ void main() {
   const float length_ = pixel.live ? ray_length(pixel.at) : 0.0;
   const uint begin = offsets[pixel.tile];
   const uint end = offsets[pixel.tile + 1];
-  const MiddleRay ray = middle_ray(pixel.live, w);
+  const CenterRay ray = center_ray(pixel.live, w);
   set_source_weights(w);
   find_slice_bounds(pixel.tile);
-  const SlicePlace place = slice_place(pixel.tile, pixel.at);
+  const SlicePosition place = slice_position(pixel.tile, pixel.at);
 
   const int last = boundary_count - 1;
   float depth = 0.0;
@@ -55,8 +55,8 @@ void main() {
   float boundary = last > 0 ? slice_boundary(place, 0) : 0.0;
   float from = min(boundary, length_);
   // SliceShares::along_rays.
-  const bool has_peak = source_levels > 0 && source_bands > 1;
-  const bool needs_line = has_peak && anisotropy > 0.0;
+  const bool has_forward_lobe = source_levels > 0 && source_bands > 1;
+  const bool needs_line = has_forward_lobe && anisotropy > 0.0;
   float along_ray = 0.0;
   float line_depth = 0.0;  // of all Gaussians, also behind surfaces
   float passes = exp(-b0 * from);
@@ -110,7 +110,7 @@ void main() {
       const float gaussians = max(spilled[k * group_size + id], 0.0);
       const float fog = b0 * (to - from);
       const float increment = fog + gaussians;
-      if (has_peak) {
+      if (has_forward_lobe) {
         const float exponent = anisotropy < 0.0 ? 2.0 * gaussians + fog : fog;
         const float left = passes * exp(-exponent);
         along_ray += increment * (exponent < 1e-2 ? passes - 0.5 * exponent * passes
@@ -121,21 +121,21 @@ void main() {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
         const float lost = exp(-depth) * (increment < 1e-3 ? increment - 0.5 * increment * increment
                                                            : 1.0 - exp(-increment));
-        const float middle = 0.5 * (from + to);
-        if (source_levels > 0) scattered += lost * source_at(middle * w);
+        const float center = 0.5 * (from + to);
+        if (source_levels > 0) scattered += lost * source_at(center * w);
         for (int l = 0; l < light_count; ++l) {
           const vec4 s = lights[l].position;
           const float ts = dot(s.xyz, w);
           const vec3 gap = s.xyz - ts * w;
           const float h2 = max(dot(gap, gap), max(s.w * s.w, 1e-30));
-          const float along = middle - ts;
+          const float along = center - ts;
           const float distance_ = sqrt(along * along + h2);
-          const vec3 q = middle * w - s.xyz;
+          const vec3 q = center * w - s.xyz;
           float light_depth = b0 * distance_;
           if (lights[l].has.x != 0) light_depth += table_depth(l, q, distance_);
           float light = mean_inverse_square(from - ts, to - ts, h2) * exp(-light_depth);
           if (anisotropy != 0.0) {
-            light *= henyey_greenstein(cos_turn(along, distance_), anisotropy);
+            light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
           }
           if (lights[l].has.y != 0) light *= lit(l, q, distance_);
           airlight += lights[l].intensity.rgb * (phase * lost * light);
@@ -145,8 +145,8 @@ void main() {
       from = to;
     }
   }
-  if (has_peak) {
-    scattered += along_ray * source_peak(anisotropy < 0.0, line_depth);
+  if (has_forward_lobe) {
+    scattered += along_ray * source_forward_lobe(anisotropy < 0.0, line_depth);
   }
   // Fog goes on where slices end; the Gaussians do not.
   if (b0 > 0.0 && last > 0) depth += b0 * (length_ - from);

@@ -1,4 +1,4 @@
-// What a medium scatters of an environment's light at a point of a view ray: SourceLookUp, and the
+// What a medium scatters of an environment's light at a point of a view ray: SourceLookup, and the
 // weights of EnvironmentSource.
 #include "radiance_map.glsl"
 #include "spherical_harmonics.glsl"
@@ -13,8 +13,8 @@ uniform ivec4 source_count[2];
 uniform int source_bands;     // of a node: 1, or 4 where scattering is not alike all around
 uniform vec4 source_factors;  // what the phase function makes of each band
 uniform float source_scale;
-// With more than one band nodes also have the transmittance of each family, and from source_map_at
-// on there is a map for each of what the phase function's peak makes of it.
+// With more than one band, nodes also hold the transmittance per cluster, and maps of the forward
+// lobe per cluster begin at source_map_at.
 uniform int source_map_at;
 uniform int source_beams;  // bit f: family f is a beam
 uniform ivec2 source_map_size;
@@ -22,7 +22,7 @@ uniform vec2 source_rotation;  // of the maps: cosine and sine
 
 // What a view ray makes of a node.
 float source_weights[16];
-vec3 source_family_weights[source_families];
+vec3 source_cluster_weights[source_clusters];
 
 void set_source_weights(vec3 w) {
   if (source_levels == 0) return;
@@ -35,11 +35,11 @@ void set_source_weights(vec3 w) {
   }
   if (source_bands == 1) return;
   const MapTexels at = map_texels(source_map_size, turned_to_map(source_rotation, w));
-  for (int f = 0; f < source_families; ++f) {
+  for (int f = 0; f < source_clusters; ++f) {
     const ivec4 index = source_map_at + f * source_map_size.x * source_map_size.y + at.index;
     const vec3 above = mix(source_values[index.x].rgb, source_values[index.y].rgb, at.f.x);
     const vec3 below = mix(source_values[index.z].rgb, source_values[index.w].rgb, at.f.x);
-    source_family_weights[f] = source_scale * mix(above, below, at.f.y);
+    source_cluster_weights[f] = source_scale * mix(above, below, at.f.y);
   }
 }
 
@@ -74,18 +74,18 @@ SourceCorner source_corner(vec3 p, int c) {
   const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
   const vec3 share = mix(1.0 - (x - low), x - low, vec3(corner_));
   const ivec3 node = ivec3(low) + corner_;
-  const int node_size = source_functions() + (source_bands > 1 ? source_families / 4 : 0);
+  const int node_size = source_functions() + (source_bands > 1 ? source_clusters / 4 : 0);
   return SourceCorner(
       count.w + ((node.z * count.y + node.y) * count.x + node.x) * node_size,
       share.x * share.y * share.z);
 }
 
-// What a node has of the families for which is_beam is so.
-vec3 source_families_at(int node, bool is_beam) {
+// Contribution of the narrow clusters at a node.
+vec3 source_clusters_at(int node, bool is_narrow) {
   vec3 sum = vec3(0.0);
-  for (int f = 0; f < source_families; ++f) {
-    if ((((source_beams >> f) & 1) != 0) != is_beam) continue;
-    sum += source_values[node + source_functions() + f / 4][f % 4] * source_family_weights[f];
+  for (int f = 0; f < source_clusters; ++f) {
+    if ((((source_beams >> f) & 1) != 0) != is_narrow) continue;
+    sum += source_values[node + source_functions() + f / 4][f % 4] * source_cluster_weights[f];
   }
   return sum;
 }
@@ -98,25 +98,25 @@ vec3 source_at(vec3 p) {
     for (int i = 0; i < source_functions(); ++i) {
       value += source_weights[i] * source_values[corner_.first + i].rgb;
     }
-    if (source_beams != 0) value += source_families_at(corner_.first, true);
+    if (source_beams != 0) value += source_clusters_at(corner_.first, true);
     sum += corner_.share * value;
   }
   return sum;
 }
 
 // EnvironmentSource::peak().
-vec3 source_peak(bool from_eye, float line_depth) {
+vec3 source_forward_lobe(bool from_eye, float line_depth) {
   const vec3 eye = vec3(0.0);
   vec3 sum = vec3(0.0);
   if (from_eye && is_on_source(source_levels - 1, source_position(source_levels - 1, eye))) {
     for (int c = 0; c < 8; ++c) {
       const SourceCorner corner_ = source_corner(eye, c);
-      sum += corner_.share * source_families_at(corner_.first, false);
+      sum += corner_.share * source_clusters_at(corner_.first, false);
     }
     return sum;
   }
-  for (int f = 0; f < source_families; ++f) {
-    if (((source_beams >> f) & 1) == 0) sum += source_family_weights[f];
+  for (int f = 0; f < source_clusters; ++f) {
+    if (((source_beams >> f) & 1) == 0) sum += source_cluster_weights[f];
   }
   return from_eye ? sum : exp(-line_depth) * sum;
 }

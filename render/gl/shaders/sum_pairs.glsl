@@ -1,4 +1,4 @@
-// How many pairs each row of pixels took.
+// Sums the pairs of each row of pixels.
 layout(local_size_x = 64) in;
 
 layout(r32f, binding = 0) readonly uniform image2D pairs;

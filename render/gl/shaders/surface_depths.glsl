@@ -1,6 +1,5 @@
-// What Gaussians take of a lamp's light on its way to the surfaces of the film: bundle_depths() of
-// render/cpu. A work group takes 8 x 8 neighbouring pixels; its Gaussians it finds itself, those that
-// touch the cone around its paths.
+// Optical depths from lights to surface points: bundle_depths() of render/cpu. One work group per 8
+// x 8 pixels; it culls Gaussians against the cone of its paths.
 #include "cone.glsl"
 #include "gaussian.glsl"
 #include "surface_point.glsl"

@@ -1,3 +1,3 @@
-// The light that surfaces send to the eye where all of them are diffuse.
+// Surface shading with diffuse materials only.
 const bool glossy = false;
 #include "shade_surfaces.glsl"

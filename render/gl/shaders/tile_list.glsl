@@ -1,4 +1,4 @@
-// The Gaussians as the eye sees them, and which of them each tile's work group takes.
+// Gaussians relative to the eye, and the list of each tile.
 layout(local_size_x = 128) in;
 
 layout(std430, binding = 2) readonly buffer Seen { vec4 seen[]; };

@@ -1,13 +1,13 @@
-// Rays against the triangles of a scene: TriangleHierarchy, and the intersection of Embree's robust
+// Rays against the triangles of a scene: TriangleBvh, and the intersection of Embree's robust
 // mode, which leaves no gaps between triangles (Plücker coordinates). All is relative to the middle
 // of the surfaces; whole numbers and bits of floats share vectors.
 #include "constants.glsl"
 
-// Of a node its two children: low and where it begins (< 0: there is none), high and the number of
-// its triangles (0: it is a node).
+// Two children per node: minimum corner and first index (< 0: empty), maximum corner and triangle
+// count (0: inner node).
 layout(std430, binding = 4) readonly buffer Nodes { ivec4 nodes[]; };
-// Of each triangle three corners with the surface; then of each the three normals there with their
-// numbers in the surface's mesh.
+// Per triangle three corners with the surface index; then per triangle three vertex normals with
+// the vertex indices of the mesh.
 layout(std430, binding = 5) readonly buffer Corners { ivec4 corners[]; };
 
 uniform int node_count;
@@ -19,7 +19,7 @@ struct Hit {
   int triangle;  // < 0: none
 };
 
-// Rays from `seen_from` see no triangle edge-on: see render/cpu/edge_on.h. < 0: other rays.
+// Rays from `seen_from` see no triangle edge-on: see render/geometry/edge_on.h. < 0: other rays.
 dvec3 seen_from = dvec3(0.0LF);
 double edge_on_height = -1.0LF;
 
@@ -71,10 +71,10 @@ float entry(vec3 low, vec3 high, vec3 o, vec3 inverse, float tnear, float tfar) 
   const vec3 b = (high - o) * inverse;
   const vec3 first = min(a, b);
   const vec3 last = max(a, b);
-  const float from = max(max(max(first.x, first.y), first.z), tnear);
+  const float begin = max(max(max(first.x, first.y), first.z), tnear);
   // Roundings must lose no triangle.
   const float to = 1.000001 * min(min(last.x, last.y), last.z);
-  return from <= to ? from : tfar;
+  return begin <= to ? begin : tfar;
 }
 
 // The nearest hit in [tnear, tfar), or with `any` the first that is found; t = tfar for none.
@@ -82,7 +82,7 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
   Hit hit = Hit(tfar, 0.0, 0.0, -1);
   if (node_count == 0) return hit;
   const vec3 inverse = 1.0 / mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
-  int stack[most_levels];
+  int stack[max_levels];
   int top = 0;
   int node = 0;
   while (node >= 0) {
@@ -101,7 +101,7 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
     const bool second_first = next[1] >= 0 && (next[0] < 0 || at[1] < at[0]);
     node = second_first ? next[1] : next[0];
     const int other = second_first ? next[0] : next[1];
-    if (other >= 0 && top < most_levels) stack[top++] = other;
+    if (other >= 0 && top < max_levels) stack[top++] = other;
     if (node < 0 && top > 0) node = stack[--top];
   }
   return hit;

@@ -18,7 +18,7 @@ TEST(AtomicFile, ReplacesTheContent) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
-TEST(AtomicFile, KeepsTheOldFileWhenWritingFails) {
+TEST(AtomicFile, PreservesTheOldFileWhenWritingFails) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");
   EXPECT_THROW(write_atomically(file,
@@ -31,7 +31,7 @@ TEST(AtomicFile, KeepsTheOldFileWhenWritingFails) {
   EXPECT_EQ(folder.entry_count(), 1u) << "the temporary file must be gone";
 }
 
-TEST(AtomicFile, KeepsPermissions) {
+TEST(AtomicFile, PreservesPermissions) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");
   const fs::perms mode = fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read;

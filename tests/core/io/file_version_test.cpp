@@ -7,7 +7,7 @@
 namespace brume {
 namespace {
 
-TEST(FileVersion, IsThatOfTheContent) {
+TEST(FileVersion, DependsOnTheContent) {
   const TemporaryFolder folder;
   // Around the size of the pieces in which files are read.
   for (const std::size_t size : {0, 1, 7, (1 << 20) - 1, 1 << 20, (1 << 20) + 1, 3 << 20}) {
@@ -22,13 +22,13 @@ TEST(FileVersion, IsThatOfTheContent) {
   }
 }
 
-TEST(FileVersion, IsNothingWithoutAFile) {
+TEST(FileVersion, IsAbsentForMissingFiles) {
   const TemporaryFolder folder;
   EXPECT_FALSE(FileVersion::read(folder / "missing"));
   EXPECT_FALSE(FileVersion::read(folder.path()));
 }
 
-TEST(FileVersion, GoesThroughText) {
+TEST(FileVersion, RoundTripsThroughText) {
   const FileVersion version = FileVersion::of_content("fog");
   EXPECT_EQ(FileVersion::parse(version.text()), version);
   for (const char* text : {"", "-", "3", "3-", "-5", "x-y", "3-5x", "99999999999999999999999-1"}) {

@@ -8,15 +8,15 @@ namespace brume {
 namespace {
 
 TEST(FramePattern, NamesTheFileOfAFrame) {
-  EXPECT_EQ(FramePattern::parse("a/smoke_%04d.vdb")->of(12), "a/smoke_0012.vdb");
-  EXPECT_EQ(FramePattern::parse("s%d.ply")->of(12), "s12.ply");
-  EXPECT_EQ(FramePattern::parse("s%02d.ply")->of(123), "s123.ply");
+  EXPECT_EQ(FramePattern::parse("a/smoke_%04d.vdb")->file_of(12), "a/smoke_0012.vdb");
+  EXPECT_EQ(FramePattern::parse("s%d.ply")->file_of(12), "s12.ply");
+  EXPECT_EQ(FramePattern::parse("s%02d.ply")->file_of(123), "s123.ply");
   for (const char* text : {"s.ply", "%d_%d.ply", "%s.ply", "%010d.ply"}) {
     EXPECT_FALSE(FramePattern::parse(text)) << text;
   }
 }
 
-TEST(FramePattern, IsFoundAroundOneOfItsFiles) {
+TEST(FramePattern, IsFoundFromOneOfItsFiles) {
   const TemporaryFolder folder;
   for (const char* name : {"smoke_0011.vdb", "smoke_0012.vdb", "smoke_0100.vdb", "smoke_013.vdb",
                            "smoke_0014.ply", "a9.ply", "a10.ply", "alone1.ply", "none.ply"}) {

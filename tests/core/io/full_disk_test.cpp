@@ -7,11 +7,11 @@
 #include <ostream>
 
 #include "core/io/atomic_file.h"
-#include "core/io/gather.h"
-#include "core/io/gaussian_file.h"
-#include "core/io/image_file.h"
-#include "core/io/scene_file.h"
-#include "core/io/volume_file.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/image/image_file.h"
+#include "core/io/scene/gather.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/volume/volume_file.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -145,7 +145,7 @@ TEST_F(FullDisk, GatherLeavesNothing) {
 }
 
 // As libraries do that cannot tell of errors.
-TEST_F(FullDisk, ALostExceptionIsStillAnError) {
+TEST_F(FullDisk, SwallowedExceptionsAreReported) {
   const fs::path file = folder_.write("a.txt", "old");
   std::string error;
   {

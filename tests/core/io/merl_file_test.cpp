@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/merl_writer.h"
 #include "tests/core/io/temporary_folder.h"
@@ -88,7 +88,7 @@ TEST(MerlFile, RefusesWhatItIsNot) {
   EXPECT_TRUE(contains(error(bytes), "sample 17: found nan"));
 }
 
-TEST(MerlFile, IsReadWithItsSceneOnce) {
+TEST(MerlFile, IsReadOncePerScene) {
   const TemporaryFolder folder;
   folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder.write("phong.binary", phong_bytes());

@@ -41,7 +41,7 @@ int status_of_writing(const fs::path& file, int signal, void (*disposition)(int)
   });
 }
 
-TEST(TemporaryFiles, GoWhenASignalEndsTheProgram) {
+TEST(TemporaryFiles, AreRemovedOnSignals) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     SCOPED_TRACE(signal);
     const TemporaryFolder folder;
@@ -54,7 +54,7 @@ TEST(TemporaryFiles, GoWhenASignalEndsTheProgram) {
   }
 }
 
-TEST(TemporaryFiles, GoWithTheFoldersTheyAreIn) {
+TEST(TemporaryFiles, AreRemovedWithTheirFolders) {
   const TemporaryFolder folder;
   const fs::path outside = folder.write("outside.txt", "stays");
   const int status = status_of([&] {
@@ -70,7 +70,7 @@ TEST(TemporaryFiles, GoWithTheFoldersTheyAreIn) {
   EXPECT_EQ(content_of(outside), "stays");
 }
 
-TEST(TemporaryFiles, StayWhereTheSignalIsIgnored) {
+TEST(TemporaryFiles, RemainWhereTheSignalIsIgnored) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");
   const int status = status_of_writing(file, SIGHUP, SIG_IGN);  // as nohup does
@@ -87,7 +87,7 @@ TEST(TemporaryFiles, FinishedFilesStay) {
   EXPECT_EQ(content_of(folder / "a.txt"), "new");
 }
 
-TEST(TemporaryFiles, AFileBeyondTheLimitIsAnError) {
+TEST(TemporaryFiles, FilesBeyondTheLimitAreAnError) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");
   const int status = status_of([&] {

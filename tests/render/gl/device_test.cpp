@@ -18,7 +18,7 @@ namespace {
 
 constexpr Device able{"A GPU", 4, 6, false, 1 << 30, 49152, 1024, 16, 32768};
 
-TEST(Device, KnowsSoftwareByItsName) {
+TEST(Device, RecognizesSoftwareRenderers) {
   for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer"}) {
     EXPECT_TRUE(is_software_renderer(name)) << name;
   }
@@ -28,14 +28,15 @@ TEST(Device, KnowsSoftwareByItsName) {
   }
 }
 
-TEST(Device, SaysWhatItLacks) {
-  EXPECT_EQ(lack(able), "");
+TEST(Device, ReportsMissingFeatures) {
+  EXPECT_EQ(missing_feature(able), "");
   Device device = able;
   device.minor = 4;
-  EXPECT_EQ(lack(device), "OpenGL 4.5 is needed, A GPU has 4.4");
+  EXPECT_EQ(missing_feature(device), "OpenGL 4.5 is required, A GPU has 4.4");
   device = able;
   device.shared_bytes = 16384;
-  EXPECT_EQ(lack(device), "A GPU offers 16384 bytes shared by a work group; 32768 are needed");
+  EXPECT_EQ(missing_feature(device),
+            "A GPU offers 16384 bytes shared by a work group; 32768 are required");
 }
 
 using InContext = GlTest;
@@ -43,7 +44,7 @@ using InContext = GlTest;
 TEST_F(InContext, RunsThePasses) {
   const Device device = current_device();
   EXPECT_NE(device.name, "");
-  EXPECT_EQ(lack(device), "");
+  EXPECT_EQ(missing_feature(device), "");
 }
 
 TEST_F(InContext, ContextsThatShareSeeTheSameTextures) {
@@ -65,8 +66,8 @@ TEST_F(InContext, ContextsThatShareSeeTheSameTextures) {
 TEST_F(InContext, MessagesAreCollected) {
   glEnable(GL_TEXTURE_BINDING_2D);  // not something to enable
   EXPECT_NE(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-  EXPECT_EQ(messages_->take().size(), 1u);
-  EXPECT_TRUE(messages_->take().empty());
+  EXPECT_EQ(messages_->collect().size(), 1u);
+  EXPECT_TRUE(messages_->collect().empty());
 }
 
 TEST_F(InContext, BuffersKeepWhatTheyTake) {
@@ -90,12 +91,12 @@ TEST_F(InContext, BuffersKeepWhatTheyTake) {
 }
 
 TEST_F(InContext, BuffersThatShadersCannotReachAreRefused) {
-  GLint64 most = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+  GLint64 max_value = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_value);
   constexpr GLint64 affordable = 1 << 28;
-  if (most > affordable) return;  // of a GPU: more than a test should take
+  if (max_value > affordable) return;  // of a GPU: more than a test should take
   Buffer buffer;
-  buffer.reserve(static_cast<std::size_t>(most));  // and some room beyond
+  buffer.reserve(static_cast<std::size_t>(max_value));  // and some room beyond
   EXPECT_THROW(buffer.bind(0), OutOfMemory);
 }
 
@@ -133,7 +134,7 @@ TEST_F(InContext, ObjectsGoWithTheirOwners) {
   EXPECT_EQ(live_objects(), before);
 }
 
-TEST_F(InContext, WhatFailsSaysSo) {
+TEST_F(InContext, FailuresThrow) {
   EXPECT_THROW(shader_source("none.glsl"), Error);
   failures().shader = true;
   EXPECT_THROW(Program("composite.glsl"), Error);
@@ -146,10 +147,10 @@ TEST_F(InContext, WhatFailsSaysSo) {
   EXPECT_THROW(check("a test"), Error);
   failures() = {};
   EXPECT_NO_THROW(check("a test"));
-  messages_->take();  // of the broken shader
+  messages_->collect();  // of the broken shader
 }
 
-TEST_F(InContext, CompositePutsTheMediumBeforeWhatIsBehind) {
+TEST_F(InContext, CompositeAttenuatesTheBackground) {
   const glm::ivec2 size(19, 9);  // no multiple of the work groups'
   const auto pixels = static_cast<std::size_t>(size.x * size.y);
   std::vector<glm::vec4> medium(pixels);

@@ -11,7 +11,7 @@
 #include <glm/vec4.hpp>
 #include <limits>
 
-#include "render/gl/gl_renderer.h"
+#include "render/gl_renderer.h"
 #include "tests/render/gl/gl_test.h"
 #include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
@@ -37,8 +37,8 @@ class Display : public GlTest {
     GlTest::TearDown();
   }
 
-  GlRenderer::Shown show(const Scene& scene, const Settings& settings,
-                         const DisplayOptions& options) {
+  GlRenderer::DisplayFrame show(const Scene& scene, const Settings& settings,
+                                const DisplayOptions& options) {
     auto shown = gl_->show(scene, scene.camera, scene.film, settings, options);
     EXPECT_TRUE(context_->make_current());
     return std::move(*shown);
@@ -64,9 +64,10 @@ class Display : public GlTest {
 
   static int furthest(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     if (a.size() != b.size()) return 256;
-    int most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
+    int max_value = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      max_value = std::max(max_value, std::abs(a[i] - b[i]));
+    return max_value;
   }
 
   std::shared_ptr<PicturePool> pool_ = PicturePool::create();
@@ -83,7 +84,7 @@ Scene scene_with_wall() {
 
 Settings quick() {
   Settings settings = sliced_settings({}, 6);
-  settings.light_table = {16, 8};
+  settings.optical_depth_table = {16, 8};
   return settings;
 }
 
@@ -93,7 +94,7 @@ bool has_stage(const Frame& frame, const char* name) {
 }
 
 // The texels of a film of 1 x n, shown.
-TEST_F(Display, IsToDisplayForAllRadiances) {
+TEST_F(Display, MatchesToDisplayForAllRadiances) {
   constexpr int steps = 2000;
   Frame frame;
   std::vector<float> airlight;
@@ -113,25 +114,25 @@ TEST_F(Display, IsToDisplayForAllRadiances) {
   const std::vector<AlbedoGroup> groups = albedo_groups(glm::dvec3(1.0));
   for (const double exposure :
        {0.0, -3.5, 20.0, -20.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
-    const auto picture = pool_->take({frame.film.width, 1});
+    const auto picture = pool_->acquire({frame.film.width, 1});
     stage.run(programs, film, {.exposure = exposure}, groups, 0, picture->texture());
     EXPECT_LE(furthest(bytes_of(*picture), to_display(frame, exposure)), 1) << exposure;
   }
 }
 
-TEST_F(Display, ShowsWhatIsReadBackOtherwise) {
+TEST_F(Display, MatchesTheDownloadedFrame) {
   Scene scene = scene_with_wall();
   for (const glm::dvec3 albedo :
        {glm::dvec3(1.0), glm::dvec3(0.7), glm::dvec3(0.9, 0.5, 0.9), glm::dvec3(0.9, 0.5, 0.2)}) {
     scene.optics.albedo = albedo;
     for (const double exposure : {0.0, 2.5}) {
-      const GlRenderer::Shown shown = show(scene, quick(), {.exposure = exposure});
+      const GlRenderer::DisplayFrame shown = show(scene, quick(), {.exposure = exposure});
       ASSERT_TRUE(shown.picture);
       EXPECT_EQ(shown.frame.statistics.backend, "gl");
       const Frame frame = *gl_->render(scene, scene.camera, scene.film, quick());
       ASSERT_TRUE(context_->make_current());
       EXPECT_LE(furthest(bytes_of(*shown.picture), to_display(frame, exposure)), 1);
-      const GlRenderer::Shown medium =
+      const GlRenderer::DisplayFrame medium =
           show(scene, quick(), {DisplayOptions::Layer::airlight, exposure});
       Frame airlight = frame;
       for (std::size_t i = 0; i < frame.depth.size(); ++i) {
@@ -142,7 +143,7 @@ TEST_F(Display, ShowsWhatIsReadBackOtherwise) {
   }
 }
 
-TEST_F(Display, FetchesOnlyWhatIsAskedFor) {
+TEST_F(Display, DownloadsOnlyRequestedLayers) {
   const Scene scene = scene_with_wall();
   const Frame whole = *gl_->render(scene, scene.camera, scene.film, quick());
   EXPECT_TRUE(has_stage(whole, "read_back"));
@@ -163,7 +164,7 @@ TEST_F(Display, FetchesOnlyWhatIsAskedFor) {
   EXPECT_TRUE(show(bare, quick(), {.depth = true}).frame.depth.empty());
 }
 
-TEST_F(Display, WithoutAPoolFramesAreWhole) {
+TEST_F(Display, WithoutAPoolAllLayersAreDownloaded) {
   std::string problem;
   const auto alone = GlRenderer::create(context_->create_sharing(), nullptr, problem);
   const Scene scene = scene_with_wall();
@@ -173,10 +174,10 @@ TEST_F(Display, WithoutAPoolFramesAreWhole) {
   EXPECT_FALSE(shown->frame.beauty.empty());
 }
 
-TEST_F(Display, WhatTheDeviceCannotMakeIsWholeAndTheCpus) {
+TEST_F(Display, UnsupportedFramesAreRenderedByTheCpu) {
   const Scene scene = scene_with_wall();
   const auto expect_cpu = [&](const char* why) {
-    const GlRenderer::Shown shown = show(scene, quick(), {});
+    const GlRenderer::DisplayFrame shown = show(scene, quick(), {});
     EXPECT_FALSE(shown.picture);
     EXPECT_EQ(shown.frame.statistics.backend, "cpu");
     EXPECT_EQ(shown.frame.beauty.size(), 4u * 45 * 34);
@@ -184,7 +185,7 @@ TEST_F(Display, WhatTheDeviceCannotMakeIsWholeAndTheCpus) {
     EXPECT_NE(shown.frame.statistics.on_cpu[0].why.find(why), std::string::npos);
   };
   failures().memory = true;
-  expect_cpu("no memory");
+  expect_cpu("out of device memory");
   failures() = {};
   EXPECT_TRUE(show(scene, quick(), {}).picture);
   failures().context = true;
@@ -220,29 +221,29 @@ TEST_F(Display, NoPictureIsWrittenWhileItIsHeld) {
 TEST_F(Display, PicturesAreUsedAgain) {
   pool_->trim();
   const std::size_t objects = live_objects();
-  const unsigned first = pool_->take({8, 6})->texture().name();
+  const unsigned first = pool_->acquire({8, 6})->texture().name();
   {
-    const auto again = pool_->take({8, 6});
+    const auto again = pool_->acquire({8, 6});
     EXPECT_EQ(again->texture().name(), first);
-    const auto another = pool_->take({8, 6});
+    const auto another = pool_->acquire({8, 6});
     EXPECT_NE(another->texture().name(), first);
     again->drawn();
   }
   // Of many sizes only some are kept.
-  for (int k = 1; k < 40; ++k) pool_->take({8 + k, 6})->drawn();
+  for (int k = 1; k < 40; ++k) pool_->acquire({8 + k, 6})->drawn();
   EXPECT_LE(live_objects(), objects + 10);
   pool_->trim();
   EXPECT_EQ(live_objects(), objects);
 }
 
 // As when the program ends while a frame is under way.
-TEST_F(Display, APictureMayOutliveItsContexts) {
+TEST_F(Display, PicturesMayOutliveTheirContexts) {
   const std::size_t objects = live_objects();
   std::shared_ptr<DevicePicture> picture;
   {
     const auto other = EglContext::create();
     auto pool = PicturePool::create();
-    picture = pool->take({8, 6});
+    picture = pool->acquire({8, 6});
     picture->drawn();
   }
   picture.reset();

@@ -45,7 +45,7 @@ TEST_F(GlFrames, ComputePixelsNearestToALight) {
 }
 
 // A wall whose plane the eye lies in, but for a rounding: see EdgeOn of test_render.
-TEST_F(GlFrames, DoNotShowWhatIsSeenEdgeOn) {
+TEST_F(GlFrames, HideTrianglesSeenEdgeOn) {
   for (const double off : {0.0, 1e-9, -2e-8}) {
     for (const glm::dvec3& eye : {glm::dvec3(0.3, 0.7, off), glm::dvec3(4.0, 3.0, off)}) {
       Scene scene = cloud_scene(3, 1.0);

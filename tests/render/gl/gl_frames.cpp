@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "render/compare.h"
+#include "render/output/compare.h"
 #include "render/renderer.h"
 
 namespace brume::gl {
@@ -20,7 +20,7 @@ Frame on_cpu(const Scene& scene, const Settings& settings) {
 
 Settings quick_slices() {
   Settings settings = sliced_settings({}, 12);
-  settings.light_table = {48, 24};
+  settings.optical_depth_table = {48, 24};
   settings.shadow_cells = 96;
   settings.source_grid = {200, 12};
   return settings;
@@ -40,7 +40,7 @@ void GlFrames::TearDown() {
   failures() = {};
   if (!gl_) return;
   ASSERT_TRUE(gl_->context().make_current());
-  for (const std::string& message : messages_->take()) ADD_FAILURE() << message;
+  for (const std::string& message : messages_->collect()) ADD_FAILURE() << message;
   messages_.reset();
   gl_.reset();
   EXPECT_EQ(live_objects(), objects_) << "objects were left over";

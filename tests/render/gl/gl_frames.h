@@ -9,8 +9,8 @@
 #include "core/scene/scene.h"
 #include "render/gl/device.h"
 #include "render/gl/failures.h"
-#include "render/gl/gl_renderer.h"
 #include "render/gl/resources.h"
+#include "render/gl_renderer.h"
 
 namespace brume::gl {
 

@@ -28,7 +28,7 @@ TEST(GlPlan, LeavesTheCpuWhatOnlyItCan) {
   settings.airlight = AirlightMethod::paper;
   EXPECT_EQ(plan_of(scene, settings).refusal, "");
   EXPECT_TRUE(has(plan_of(scene, settings), "eye_depth"));
-  settings.arithmetic = Settings::Arithmetic::plain_double;
+  settings.precision = Settings::Precision::plain_double;
   EXPECT_NE(plan_of(scene, settings).refusal, "");
   for (const AirlightMethod method : {AirlightMethod::march, AirlightMethod::reference}) {
     settings = {};
@@ -38,7 +38,7 @@ TEST(GlPlan, LeavesTheCpuWhatOnlyItCan) {
   }
 }
 
-TEST(GlPlan, KnowsHowManySlicesThereIsRoomFor) {
+TEST(GlPlan, RefusesTooManySlices) {
   Scene scene = cloud_scene(3, 1.0);
   EXPECT_EQ(plan_of(scene, sliced_settings({}, 256)).refusal, "");
   EXPECT_NE(plan_of(scene, sliced_settings({}, 257)).refusal, "");
@@ -47,7 +47,7 @@ TEST(GlPlan, KnowsHowManySlicesThereIsRoomFor) {
   EXPECT_EQ(plan_of(scene, sliced_settings({}, 96)).refusal, "");
 }
 
-TEST(GlPlan, SaysWhatSurfacesAndEnvironmentsNeed) {
+TEST(GlPlan, ListsWhatSurfacesAndEnvironmentsNeed) {
   Scene scene = cloud_scene(3, 1.0);
   scene.surfaces.push_back(wall(-1.0, 1.0));
   const GlPlan plan = plan_of(scene, sliced_settings({}, 12));

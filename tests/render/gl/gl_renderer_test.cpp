@@ -1,11 +1,11 @@
 // Frames of the device against those of the CPU with the same settings.
 
-#include "render/gl/gl_renderer.h"
+#include "render/gl_renderer.h"
 
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "core/io/scene_file.h"
+#include "core/io/scene/scene_file.h"
 #include "core/scene/measured_brdf.h"
 #include "core/scene/radiance_map.h"
 #include "render/render_plan.h"
@@ -15,7 +15,7 @@
 #include "tests/render/random_scene.h"
 #include "tests/render/test_meshes.h"
 #include "tests/render/test_scenes.h"
-#include "tools/bench/benchmark_scenes.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume::gl {
 namespace {
@@ -32,16 +32,16 @@ struct LayerErrors {
         transmittance(rel_rmse(a.transmittance, b.transmittance)),
         beauty(rel_rmse(a.beauty, b.beauty)),
         depth(rel_rmse(a.depth, b.depth)) {}
-  [[nodiscard]] double greatest() const {
+  [[nodiscard]] double max_value() const {
     return std::max({airlight, transmittance, beauty, depth});
   }
 };
 
-void expect_within(const LayerErrors& error, double most, const std::string& what) {
-  EXPECT_LE(error.airlight, most) << what;
-  EXPECT_LE(error.transmittance, most) << what;
-  EXPECT_LE(error.beauty, most) << what;
-  EXPECT_LE(error.depth, most) << what;
+void expect_within(const LayerErrors& error, double limit, const std::string& what) {
+  EXPECT_LE(error.airlight, limit) << what;
+  EXPECT_LE(error.transmittance, limit) << what;
+  EXPECT_LE(error.beauty, limit) << what;
+  EXPECT_LE(error.depth, limit) << what;
 }
 
 // The scene as single precision may see it: lights and view are off by a rounding of their distance
@@ -97,10 +97,10 @@ TEST_F(GlFrames, RandomScenes) {
       const std::string name = "seed " + std::to_string(seed) + ", " + airlight_name(settings);
       const Frame cpu = on_cpu(scene, settings);
       const LayerErrors error(render_on_device(scene, settings, name), cpu);
-      if (error.greatest() <= bound) continue;
+      if (error.max_value() <= bound) continue;
       // Some scenes are too much for single precision: the CPU's own frame is as far off.
       ++unstable;
-      const double own = LayerErrors(on_cpu(rounded(scene), settings), cpu).greatest();
+      const double own = LayerErrors(on_cpu(rounded(scene), settings), cpu).max_value();
       expect_within(error, 3.0 * own, name);
     }
   }
@@ -206,7 +206,7 @@ class GlSurfaces : public GlFrames {
   Scene scene_;
 };
 
-TEST_F(GlSurfaces, AreLitByLamps) {
+TEST_F(GlSurfaces, MatchTheCpuUnderLights) {
   const Scene in_fog = scene_;
   Settings of_the_paper = quick_slices();
   of_the_paper.paper_spread = true;
@@ -229,7 +229,7 @@ TEST_F(GlSurfaces, AreLitByLamps) {
 }
 
 // Of two tables, one with cells that were not measured.
-TEST_F(GlSurfaces, AreOfMeasuredMaterials) {
+TEST_F(GlSurfaces, MatchTheCpuWithMeasuredMaterials) {
   for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
     std::vector<glm::vec3> values(MeasuredBrdf::samples);
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -254,7 +254,7 @@ TEST_F(GlSurfaces, AreOfMeasuredMaterials) {
   expect_same(quick_slices(), "measured, in clear air");
 }
 
-TEST_F(GlSurfaces, WithRadianceTransferAreLit) {
+TEST_F(GlSurfaces, MatchTheCpuWithRadianceTransfer) {
   scene_.surfaces[0].transfer = Surface::Transfer::shadow;
   scene_.surfaces[1].transfer = Surface::Transfer::interreflection;
   scene_.surfaces[0].rotate = glm::dquat(0.8, 0.36, 0.0, 0.48);
@@ -272,7 +272,7 @@ TEST_F(GlSurfaces, WithRadianceTransferAreLit) {
   }
 }
 
-TEST_F(GlSurfaces, AreLitByAnEnvironment) {
+TEST_F(GlSurfaces, MatchTheCpuUnderAnEnvironment) {
   scene_.environment.emplace();
   auto sky = std::make_shared<RadianceMap>(*smooth_sky());
   // A small bright part, which all bands see.
@@ -309,15 +309,15 @@ TEST_F(GlSurfaces, AreLitByAnEnvironment) {
 
 // Everything that may change from frame to frame, a little, one thing at a time: no message, and
 // nothing that stays behind.
-TEST_F(GlFrames, AThousandChangesLeaveNothingBehind) {
+TEST_F(GlFrames, AThousandChangesLeakNoObjects) {
   Random random(1);
   Scene scene = cloud_scene(8, 2.0);
   scene.film = {20, 15};
   Settings settings = sliced_settings({}, 4);
-  settings.light_table = {16, 8};
+  settings.optical_depth_table = {16, 8};
   settings.shadow_cells = 16;
   settings.source_grid = {64, 6};
-  std::size_t most = 0;
+  std::size_t limit = 0;
   for (int i = 0; i < 1000; ++i) {
     const auto in = [&](int from, int to) {
       return from + static_cast<int>(random.uniform(0.0, to - from + 1));
@@ -370,13 +370,13 @@ TEST_F(GlFrames, AThousandChangesLeaveNothingBehind) {
     ASSERT_EQ(frame.statistics.backend, "gl") << i << ": " << frame.statistics.on_cpu[0].why;
     ASSERT_NO_FATAL_FAILURE(expect_finite(frame)) << i;
     // All that there can be has been there after some hundred frames.
-    if (i < 500) most = std::max(most, live_objects());
-    ASSERT_LE(live_objects(), most) << i;
+    if (i < 500) limit = std::max(limit, live_objects());
+    ASSERT_LE(live_objects(), limit) << i;
   }
 }
 
 // A moved camera makes no table, a moved light one, a changed medium all.
-TEST_F(GlFrames, KeepsWhatHasNotChanged) {
+TEST_F(GlFrames, ReusesUnchangedData) {
   Scene scene = cloud_scene(10, 2.0);
   scene.film = {16, 12};
   scene.lights.push_back(scene.lights[0]);
@@ -398,7 +398,7 @@ TEST_F(GlFrames, KeepsWhatHasNotChanged) {
   expect_within({render(scene, settings), on_cpu(scene, settings)}, bound, "kept");
 }
 
-TEST_F(GlFrames, StopsWhenAsked) {
+TEST_F(GlFrames, StopsOnRequest) {
   const Scene scene = cloud_scene(3, 1.0);
   std::stop_source stop;
   stop.request_stop();
@@ -406,7 +406,7 @@ TEST_F(GlFrames, StopsWhenAsked) {
   EXPECT_TRUE(gl_->render(scene, scene.camera, {8, 6}, quick_slices()));
 }
 
-TEST(MakeRenderer, TakesNoSoftwareUnasked) {
+TEST(MakeRenderer, UsesNoSoftwareRendererUnlessRequested) {
   const Scene scene = cloud_scene(3, 1.0);
   std::string problem;
   for (const Backend backend : {Backend::auto_, Backend::cpu, Backend::gl}) {
@@ -432,7 +432,7 @@ class GlFailures : public GlFrames {
     EXPECT_NE(frame.statistics.on_cpu[0].why.find(why), std::string::npos)
         << frame.statistics.on_cpu[0].why;
     EXPECT_EQ(frame.beauty, on_cpu(scene_, settings_).beauty);
-    messages_->take();  // the driver may speak of what was made to fail
+    messages_->collect();  // the driver may speak of what was made to fail
   }
   void expect_gl() { EXPECT_EQ(render(scene_, settings_).statistics.backend, "gl"); }
 
@@ -444,11 +444,11 @@ class GlFailures : public GlFrames {
   Settings settings_ = sliced_settings({}, 4);
 };
 
-TEST_F(GlFailures, AFrameThatFindsNoMemoryIsTheCpusAndTheNextIsNot) {
+TEST_F(GlFailures, OutOfMemoryFallsBackToTheCpuForOneFrame) {
   expect_gl();
   failures().memory = true;
   scene_.film = {9, 7};
-  expect_cpu("no memory");
+  expect_cpu("out of device memory");
   failures() = {};
   expect_gl();
 }
@@ -461,19 +461,19 @@ TEST_F(GlFailures, AfterALostContextAllIsTheCpus) {
   expect_cpu("lost");
 }
 
-TEST_F(GlFailures, WithABrokenShaderAllIsTheCpus) {
+TEST_F(GlFailures, ABrokenShaderFallsBackToTheCpu) {
   failures().shader = true;
-  expect_cpu("refuses shader");
+  expect_cpu("rejects shader");
   failures() = {};
-  expect_cpu("refuses shader");
+  expect_cpu("rejects shader");
 }
 
-TEST_F(GlFailures, WhatTheDeviceDoesNotDoIsTheCpus) {
+TEST_F(GlFailures, UnsupportedSettingsFallBackToTheCpu) {
   settings_.airlight = AirlightMethod::march;
   settings_.march_steps = 8;
   expect_cpu("march");
   settings_ = sliced_settings({}, 300);
-  settings_.light_table = {16, 8};
+  settings_.optical_depth_table = {16, 8};
   expect_cpu("slices");
 }
 

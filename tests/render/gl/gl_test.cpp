@@ -20,7 +20,7 @@ void GlTest::TearDown() {
 }
 
 void GlTest::expect_no_messages() {
-  for (const std::string& message : messages_->take()) ADD_FAILURE() << message;
+  for (const std::string& message : messages_->collect()) ADD_FAILURE() << message;
 }
 
 }  // namespace brume::gl

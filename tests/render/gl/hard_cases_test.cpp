@@ -1,15 +1,15 @@
 // The hard cases of resources/hard_cases on the device.
 
-#include "tools/bench/hard_cases.h"
+#include "tools/bench/measure/hard_cases.h"
 
 #include <gtest/gtest.h>
 
-#include "render/gl/gl_renderer.h"
+#include "render/gl_renderer.h"
 
 namespace brume {
 namespace {
 
-TEST(GlHardCases, ComeOutRight) {
+TEST(GlHardCases, MatchTheGoldenValues) {
   std::string problem;
   const std::unique_ptr<GlRenderer> gl = GlRenderer::create(nullptr, problem, true);
   ASSERT_TRUE(gl) << problem;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/triangle_hierarchy.h"
+#include "render/visibility/triangle_bvh.h"
 #include "tests/random.h"
 #include "tests/render/gl/gl_test.h"
 #include "tests/render/test_meshes.h"
@@ -56,8 +56,8 @@ class DeviceRays : public GlTest {
   int expect_same_hits(const std::vector<Surface>& surfaces, const Camera& camera) {
     const Film film{160, 120};
     const CameraRays rays(camera, film);
-    const Visibility visibility(surfaces);
-    mesh_.update(visibility, ++revision_);
+    const RayCaster ray_caster(surfaces);
+    mesh_.update(ray_caster, ++revision_);
     depth_.reserve(Texture::Format::r32f, {film.width, film.height});
     mesh_.find_hits(programs_, rays, film, depth_);
     const std::vector<SurfaceHit> hits = mesh_.download_hits();
@@ -66,7 +66,7 @@ class DeviceRays : public GlTest {
     for (int y = 0; y < film.height; ++y) {
       for (int x = 0; x < film.width; ++x) {
         const SurfaceHit& hit = hits[static_cast<std::size_t>(y * film.width + x)];
-        const SurfaceHit exact = visibility.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
+        const SurfaceHit exact = ray_caster.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
         found += exact ? 1 : 0;
         // On an edge either triangle is right.
         if (static_cast<bool>(hit) == static_cast<bool>(exact) &&
@@ -100,7 +100,7 @@ class DeviceRays : public GlTest {
   std::uint64_t revision_ = 0;
 };
 
-TEST_F(DeviceRays, FindWhatEmbreeFinds) {
+TEST_F(DeviceRays, MatchEmbree) {
   Camera camera;
   camera.eye = {3.0, -4.0, 2.5};
   camera.target = {0.0, 0.0, 0.5};
@@ -127,7 +127,7 @@ TEST_F(DeviceRays, PassBetweenNoTriangles) {
 }
 
 // Far from the origin, and from far away through a narrow lens.
-TEST_F(DeviceRays, LoseNothingFarAway) {
+TEST_F(DeviceRays, StayAccurateFarFromTheOrigin) {
   const glm::dvec3 at(1e6, -2e6, 3e6);
   Camera camera;
   camera.up = {0.0, 0.0, 1.0};
@@ -139,16 +139,16 @@ TEST_F(DeviceRays, LoseNothingFarAway) {
   EXPECT_GT(expect_same_hits(ball_over_floor(at), camera), 5000);
 }
 
-TEST(TriangleHierarchies, HoldEveryTriangleOnce) {
+TEST(TriangleHierarchies, ContainEveryTriangleOnce) {
   for (const int count : {1, 2, 5, 1000}) {
     const std::vector<Surface> surfaces = random_triangles(count);
-    const std::vector<PlacedTriangle> triangles = Visibility(surfaces).triangles();
-    const TriangleHierarchy hierarchy(triangles);
+    const std::vector<WorldTriangle> triangles = RayCaster(surfaces).triangles();
+    const TriangleBvh bvh(triangles);
     std::vector<int> met(triangles.size(), 0);
-    for (const TriangleHierarchy::Node& node : hierarchy.nodes) {
-      for (const TriangleHierarchy::Child& child : node.children) {
+    for (const TriangleBvh::Node& node : bvh.nodes) {
+      for (const TriangleBvh::Child& child : node.children) {
         for (std::int32_t k = 0; k < child.count; ++k) {
-          const std::uint32_t i = hierarchy.order[static_cast<std::size_t>(child.first + k)];
+          const std::uint32_t i = bvh.order[static_cast<std::size_t>(child.first + k)];
           ++met[i];
           for (const glm::vec3& p : triangles[i].positions) {
             for (int c = 0; c < 3; ++c) {
@@ -161,7 +161,7 @@ TEST(TriangleHierarchies, HoldEveryTriangleOnce) {
     }
     EXPECT_EQ(met, std::vector<int>(triangles.size(), 1));
   }
-  EXPECT_TRUE(TriangleHierarchy(std::span<const PlacedTriangle>()).nodes.empty());
+  EXPECT_TRUE(TriangleBvh(std::span<const WorldTriangle>()).nodes.empty());
 }
 
 }  // namespace

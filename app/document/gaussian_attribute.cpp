@@ -1,0 +1,129 @@
+#include "app/document/gaussian_attribute.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/document/arithmetic.h"
+
+namespace brume {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("GaussianField", text);
+}
+
+}  // namespace
+
+const NumberDomain& attribute_domain(GaussianAttribute field) {
+  switch (field) {
+    case GaussianAttribute::radius:
+      return domain::length;
+    case GaussianAttribute::density:
+      return domain::density;
+    default:
+      return domain::coordinate;
+  }
+}
+
+QString attribute_title(GaussianAttribute field) {
+  switch (field) {
+    case GaussianAttribute::center_x:
+      return tr("Center X");
+    case GaussianAttribute::center_y:
+      return tr("Center Y");
+    case GaussianAttribute::center_z:
+      return tr("Center Z");
+    case GaussianAttribute::radius:
+      return tr("Radius");
+    case GaussianAttribute::density:
+      return tr("Density");
+  }
+  return {};
+}
+
+QString attribute_name(GaussianAttribute field) {
+  return attribute_title(field).toLower();
+}
+
+double attribute_value(const Gaussian& gaussian, GaussianAttribute field) {
+  switch (field) {
+    case GaussianAttribute::center_x:
+      return gaussian.center.x;
+    case GaussianAttribute::center_y:
+      return gaussian.center.y;
+    case GaussianAttribute::center_z:
+      return gaussian.center.z;
+    case GaussianAttribute::radius:
+      return gaussian.radius;
+    case GaussianAttribute::density:
+      return gaussian.density;
+  }
+  return 0.0;
+}
+
+void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double value) {
+  switch (field) {
+    case GaussianAttribute::center_x:
+      gaussian.center.x = value;
+      break;
+    case GaussianAttribute::center_y:
+      gaussian.center.y = value;
+      break;
+    case GaussianAttribute::center_z:
+      gaussian.center.z = value;
+      break;
+    case GaussianAttribute::radius:
+      gaussian.radius = value;
+      break;
+    case GaussianAttribute::density:
+      gaussian.density = value;
+      break;
+  }
+}
+
+Gaussian within_domains(const Gaussian& gaussian) {
+  Gaussian result = gaussian;
+  for (const GaussianAttribute field : gaussian_attributes) {
+    const NumberDomain& domain = attribute_domain(field);
+    const double value = attribute_value(gaussian, field);
+    set_attribute_value(result, field, std::clamp(value, domain.min_value, domain.max_value));
+  }
+  return result;
+}
+
+QString attribute_problem(GaussianAttribute field, double value) {
+  const NumberDomain& domain = attribute_domain(field);
+  if (domain.contains(value)) return {};
+  const QString rule = tr("%1 must be %2").arg(attribute_title(field), domain.allowed);
+  // What is no number at all was text that only the user knows.
+  if (std::isnan(value)) return rule + '.';
+  return tr("%1, not %2.").arg(rule, number_text(value));
+}
+
+double parse_number(const QString& text) {
+  QString plain = text.trimmed();
+  plain.replace(QChar(0x2212), QLatin1Char('-'));
+  bool ok = false;
+  double value = plain.toDouble(&ok);
+  // A decimal comma is what many keyboards give.
+  if (!ok) value = plain.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
+  if (ok) return value;
+  return evaluate(plain).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+QString number_text(double value) {
+  return QString::number(value, 'g', 6);
+}
+
+QString exact_number_text(double value) {
+  return QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString gaussians_text(std::size_t count) {
+  return count == 1 ? tr("Gaussian") : tr("%1 Gaussians").arg(count);
+}
+
+}  // namespace brume

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QString>
+#include <array>
+
+#include "core/medium/gaussian.h"
+#include "core/number_domain.h"
+
+namespace brume {
+
+// The editable attributes of a Gaussian, in display order.
+enum class GaussianAttribute { center_x, center_y, center_z, radius, density };
+
+inline constexpr std::array gaussian_attributes{
+    GaussianAttribute::center_x, GaussianAttribute::center_y, GaussianAttribute::center_z,
+    GaussianAttribute::radius, GaussianAttribute::density};
+
+QString attribute_title(GaussianAttribute field);  // "Center X"
+QString attribute_name(GaussianAttribute field);   // "center x", for use inside a sentence
+
+// The domain in files, so everything edited can be loaded again.
+const NumberDomain& attribute_domain(GaussianAttribute field);
+
+double attribute_value(const Gaussian& gaussian, GaussianAttribute field);
+void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double value);
+
+// Clamps all attributes to their domains.
+Gaussian within_domains(const Gaussian& gaussian);
+
+// Message for a value outside the domain; empty if valid.
+QString attribute_problem(GaussianAttribute field, double value);
+
+// Parses a number or arithmetic expression (see evaluate()); NaN otherwise.
+double parse_number(const QString& text);
+// Short for display; exact for editing.
+QString number_text(double value);
+QString exact_number_text(double value);
+
+// "Gaussian" for one, "3 Gaussians" for three.
+QString gaussians_text(std::size_t count);
+
+}  // namespace brume

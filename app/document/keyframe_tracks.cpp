@@ -1,0 +1,162 @@
+#include "app/document/keyframe_tracks.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/animation.h"
+
+namespace brume {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("KeyRows", text);
+}
+
+// Calls visit(i, value, keys) for the values of a part that can have keys, in order.
+void visit_values(auto& part, auto&& visit) {
+  std::size_t i = 0;
+  const auto each = [&](const char*, auto& value, auto& keys, const NumberDomain&) {
+    visit(i++, value, keys);
+  };
+  std::visit(
+      [&]<class T>(T& value) {
+        using Part = std::remove_const_t<T>;
+        if constexpr (std::is_same_v<Part, KeyedCamera>) {
+          visit_keyed_camera(value.camera, value.keys, each);
+        } else if constexpr (std::is_same_v<Part, KeyedDensity>) {
+          visit_keyed_density(value.density, value.keys, each);
+        } else if constexpr (std::is_same_v<Part, Lights>) {
+          for (auto& light : value) visit_keyed_light(light, each);
+        } else if constexpr (std::is_same_v<Part, std::optional<Environment>>) {
+          if (value) visit_keyed_environment(*value, each);
+        } else if constexpr (std::is_same_v<Part, MediumOptics>) {
+          visit_keyed_optics(value, each);
+          visit_keyed_noise(value.noise, each);
+        }
+      },
+      part);
+}
+
+// The same for the values of a row.
+void visit_row(auto& part, const Track& row, auto&& visit) {
+  visit_values(part, [&](std::size_t i, auto& value, auto& keys) {
+    if (i >= row.first && i < row.first + row.count) visit(value, keys);
+  });
+}
+
+template <class T>
+std::size_t index_of() {
+  return ScenePart(T{}).index();
+}
+
+}  // namespace
+
+std::vector<Track> tracks(const Scene& scene) {
+  std::vector<Track> rows;
+  rows.push_back({tr("Camera"), index_of<KeyedCamera>(), 0, 3});
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    rows.push_back({tr("Light %1 position").arg(k + 1), index_of<Lights>(), 2 * k, 1});
+    rows.push_back({tr("Light %1 intensity").arg(k + 1), index_of<Lights>(), 2 * k + 1, 1});
+  }
+  if (scene.environment) {
+    const std::size_t part = index_of<std::optional<Environment>>();
+    rows.push_back({tr("Environment intensity"), part, 0, 1});
+    rows.push_back({tr("Environment rotation"), part, 1, 1});
+  }
+  rows.push_back({tr("Homogeneous density"), index_of<KeyedDensity>(), 0, 1});
+  const std::size_t optics = index_of<MediumOptics>();
+  rows.push_back({tr("Albedo"), optics, 0, 1});
+  rows.push_back({tr("Anisotropy"), optics, 1, 1});
+  rows.push_back({tr("Noise amplitude"), optics, 2, 1});
+  return rows;
+}
+
+std::vector<Track> tracks_with_keys(const Scene& scene) {
+  std::vector<Track> rows = tracks(scene);
+  std::erase_if(rows, [&](const Track& row) { return keyframes_of(scene, row).empty(); });
+  return rows;
+}
+
+std::vector<Keyframe> keyframes_of(const Scene& scene, const Track& row) {
+  std::vector<Keyframe> marks;
+  const ScenePart part = scene_part(scene, row.part);
+  visit_row(part, row, [&marks](const auto&, const auto& keys) {
+    for (const auto& key : keys) {
+      const auto is_same = [&key](const Keyframe& mark) {
+        return std::abs(mark.time - key.time) < min_key_distance;
+      };
+      if (std::any_of(marks.begin(), marks.end(), is_same)) continue;
+      marks.push_back({key.time, key.interpolation});
+    }
+  });
+  std::sort(marks.begin(), marks.end(),
+            [](const Keyframe& a, const Keyframe& b) { return a.time < b.time; });
+  return marks;
+}
+
+void set_keys(ScenePart& part, const Track& row, double time) {
+  visit_row(part, row, [time]<class T>(const T& value, Keys<T>& keys) {
+    Key<T> key{.time = time, .value = value};
+    // It goes on as the values did.
+    for (const Key<T>& other : keys) {
+      if (other.time < time + min_key_distance) key.interpolation = other.interpolation;
+    }
+    set_key(keys, key);
+  });
+}
+
+void delete_keys(ScenePart& part, const Track& row, double time) {
+  visit_row(part, row, [time](const auto&, auto& keys) {
+    if (const auto at = find_key(keys, time); at != keys.end()) keys.erase(at);
+  });
+}
+
+void move_keys(ScenePart& part, const Track& row, double old_time, double new_time) {
+  visit_row(part, row, [old_time, new_time](const auto&, auto& keys) {
+    const auto at = find_key(keys, old_time);
+    if (at == keys.end()) return;
+    auto key = *at;
+    keys.erase(at);
+    key.time = new_time;
+    set_key(keys, key);
+  });
+}
+
+void set_interpolation(ScenePart& part, const Track& row, double time,
+                       Interpolation interpolation) {
+  visit_row(part, row, [=](const auto&, auto& keys) {
+    const auto at = find_key(keys, time);
+    if (at != keys.end()) {
+      keys[static_cast<std::size_t>(at - keys.begin())].interpolation = interpolation;
+    }
+  });
+}
+
+void apply_keys(ScenePart& part, double time) {
+  visit_values(part, [time](std::size_t, auto& value, const auto& keys) {
+    if (!keys.empty()) value = value_at(keys, time);
+  });
+}
+
+void key_changes(const ScenePart& before, ScenePart& after, double time) {
+  if (before.index() != after.index()) return;
+  using Visited = std::variant<std::pair<const double*, const Keys<double>*>,
+                               std::pair<const glm::dvec3*, const Keys<glm::dvec3>*>>;
+  std::vector<Visited> were;
+  visit_values(before, [&were]<class T>(std::size_t, const T& value, const Keys<T>& keys) {
+    were.emplace_back(std::pair(&value, &keys));
+  });
+  std::vector<std::size_t> changed;
+  std::size_t count = 0;
+  visit_values(after, [&]<class T>(std::size_t i, const T& value, const Keys<T>& keys) {
+    ++count;
+    if (i >= were.size() || keys.empty()) return;
+    const auto* was = std::get_if<std::pair<const T*, const Keys<T>*>>(&were[i]);
+    if (was && *was->first != value && *was->second == keys) changed.push_back(i);
+  });
+  if (count != were.size()) return;  // a light came or went
+  for (const std::size_t i : changed) set_keys(after, {{}, after.index(), i, 1}, time);
+}
+
+}  // namespace brume

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace brume {
+
+struct Scene;
+
+// Current frame and playback. Editor state.
+class Timeline : public QObject {
+  Q_OBJECT
+ public:
+  explicit Timeline(QObject* parent);
+
+  static constexpr double frames_per_second = 30.0;
+
+  [[nodiscard]] int frame() const { return frame_; }
+  [[nodiscard]] double time() const { return frame_ / frames_per_second; }  // [s]
+  void set_frame(int frame);                                                // >= 0
+  [[nodiscard]] int first() const { return first_; }
+  [[nodiscard]] int last() const { return last_; }
+  void set_range(int first, int last);  // clamped to 0 <= first <= last
+  [[nodiscard]] bool loops() const { return loops_; }
+  void set_loop(bool loops);
+  // Takes range and loop from a scene; default: 0 to the end of its animation, at least 120 frames,
+  // looping.
+  void follow(const Scene& scene);
+
+  // Plays in real time, dropping frames. Restarts from the first frame at the end; loops or stops
+  // there.
+  [[nodiscard]] bool is_playing() const { return timer_.isActive(); }
+  void play();
+  void stop();
+
+ Q_SIGNALS:
+  void frame_changed();
+  void changed();  // any of the state
+
+ private:
+  void advance_frame();
+
+  int frame_ = 0;
+  int first_ = 0;
+  static constexpr int frames_at_first = 120;
+  int last_ = frames_at_first;
+  bool loops_ = true;
+  QTimer timer_;
+  QElapsedTimer clock_;
+  int play_start_ = 0;
+};
+
+}  // namespace brume

@@ -1,0 +1,118 @@
+#include "app/export/animation_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardItemModel>
+
+#include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/export/frame_export.h"
+#include "app/export/video_file.h"
+#include "app/files/file_dialogs.h"
+#include "app/widgets/plain_text.h"
+#include "core/io/file_bytes.h"
+
+namespace brume {
+
+AnimationDialog::AnimationDialog(const Timeline& timeline, const QString& folder, QWidget* parent)
+    : QDialog(parent),
+      format_(new QComboBox(this)),
+      file_(new QLineEdit(last_folder(FileKind::animation, folder) + "/animation.png", this)),
+      first_(new QSpinBox(this)),
+      last_(new QSpinBox(this)),
+      names_(new PlainLabel(this)) {
+  setWindowTitle(tr("Export animation"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  format_->setObjectName("animation_format");
+  format_->addItem(tr("PNG, one file per frame"), ".png");
+  format_->addItem(tr("EXR with layers, one file per frame"), ".exr");
+  format_->addItem(tr("MP4 video"), ".mp4");
+  auto* why = new PlainLabel(tr("Video export needs the program ffmpeg on the PATH."), this);
+  why->setObjectName("no_video");
+  why->setVisible(find_ffmpeg().isEmpty());
+  if (find_ffmpeg().isEmpty()) {
+    QStandardItem* video = qobject_cast<QStandardItemModel*>(format_->model())->item(2);
+    video->setEnabled(false);
+    video->setToolTip(why->text());
+  }
+  file_->setObjectName("animation_file");
+  file_->setMinimumWidth(360);
+  first_->setObjectName("animation_first");
+  last_->setObjectName("animation_last");
+  for (QSpinBox* box : {first_, last_}) box->setRange(0, 1'000'000);
+  first_->setValue(timeline.first());
+  last_->setValue(timeline.last());
+
+  auto* form = new QFormLayout(this);
+  form->addRow(tr("As"), format_);
+  form->addRow(QString(), why);
+  auto* browse = new QPushButton(tr("Choose…"), this);
+  auto* row = new QHBoxLayout;
+  row->addWidget(file_, 1);
+  row->addWidget(browse);
+  form->addRow(tr("File"), row);
+  form->addRow(tr("First frame"), first_);
+  form->addRow(tr("Last frame"), last_);
+  form->addRow(QString(), names_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+  export_->setObjectName("export_animation");
+  form->addRow(buttons);
+
+  connect(browse, &QPushButton::clicked, this, &AnimationDialog::browse);
+  connect(format_, &QComboBox::currentIndexChanged, this, [this] {
+    std::filesystem::path file = to_path(file_->text());
+    file_->setText(
+        to_qstring(file.replace_extension(format_->currentData().toString().toStdString())));
+  });
+  connect(file_, &QLineEdit::textChanged, this, &AnimationDialog::show_names);
+  for (QSpinBox* box : {first_, last_}) {
+    connect(box, &QSpinBox::valueChanged, this, &AnimationDialog::show_names);
+  }
+  connect(buttons, &QDialogButtonBox::accepted, this, &AnimationDialog::confirm);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  show_names();
+}
+
+void AnimationDialog::show_names() {
+  const std::filesystem::path file = to_path(file_->text());
+  const int count = last_->value() - first_->value() + 1;
+  export_->setEnabled(count > 0 && file.has_stem());
+  if (count <= 0) {
+    names_->setText(tr("The last frame is before the first."));
+  } else if (lower_case_extension(file) == ".mp4") {
+    names_->setText(tr("%1 frames").arg(count));
+  } else {
+    const auto name = [&](int frame) { return to_qstring(numbered_file(file, frame).filename()); };
+    names_->setText(
+        tr("%1 files, %2 to %3").arg(count).arg(name(first_->value()), name(last_->value())));
+  }
+}
+
+void AnimationDialog::browse() {
+  const QString name = QFileDialog::getSaveFileName(this, tr("Export animation"), file_->text(), {},
+                                                    nullptr, QFileDialog::DontConfirmOverwrite);
+  if (name.isEmpty()) return;
+  std::filesystem::path file = to_path(name);
+  file_->setText(
+      to_qstring(file.replace_extension(format_->currentData().toString().toStdString())));
+}
+
+void AnimationDialog::confirm() {
+  const std::filesystem::path file = to_path(file_->text());
+  const std::pair<int, int> frames(first_->value(), last_->value());
+  const bool is_video = lower_case_extension(file) == ".mp4";
+  if (!may_replace(this, file, is_video ? std::nullopt : std::optional(frames))) return;
+  remember_folder(FileKind::animation, file);
+  Q_EMIT requested(file, frames.first, frames.second);
+  accept();
+}
+
+}  // namespace brume

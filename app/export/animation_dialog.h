@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QDialog>
+#include <filesystem>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace brume {
+
+class Timeline;
+
+// Dialog to export an animation.
+class AnimationDialog : public QDialog {
+  Q_OBJECT
+ public:
+  AnimationDialog(const Timeline& timeline, const QString& folder, QWidget* parent);
+
+ Q_SIGNALS:
+  // The extension selects the format: numbered .png or .exr frames, or .mp4.
+  void requested(const std::filesystem::path& file, int first, int last);
+
+ private:
+  void show_names();
+  void browse();
+  void confirm();
+
+  QComboBox* format_;
+  QLineEdit* file_;
+  QSpinBox* first_;
+  QSpinBox* last_;
+  QLabel* names_;  // that will be written
+  QPushButton* export_;
+};
+
+}  // namespace brume

@@ -1,0 +1,135 @@
+#include "app/export/frame_export.h"
+
+#include <exception>
+
+#include "app/document/paths.h"
+#include "app/export/frame_source.h"
+#include "app/export/video_file.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+
+namespace brume {
+namespace {
+
+struct Cancelled {};
+
+// The work of one export, in its thread. Every function throws InputError, and Cancelled.
+class Exporter {
+ public:
+  Exporter(const FrameExportRequest& request, const Job& job)
+      : request_(request),
+        job_(job),
+        source_(request.scene, request.camera, request.settings, request.backend) {}
+
+  void run() {
+    if (!request_.range) {
+      write(request_.file, frame(request_.settings.time, 0, 1));
+    } else if (lower_case_extension(request_.file) == ".mp4") {
+      write_video();
+    } else {
+      for_each_frame([this](int number, const Frame& frame) {
+        write(numbered_file(request_.file, number), frame);
+      });
+    }
+  }
+
+  [[nodiscard]] int written() const { return written_; }
+
+ private:
+  // The k-th of `count` frames.
+  Frame frame(double time, int k, int count) {
+    auto frame = source_.at(time, job_.part(static_cast<double>(k) / count, (k + 1.0) / count));
+    if (!frame || job_.stop.stop_requested()) throw Cancelled();
+    return std::move(*frame);
+  }
+
+  void for_each_frame(const std::function<void(int, const Frame&)>& take) {
+    const FrameExportRequest::Range& range = *request_.range;
+    const int count = range.last - range.first + 1;
+    for (int k = 0; k < count; ++k) {
+      const int number = range.first + k;
+      take(number, frame(number / range.frames_per_second, k, count));
+    }
+  }
+
+  void write(const std::filesystem::path& file, const Frame& frame) {
+    FrameInfo info = request_.info;
+    info.backend = frame.statistics.backend;
+    write_frame(file, frame, info);
+    ++written_;
+  }
+
+  void write_video() {
+    write_atomically(request_.file, [this](const std::filesystem::path& temporary) {
+      VideoFile video(request_.file, temporary, request_.scene->film,
+                      request_.range->frames_per_second);
+      for_each_frame([&](int, const Frame& frame) {
+        video.add(to_display(frame, request_.info.exposure), job_.stop);
+      });
+      video.finish(job_.stop);
+      if (job_.stop.stop_requested()) throw Cancelled();
+    });
+    ++written_;
+  }
+
+  const FrameExportRequest& request_;
+  Job job_;
+  FrameSource source_;
+  int written_ = 0;
+};
+
+}  // namespace
+
+FrameExport::FrameExport(QWidget* parent) : JobBar(parent) {
+  connect(this, &JobBar::cancel_clicked, this, &FrameExport::cancel);
+}
+
+FrameExport::~FrameExport() = default;
+
+void FrameExport::start(const FrameExportRequest& request) {
+  if (running_) return;
+  running_ = true;
+  show_job(tr("Exporting %1").arg(to_qstring(request.file.filename())));
+  thread_ = std::jthread([=, this](const std::stop_token& stop) {
+    Outcome outcome = Outcome::written;
+    QString text = to_qstring(request.file);
+    int written = 0;
+    try {
+      Exporter exporter(request, {stop, progress()});
+      try {
+        exporter.run();
+      } catch (const Cancelled&) {
+        outcome = Outcome::cancelled;
+      }
+      written = exporter.written();
+    } catch (const std::exception& error) {
+      outcome = Outcome::failed;
+      text = QString::fromUtf8(error.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [=, this] { end(outcome, written, text); }, Qt::QueuedConnection);
+  });
+}
+
+void FrameExport::cancel() {
+  thread_.request_stop();
+}
+
+void FrameExport::end(Outcome outcome, int written, const QString& text) {
+  thread_.join();
+  running_ = false;
+  hide();
+  switch (outcome) {
+    case Outcome::written:
+      Q_EMIT finished(text);
+      break;
+    case Outcome::cancelled:
+      Q_EMIT cancelled(written);
+      break;
+    case Outcome::failed:
+      Q_EMIT failed(text);
+      break;
+  }
+}
+
+}  // namespace brume

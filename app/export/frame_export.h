@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "app/files/numbered_file.h"
+#include "app/jobs/job_bar.h"
+#include "core/scene/scene.h"
+#include "render/gl_renderer.h"
+#include "render/output/frame_file.h"
+#include "render/settings.h"
+
+namespace brume {
+
+// Parameters of an export.
+struct FrameExportRequest {
+  std::shared_ptr<const Scene> scene;  // with its animation
+  std::optional<Camera> camera;        // nullopt: the scene's camera at each time
+  Settings settings;                   // time applies to a single frame
+  FrameInfo info;                      // without the backend, set per frame
+  Backend backend = Backend::auto_;
+  // The extension decides the format: .exr or .png, or .mp4 of several frames.
+  std::filesystem::path file;
+  struct Range {
+    int first = 0;
+    int last = 0;
+    double frames_per_second = 30.0;
+  };
+  std::optional<Range> range;  // nullopt: one frame
+};
+
+// Renders a frame, a sequence or a video to files in the background. Files are written atomically;
+// complete frames of a cancelled sequence stay.
+class FrameExport : public JobBar {
+  Q_OBJECT
+ public:
+  explicit FrameExport(QWidget* parent = nullptr);
+  ~FrameExport() override;  // cancels
+
+  [[nodiscard]] bool is_running() const { return running_; }
+  void start(const FrameExportRequest& request);  // one at a time
+  void cancel();
+
+ Q_SIGNALS:
+  void finished(const QString& file);
+  void cancelled(int written);  // number of written files
+  void failed(const QString& message);
+
+ private:
+  enum class Outcome { written, cancelled, failed };
+  void end(Outcome outcome, int written, const QString& text);
+
+  bool running_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace brume

@@ -1,0 +1,26 @@
+#include "app/export/frame_source.h"
+
+#include "core/scene/at_time.h"
+#include "render/render_plan.h"
+#include "render/transfer/transfer_cache.h"
+
+namespace brume {
+
+FrameSource::FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camera> camera,
+                         const Settings& settings, Backend backend)
+    : scene_(std::move(scene)), camera_(std::move(camera)), settings_(settings) {
+  std::string problem;  // each frame says what rendered it
+  renderer_ = make_renderer(backend, transfers_, problem);
+}
+
+std::optional<Frame> FrameSource::at(double time, const Job& job) {
+  settings_.time = time;
+  const Scene scene = evaluate_at(*scene_, time);
+  const std::vector<TransferRequest> needed = RenderPlan(scene, settings_.airlight).transfers;
+  const double first = transfers_->has(needed) ? 0.0 : 0.5;
+  transfers_->make(needed, cache_folder(), job.part(0.0, first));
+  return renderer_->render(scene, camera_.value_or(scene.camera), scene.film, settings_, job.stop,
+                           job.part(first, 1.0).progress);
+}
+
+}  // namespace brume

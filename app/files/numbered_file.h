@@ -1,0 +1,10 @@
+#pragma once
+
+#include <filesystem>
+
+namespace brume {
+
+// The file of a frame of a sequence: "smoke_0012.png" of "smoke.png".
+std::filesystem::path numbered_file(const std::filesystem::path& file, int frame);
+
+}  // namespace brume

@@ -1,0 +1,67 @@
+#include "app/files/recent_pictures.h"
+
+#include <QBuffer>
+#include <QCryptographicHash>
+#include <QMenu>
+#include <QPixmap>
+#include <QStandardPaths>
+
+#include "app/document/paths.h"
+#include "app/document/private_files.h"
+#include "app/widgets/editor_style.h"
+#include "core/error.h"
+
+namespace brume {
+namespace {
+
+constexpr QSize picture_size{96, 64};
+constexpr int scale = 2;  // for screens with fine pixels
+
+class LargeIcons : public EditorStyle {
+ public:
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override {
+    return metric == PM_SmallIconSize ? picture_size.width()
+                                      : EditorStyle::pixelMetric(metric, option, widget);
+  }
+};
+
+QString picture_file(const std::filesystem::path& scene) {
+  const QByteArray name = to_qstring(scene).toUtf8();
+  return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/recent/" +
+         QCryptographicHash::hash(name, QCryptographicHash::Sha1).toHex() + ".png";
+}
+
+}  // namespace
+
+void save_recent_picture(const std::filesystem::path& scene, const QImage& picture) {
+  const QString file = picture_file(scene);
+  const QSize size = picture_size * scale;
+  const QImage large =
+      picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QPoint corner((large.width() - size.width()) / 2, (large.height() - size.height()) / 2);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  large.copy(QRect(corner, size)).save(&buffer, "PNG");
+  try {
+    make_private_folder(to_path(file).parent_path());
+    write_private(to_path(file), std::string_view(bytes.constData(), bytes.size()));
+  } catch (const InputError&) {
+    // A cache: where nothing can be written, there is no picture, and that is all.
+  }
+}
+
+QIcon recent_picture(const std::filesystem::path& scene) {
+  QPixmap picture(picture_file(scene));
+  if (picture.isNull()) return {};
+  picture.setDevicePixelRatio(scale);
+  return picture;
+}
+
+void show_large_icons(QMenu& menu) {
+  auto* style = new LargeIcons;
+  style->setParent(&menu);
+  menu.setStyle(style);
+}
+
+}  // namespace brume

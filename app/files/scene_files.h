@@ -1,0 +1,85 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <filesystem>
+#include <optional>
+
+#include "app/document/autosave.h"
+#include "app/files/file_reader.h"
+
+class QMenu;
+class QWidget;
+
+namespace brume {
+
+class Document;
+class SceneLoad;
+struct LoadedScene;
+
+// New, open, save, recent files, and the question about unsaved work. Functions return whether they
+// succeeded; failed() reports errors. Scenes load in the background; the current one stays until
+// then.
+class SceneFiles : public QObject {
+  Q_OBJECT
+ public:
+  SceneFiles(Document& document, QWidget* window);
+
+  // Asks for a file.
+  void open();
+  bool save_as();
+  // Asks about unsaved work only.
+  bool create();
+  void open_file(const std::filesystem::path& file);
+  // Asks for a file if there is none.
+  bool save();
+  bool save_to(const std::filesystem::path& file);
+
+  // Checks in the background whether another program has changed the scene's file; emits
+  // changed_on_disk() once per change.
+  void check_file_version();
+  // Reloads the changed file; or ignores the change, allowing it to be overwritten.
+  void reload();
+  void ignore_file_change();
+
+  // Asks for the location of a missing file and reloads the scene with it and other missing files
+  // in the same folder.
+  void find_missing();
+
+  // Opens a recovery file as a modified state of its original.
+  void restore(const RecoveryFile& work);
+
+  // Whether the current scene is saved or may be discarded.
+  bool may_discard();
+
+  void fill_recent_menu(QMenu& menu);
+
+  // The background loader and its progress bar.
+  [[nodiscard]] SceneLoad& loading() { return *loading_; }
+
+ Q_SIGNALS:
+  void opened();
+  void restored(const brume::RecoveryFile& work);
+  void failed(const QString& message);
+  void warned(const QString& message);
+  void changed_on_disk();
+  void opened_without(const QStringList& missing, const QString& warnings);
+
+ private:
+  void adopt(LoadedScene& loaded);
+  // Whether the scene's file may be overwritten; asks if another program has changed it.
+  enum class Replace { yes, elsewhere, no };
+  Replace may_replace();
+  void remember(const std::filesystem::path& file);
+
+  Document& document_;
+  QWidget* window_;
+  SceneLoad* loading_;
+  FileReader<std::optional<FileVersion>> version_reader_;
+  std::optional<FileVersion> other_version_;    // reported by changed_on_disk()
+  std::optional<RecoveryFile> restoring_;       // recovery file being loaded
+  std::vector<std::filesystem::path> missing_;  // missing files of the scene
+  int discard_index_ = 0;  // undo index at which unsaved work was discarded for the load
+};
+
+}  // namespace brume

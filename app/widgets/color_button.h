@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QToolButton>
+#include <glm/vec3.hpp>
+
+#include "app/commands/merge_id.h"
+
+namespace brume {
+
+// Conversion between sRGB of colour dialogs and linear RGB in [0, 1].
+QColor to_color(const glm::dvec3& linear);
+glm::dvec3 to_linear(const QColor& color);
+
+// A colour swatch, linear RGB in [0, 1]; opens a modeless colour dialog.
+class ColorButton : public QToolButton {
+  Q_OBJECT
+ public:
+  explicit ColorButton(QWidget* parent = nullptr);
+
+  void show_color(const glm::dvec3& linear);
+
+ Q_SIGNALS:
+  void edited(const glm::dvec3& linear, brume::MergeId gesture);
+
+ private:
+  void open_dialog();
+
+  glm::dvec3 color_{1.0};
+};
+
+}  // namespace brume

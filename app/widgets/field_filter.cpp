@@ -1,0 +1,99 @@
+#include "app/widgets/field_filter.h"
+
+#include <QAbstractSlider>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QKeyEvent>
+#include <QMainWindow>
+#include <QScrollBar>
+#include <QSpinBox>
+
+#include "app/widgets/number_field.h"
+
+namespace brume {
+namespace {
+
+// What the wheel would change.
+bool has_wheel_value(const QWidget* widget) {
+  if (qobject_cast<const QScrollBar*>(widget)) return false;
+  return qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+         qobject_cast<const QAbstractSlider*>(widget);
+}
+
+bool is_typed(const QWidget* widget) {
+  return qobject_cast<const NumberField*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
+}
+
+// Ends typing in the field that has the focus, unless it is `except`.
+void leave_focused_field(const QWidget* except) {
+  QWidget* field = QApplication::focusWidget();
+  if (!is_typed(field) || field == except || field->isAncestorOf(except)) return;
+  leave_field(*field);
+}
+
+// Enter commits text typed into a spin box, Escape reverts it.
+bool end_typing(QSpinBox& box, int key) {
+  if (key == Qt::Key_Escape) {
+    box.setValue(box.value());
+  } else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    box.interpretText();
+  } else {
+    return false;
+  }
+  return leave_field(box);
+}
+
+}  // namespace
+
+bool leave_field(QWidget& field) {
+  for (QWidget* above = &field; above; above = above->parentWidget()) {
+    if (qobject_cast<QDialog*>(above)) return false;
+    const auto* main = qobject_cast<QMainWindow*>(above);
+    if (!main) continue;
+    QWidget* middle = main->centralWidget();
+    if (!middle) return false;
+    if (field.window() != main) middle->activateWindow();  // from a panel that floats
+    middle->setFocus();
+    return true;
+  }
+  return false;
+}
+
+bool FieldFilter::eventFilter(QObject* watched, QEvent* event) {
+  auto* widget = qobject_cast<QWidget*>(watched);
+  switch (event->type()) {
+    case QEvent::Polish:
+      // Or else the wheel would give it the focus first.
+      if (has_wheel_value(widget) && widget->focusPolicy() == Qt::WheelFocus) {
+        widget->setFocusPolicy(Qt::StrongFocus);
+      }
+      break;
+    case QEvent::Wheel:
+      if (has_wheel_value(widget) && !widget->hasFocus()) {
+        event->ignore();
+        return true;  // on to what it is in
+      }
+      break;
+    case QEvent::MouseButtonPress:
+      // Widgets that accept focus by click have it by now.
+      if (widget && !QApplication::activePopupWidget()) leave_focused_field(widget);
+      break;
+    case QEvent::KeyPress:
+      if (auto* box = qobject_cast<QSpinBox*>(widget)) {
+        return end_typing(*box, static_cast<QKeyEvent*>(event)->key());
+      }
+      break;
+    case QEvent::Shortcut:
+      leave_focused_field(nullptr);
+      break;
+    case QEvent::Close:
+      if (qobject_cast<QMainWindow*>(widget)) leave_focused_field(nullptr);
+      break;
+    default:
+      break;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace brume

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+namespace brume {
+
+// How fields answer, in all panels alike. Of the application:
+// - the wheel changes a spin box, a choice or a slider only where it has the focus; elsewhere it
+//   scrolls what that is in;
+// - what is being typed is taken by a click anywhere else, by a shortcut, and when the window
+//   closes;
+// - after Enter, which takes it, and Escape, which does not, the view has the focus.
+class FieldFilter : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+// Ends editing: moves the focus to the main window's central widget. False if there is none, as in
+// dialogs.
+bool leave_field(QWidget& field);
+
+}  // namespace brume

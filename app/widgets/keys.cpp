@@ -1,0 +1,82 @@
+#include "app/widgets/keys.h"
+
+#include <QSettings>
+#include <array>
+#include <string_view>
+
+namespace brume {
+namespace {
+
+constexpr std::array table = std::to_array<KeyEntry>({
+    {"file.new", "Ctrl+N"},
+    {"file.open", "Ctrl+O"},
+    {"file.save", "Ctrl+S"},
+    {"file.save_as", "Ctrl+Shift+S"},
+    {"file.import", "Ctrl+Shift+I"},
+    {"file.export", "Ctrl+E"},
+    {"file.quit", "Ctrl+Q"},
+    {"edit.undo", "Ctrl+Z"},
+    {"edit.redo", "Ctrl+Shift+Z; Ctrl+Y"},
+    {"edit.add_gaussian", "Shift+A"},
+    {"edit.delete", "Del; X"},
+    {"edit.cut", "Ctrl+X"},
+    {"edit.copy", "Ctrl+C"},
+    {"edit.paste", "Ctrl+V"},
+    {"edit.paste_in_place", "Ctrl+Shift+V"},
+    {"edit.duplicate", "Ctrl+D"},
+    {"select.all", "Ctrl+A"},
+    {"select.none", "Ctrl+Shift+A"},
+    {"select.invert", "Ctrl+I"},
+    {"select.grow", "Ctrl++; Ctrl+="},
+    {"select.shrink", "Ctrl+-"},
+    {"select.hide", "H"},
+    {"select.show_all", "Shift+H"},
+    {"select.isolate", "/"},
+    {"select.lock", "K"},
+    {"select.unlock_all", "Shift+K"},
+    {"tool.select", "V"},
+    {"tool.lasso", "L"},
+    {"tool.brush_select", "C"},
+    {"tool.move", "G"},
+    {"tool.rotate", "R"},
+    {"tool.scale", "S"},
+    {"tool.paintbrush", "B"},
+    {"tool.eraser", "E"},
+    {"tool.airbrush", "A"},
+    {"tool.emitter", "P"},
+    {"tool.smaller", "["},
+    {"tool.larger", "]"},
+    {"tool.weaker", "Shift+[; {"},
+    {"tool.stronger", "Shift+]; }"},
+    {"time.play", "Space"},
+    {"time.next", "."},
+    {"time.previous", ","},
+    {"time.first", "Shift+Home"},
+    {"time.set_key", "I"},
+    {"view.frame_all", "Home"},
+    {"view.frame_selection", "F"},
+    {"view.scene_camera", "0"},
+    {"view.store_camera", "Ctrl+0"},
+    {"view.four", "Ctrl+Alt+Q"},
+    {"view.next_mode", "Tab"},
+    {"view.exposure_up", "+; ="},
+    {"view.exposure_down", "-"},
+    {"help.keys", "?; F1"},
+});
+
+}  // namespace
+
+std::span<const KeyEntry> key_table() {
+  return table;
+}
+
+QList<QKeySequence> keys_of(const char* action) {
+  for (const KeyEntry& entry : table) {
+    if (std::string_view(entry.action) != action) continue;
+    const QString keys = QSettings().value(QString("keys/") + action, entry.keys).toString();
+    return QKeySequence::listFromString(keys, QKeySequence::PortableText);
+  }
+  return {};
+}
+
+}  // namespace brume

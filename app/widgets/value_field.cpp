@@ -1,0 +1,116 @@
+#include "app/widgets/value_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "app/document/gaussian_attribute.h"
+#include "app/widgets/number_field.h"
+
+namespace brume {
+namespace {
+
+constexpr double steps_per_notch = 5.0;
+
+// To four digits: what a drag gives should read well.
+double rounded(double value) {
+  return QString::number(value, 'g', 4).toDouble();
+}
+
+}  // namespace
+
+ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale scale, double step,
+                       QWidget* parent)
+    : QWidget(parent),
+      title_(title),
+      domain_(domain),
+      scale_(scale),
+      step_(step),
+      label_(new QLabel(title, this)),
+      field_(new NumberField(this)) {
+  label_->setCursor(Qt::SizeHorCursor);
+  label_->setToolTip(tr("Drag to change; Ctrl for fine steps, Shift for coarse"));
+  label_->installEventFilter(this);
+  label_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  field_->setMinimumWidth(field_->fontMetrics().horizontalAdvance("00.0000"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  layout->addWidget(label_);
+  layout->addWidget(field_, 1);
+  connect(field_, &NumberField::committed, this, [this](double value) {
+    if (domain_.contains(value)) {
+      Q_EMIT edited(value, no_merge);
+    } else {
+      Q_EMIT refused(tr("%1 must be %2.").arg(title_, domain_.allowed));
+    }
+  });
+}
+
+QLabel* ValueField::detach_title() {
+  layout()->removeWidget(label_);
+  return label_;
+}
+
+void ValueField::show_value(std::optional<double> value) {
+  value_ = value;
+  field_->show_value(value);
+}
+
+void ValueField::show_mixed() {
+  value_.reset();
+  field_->show_mixed();
+}
+
+void ValueField::change(double steps, Qt::KeyboardModifiers modifiers) {
+  if (!value_ || steps == 0.0) return;
+  if (modifiers.testFlag(Qt::ControlModifier)) steps *= 0.1;
+  if (modifiers.testFlag(Qt::ShiftModifier)) steps *= 10.0;
+  // From 0, which no factor moves, to something small that one does.
+  const double from =
+      scale_ == Scale::logarithmic && *value_ == 0.0 && steps > 0.0 ? 1e-3 : *value_;
+  double value =
+      scale_ == Scale::linear ? from + steps * step_ : from * std::pow(1.0 + step_, steps);
+  value = std::clamp(rounded(value), domain_.min_value, domain_.max_value);
+  if (!domain_.contains(value) || value == *value_) return;
+  value_ = value;
+  Q_EMIT edited(value, gesture_);
+}
+
+bool ValueField::eventFilter(QObject* watched, QEvent* event) {
+  if (!isEnabled()) return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseButtonPress) {
+    gesture_ = new_merge_id();
+    last_x_ = static_cast<QMouseEvent*>(event)->globalPosition().x();
+    return true;
+  }
+  if (event->type() == QEvent::MouseMove) {
+    auto* mouse = static_cast<QMouseEvent*>(event);
+    const double x = mouse->globalPosition().x();
+    // Small steps may round to nothing: they wait until they add up.
+    const double before = value_.value_or(0.0);
+    change(x - last_x_, mouse->modifiers());
+    if (value_.value_or(0.0) != before) last_x_ = x;
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void ValueField::wheelEvent(QWheelEvent* event) {
+  if (!field_->hasFocus()) {
+    event->ignore();  // whoever scrolls past means the panel
+    return;
+  }
+  field_->commit();
+  change(steps_per_notch * event->angleDelta().y() / 120.0, event->modifiers());
+  event->accept();
+}
+
+void ValueField::enterEvent(QEnterEvent* event) {
+  gesture_ = new_merge_id();
+  QWidget::enterEvent(event);
+}
+
+}  // namespace brume

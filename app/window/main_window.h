@@ -1,0 +1,113 @@
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+
+#include "app/document/document.h"
+#include "app/jobs/background_job.h"
+
+class QLabel;
+class QMenu;
+
+namespace brume {
+
+class Autosave;
+class FrameExport;
+struct FrameExportRequest;
+class GaussianPanel;
+class MessageBar;
+class SceneFiles;
+class SceneImport;
+class Timeline;
+class TimelineBar;
+class ToolBox;
+class ViewGrid;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Document& document() { return document_; }
+  SceneFiles& files() { return *files_; }
+  Autosave& autosave() { return *autosave_; }
+  Viewport& viewport() { return *viewport_; }  // the perspective one
+  ViewGrid& views() { return *views_; }
+  ToolBox& tools() { return *tools_; }
+  Timeline& timeline() { return *timeline_; }
+
+  // Exports what the view sees, on the scene's film.
+  void export_frame_to(const std::filesystem::path& file);
+
+  // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
+  // the scene's camera sees them if it has keys, else as the view does.
+  void export_animation_to(const std::filesystem::path& file, int first, int last);
+
+  // What comes from other files.
+  SceneImport& import() { return *import_; }
+  // Copies the scene and all files it refers to into a folder that is not there yet, or is empty.
+  void gather_to(const std::filesystem::path& folder);
+
+  // Saves a picture of this window once it shows a full frame and its error, then quits.
+  void quit_with_screenshot(const QString& file);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void create_docks();
+  void create_status_bar();
+  void create_actions();  // main_window_actions.cpp
+  void fill_airlight_menu(QMenu* menu);
+  void fill_backend_menu(QMenu* menu);
+  void fill_mode_menu(QMenu* menu);
+  void fill_navigation_menu(QMenu* menu);
+  void fill_theme_menu(QMenu* menu);
+  void connect_document();
+  void offer_recovery();
+
+  void update_title();
+  void update_status();
+  void update_error();
+  void show_fallback();  // why OpenGL does not render, once for each reason
+  void add_gaussian_in_view();
+  void isolate_selection();  // shows all again if anything is hidden
+  void export_frame();
+  void export_animation();
+  void export_medium();
+  void gather();
+  // Unless another is running.
+  void start_file_job(const QString& title, const BackgroundJob::Work& work);
+  [[nodiscard]] FrameExportRequest export_request(const std::filesystem::path& file) const;
+  void change_exposure(double stops);
+  void save_current_picture();  // of the scene as it is in its file
+  void show_time();             // what the timeline says
+  void show_status(const QString& message);
+
+  Document document_;
+  SceneFiles* files_;
+  Autosave* autosave_;
+  MessageBar* message_bar_;
+  ViewGrid* views_;
+  Viewport* viewport_;  // the perspective one
+  ToolBox* tools_;
+  Timeline* timeline_;
+  TimelineBar* timeline_bar_ = nullptr;
+  GaussianPanel* gaussian_panel_ = nullptr;
+  FrameExport* frame_export_ = nullptr;
+  BackgroundJob* file_job_ = nullptr;  // imports, exports of the medium, gathers
+  SceneImport* import_ = nullptr;
+  std::pair<std::filesystem::path, std::uint64_t> pictured_;  // file and revision
+  QString fallback_;  // the reason that was told last; empty: none
+  QLabel* hint_ = nullptr;
+  QLabel* numbers_ = nullptr;
+  QLabel* error_ = nullptr;
+  QLabel* quality_ = nullptr;  // top right
+};
+
+}  // namespace brume

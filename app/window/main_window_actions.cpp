@@ -1,0 +1,295 @@
+// The menus, and with them every key.
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+
+#include "app/commands/clipboard.h"
+#include "app/commands/edit_emitters.h"
+#include "app/commands/edit_keys.h"
+#include "app/commands/edit_medium.h"
+#include "app/commands/scene_part_command.h"
+#include "app/commands/select_command.h"
+#include "app/document/timeline.h"
+#include "app/export/frame_export.h"
+#include "app/files/recent_pictures.h"
+#include "app/files/scene_files.h"
+#include "app/import/scene_import.h"
+#include "app/panels/timeline_bar.h"
+#include "app/tools/tool_bars.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/view_grid.h"
+#include "app/widgets/application.h"
+#include "app/widgets/keys.h"
+#include "app/window/help_windows.h"
+#include "app/window/main_window.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* airlight_key = "view/airlight";
+constexpr const char* backend_key = "view/backend";
+constexpr const char* navigation_key = "view/navigation";
+constexpr double tool_step = 1.15;  // of a tool's size by one key
+
+constexpr double duplicate_shift = 24.0;  // pixels, so that a copy is seen beside its original
+
+std::vector<GaussianId> joined(std::vector<GaussianId> a, const std::vector<GaussianId>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+}  // namespace
+
+void MainWindow::create_actions() {
+  // `name` is that of the action in the table of keys.
+  const auto add = [this](QMenu* menu, const QString& text, const char* name, auto react) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(name);
+    action->setShortcuts(keys_of(name));
+    connect(action, &QAction::triggered, this, react);
+    return action;
+  };
+
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  add(file, tr("&New"), "file.new", [this] { files_->create(); });
+  add(file, tr("&Open…"), "file.open", [this] { files_->open(); });
+  QMenu* recent = file->addMenu(tr("Open &Recent"));
+  show_large_icons(*recent);
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_->fill_recent_menu(*recent); });
+  file->addSeparator();
+  add(file, tr("&Save"), "file.save", [this] { files_->save(); });
+  add(file, tr("Save &As…"), "file.save_as", [this] { files_->save_as(); });
+  file->addSeparator();
+  add(file, tr("&Import…"), "file.import", [this] { import_->ask(); });
+  add(file, tr("Import Se&quence…"), "", [this] { import_->ask_sequence(); });
+  file->addSeparator();
+  QAction* exporting = add(file, tr("&Export Frame…"), "file.export", [this] { export_frame(); });
+  QAction* animation = add(file, tr("Export Ani&mation…"), "", [this] { export_animation(); });
+  add(file, tr("Export Me&dium…"), "", [this] { export_medium(); });
+  add(file, tr("&Gather into Folder…"), "", [this] { gather(); });
+  connect(file, &QMenu::aboutToShow, this, [this, exporting, animation] {
+    for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->is_running());
+  });
+  connect(file, &QMenu::aboutToHide, this, [exporting, animation] {
+    for (QAction* a : {exporting, animation}) a->setEnabled(true);
+  });
+  file->addSeparator();
+  add(file, tr("&Quit"), "file.quit", [this] { close(); });
+
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = document_.undo_stack().createUndoAction(this, tr("&Undo"));
+  undo->setObjectName("edit.undo");
+  undo->setShortcuts(keys_of("edit.undo"));
+  undo->setIconText(tr("Undo"));
+  QAction* redo = document_.undo_stack().createRedoAction(this, tr("&Redo"));
+  redo->setObjectName("edit.redo");
+  redo->setShortcuts(keys_of("edit.redo"));
+  edit->addAction(undo);
+  edit->addAction(redo);
+  edit->addSeparator();
+  add(edit, tr("Add &Gaussian"), "edit.add_gaussian", [this] { add_gaussian_in_view(); });
+  edit->addSeparator();
+  add(edit, tr("Cu&t"), "edit.cut", [this] { cut_selection(document_); });
+  add(edit, tr("&Copy"), "edit.copy", [this] { copy_selection(document_); });
+  add(edit, tr("&Paste"), "edit.paste", [this] {
+    paste_gaussians(document_, views_->pointed().place_under_mouse(clipboard_radius()));
+  });
+  add(edit, tr("Paste in Pl&ace"), "edit.paste_in_place",
+      [this] { paste_gaussians(document_, std::nullopt); });
+  add(edit, tr("D&uplicate"), "edit.duplicate", [this] {
+    duplicate_selection(document_,
+                        views_->active().shift_on_film({duplicate_shift, duplicate_shift}));
+  });
+  add(edit, tr("&Delete"), "edit.delete", [this] { delete_selection(document_, tr("Delete")); });
+
+  QMenu* select = menuBar()->addMenu(tr("&Select"));
+  add(select, tr("&All"), "select.all", [this] { select_all(document_); });
+  add(select, tr("&None"), "select.none", [this] { select_gaussians(document_, {}); });
+  add(select, tr("&Invert"), "select.invert", [this] { invert_selection(document_); });
+  add(select, tr("&Grow"), "select.grow", [this] { grow_selection(document_); });
+  add(select, tr("Shrin&k"), "select.shrink", [this] { shrink_selection(document_); });
+  select->addSeparator();
+  add(select, tr("&Hide"), "select.hide",
+      [this] { document_.hide(joined(document_.hidden(), document_.selection())); });
+  add(select, tr("Isola&te"), "select.isolate", [this] { isolate_selection(); });
+  add(select, tr("&Show All"), "select.show_all", [this] { document_.hide({}); });
+  add(select, tr("&Lock"), "select.lock",
+      [this] { document_.lock(joined(document_.locked(), document_.selection())); });
+  add(select, tr("&Unlock All"), "select.unlock_all", [this] { document_.lock({}); });
+
+  QMenu* tool = menuBar()->addMenu(tr("&Tool"));
+  tool->addActions(findChild<ToolBar*>()->actions());
+  tool->addSeparator();
+  add(tool, tr("S&maller"), "tool.smaller",
+      [this] { tools_->tool().change_size(1.0 / tool_step); });
+  add(tool, tr("&Larger"), "tool.larger", [this] { tools_->tool().change_size(tool_step); });
+  add(tool, tr("&Thinner"), "tool.weaker",
+      [this] { tools_->tool().change_strength(1.0 / tool_step); });
+  add(tool, tr("&Denser"), "tool.stronger", [this] { tools_->tool().change_strength(tool_step); });
+
+  QMenu* time = menuBar()->addMenu(tr("T&ime"));
+  add(time, tr("&Play or Pause"), "time.play",
+      [this] { timeline_->is_playing() ? timeline_->stop() : timeline_->play(); });
+  add(time, tr("&Next Frame"), "time.next",
+      [this] { timeline_->set_frame(timeline_->frame() + 1); });
+  add(time, tr("P&revious Frame"), "time.previous",
+      [this] { timeline_->set_frame(timeline_->frame() - 1); });
+  add(time, tr("&First Frame"), "time.first", [this] { timeline_->set_frame(timeline_->first()); });
+  time->addSeparator();
+  add(time, tr("Set &Keyframe"), "time.set_key", [this] { timeline_bar_->set_key(); });
+  add(time, tr("&Bake Particles to Gaussians"), "",
+      [this] { freeze_particles(document_, timeline_->time()); });
+  add(time, tr("&Remove Sequences"), "",
+      [this] { set_scene_part(document_, Sequences{}, tr("Remove sequences")); });
+
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  add(view, tr("Frame &All"), "view.frame_all", [this] { views_->active().frame_all(); });
+  add(view, tr("&Frame Selection"), "view.frame_selection",
+      [this] { views_->active().frame_selection(); });
+  add(view, tr("&Scene Camera"), "view.scene_camera",
+      [this] { viewport_->set_camera(document_.scene().camera); });
+  add(view, tr("Set Scene Camera &to View"), "view.store_camera",
+      [this] { set_scene_camera(document_, viewport_->camera(), tr("Set scene camera to view")); });
+  view->addSeparator();
+  QAction* four = add(view, tr("F&our Views"), "view.four",
+                      [this] { views_->show_four(!views_->shows_four()); });
+  four->setCheckable(true);
+  view->addSeparator();
+  add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
+  add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
+  fill_mode_menu(view->addMenu(tr("S&how")));
+  fill_airlight_menu(view->addMenu(tr("Air&light")));
+  fill_backend_menu(view->addMenu(tr("&Render Device")));
+  fill_navigation_menu(view->addMenu(tr("&Navigation")));
+  fill_theme_menu(view->addMenu(tr("&Theme")));
+  view->addSeparator();
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
+
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  add(help, tr("&Keyboard Shortcuts"), "help.keys", [this, file, edit, select, tool, time, view] {
+    show_keys(this, file->actions() + edit->actions() + select->actions() + tool->actions() +
+                        time->actions() + view->actions());
+  });
+  add(help, tr("&About Brume"), "", [this] { show_about(this); });
+}
+
+void MainWindow::isolate_selection() {
+  if (!document_.hidden().empty()) {
+    document_.hide({});
+    return;
+  }
+  if (document_.selection().empty()) return;
+  std::vector<GaussianId> others;
+  for (const GaussianId id : document_.medium().ids()) {
+    if (!document_.is_selected(id)) others.push_back(id);
+  }
+  document_.hide(std::move(others));
+}
+
+void MainWindow::fill_mode_menu(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  for (const ViewMode mode : view_modes) {
+    QAction* action = group->addAction(view_mode_title(mode));
+    action->setCheckable(true);
+    action->setChecked(mode == viewport_->mode());
+    connect(action, &QAction::triggered, this, [this, mode] { views_->active().set_mode(mode); });
+    connect(views_, &ViewGrid::mode_changed, action,
+            [this, action, mode] { action->setChecked(mode == views_->active().mode()); });
+  }
+  menu->addActions(group->actions());
+  menu->addSeparator();
+  QAction* next = menu->addAction(tr("&Next"));
+  next->setObjectName("view.next_mode");
+  next->setShortcuts(keys_of("view.next_mode"));
+  // Elsewhere Tab goes from field to field.
+  next->setShortcutContext(Qt::WidgetShortcut);
+  viewport_->addAction(next);
+  connect(views_, &ViewGrid::pane_made, next, [next](Viewport* pane) { pane->addAction(next); });
+  connect(next, &QAction::triggered, this, [this] {
+    Viewport& view = views_->active();
+    view.set_mode(next_view_mode(view.mode()));
+    show_status(view_mode_title(view.mode()));
+  });
+}
+
+void MainWindow::fill_airlight_menu(QMenu* menu) {
+  const QString remembered = QSettings().value(airlight_key).toString();
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const char* name, const QString& text,
+                       std::optional<AirlightMethod> method) {
+    if (remembered == name) views_->set_airlight(method);
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setObjectName(QString("airlight_") + name);
+    action->setChecked(viewport_->quality().airlight() == method);
+    connect(action, &QAction::triggered, this, [this, name, method] {
+      views_->set_airlight(method);
+      QSettings().setValue(airlight_key, name);
+    });
+  };
+  add("auto", tr("&Auto"), std::nullopt);
+  add(to_string(AirlightMethod::paper), tr("&Paper"), AirlightMethod::paper);
+  add(to_string(AirlightMethod::sliced), tr("&Sliced"), AirlightMethod::sliced);
+  menu->addActions(group->actions());
+}
+
+void MainWindow::fill_backend_menu(QMenu* menu) {
+  const QString remembered = QSettings().value(backend_key).toString();
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const char* name, const QString& text, Backend backend) {
+    if (remembered == name) views_->set_backend(backend);
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setObjectName(QString("backend_") + name);
+    action->setChecked(views_->backend() == backend);
+    connect(action, &QAction::triggered, this, [this, name, backend] {
+      fallback_.clear();
+      views_->set_backend(backend);
+      QSettings().setValue(backend_key, name);
+    });
+  };
+  add("auto", tr("&Auto: OpenGL if there is a GPU"), Backend::auto_);
+  add("cpu", tr("&CPU"), Backend::cpu);
+  add("gl", tr("&OpenGL"), Backend::gl);
+  menu->addActions(group->actions());
+}
+
+void MainWindow::fill_navigation_menu(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  const int remembered = QSettings().value(navigation_key).toInt();
+  const auto add = [&](const char* name, const QString& text, NavigationPreset preset) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setObjectName(QString("navigation_") + name);
+    if (remembered == static_cast<int>(preset)) views_->set_navigation(preset);
+    action->setChecked(remembered == static_cast<int>(preset));
+    connect(action, &QAction::triggered, this, [this, preset] {
+      views_->set_navigation(preset);
+      QSettings().setValue(navigation_key, static_cast<int>(preset));
+    });
+  };
+  add("brume", tr("&Brume: middle button, or Alt"), NavigationPreset::brume);
+  add("blender", tr("Like B&lender: middle button, Shift, Ctrl"), NavigationPreset::blender);
+  add("maya", tr("Like &Maya: Alt and a button"), NavigationPreset::maya);
+  menu->addActions(group->actions());
+}
+
+void MainWindow::fill_theme_menu(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const char* name, const QString& text, Theme theme) {
+    QAction* action = group->addAction(text);
+    action->setCheckable(true);
+    action->setObjectName(QString("theme_") + name);
+    action->setChecked(brume::theme() == theme);
+    connect(action, &QAction::triggered, this, [theme] { set_theme(theme); });
+  };
+  add("dark", tr("&Dark"), Theme::dark);
+  add("light", tr("&Light"), Theme::light);
+  menu->addActions(group->actions());
+}
+
+}  // namespace brume

@@ -1,0 +1,127 @@
+// What goes out of the window into files, and what is dropped onto it.
+
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMimeData>
+
+#include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/export/animation_dialog.h"
+#include "app/export/frame_export.h"
+#include "app/export/medium_dialog.h"
+#include "app/files/file_dialogs.h"
+#include "app/files/scene_files.h"
+#include "app/import/scene_import.h"
+#include "app/viewport/view_grid.h"
+#include "app/window/main_window.h"
+#include "core/io/file_bytes.h"
+#include "core/io/scene/gather.h"
+
+namespace brume {
+namespace {
+
+bool is_scene(const std::filesystem::path& file) {
+  return lower_case_extension(file) == ".brume";
+}
+
+}  // namespace
+
+void MainWindow::export_frame() {
+  QFileDialog dialog(this, tr("Export frame"), last_folder(FileKind::picture, document_.folder()),
+                     tr("PNG picture (*.png);;OpenEXR layers (*.exr)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix("png");
+  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    dialog.setDefaultSuffix(filter.contains("exr") ? "exr" : "png");
+  });
+  if (dialog.exec() != QDialog::Accepted) return;
+  const std::filesystem::path file = to_path(dialog.selectedFiles().value(0));
+  remember_folder(FileKind::picture, file);
+  export_frame_to(file);
+}
+
+void MainWindow::export_frame_to(const std::filesystem::path& file) {
+  frame_export_->start(export_request(file));
+}
+
+void MainWindow::export_animation() {
+  auto* dialog = new AnimationDialog(*timeline_, document_.folder(), this);
+  connect(dialog, &AnimationDialog::requested, this, &MainWindow::export_animation_to);
+  dialog->show();
+}
+
+void MainWindow::export_animation_to(const std::filesystem::path& file, int first, int last) {
+  FrameExportRequest request = export_request(file);
+  request.range = {first, last, Timeline::frames_per_second};
+  if (document_.scene().camera_keys != CameraKeys{}) request.camera.reset();
+  frame_export_->start(request);
+}
+
+FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
+  const Settings settings = viewport_->quality().settings();
+  return {document_.snapshot(),
+          viewport_->camera(),
+          settings,
+          {document_.file().string(), to_string(settings.airlight), {}, viewport_->exposure()},
+          views_->backend(),
+          file,
+          std::nullopt};
+}
+
+void MainWindow::export_medium() {
+  auto* dialog = new MediumDialog(document_.snapshot(), *timeline_, document_.folder(), this);
+  connect(dialog, &MediumDialog::requested, this, [this](const MediumExport& what) {
+    const QString name = to_qstring(what.file.filename());
+    start_file_job(tr("Exporting %1").arg(name), brume::export_medium(what));
+  });
+  dialog->show();
+}
+
+void MainWindow::gather() {
+  QFileDialog dialog(this, tr("Gather into a new folder"),
+                     last_folder(FileKind::gather, document_.folder()));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setLabelText(QFileDialog::FileName, tr("Folder"));
+  if (dialog.exec() != QDialog::Accepted) return;
+  const std::filesystem::path folder = to_path(dialog.selectedFiles().value(0));
+  remember_folder(FileKind::gather, folder);
+  gather_to(folder);
+}
+
+void MainWindow::gather_to(const std::filesystem::path& folder) {
+  const std::string name =
+      document_.file().empty() ? std::string("scene") : document_.file().stem().string();
+  start_file_job(tr("Gathering"),
+                 [this, folder, name,
+                  scene = document_.scene_to_save()](const Job& job) -> BackgroundJob::Apply {
+                   gather_scene(scene, folder, name, job.stop);
+                   return [this, folder] {
+                     show_status(tr("Gathered in %1").arg(to_qstring(folder)));
+                   };
+                 });
+}
+
+void MainWindow::start_file_job(const QString& title, const BackgroundJob::Work& work) {
+  if (!file_job_->start(title, work)) {
+    show_status(tr("Another import or export is still running."));
+  }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  std::vector<std::filesystem::path> files;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    files.push_back(to_path(url.isLocalFile() ? url.toLocalFile() : url.toString()));
+  }
+  if (files.size() == 1 && is_scene(files.front())) {
+    files_->open_file(files.front());
+  } else {
+    import_->import_files(files);
+  }
+  event->acceptProposedAction();
+}
+
+}  // namespace brume

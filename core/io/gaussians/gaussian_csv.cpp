@@ -1,0 +1,127 @@
+#include "core/io/gaussians/gaussian_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/text_scanner.h"
+
+namespace brume {
+namespace {
+
+using gaussian_columns::domains;
+using gaussian_columns::names;
+
+// The cells of a line, without the blanks around them.
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> result;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    std::string_view cell = line.substr(0, comma);
+    const std::size_t first = cell.find_first_not_of(" \t");
+    cell = first == std::string_view::npos ? std::string_view{} : cell.substr(first);
+    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t')) cell.remove_suffix(1);
+    result.push_back(cell);
+    if (comma == std::string_view::npos) return result;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
+                                        const std::vector<std::string_view>& header) {
+  std::array<std::size_t, 5> columns{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto column =
+        gaussian_columns::find_column(i, [&](std::string_view name) -> std::optional<std::size_t> {
+          const auto at = std::find(header.begin(), header.end(), name);
+          if (at == header.end()) return std::nullopt;
+          return static_cast<std::size_t>(at - header.begin());
+        });
+    if (!column) {
+      throw InputError(
+          file, "line 1",
+          "there is no column " + std::string(names[i]) + "; needed: x,y,z,radius,density");
+    }
+    columns[i] = *column;
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids, std::size_t max_count) {
+  const std::string bytes = read_bytes(file);
+  TextScanner text(bytes);
+  if (!text.next_line())
+    throw InputError(file, "", "the file is empty; allowed: Gaussians as PLY or CSV");
+  const std::vector<std::string_view> header = cells(text.rest_of_line());
+  const std::array<std::size_t, 5> columns = find_columns(file, header);
+  const auto id_column = static_cast<std::size_t>(
+      std::find(header.begin(), header.end(), gaussian_columns::id_name) - header.begin());
+  std::vector<Gaussian> gaussians;
+  while (text.next_line()) {
+    const std::vector<std::string_view> row = cells(text.rest_of_line());
+    if (row.size() == 1 && row[0].empty()) continue;
+    std::array<double, 5> value{};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string place = text.place() + ", " + std::string(names[i]);
+      if (columns[i] >= row.size()) throw InputError(file, place, "is missing");
+      const auto number = parse_number(row[columns[i]]);
+      if (!number) {
+        throw InputError(
+            file, place,
+            "found " + quoted_text(row[columns[i]]) + "; allowed: " + domains[i]->allowed);
+      }
+      if (!domains[i]->contains(*number)) {
+        throw InputError(file, place, domains[i]->refusal(*number));
+      }
+      value[i] = *number;
+    }
+    if (gaussians.size() == max_count) {
+      throw InputError(
+          file, text.place(),
+          "found too many Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
+    }
+    gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
+    if (!ids || id_column == header.size()) continue;
+    const auto id = id_column < row.size() ? parse_number(row[id_column]) : std::nullopt;
+    if (!id || !gaussian_columns::is_id(*id)) {
+      throw InputError(file, text.place() + ", id",
+                       (id ? "found " + quoted_text(row[id_column]) : std::string("no number")) +
+                           "; allowed: " + gaussian_columns::id_domain.allowed);
+    }
+    ids->push_back(static_cast<GaussianNumber>(*id));
+  }
+  return gaussians;
+}
+
+void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids) {
+  std::string text = ids.empty() ? "x,y,z,radius,density\n" : "x,y,z,radius,density,id\n";
+  const auto append = [&](auto value, char after) {
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+    text += after;
+  };
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    const Gaussian& g = gaussians[i];
+    append(g.center.x, ',');
+    append(g.center.y, ',');
+    append(g.center.z, ',');
+    append(g.radius, ',');
+    append(g.density, ids.empty() ? '\n' : ',');
+    if (!ids.empty()) append(ids[i], '\n');
+  }
+  write_atomically(file, text);
+}
+
+}  // namespace brume

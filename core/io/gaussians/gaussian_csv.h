@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/limits.h"
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+// Reads Gaussians from comma-separated values: the first line names the columns, among them x, y,
+// z, radius and density (or alternatives, see gaussian_columns.h) in any order; other columns and
+// empty lines are skipped. Throws InputError naming file and line, also for more than `max_count`.
+std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids = nullptr,
+                                         std::size_t max_count = limits::gaussians);
+
+// Writes x,y,z,radius,density with the fewest digits that read back the same.
+void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids = {});
+
+}  // namespace brume

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/limits.h"
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+// Reads Gaussians from PLY or CSV, detected by the first bytes. Throws InputError naming file and
+// place. `ids` gets the persistent ids of a sequence's Gaussians, if present. More than `max_count`
+// are an error.
+std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
+                                     std::vector<GaussianNumber>* ids = nullptr,
+                                     std::size_t max_count = limits::gaussians);
+
+// Writes CSV if the extension is .csv, else PLY; lossless.
+void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                     std::span<const GaussianNumber> ids = {});
+
+}  // namespace brume

@@ -1,0 +1,157 @@
+#include "core/io/gaussians/gaussian_ply.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/gaussians/gaussian_columns.h"
+#include "core/io/ply.h"
+#include "core/medium/splat.h"
+
+namespace brume {
+namespace {
+
+using gaussian_columns::domains;
+using gaussian_columns::names;
+
+template <class T>
+void append_little_endian(std::string& bytes, T value) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), &value, sizeof(T));
+  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+// What a vertex becomes.
+using ToGaussians = std::function<std::vector<Gaussian>(const PlyFile::Row&)>;
+
+// Where properties of one number each stand; nothing if one of them is not there.
+template <std::size_t count>
+std::optional<std::array<std::size_t, count>> columns(
+    const PlyFile::Element& vertices, const std::array<std::string_view, count>& properties) {
+  std::array<std::size_t, count> result{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto column = vertices.property(properties[i]);
+    if (!column || vertices.properties[*column].list_count) return std::nullopt;
+    result[i] = *column;
+  }
+  return result;
+}
+
+std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
+  const auto at = columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
+  if (!at) return std::nullopt;
+  const auto turn = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
+  return [at = *at, turn](const PlyFile::Row& row) -> std::vector<Gaussian> {
+    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+    Splat splat;
+    splat.center = {value(0), value(1), value(2)};
+    splat.deviations = {std::exp(value(3)), std::exp(value(4)), std::exp(value(5))};
+    // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
+    const double logit = value(6);
+    splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
+    if (!turn) return {ball_of(splat)};
+    const auto part = [&](std::size_t i) { return row.scalars[(*turn)[i]]; };
+    const glm::dquat rotation(part(0), part(1), part(2), part(3));
+    const double length = glm::length(rotation);
+    // Without a direction there is no longer axis.
+    if (!(length > 0.0) || !std::isfinite(length)) return {ball_of(splat)};
+    splat.rotation = rotation / length;
+    return balls_along(splat);
+  };
+}
+
+ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
+  std::array<std::size_t, 5> at{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto column = gaussian_columns::find_column(
+        i, [&](std::string_view name) { return columns<1>(vertices, {name}); });
+    if (!column) {
+      throw InputError(
+          file, "element vertex",
+          "there is no property " + std::string(names[i]) +
+              "; needed: x y z radius density, or x y z scale_0 scale_1 scale_2 opacity");
+    }
+    at[i] = (*column)[0];
+  }
+  return [at](const PlyFile::Row& row) {
+    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+    return std::vector<Gaussian>{{{value(0), value(1), value(2)}, value(3), value(4)}};
+  };
+}
+
+}  // namespace
+
+std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids, std::size_t max_count) {
+  const std::string bytes = read_bytes(file);
+  const PlyFile ply(file, bytes);
+  const PlyFile::Element* vertices = ply.element("vertex");
+  if (vertices == nullptr) throw InputError(file, "header", "there is no element vertex");
+  if (vertices->count > max_count) {
+    throw InputError(file, "element vertex",
+                     "found " + std::to_string(vertices->count) +
+                         " Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
+  }
+  const auto splats = from_splats(*vertices);
+  const ToGaussians to_gaussians = splats ? *splats : from_points(file, *vertices);
+  const auto id = columns<1>(*vertices, {gaussian_columns::id_name});
+  std::vector<Gaussian> gaussians;
+  ply.for_each_row(
+      [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
+        if (&element != vertices) return;
+        for (const Gaussian& g : to_gaussians(row)) {
+          const std::array value{g.center.x, g.center.y, g.center.z, g.radius, g.density};
+          for (std::size_t i = 0; i < names.size(); ++i) {
+            if (!domains[i]->contains(value[i])) {
+              throw InputError(file, "vertex " + std::to_string(index),
+                               std::string(names[i]) + ": " + domains[i]->refusal(value[i]));
+            }
+          }
+          gaussians.push_back(g);
+        }
+        if (gaussians.size() > max_count) {
+          throw InputError(file, "vertex " + std::to_string(index),
+                           "found " + std::to_string(gaussians.size()) +
+                               " Gaussians, including those that replace long splats; allowed: " +
+                               gaussian_columns::allowed_count(max_count));
+        }
+        if (!ids || !id || splats) return;
+        const double number = row.scalars[(*id)[0]];
+        if (!gaussian_columns::is_id(number)) {
+          throw InputError(file, "vertex " + std::to_string(index),
+                           "id: " + gaussian_columns::id_domain.refusal(number));
+        }
+        ids->push_back(static_cast<GaussianNumber>(number));
+      });
+  return gaussians;
+}
+
+void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids) {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Gaussians of a Brume medium\n";
+  bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
+  for (const std::string_view name : names) bytes += "property double " + std::string(name) + "\n";
+  if (!ids.empty()) bytes += "property uint " + std::string(gaussian_columns::id_name) + "\n";
+  bytes += "end_header\n";
+  bytes.reserve(bytes.size() + gaussians.size() * names.size() * sizeof(double));
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    const Gaussian& g = gaussians[i];
+    for (const double value : {g.center.x, g.center.y, g.center.z, g.radius, g.density}) {
+      append_little_endian(bytes, value);
+    }
+    if (!ids.empty()) append_little_endian(bytes, ids[i]);
+  }
+  write_atomically(file, bytes);
+}
+
+}  // namespace brume

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "core/limits.h"
+#include "core/medium/gaussian.h"
+
+namespace brume {
+
+// Gaussians as PLY points, ascii or binary of either byte order; other properties and elements are
+// skipped. A vertex has x y z radius density, or what Gaussian splatting stores: x y z, scale_0 to
+// scale_2 (logarithms of standard deviations s_k), rot_0 to rot_3 (a quaternion, real part first),
+// and the logit of an opacity o. Such an ellipsoid has the mass of the ball of its volume, radius =
+// sqrt(2) (s_0 s_1 s_2)^(1/3), that is as opaque across its middle: density = -ln(1 - o) /
+// (sqrt(pi) radius). It becomes that ball where it is nearly round or not turned in any way, else
+// up to nine balls along its long axes (balls_along()); colours are skipped. Throws InputError
+// naming file and vertex.
+//
+// `ids` gets the numbers of the property id, where points have one. More than `max_count` are
+// refused.
+std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
+                                         std::vector<GaussianNumber>* ids = nullptr,
+                                         std::size_t max_count = limits::gaussians);
+
+// Writes binary little-endian PLY in double precision, lossless, with ids if given (as many as
+// Gaussians).
+void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
+                         std::span<const GaussianNumber> ids = {});
+
+}  // namespace brume

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "core/io/frame_pattern.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/scene/medium_sequence.h"
+
+namespace brume {
+
+// Reads one frame's Gaussians and their ids, if present; throws beyond `max_count`.
+using FrameReader = std::function<std::vector<Gaussian>(
+    const std::filesystem::path& file, std::vector<GaussianNumber>* ids, std::size_t max_count)>;
+
+// Reads one file of Gaussians per frame, with ids from the column `id`; without it the line number
+// identifies a Gaussian. Throws InputError naming file and place, also for duplicate ids and for
+// more than `max_count` in all.
+std::vector<SequenceFrame> read_sequence(const FramePattern& files, int first, int last,
+                                         const FrameReader& read = read_gaussians,
+                                         std::size_t max_count = limits::gaussians);
+
+}  // namespace brume

@@ -1,0 +1,155 @@
+#include <IexBaseExc.h>
+#include <ImfArray.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+
+#include <cassert>
+#include <new>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/image/exr_limits.h"
+#include "core/io/image/image_file.h"
+#include "core/io/text_scanner.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+// OpenEXR throws many kinds of exceptions on hostile files; all of them mean a bad file.
+template <typename Work>
+auto guarded(const fs::path& file, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(file, "", "the image does not fit into memory");
+  } catch (const std::exception& error) {
+    throw InputError(file, "", "not a readable OpenEXR file: " + quoted_text(error.what(), 200));
+  }
+}
+
+// The first part that is an image of one value per pixel and channel.
+int first_flat_part(const fs::path& file, const Imf::MultiPartInputFile& input) {
+  for (int part = 0; part < input.parts(); ++part) {
+    const Imf::Header& header = input.header(part);
+    if (!header.hasType() || header.type() == Imf::SCANLINEIMAGE ||
+        header.type() == Imf::TILEDIMAGE) {
+      return part;
+    }
+  }
+  throw InputError(file, "header", "found only deep images; allowed: a flat one");
+}
+
+// Throws where a part lacks its last row, as one does that claims more rows than there are: before
+// memory is taken for all of them.
+void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
+  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i last({window.min.x, window.max.y}, window.max);
+  std::vector<float> values(static_cast<std::size_t>(window.max.x - window.min.x) + 1);
+  Imf::FrameBuffer row;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    row.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), last, sizeof(float),
+                                          sizeof(float) * values.size()));
+  }
+  part.setFrameBuffer(row);
+  part.readPixels(window.max.y);
+}
+
+// OpenEXR writes its table of lines when a file is destroyed, where it can tell of no error: the
+// stream does.
+class ExrOutput final : public Imf::OStream {
+ public:
+  ExrOutput(const fs::path& file, std::ostream& out) : OStream(file.c_str()), out_(out) {}
+  void write(const char* bytes, int count) override { out_.write(bytes, count); }
+  // Asked in the destructor too, which no exception may leave.
+  std::uint64_t tellp() override {
+    return out_ ? static_cast<std::uint64_t>(out_.tellp()) : std::uint64_t{0};
+  }
+  void seekp(std::uint64_t place) override { out_.seekp(static_cast<std::streamoff>(place)); }
+
+ private:
+  std::ostream& out_;
+};
+
+void write_layers(const fs::path& file, std::ostream& out, const ImageLayers& image) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer frame;
+  const auto width = static_cast<std::size_t>(image.width);
+  for (const auto& [name, values] : image.channels) {
+    assert(values.size() == width * static_cast<std::size_t>(image.height));
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    // The slice is only read from when a file is written.
+    frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(),
+                                        sizeof(float), sizeof(float) * width));
+  }
+  for (const auto& [name, text] : image.metadata) {
+    header.insert(name, Imf::StringAttribute(text));
+  }
+  ExrOutput stream(file, out);
+  Imf::OutputFile output(stream, header);
+  output.setFrameBuffer(frame);
+  output.writePixels(image.height);
+}
+
+}  // namespace
+
+bool is_exr(const fs::path& file) {
+  return read_first_bytes(file, 4) == std::string("\x76\x2f\x31\x01", 4);
+}
+
+ImageLayers read_exr(const fs::path& file) {
+  regular_file_size(file);
+  if (!is_exr(file)) throw InputError(file, "header", "not an OpenEXR file");
+  check_exr_attributes(file);
+  return guarded(file, [&] {
+    Imf::MultiPartInputFile input(file.c_str());
+    const int part_number = first_flat_part(file, input);
+    const Imf::Header& header = input.header(part_number);
+    check_exr_image(file, header);
+    const Imath::Box2i window = header.dataWindow();
+    ImageLayers image;
+    image.width = window.max.x - window.min.x + 1;
+    image.height = window.max.y - window.min.y + 1;
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t pixels = width * static_cast<std::size_t>(image.height);
+    Imf::InputPart part(input, part_number);
+    read_last_row(part, header);
+    Imf::FrameBuffer frame;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+      std::vector<float>& values = image.channels[c.name()];
+      values.resize(pixels);
+      frame.insert(c.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), window, sizeof(float),
+                                              sizeof(float) * width));
+    }
+    part.setFrameBuffer(frame);
+    part.readPixels(window.min.y, window.max.y);
+    for (auto a = header.begin(); a != header.end(); ++a) {
+      const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+      if (text != nullptr) image.metadata[a.name()] = text->value();
+    }
+    return image;
+  });
+}
+
+void write_exr(const fs::path& file, const ImageLayers& image) {
+  write_atomically(file, [&](std::ostream& out) {
+    try {
+      write_layers(file, out, image);
+    } catch (const Iex::BaseExc& error) {
+      throw InputError(file, "", std::string("cannot be written: ") + error.what());
+    }
+  });
+}
+
+}  // namespace brume

@@ -1,0 +1,112 @@
+#include <png.h>
+
+#include <algorithm>
+#include <cassert>
+#include <csetjmp>
+#include <cstdio>
+#include <new>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/image/image_file.h"
+
+namespace brume {
+namespace {
+
+constexpr std::size_t longest_keyword = 79;  // of a PNG text chunk
+
+// libpng's errors jump out of its functions, so between setjmp and the jump nothing may live that
+// has a destructor: hence plain pointers here, and the reason in a plain buffer.
+struct Failure {
+  std::jmp_buf jump;
+  char reason[160];
+};
+
+[[noreturn]] void on_error(png_structp png, png_const_charp reason) {
+  auto* failure = static_cast<Failure*>(png_get_error_ptr(png));
+  std::snprintf(failure->reason, sizeof failure->reason, "%s", reason);
+  std::longjmp(failure->jump, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void write_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+  auto& out = *static_cast<std::ostream*>(png_get_io_ptr(png));
+  try {
+    out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
+  } catch (const std::ios_base::failure&) {  // which must not pass through libpng
+  }
+  if (!out) png_error(png, "the stream failed");
+}
+
+void flush_bytes(png_structp) {}
+
+bool write_image(std::ostream& out, int width, int height, const std::uint8_t* rgb, png_textp texts,
+                 int text_count, Failure& failure) {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  if (info == nullptr) {
+    png_destroy_write_struct(&png, nullptr);
+    std::snprintf(failure.reason, sizeof failure.reason, "not enough memory");
+    return false;
+  }
+  // NOLINTNEXTLINE(cert-err52-cpp): libpng reports errors this way only
+  if (setjmp(failure.jump) != 0) {
+    png_destroy_write_struct(&png, &info);
+    return false;
+  }
+  png_set_write_fn(png, &out, write_bytes, flush_bytes);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (text_count > 0) png_set_text(png, info, texts, text_count);
+  png_write_info(png, info);
+  for (int y = 0; y < height; ++y) {
+    png_write_row(png, rgb + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 3);
+  }
+  png_write_end(png, info);
+  png_destroy_write_struct(&png, &info);
+  return true;
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& file, int width, int height,
+               std::span<const std::uint8_t> rgb,
+               const std::map<std::string, std::string>& metadata) {
+  assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+  std::vector<std::string> keywords;
+  for (const auto& [key, value] : metadata) keywords.push_back(key.substr(0, longest_keyword));
+  std::vector<png_text> texts;
+  for (const auto& [key, value] : metadata) {
+    png_text text{};
+    const bool is_ascii =
+        std::all_of(value.begin(), value.end(), [](char c) { return (c & 0x80) == 0; });
+    text.compression = is_ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    text.key = keywords[texts.size()].data();
+    text.text = const_cast<char*>(value.c_str());  // libpng copies it
+    text.text_length = is_ascii ? value.size() : 0;
+    text.itxt_length = is_ascii ? 0 : value.size();
+    texts.push_back(text);
+  }
+  write_atomically(file, [&](std::ostream& out) {
+    Failure failure{};
+    const bool written = write_image(out, width, height, rgb.data(), texts.data(),
+                                     static_cast<int>(texts.size()), failure);
+    if (!written && out) {
+      throw InputError(file, "", std::string("cannot be written: ") + failure.reason);
+    }
+  });
+}
+
+std::string encode_png(int width, int height, std::span<const std::uint8_t> rgb) {
+  assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+  std::ostringstream out;
+  Failure failure{};
+  if (!write_image(out, width, height, rgb.data(), nullptr, 0, failure)) throw std::bad_alloc();
+  return std::move(out).str();
+}
+
+}  // namespace brume

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "core/scene/mesh.h"
+
+namespace brume {
+
+// Reads OBJ, PLY, STL or OFF by extension; polygons become triangles. Normals in the file are
+// used, smooth ones (area-weighted, across seams of vertices at one place that are no edge of 60
+// degrees or more) computed where it has none; all are unit. Throws InputError: unreadable, no
+// faces, coordinates that are not finite, a mesh of more than limits::scene_bytes.
+std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file);
+
+// Approximate memory of a mesh.
+std::size_t mesh_bytes(const TriangleMesh& mesh);
+
+}  // namespace brume

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brume {
+
+// The content of a mesh file before conversion to TriangleMesh. Missing normals are zero; `normals`
+// is empty or as long as `points`.
+struct RawMesh {
+  std::vector<glm::dvec3> points;
+  std::vector<glm::dvec3> normals;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+// Own readers, since OpenMesh's trust counts and indices of the file and merge normals at creases.
+// Each takes the bytes of a file (the name is for errors), checks counts, indices and coordinates,
+// and throws InputError naming line, row or byte.
+RawMesh read_obj(const std::filesystem::path& file, std::string_view bytes);
+RawMesh read_off(const std::filesystem::path& file, std::string_view bytes);
+RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes);
+RawMesh read_stl(const std::filesystem::path& file, std::string_view bytes);
+
+// Shared by the readers. `place`: line or row, for errors.
+class TextScanner;
+glm::dvec3 read_point(const std::filesystem::path& file, TextScanner& scanner);
+glm::dvec3 read_normal(TextScanner& scanner);
+void check_point(const std::filesystem::path& file, const std::string& place,
+                 const glm::dvec3& point);
+void add_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners);
+
+}  // namespace brume

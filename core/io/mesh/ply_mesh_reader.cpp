@@ -1,0 +1,68 @@
+#include "core/error.h"
+#include "core/io/mesh/mesh_readers.h"
+#include "core/io/ply.h"
+
+namespace brume {
+namespace {
+
+using Columns = std::array<std::optional<std::size_t>, 3>;
+
+Columns scalar_columns(const PlyFile::Element& element, std::array<const char*, 3> names) {
+  Columns columns;
+  for (std::size_t i = 0; i < 3; ++i) {
+    columns[i] = element.property(names[i]);
+    if (columns[i] && element.properties[*columns[i]].list_count) columns[i].reset();
+  }
+  return columns;
+}
+
+bool all(const Columns& columns) {
+  return columns[0] && columns[1] && columns[2];
+}
+
+glm::dvec3 values(const PlyFile::Row& row, const Columns& columns) {
+  return {row.scalars[*columns[0]], row.scalars[*columns[1]], row.scalars[*columns[2]]};
+}
+
+}  // namespace
+
+RawMesh read_ply_mesh(const std::filesystem::path& file, std::string_view bytes) {
+  const PlyFile ply(file, bytes);
+  const PlyFile::Element* vertices = ply.element("vertex");
+  const PlyFile::Element* faces = ply.element("face");
+  if (vertices == nullptr) throw InputError(file, "header", "there is no element vertex");
+  if (faces == nullptr) throw InputError(file, "header", "the mesh has no faces");
+  const Columns position = scalar_columns(*vertices, {"x", "y", "z"});
+  const Columns normal = scalar_columns(*vertices, {"nx", "ny", "nz"});
+  if (!all(position)) throw InputError(file, "element vertex", "there are no properties x y z");
+  std::optional<std::size_t> corners = faces->property("vertex_indices");
+  if (!corners) corners = faces->property("vertex_index");
+  if (!corners || !faces->properties[*corners].list_count) {
+    throw InputError(file, "element face", "there is no list vertex_indices");
+  }
+
+  RawMesh mesh;
+  std::vector<std::uint32_t> face;
+  ply.for_each_row(
+      [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
+        if (&element == vertices) {
+          mesh.points.push_back(values(row, position));
+          check_point(file, "vertex " + std::to_string(index), mesh.points.back());
+          if (all(normal)) mesh.normals.push_back(values(row, normal));
+        } else if (&element == faces) {
+          face.clear();
+          for (const double corner : row.lists[*corners]) {
+            if (!(corner >= 0.0 && corner < static_cast<double>(vertices->count))) {
+              throw InputError(file, "face " + std::to_string(index),
+                               "found the vertex index " + std::to_string(corner) +
+                                   "; allowed: 0 to " + std::to_string(vertices->count - 1));
+            }
+            face.push_back(static_cast<std::uint32_t>(corner));
+          }
+          add_polygon(mesh, face);
+        }
+      });
+  return mesh;
+}
+
+}  // namespace brume

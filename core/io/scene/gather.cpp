@@ -1,0 +1,181 @@
+#include "core/io/scene/gather.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/frame_pattern.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/scene/scene_files.h"
+#include "core/io/temporary_files.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+struct Stopped {};
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// The copies of one scene's files.
+class Copies {
+ public:
+  Copies(fs::path folder, const std::stop_token& stop) : folder_(std::move(folder)), stop_(stop) {}
+
+  // Makes `file` its copy.
+  void add(fs::path& file) {
+    if (file.empty()) return;
+    const auto [copy, is_new] = copies_.try_emplace(file);
+    if (is_new) {
+      copy->second = folder_ / free_name(file.stem().string(), file.extension().string());
+      make(file, copy->second);
+    }
+    file = copy->second;
+  }
+
+  // The same for all files of a sequence, which get a folder of their own.
+  void add(MediumSequence& sequence) {
+    const auto files = FramePattern::parse(sequence.file.string());
+    if (!files) throw InputError(sequence.file, "", "is not a sequence");
+    const fs::path folder = folder_ / free_name("sequence", "");
+    const fs::path copy = folder / sequence.file.filename();
+    const auto copies = FramePattern::parse(copy.string());
+    if (!copies) throw InputError(copy, "", "is not a valid sequence name");
+    fs::create_directories(folder);
+    for (int frame = sequence.first; frame <= sequence.last; ++frame) {
+      make(files->file_of(frame), copies->file_of(frame));
+    }
+    sequence.file = copy;
+  }
+
+ private:
+  std::string free_name(const std::string& stem, const std::string& extension) {
+    std::string name = stem + extension;
+    for (int k = 2; !names_.insert(lower_case(name)).second; ++k) {
+      name = stem + "_" + std::to_string(k) + extension;
+    }
+    return name;
+  }
+
+  void make(const fs::path& file, const fs::path& copy) {
+    std::error_code error;
+    fs::create_directories(copy.parent_path(), error);
+    if (error) throw InputError(copy, "", "cannot be created: " + error.message());
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw InputError(file, "", std::string("cannot be opened: ") + std::strerror(errno));
+    write_atomically(copy, [&](std::ostream& out) {
+      std::vector<char> bytes(std::size_t{1} << 20);
+      do {
+        if (stop_.stop_requested()) throw Stopped();
+        in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        out.write(bytes.data(), in.gcount());
+      } while (in);
+    });
+    if (in.bad()) throw InputError(file, "", "cannot be read");
+  }
+
+  fs::path folder_;
+  const std::stop_token& stop_;
+  std::map<fs::path, fs::path> copies_;
+  std::set<std::string> names_;  // in lower case
+};
+
+// A new folder beside `folder`, which goes unless it is renamed.
+class TemporaryTarget {
+ public:
+  explicit TemporaryTarget(const fs::path& folder) {
+    static std::atomic<unsigned> counter = 0;
+    const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+    std::error_code error;
+    do {
+      path_ = fs::weakly_canonical(parent, error) /
+              (".brume-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+    } while (!error && fs::exists(path_));
+    name_ = TemporaryName(path_);
+    if (!error) fs::create_directory(path_, error);
+    if (error) throw InputError(folder, "", "cannot be created: " + error.message());
+  }
+  ~TemporaryTarget() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryTarget(const TemporaryTarget&) = delete;
+  TemporaryTarget& operator=(const TemporaryTarget&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+  // All of it is on the disk before it has its name.
+  void become(const fs::path& folder) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_)) {
+      if (entry.is_directory()) flush_folder(entry.path());
+    }
+    flush_folder(path_);
+    fs::rename(path_, folder, error);
+    if (error) throw InputError(folder, "", "cannot be created: " + error.message());
+    flush_folder(path_.parent_path());
+  }
+
+ private:
+  fs::path path_;
+  TemporaryName name_;
+};
+
+// A name without a slash at its end.
+fs::path cleaned(const fs::path& folder) {
+  const fs::path normal = folder.lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+void write_copies(const Scene& scene, const fs::path& folder, const std::string& name,
+                  const std::stop_token& stop) {
+  Copies copies(folder / "files", stop);
+  Scene gathered = scene;
+  visit_files(gathered, [&copies](auto& reference) { copies.add(reference); });
+  if (refers_to_medium_file(scene)) {
+    auto file = std::make_shared<MediumFile>(*scene.medium_file);
+    copies.add(file->file);
+    gathered.medium_file = std::move(file);
+  }
+  save_scene(gathered, folder / (name + ".brume"));
+}
+
+}  // namespace
+
+bool gather_scene(const Scene& scene, const fs::path& to, const std::string& name,
+                  const std::stop_token& stop) {
+  const fs::path folder = cleaned(to);
+  std::error_code error;
+  if (fs::exists(folder, error) &&
+      !(fs::is_directory(folder, error) && fs::is_empty(folder, error))) {
+    throw InputError(folder, "", "already exists; allowed: a new or an empty folder");
+  }
+  try {
+    TemporaryTarget target(folder);
+    try {
+      write_copies(scene, target.path(), name, stop);
+    } catch (const InputError& mistake) {  // which may name the temporary folder
+      throw InputError(folder, "", std::string("cannot be created: ") + mistake.what());
+    }
+    target.become(folder);
+  } catch (const Stopped&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace brume

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/number_domain.h"
+
+namespace brume {
+
+using Json = nlohmann::ordered_json;  // keeps the order of keys
+
+// Parses a JSON text strictly. Throws InputError naming line and column, or the JSON path where
+// there is one: bad syntax, a key twice in one object, numbers beyond double; nesting, keys, array
+// lengths or memory beyond limits.
+Json parse_json(const std::filesystem::path& file, std::string_view text);
+
+// The JSON path of a value as a chain to the root; formatted like medium.gaussians[17].radius on
+// demand.
+struct JsonPath {
+  const JsonPath* parent = nullptr;
+  std::string_view key;   // of an object, unless
+  std::size_t index = 0;  // of an array
+  bool is_element = false;
+
+  [[nodiscard]] JsonPath member(std::string_view name) const { return {this, name, 0, false}; }
+  [[nodiscard]] JsonPath element(std::size_t i) const { return {this, {}, i, true}; }
+  [[nodiscard]] std::string text() const { return joined(true); }
+  [[nodiscard]] std::string kind() const { return joined(false); }  // medium.gaussians[].radius
+
+ private:
+  [[nodiscard]] std::string joined(bool with_indices) const;
+};
+
+// Context of reading one file: its name for errors, and warnings.
+class JsonContext {
+ public:
+  JsonContext(std::filesystem::path file, std::vector<std::string>* warnings)
+      : file_(std::move(file)), warnings_(warnings) {}
+
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  [[noreturn]] void fail(const JsonPath& place, const std::string& message) const;
+  void warn(const JsonPath& place, const std::string& message);  // once per kind of path
+  // Only the first warnings are kept; appends the number of the others.
+  void finish_warnings();
+
+ private:
+  static constexpr std::size_t max_warnings = 20;
+
+  std::filesystem::path file_;
+  std::vector<std::string>* warnings_;
+  std::set<std::string> warned_;
+};
+
+// Reads the members of one JSON object, checking type and domain. Missing members get the fallback;
+// without one they are required. Members never read are unknown.
+class JsonObject {
+ public:
+  JsonObject(JsonContext& context, const Json& value, const JsonPath& place);
+
+  [[nodiscard]] const Json* find(std::string_view key);      // nullptr if missing
+  [[nodiscard]] const Json& required(std::string_view key);  // throws if missing
+
+  double number(std::string_view key, const NumberDomain& domain, std::optional<double> fallback);
+  std::int64_t integer(std::string_view key, std::int64_t min_value, std::int64_t max_value,
+                       std::int64_t fallback);
+  glm::dvec3 vector(std::string_view key, const NumberDomain& domain,
+                    std::optional<glm::dvec3> fallback);
+  bool boolean(std::string_view key, bool fallback);
+  std::string text(std::string_view key, std::optional<std::string> fallback);
+  // Index of the text in `allowed`.
+  std::size_t choice(std::string_view key, const std::vector<std::string>& allowed,
+                     std::optional<std::size_t> fallback);
+  // The elements of an array; empty if missing.
+  const Json::array_t& array(std::string_view key, std::size_t longest);
+
+  // Call after reading all members: the unknown ones as text of a JSON object ("" for none). Warns.
+  std::string extra_json();
+
+  [[nodiscard]] JsonPath place(std::string_view key) const { return place_.member(key); }
+  [[noreturn]] void fail(std::string_view key, const std::string& message) const {
+    context_.fail(place(key), message);
+  }
+
+ private:
+  JsonContext& context_;
+  const Json& value_;
+  const JsonPath& place_;
+  std::vector<std::string_view> asked_;
+};
+
+// The numbers of an array of length `count` at `place`, checked.
+std::vector<double> read_numbers(const JsonContext& context, const Json& value,
+                                 const JsonPath& place, std::size_t count,
+                                 const NumberDomain& domain);
+
+// Adds preserved unknown keys (text of an object, or "") to an object.
+void add_extra_json(Json& object, const std::string& extra_json);
+
+// A value as quoted in error messages.
+std::string quoted_json(const Json& value);
+
+}  // namespace brume

@@ -1,0 +1,89 @@
+#include "core/io/scene/keys_json.h"
+
+#include "core/io/scene/scene_names.h"
+#include "core/limits.h"
+
+namespace brume {
+namespace {
+
+void read_value(JsonObject& object, const NumberDomain& domain, double& value) {
+  value = object.number("value", domain, {});
+}
+
+void read_value(JsonObject& object, const NumberDomain& domain, glm::dvec3& value) {
+  value = object.vector("value", domain, {});
+}
+
+template <class T>
+Key<T> read_key(JsonContext& context, const Json& json, const JsonPath& place,
+                const NumberDomain& domain) {
+  JsonObject object(context, json, place);
+  Key<T> key;
+  key.time = object.number("time", domain::seconds, {});
+  read_value(object, domain, key.value);
+  key.interpolation = static_cast<Interpolation>(
+      object.choice("interpolation", scene_names::interpolations, std::size_t{0}));
+  key.extra_json = object.extra_json();
+  return key;
+}
+
+template <class T>
+void read_all(JsonContext& context, JsonObject& object, const char* name,
+              const NumberDomain& domain, Keys<T>& keys) {
+  const Json::array_t& elements = object.array(name, limits::keys_of_value);
+  const JsonPath place = object.place(name);
+  keys.reserve(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const JsonPath element = place.element(i);
+    keys.push_back(read_key<T>(context, elements[i], element, domain));
+    if (i > 0 && !(keys[i].time - keys[i - 1].time >= min_key_distance)) {
+      context.fail(element.member("time"), "found " + quoted_text(keys[i].time) + " after " +
+                                               quoted_text(keys[i - 1].time) +
+                                               "; allowed: times that increase by at least 1e-6");
+    }
+  }
+}
+
+Json value_to_json(double value) {
+  return value;
+}
+Json value_to_json(const glm::dvec3& value) {
+  return Json::array({value.x, value.y, value.z});
+}
+
+template <class T>
+Json all_to_json(const Keys<T>& keys) {
+  Json array = Json::array();
+  for (const Key<T>& key : keys) {
+    Json entry{{"time", key.time}, {"value", value_to_json(key.value)}};
+    if (key.interpolation != Interpolation::smooth) {
+      entry["interpolation"] =
+          scene_names::interpolations[static_cast<std::size_t>(key.interpolation)];
+    }
+    add_extra_json(entry, key.extra_json);
+    array.push_back(std::move(entry));
+  }
+  return array;
+}
+
+}  // namespace
+
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<double>& keys) {
+  read_all(context, object, name, domain, keys);
+}
+
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<glm::dvec3>& keys) {
+  read_all(context, object, name, domain, keys);
+}
+
+Json keys_to_json(const Keys<double>& keys) {
+  return all_to_json(keys);
+}
+
+Json keys_to_json(const Keys<glm::dvec3>& keys) {
+  return all_to_json(keys);
+}
+
+}  // namespace brume

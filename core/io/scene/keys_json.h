@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/io/scene/json_reader.h"
+#include "core/scene/keys.h"
+
+namespace brume {
+
+// Keyframes of one value: the array `name` of a `keys` object; empty if missing. Times increase by
+// at least min_key_distance, values lie in the domain.
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<double>& keys);
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<glm::dvec3>& keys);
+
+Json keys_to_json(const Keys<double>& keys);
+Json keys_to_json(const Keys<glm::dvec3>& keys);
+
+}  // namespace brume

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/io/scene/json_reader.h"
+
+namespace brume {
+
+class MeasuredBrdf;
+struct RadianceMap;
+struct TriangleMesh;
+
+// Memory budget while reading a scene: the sum over all files stays within limits::gaussians and
+// limits::scene_bytes. Throws InputError naming the JSON path.
+class SceneBudget {
+ public:
+  explicit SceneBudget(const JsonContext& context) : context_(context) {}
+
+  // Reserves Gaussians and their memory.
+  void reserve_gaussians(const JsonPath& place, std::size_t count);
+  void reserve(const JsonPath& place, const RadianceMap& map);
+  void reserve(const JsonPath& place, const MeasuredBrdf& measured);
+  // Per surface: rendering copies the mesh for each.
+  void reserve(const JsonPath& place, const TriangleMesh& mesh);
+
+  [[nodiscard]] std::size_t gaussians_left() const;
+
+ private:
+  void reserve_bytes(const JsonPath& place, std::size_t bytes);
+
+  const JsonContext& context_;
+  std::size_t gaussians_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace brume

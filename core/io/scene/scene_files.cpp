@@ -1,0 +1,25 @@
+#include "core/io/scene/scene_files.h"
+
+#include <type_traits>
+
+#include "core/io/frame_pattern.h"
+
+namespace brume {
+
+std::vector<std::filesystem::path> files_of(const Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  visit_files(scene, [&files](const auto& reference) {
+    if constexpr (std::is_same_v<decltype(reference), const MediumSequence&>) {
+      const auto frames = FramePattern::parse(reference.file.string());
+      for (int frame = reference.first; frames && frame <= reference.last; ++frame) {
+        files.emplace_back(frames->file_of(frame));
+      }
+    } else {
+      files.push_back(reference);
+    }
+  });
+  if (scene.medium_file) files.push_back(scene.medium_file->file);
+  return files;
+}
+
+}  // namespace brume

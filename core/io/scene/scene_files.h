@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Calls visit(path) for each referenced file and visit(sequence) for each sequence, except
+// medium_file.
+template <class SceneOrConst, class Visit>
+void visit_files(SceneOrConst& scene, Visit visit) {
+  for (auto& surface : scene.surfaces) {
+    visit(surface.mesh_file);
+    if (surface.material.type == Material::Type::measured) visit(surface.material.file);
+  }
+  if (scene.environment) visit(scene.environment->file);
+  for (auto& sequence : scene.sequences) visit(sequence);
+}
+
+// All files referenced by a loaded scene; may contain duplicates.
+std::vector<std::filesystem::path> files_of(const Scene& scene);
+
+}  // namespace brume

@@ -1,0 +1,340 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <new>
+
+#include "core/authoring/particles.h"
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/scene/json_reader.h"
+#include "core/io/scene/keys_json.h"
+#include "core/io/scene/scene_budget.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/scene/scene_names.h"
+#include "core/io/scene/scene_references.h"
+#include "core/io/text_scanner.h"
+#include "core/limits.h"
+#include "core/scene/animation.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+class SceneLoader {
+ public:
+  SceneLoader(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing)
+      : context_(file, warnings), references_(file, missing) {}
+
+  Scene load(const Json& root) {
+    JsonObject object(context_, root, root_);
+    check_version(object);
+    if (const Json* value = object.find("camera")) load_camera(*value, object.place("camera"));
+    if (const Json* value = object.find("film")) load_film(*value, object.place("film"));
+    if (const Json* value = object.find("medium")) load_medium(*value, object.place("medium"));
+    load_elements(object, "lights", limits::lights, &SceneLoader::load_light);
+    if (const Json* value = object.find("environment")) {
+      load_environment(*value, object.place("environment"));
+    }
+    load_elements(object, "surfaces", limits::surfaces, &SceneLoader::load_surface);
+    if (const Json* value = object.find("timeline"))
+      load_timeline(*value, object.place("timeline"));
+    scene_.extra_json = object.extra_json();
+    context_.finish_warnings();
+    return std::move(scene_);
+  }
+
+ private:
+  using LoadElement = void (SceneLoader::*)(const Json&, const JsonPath&);
+
+  void load_elements(JsonObject& object, const char* key, std::size_t longest,
+                     LoadElement load_element) {
+    const Json::array_t& elements = object.array(key, longest);
+    const JsonPath place = object.place(key);
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      (this->*load_element)(elements[i], place.element(i));
+  }
+
+  static void check_version(JsonObject& object) {
+    const Json& format = object.required("format");
+    if (format != scene_names::format) {
+      object.fail("format", "found " + quoted_json(format) + "; allowed: \"brume-scene\"");
+    }
+    const Json& version = object.required("version");
+    if (!version.is_number() || version != scene_names::version) {
+      const bool newer = version.is_number() && version > scene_names::version;
+      object.fail("version",
+                  "found " + quoted_json(version) + "; allowed: 1" +
+                      (newer ? " (the scene was written by a newer version of Brume)" : ""));
+    }
+  }
+
+  // The member `keys` of an object: those of the values that visit_all(visit) goes through.
+  void load_keys(JsonObject& owner, ExtraJson& extra_json, auto&& visit_all) {
+    const Json* value = owner.find("keys");
+    if (value == nullptr) return;
+    const JsonPath place = owner.place("keys");
+    JsonObject object(context_, *value, place);
+    visit_all([&](const char* name, const auto&, auto& keys, const NumberDomain& domain) {
+      read_keys(context_, object, name, domain, keys);
+    });
+    extra_json = object.extra_json();
+  }
+
+  void load_camera(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Camera& camera = scene_.camera;
+    camera.eye = object.vector("eye", domain::coordinate, camera.eye);
+    camera.target = object.vector("target", domain::coordinate, camera.target);
+    camera.up = object.vector("up", domain::coordinate, camera.up);
+    camera.vertical_fov = object.number("vertical_fov", domain::field_of_view, camera.vertical_fov);
+    if (!(glm::length(camera.target - camera.eye) > 0.0)) {
+      object.fail("target", "found the position of the eye; allowed: any other point");
+    }
+    if (!(glm::length(camera.up) > 0.0)) {
+      object.fail("up", "found a vector of length 0; allowed: any other");
+    }
+    CameraKeys& keys = scene_.camera_keys;
+    load_keys(object, keys.extra_json,
+              [&](auto&& visit) { visit_keyed_camera(camera, keys, visit); });
+    scene_.unknown_camera = object.extra_json();
+  }
+
+  void load_film(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Film& film = scene_.film;
+    film.width = static_cast<int>(object.integer("width", 1, limits::film_side, film.width));
+    film.height = static_cast<int>(object.integer("height", 1, limits::film_side, film.height));
+    scene_.unknown_film = object.extra_json();
+  }
+
+  void load_timeline(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Playback playback;
+    const std::int64_t first = object.integer("first", 0, limits::frame, 0);
+    playback.first = static_cast<int>(first);
+    static_cast<void>(object.required("last"));
+    playback.last = static_cast<int>(object.integer("last", first, limits::frame, first));
+    playback.loops = object.boolean("loop", playback.loops);
+    playback.extra_json = object.extra_json();
+    scene_.playback = std::move(playback);
+  }
+
+  void load_medium(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    scene_.medium.set_homogeneous_density(object.number("density", domain::density, 0.0));
+    const JsonPath gaussians = object.place("gaussians");
+    budget_.reserve_gaussians(gaussians, object.array("gaussians", limits::gaussians).size());
+    load_elements(object, "gaussians", limits::gaussians, &SceneLoader::load_gaussian);
+    if (object.find("file") != nullptr) load_medium_file(object);
+
+    MediumOptics& optics = scene_.optics;
+    optics.albedo = object.vector("albedo", domain::albedo, optics.albedo);
+    optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
+    if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
+    load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
+    load_elements(object, "sequences", limits::sequences, &SceneLoader::load_sequence);
+    load_keys(object, optics.keys.extra_json, [&](auto&& visit) {
+      visit_keyed_density(scene_.medium, scene_.density_keys, visit);
+      visit_keyed_optics(optics, visit);
+    });
+    scene_.unknown_medium = object.extra_json();
+  }
+
+  void load_gaussian(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Gaussian gaussian;
+    gaussian.center = object.vector("center", domain::coordinate, {});
+    gaussian.radius = object.number("radius", domain::length, {});
+    gaussian.density = object.number("density", domain::density, {});
+    const GaussianId id = scene_.medium.append(gaussian);
+    if (ExtraJson extra_json = object.extra_json(); !extra_json.empty()) {
+      scene_.unknown_gaussians[id] = std::move(extra_json);
+    }
+  }
+
+  void load_medium_file(JsonObject& object) {
+    const JsonPath place = object.place("file");
+    auto loaded = std::make_shared<MediumFile>();
+    loaded->file = references_.resolve(context_, place, object.text("file", {}));
+    loaded->gaussians =
+        references_.gaussians(context_, place, loaded->file, budget_.gaussians_left());
+    budget_.reserve_gaussians(place, loaded->gaussians.size());
+    Medium& medium = scene_.medium;
+    medium.reserve(medium.size() + loaded->gaussians.size());
+    loaded->ids.reserve(loaded->gaussians.size());
+    for (const Gaussian& g : loaded->gaussians) loaded->ids.push_back(medium.append(g));
+    scene_.medium_file = std::move(loaded);
+  }
+
+  void load_noise(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Noise& noise = scene_.optics.noise;
+    noise.amplitude = object.number("amplitude", domain::not_negative, noise.amplitude);
+    noise.frequency = object.number("frequency", domain::not_negative, noise.frequency);
+    noise.velocity = object.vector("velocity", domain::coordinate, noise.velocity);
+    noise.seed = object.integer("seed", INT64_MIN, INT64_MAX, noise.seed);
+    load_keys(object, noise.keys.extra_json,
+              [&](auto&& visit) { visit_keyed_noise(noise, visit); });
+    noise.extra_json = object.extra_json();
+  }
+
+  void load_emitter(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Emitter emitter;
+    emitter.position = object.vector("position", domain::coordinate, {});
+    emitter.rate = object.number("rate", domain::not_negative, emitter.rate);
+    emitter.lifetime = object.number("lifetime", domain::not_negative, emitter.lifetime);
+    emitter.velocity = object.vector("velocity", domain::coordinate, emitter.velocity);
+    emitter.spread = object.number("spread", domain::not_negative, emitter.spread);
+    emitter.acceleration = object.vector("acceleration", domain::coordinate, emitter.acceleration);
+    emitter.radius = load_pair(object, "radius", domain::length, emitter.radius);
+    emitter.density = load_pair(object, "density", domain::density, emitter.density);
+    emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
+    emitter.extra_json = object.extra_json();
+    budget_.reserve_gaussians(place, max_particles(emitter));
+    scene_.emitters.push_back(std::move(emitter));
+  }
+
+  void load_sequence(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    MediumSequence sequence;
+    const JsonPath file = object.place("file");
+    sequence.file = references_.resolve_pattern(context_, file, object.text("file", {}));
+    constexpr std::int64_t max_value = 999'999'999;
+    const std::int64_t first = object.integer("first", 0, max_value, 0);
+    const std::int64_t last = object.integer(
+        "last", first, std::min(max_value, first + limits::sequence_frames - 1), first);
+    sequence.first = static_cast<int>(first);
+    sequence.last = static_cast<int>(last);
+    sequence.frames_per_second =
+        object.number("frames_per_second", domain::rate, sequence.frames_per_second);
+    sequence.start = object.number("start", domain::seconds, sequence.start);
+    sequence.frames = std::make_shared<std::vector<SequenceFrame>>(
+        references_.sequence(context_, file, sequence, budget_.gaussians_left()));
+    budget_.reserve_gaussians(file, gaussian_count(sequence));
+    sequence.extra_json = object.extra_json();
+    scene_.sequences.push_back(std::move(sequence));
+  }
+
+  // At birth and at death.
+  glm::dvec2 load_pair(JsonObject& object, const char* key, const NumberDomain& domain,
+                       const glm::dvec2& absent) {
+    const Json* value = object.find(key);
+    if (value == nullptr) return absent;
+    const auto numbers = read_numbers(context_, *value, object.place(key), 2, domain);
+    return {numbers[0], numbers[1]};
+  }
+
+  void load_light(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    object.choice("type", {"point"}, {});
+    PointLight light;
+    light.position = object.vector("position", domain::coordinate, {});
+    light.intensity = object.vector("intensity", domain::intensity, light.intensity);
+    light.on = object.boolean("on", light.on);
+    load_keys(object, light.keys.extra_json,
+              [&](auto&& visit) { visit_keyed_light(light, visit); });
+    light.extra_json = object.extra_json();
+    scene_.lights.push_back(std::move(light));
+  }
+
+  void load_environment(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Environment environment;
+    const JsonPath file = object.place("file");
+    environment.file = references_.resolve(context_, file, object.text("file", {}));
+    environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
+    environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
+    environment.map = references_.radiance_map(context_, file, environment.file);
+    budget_.reserve(file, *environment.map);
+    load_keys(object, environment.keys.extra_json,
+              [&](auto&& visit) { visit_keyed_environment(environment, visit); });
+    environment.extra_json = object.extra_json();
+    scene_.environment = std::move(environment);
+  }
+
+  void load_surface(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Surface surface;
+    const JsonPath mesh = object.place("mesh");
+    surface.mesh_file = references_.resolve(context_, mesh, object.text("mesh", {}));
+    surface.mesh = references_.mesh(context_, mesh, surface.mesh_file);
+    budget_.reserve(mesh, *surface.mesh);
+    surface.translate = object.vector("translate", domain::coordinate, surface.translate);
+    if (const Json* rotate = object.find("rotate")) {
+      surface.rotate = unit_quaternion(*rotate, object.place("rotate"));
+    }
+    surface.scale = object.number("scale", domain::length, surface.scale);
+    if (const Json* material = object.find("material")) {
+      surface.material = load_material(*material, object.place("material"));
+    }
+    surface.transfer = static_cast<Surface::Transfer>(
+        object.choice("transfer", scene_names::transfers, std::size_t{0}));
+    surface.extra_json = object.extra_json();
+    scene_.surfaces.push_back(std::move(surface));
+  }
+
+  [[nodiscard]] glm::dquat unit_quaternion(const Json& value, const JsonPath& place) const {
+    const std::vector<double> q = read_numbers(context_, value, place, 4, domain::coordinate);
+    const glm::dquat rotate(q[0], q[1], q[2], q[3]);
+    const double length = glm::length(rotate);
+    if (!(std::abs(length - 1.0) <= 1e-3)) {
+      context_.fail(place, "found a quaternion of length " + quoted_text(length) +
+                               "; allowed: length 1, within 1e-3");
+    }
+    // What is unit up to rounding stays as it is, so that a saved scene is the same scene.
+    return std::abs(length - 1.0) <= 1e-12 ? rotate : rotate / length;
+  }
+
+  Material load_material(const Json& value, const JsonPath& place) {
+    JsonObject object(context_, value, place);
+    Material material;
+    material.type =
+        static_cast<Material::Type>(object.choice("type", scene_names::materials, std::size_t{0}));
+    if (material.type == Material::Type::measured) {
+      const JsonPath file = object.place("file");
+      material.file = references_.resolve(context_, file, object.text("file", {}));
+      material.measured = references_.measured_brdf(context_, file, material.file);
+      budget_.reserve(file, *material.measured);
+    } else {
+      material.reflectance = object.vector("reflectance", domain::unit, material.reflectance);
+    }
+    if (material.type == Material::Type::phong) {
+      material.specular = object.vector("specular", domain::unit, material.specular);
+      material.exponent = object.number("exponent", domain::not_negative, material.exponent);
+    }
+    material.extra_json = object.extra_json();
+    return material;
+  }
+
+  JsonContext context_;
+  SceneBudget budget_{context_};
+  JsonPath root_;
+  SceneReferences references_;
+  Scene scene_;
+};
+
+Scene load(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing) {
+  try {
+    const Json json = parse_json(file, read_bytes(file));
+    return SceneLoader(file, warnings, missing).load(json);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(file, "", "does not fit into memory");
+  } catch (const std::exception& error) {  // of the file system, or a limit of the library's
+    throw InputError(file, "", error.what());
+  }
+}
+
+}  // namespace
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+  return load(file, warnings, nullptr);
+}
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings, MissingFiles& missing) {
+  return load(file, warnings, &missing);
+}
+
+}  // namespace brume

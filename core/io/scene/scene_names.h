@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+// Keywords of the scene file, in the order of the enumerations.
+namespace brume::scene_names {
+
+inline constexpr const char* format = "brume-scene";
+inline constexpr int version = 1;
+inline const std::vector<std::string> materials{"diffuse", "phong", "measured"};
+inline const std::vector<std::string> transfers{"none", "shadow", "interreflection"};
+inline const std::vector<std::string> interpolations{"smooth", "linear"};
+
+}  // namespace brume::scene_names

@@ -1,0 +1,176 @@
+#include "core/io/scene/scene_references.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/gaussians/sequence_file.h"
+#include "core/io/image/radiance_map_file.h"
+#include "core/io/merl_file.h"
+#include "core/io/mesh/mesh_file.h"
+#include "core/io/text_scanner.h"
+#include "core/scene/measured_brdf.h"
+#include "core/scene/mesh.h"
+#include "core/scene/radiance_map.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+// The folder without symbolic links, so that ".." in a reference is the real parent folder.
+fs::path real_folder(const fs::path& folder) {
+  return fs::weakly_canonical(folder.empty() ? fs::path(".") : folder);
+}
+
+// Runs `read`; an error of the file read becomes one of the scene, at the place that refers to it.
+template <typename Read>
+auto at_place(const JsonContext& context, const JsonPath& place, Read&& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    context.fail(place, error.what());
+  }
+}
+
+// What stands for files that are missing.
+
+// Of no area, so that nothing is seen of it; without any triangle a scene would have no bounds.
+TriangleMesh invisible_mesh() {
+  TriangleMesh mesh;
+  mesh.request_vertex_normals();
+  std::array<OpenMesh::VertexHandle, 3> corners;
+  for (OpenMesh::VertexHandle& corner : corners) {
+    corner = mesh.add_vertex(OpenMesh::Vec3f(0.0f, 0.0f, 0.0f));
+    mesh.set_normal(corner, OpenMesh::Vec3f(0.0f, 1.0f, 0.0f));
+  }
+  mesh.add_face(corners[0], corners[1], corners[2]);
+  return mesh;
+}
+
+RadianceMap black_map() {
+  return {2, 1, {glm::vec3(0.0f), glm::vec3(0.0f)}};
+}
+
+MeasuredBrdf gray_brdf() {
+  constexpr float reflectance = 0.5f;
+  return MeasuredBrdf(
+      std::vector(MeasuredBrdf::samples, glm::vec3(reflectance * std::numbers::inv_pi_v<float>)));
+}
+
+}  // namespace
+
+SceneReferences::SceneReferences(const fs::path& scene_file, MissingFiles* missing)
+    : scene_file_(scene_file),
+      missing_(missing),
+      directory_(real_folder(scene_file.parent_path())) {}
+
+fs::path SceneReferences::found(const fs::path& file) const {
+  if (missing_ == nullptr) return file;
+  const auto at = missing_->found.find(file);
+  return at == missing_->found.end() ? file : at->second;
+}
+
+void SceneReferences::note_missing(const fs::path& file) const {
+  std::error_code error;
+  if (missing_ == nullptr || fs::exists(file, error) || is_missing(file)) return;
+  missing_->missing.push_back(file);
+}
+
+bool SceneReferences::is_missing(const fs::path& file) const {
+  return missing_ != nullptr && std::ranges::count(missing_->missing, file) > 0;
+}
+
+fs::path SceneReferences::absolute(const JsonContext& context, const JsonPath& place,
+                                   const std::string& text) const {
+  const bool is_name = !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) {
+    return c < 0x20 || c == 0x7f;
+  });
+  if (!is_name) context.fail(place, "found \"" + text + "\"; allowed: a file name");
+  return (directory_ / text).lexically_normal();
+}
+
+fs::path SceneReferences::resolve_pattern(const JsonContext& context, const JsonPath& place,
+                                          const std::string& text) const {
+  if (!FramePattern::parse(fs::path(text).filename().string()) ||
+      FramePattern::is_pattern(fs::path(text).parent_path().string())) {
+    context.fail(place, "found " + quoted_text(text) +
+                            "; allowed: a file name with one %d or %04d for the frame");
+  }
+  const fs::path file = found(absolute(context, place, text));
+  if (!FramePattern::parse(file.string())) {
+    context.fail(place,
+                 "found " + quoted_text(file.string()) + "; allowed: a path without another %d");
+  }
+  return file;
+}
+
+std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
+                                                     const JsonPath& place,
+                                                     const MediumSequence& sequence,
+                                                     std::size_t max_gaussians) {
+  const FramePattern files = *FramePattern::parse(sequence.file.string());
+  std::error_code error;
+  for (int frame = sequence.first; missing_ != nullptr && frame <= sequence.last; ++frame) {
+    if (fs::exists(files.file_of(frame), error)) continue;
+    note_missing(sequence.file);
+    return std::vector<SequenceFrame>(static_cast<std::size_t>(sequence.last - sequence.first) + 1);
+  }
+  return at_place(context, place, [&] {
+    return read_sequence(files, sequence.first, sequence.last, read_gaussians, max_gaussians);
+  });
+}
+
+fs::path SceneReferences::resolve(const JsonContext& context, const JsonPath& place,
+                                  const std::string& text) const {
+  const fs::path file = found(absolute(context, place, text));
+  note_missing(file);
+  if (is_missing(file)) return file;
+  at_place(context, place, [&] { return regular_file_size(file); });
+  std::error_code error;
+  if (fs::equivalent(file, scene_file_, error)) {
+    context.fail(place, "found the scene itself, " + text + "; allowed: another file");
+  }
+  return file;
+}
+
+std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& context,
+                                                          const JsonPath& place,
+                                                          const fs::path& file) {
+  std::shared_ptr<const TriangleMesh>& mesh = meshes_[file];
+  if (!mesh && is_missing(file)) mesh = std::make_shared<const TriangleMesh>(invisible_mesh());
+  if (!mesh) mesh = at_place(context, place, [&] { return read_mesh(file); });
+  return mesh;
+}
+
+std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPath& place,
+                                                 const fs::path& file, std::size_t max_gaussians) {
+  if (is_missing(file)) return {};
+  return at_place(context, place, [&] { return read_gaussians(file, nullptr, max_gaussians); });
+}
+
+std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonContext& context,
+                                                                 const JsonPath& place,
+                                                                 const fs::path& file) {
+  if (is_missing(file)) return std::make_shared<const RadianceMap>(black_map());
+  return at_place(context, place, [&] { return read_radiance_map(file); });
+}
+
+std::shared_ptr<const MeasuredBrdf> SceneReferences::measured_brdf(const JsonContext& context,
+                                                                   const JsonPath& place,
+                                                                   const fs::path& file) {
+  std::shared_ptr<const MeasuredBrdf>& measured = measured_[file];
+  if (!measured && is_missing(file)) measured = std::make_shared<const MeasuredBrdf>(gray_brdf());
+  if (!measured) measured = at_place(context, place, [&] { return read_merl(file); });
+  return measured;
+}
+
+std::string SceneReferences::text_for(const fs::path& file, const fs::path& directory) {
+  const fs::path absolute = fs::absolute(file).lexically_normal();
+  const fs::path relative = absolute.lexically_relative(real_folder(fs::absolute(directory)));
+  return (relative.empty() ? absolute : relative).generic_string();
+}
+
+}  // namespace brume

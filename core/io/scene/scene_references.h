@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/scene/json_reader.h"
+#include "core/io/scene/missing_files.h"
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Resolves, reads and validates the files that a scene refers to. Errors name the scene, the JSON
+// path of the reference, the file and the place in it.
+class SceneReferences {
+ public:
+  // `missing`: see load_scene(); nullptr: missing files are errors.
+  SceneReferences(const std::filesystem::path& scene_file, MissingFiles* missing);
+
+  // The absolute path of a reference; it must be a file other than the scene.
+  std::filesystem::path resolve(const JsonContext& context, const JsonPath& place,
+                                const std::string& text) const;
+
+  // The same for a pattern of frames; does not check that files exist.
+  std::filesystem::path resolve_pattern(const JsonContext& context, const JsonPath& place,
+                                        const std::string& text) const;
+  // Reads the frames of a sequence whose file, first and last are set; at most `max_gaussians` in
+  // all.
+  std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPath& place,
+                                      const MediumSequence& sequence, std::size_t max_gaussians);
+
+  // Meshes and measured BRDFs are cached and shared.
+  std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPath& place,
+                                           const std::filesystem::path& file);
+  std::shared_ptr<const MeasuredBrdf> measured_brdf(const JsonContext& context,
+                                                    const JsonPath& place,
+                                                    const std::filesystem::path& file);
+  std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPath& place,
+                                  const std::filesystem::path& file, std::size_t max_gaussians);
+  std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context, const JsonPath& place,
+                                                  const std::filesystem::path& file);
+
+  // The reference from a scene file in `directory` to `file`: relative if possible.
+  static std::string text_for(const std::filesystem::path& file,
+                              const std::filesystem::path& directory);
+
+ private:
+  [[nodiscard]] std::filesystem::path absolute(const JsonContext& context, const JsonPath& place,
+                                               const std::string& text) const;
+
+  // The current location of a file; records missing ones if that is no error.
+  [[nodiscard]] std::filesystem::path found(const std::filesystem::path& file) const;
+  void note_missing(const std::filesystem::path& file) const;
+  [[nodiscard]] bool is_missing(const std::filesystem::path& file) const;
+
+  std::filesystem::path scene_file_;
+  MissingFiles* missing_;
+  std::filesystem::path directory_;
+  std::map<std::filesystem::path, std::shared_ptr<const TriangleMesh>> meshes_;
+  std::map<std::filesystem::path, std::shared_ptr<const MeasuredBrdf>> measured_;
+};
+
+}  // namespace brume

@@ -1,0 +1,275 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/scene/json_reader.h"
+#include "core/io/scene/keys_json.h"
+#include "core/io/scene/scene_file.h"
+#include "core/io/scene/scene_names.h"
+#include "core/io/scene/scene_references.h"
+#include "core/scene/animation.h"
+
+namespace brume {
+namespace fs = std::filesystem;
+namespace {
+
+Json to_json(const glm::dvec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+// Adds the member `keys` with the keys of the values that visit_all(visit) goes through, if any.
+void add_keys(Json& object, const ExtraJson& extra_json, auto&& visit_all) {
+  Json all = Json::object();
+  visit_all([&all](const char* name, const auto&, const auto& keys, const NumberDomain&) {
+    if (!keys.empty()) all[name] = keys_to_json(keys);
+  });
+  add_extra_json(all, extra_json);
+  if (!all.empty()) object["keys"] = std::move(all);
+}
+
+// Whether the Gaussians that came from medium.file are still what they were.
+bool is_unchanged(const MediumFile& loaded, const Scene& scene) {
+  for (std::size_t i = 0; i < loaded.ids.size(); ++i) {
+    const auto at = scene.medium.index_of(loaded.ids[i]);
+    if (!at || scene.medium.gaussian(*at) != loaded.gaussians[i]) return false;
+    if (scene.unknown_gaussians.contains(loaded.ids[i])) return false;
+  }
+  return true;
+}
+
+Json emitter_to_json(const Emitter& emitter) {
+  Json entry{{"position", to_json(emitter.position)},
+             {"rate", emitter.rate},
+             {"lifetime", emitter.lifetime},
+             {"velocity", to_json(emitter.velocity)},
+             {"spread", emitter.spread},
+             {"acceleration", to_json(emitter.acceleration)},
+             {"radius", Json::array({emitter.radius.x, emitter.radius.y})},
+             {"density", Json::array({emitter.density.x, emitter.density.y})},
+             {"seed", emitter.seed}};
+  add_extra_json(entry, emitter.extra_json);
+  return entry;
+}
+
+Json medium_to_json(const Scene& scene, const fs::path& directory) {
+  const Medium& medium = scene.medium;
+  const MediumFile* file = refers_to_medium_file(scene) ? scene.medium_file.get() : nullptr;
+
+  Json object;
+  object["density"] = medium.homogeneous_density();
+  Json& gaussians = object["gaussians"] = Json::array();
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const GaussianId id = medium.ids()[i];
+    if (file != nullptr && std::binary_search(file->ids.begin(), file->ids.end(), id)) continue;
+    const Gaussian g = medium.gaussian(i);
+    Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
+    const auto extra_json = scene.unknown_gaussians.find(id);
+    if (extra_json != scene.unknown_gaussians.end()) add_extra_json(entry, extra_json->second);
+    gaussians.push_back(std::move(entry));
+  }
+  if (file != nullptr) object["file"] = SceneReferences::text_for(file->file, directory);
+
+  const MediumOptics& optics = scene.optics;
+  if (optics.albedo != glm::dvec3(1.0)) object["albedo"] = to_json(optics.albedo);
+  if (optics.anisotropy != 0.0) object["anisotropy"] = optics.anisotropy;
+  if (const Noise& noise = optics.noise; noise != Noise{}) {
+    Json& entry = object["noise"] = Json{{"amplitude", noise.amplitude},
+                                         {"frequency", noise.frequency},
+                                         {"velocity", to_json(noise.velocity)},
+                                         {"seed", noise.seed}};
+    add_keys(entry, noise.keys.extra_json,
+             [&noise](auto&& visit) { visit_keyed_noise(noise, visit); });
+    add_extra_json(entry, noise.extra_json);
+  }
+  for (const Emitter& emitter : scene.emitters) {
+    object["emitters"].push_back(emitter_to_json(emitter));
+  }
+  for (const MediumSequence& sequence : scene.sequences) {
+    Json entry{{"file", SceneReferences::text_for(sequence.file, directory)},
+               {"first", sequence.first},
+               {"last", sequence.last},
+               {"frames_per_second", sequence.frames_per_second},
+               {"start", sequence.start}};
+    add_extra_json(entry, sequence.extra_json);
+    object["sequences"].push_back(std::move(entry));
+  }
+  add_keys(object, optics.keys.extra_json, [&](auto&& visit) {
+    visit_keyed_density(medium, scene.density_keys, visit);
+    visit_keyed_optics(optics, visit);
+  });
+  add_extra_json(object, scene.unknown_medium);
+  return object;
+}
+
+Json material_to_json(const Material& material, const fs::path& directory) {
+  Json object;
+  object["type"] = scene_names::materials[static_cast<std::size_t>(material.type)];
+  if (material.type == Material::Type::measured) {
+    object["file"] = SceneReferences::text_for(material.file, directory);
+  } else {
+    object["reflectance"] = to_json(material.reflectance);
+  }
+  if (material.type == Material::Type::phong) {
+    object["specular"] = to_json(material.specular);
+    object["exponent"] = material.exponent;
+  }
+  add_extra_json(object, material.extra_json);
+  return object;
+}
+
+Json surface_to_json(const Surface& surface, const fs::path& directory) {
+  Json object;
+  object["mesh"] = SceneReferences::text_for(surface.mesh_file, directory);
+  object["translate"] = to_json(surface.translate);
+  const glm::dquat& q = surface.rotate;
+  object["rotate"] = Json::array({q.w, q.x, q.y, q.z});
+  object["scale"] = surface.scale;
+  object["material"] = material_to_json(surface.material, directory);
+  if (surface.transfer != Surface::Transfer::none) {
+    object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
+  }
+  add_extra_json(object, surface.extra_json);
+  return object;
+}
+
+Json to_json(const Scene& scene, const fs::path& directory) {
+  Json root{{"format", scene_names::format}, {"version", scene_names::version}};
+  const Camera& camera = scene.camera;
+  root["camera"] = Json{{"eye", to_json(camera.eye)},
+                        {"target", to_json(camera.target)},
+                        {"up", to_json(camera.up)},
+                        {"vertical_fov", camera.vertical_fov}};
+  add_keys(root["camera"], scene.camera_keys.extra_json,
+           [&](auto&& visit) { visit_keyed_camera(camera, scene.camera_keys, visit); });
+  add_extra_json(root["camera"], scene.unknown_camera);
+  root["film"] = Json{{"width", scene.film.width}, {"height", scene.film.height}};
+  add_extra_json(root["film"], scene.unknown_film);
+  root["medium"] = medium_to_json(scene, directory);
+  Json& lights = root["lights"] = Json::array();
+  for (const PointLight& light : scene.lights) {
+    Json entry{{"type", "point"},
+               {"position", to_json(light.position)},
+               {"intensity", to_json(light.intensity)}};
+    if (!light.on) entry["on"] = false;
+    add_keys(entry, light.keys.extra_json,
+             [&light](auto&& visit) { visit_keyed_light(light, visit); });
+    add_extra_json(entry, light.extra_json);
+    lights.push_back(std::move(entry));
+  }
+  if (scene.environment) {
+    Json& entry = root["environment"] =
+        Json{{"file", SceneReferences::text_for(scene.environment->file, directory)},
+             {"intensity", scene.environment->intensity},
+             {"rotation", scene.environment->rotation}};
+    add_keys(entry, scene.environment->keys.extra_json,
+             [&](auto&& visit) { visit_keyed_environment(*scene.environment, visit); });
+    add_extra_json(entry, scene.environment->extra_json);
+  }
+  Json& surfaces = root["surfaces"] = Json::array();
+  for (const Surface& surface : scene.surfaces) {
+    surfaces.push_back(surface_to_json(surface, directory));
+  }
+  if (const auto& playback = scene.playback) {
+    Json& entry = root["timeline"] =
+        Json{{"first", playback->first}, {"last", playback->last}, {"loop", playback->loops}};
+    add_extra_json(entry, playback->extra_json);
+  }
+  add_extra_json(root, scene.extra_json);
+  return root;
+}
+
+// JSON as people write it: an array or object that fits on a line stands on one.
+class Layout {
+ public:
+  explicit Layout(const fs::path& directory) : directory_(directory) {}
+
+  std::string text(const Json& root) {
+    append(root, 0);
+    return std::move(text_) + "\n";
+  }
+
+ private:
+  static constexpr std::size_t longest_line = 100;
+  static constexpr std::size_t max_on_a_line = 16;
+
+  void append(const Json& value, std::size_t indent) {
+    if (value.is_structured() && !value.empty()) {
+      const std::size_t begin = text_.size();
+      if (indent > 0 && append_line(value, begin + longest_line - std::min(indent, longest_line))) {
+        return;
+      }
+      text_.resize(begin);
+      append_broken(value, indent);
+    } else {
+      append_scalar(value);
+    }
+  }
+
+  void append_scalar(const Json& value) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+      throw InputError(directory_, "", "a scene with a value that is not finite cannot be saved");
+    }
+    text_ += value.dump();
+  }
+
+  void append_broken(const Json& value, std::size_t indent) {
+    const std::string line = std::string(1, '\n').append(indent + 2, ' ');
+    text_ += value.is_object() ? '{' : '[';
+    const char* separator = "";
+    for (const auto& [key, member] : value.items()) {
+      text_ += separator + line;
+      if (value.is_object()) text_ += Json(key).dump() + ": ";
+      append(member, indent + 2);
+      separator = ",";
+    }
+    (text_ += '\n').append(indent, ' ');
+    text_ += value.is_object() ? '}' : ']';
+  }
+
+  // False, with some of it written, if the text would become longer than `end`.
+  bool append_line(const Json& value, std::size_t end) {
+    if (!value.is_structured() || value.empty()) {
+      append_scalar(value);
+      return text_.size() <= end;
+    }
+    if (value.size() > max_on_a_line) return false;
+    text_ += value.is_object() ? "{ " : "[";
+    const char* separator = "";
+    for (const auto& [key, member] : value.items()) {
+      text_ += separator;
+      if (value.is_object()) text_ += Json(key).dump() + ": ";
+      if (!append_line(member, end)) return false;
+      separator = ", ";
+    }
+    text_ += value.is_object() ? " }" : "]";
+    return text_.size() <= end;
+  }
+
+  const fs::path& directory_;
+  std::string text_;
+};
+
+}  // namespace
+
+bool refers_to_medium_file(const Scene& scene) {
+  return scene.medium_file != nullptr && is_unchanged(*scene.medium_file, scene);
+}
+
+std::string scene_to_json(const Scene& scene, const fs::path& directory) {
+  try {
+    return Layout(directory).text(to_json(scene, directory));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError(directory, "", "the scene does not fit into memory");
+  } catch (const std::exception& error) {  // a name that is not UTF-8, or of the file system
+    throw InputError(directory, "", std::string("the scene cannot be saved: ") + error.what());
+  }
+}
+
+void save_scene(const Scene& scene, const fs::path& file) {
+  write_atomically(file, scene_to_json(scene, file.parent_path()));
+}
+
+}  // namespace brume

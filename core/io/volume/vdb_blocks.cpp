@@ -1,0 +1,147 @@
+#include "core/io/volume/vdb_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <span>
+
+#include "core/limits.h"
+
+namespace brume {
+namespace {
+
+using Path = std::filesystem::path;
+
+// The transform as spacing, rotation and origin.
+void set_transform(const Path& path, const VdbGrid::Transform& transform, DensityGrid& grid) {
+  grid.origin = transform.origin;
+  glm::dmat3 axes = transform.axes;
+  for (int k = 0; k < 3; ++k) {
+    grid.spacing[k] = glm::length(axes[k]);
+    const bool fits =
+        std::isfinite(grid.origin[k]) && std::abs(grid.origin[k]) <= limits::coordinate &&
+        grid.spacing[k] >= limits::min_length && grid.spacing[k] <= limits::max_length;
+    if (!fits) throw InputError(path, "transform", "its voxels have no valid size or position");
+    axes[k] /= grid.spacing[k];
+  }
+  const double shear =
+      std::max({std::abs(glm::dot(axes[0], axes[1])), std::abs(glm::dot(axes[1], axes[2])),
+                std::abs(glm::dot(axes[2], axes[0]))});
+  if (shear > 1e-5) {
+    throw InputError(path, "transform", "found shear; allowed: translation, rotation, scale");
+  }
+  if (glm::determinant(axes) < 0.0) {
+    axes[0] = -axes[0];
+    grid.spacing.x = -grid.spacing.x;
+  }
+  grid.rotation = glm::normalize(glm::quat_cast(axes));
+}
+
+class BlockReader {
+ public:
+  BlockReader(const Path& path, std::string_view bytes, const VdbGrid& grid, std::size_t component,
+              const std::function<float(double)>& to_value)
+      : path_(path),
+        name_(grid.name),
+        values_(*grid.values),
+        component_(component),
+        to_value_(to_value),
+        reader_(vdb_tree(path, bytes, grid)) {}
+
+  std::vector<DensityGrid::Block> read() {
+    read_vdb_topology(reader_, values_,
+                      {[&](const VdbTile& tile) { count(tile); },
+                       [&](const VdbLeaf& leaf) {
+                         count(1);
+                         leaves_.push_back(leaf);
+                       }});
+    // Once, not by doubling.
+    blocks_.reserve(static_cast<std::size_t>(count_));
+    for (const VdbTile& tile : tiles_) add(tile);
+    read_vdb_leaves(
+        reader_, values_, leaves_,
+        [&](const VdbLeaf& leaf, std::span<const double> values) { add(leaf, values); });
+    return std::move(blocks_);
+  }
+
+ private:
+  // Before they take any memory.
+  void count(double blocks) {
+    count_ += blocks;
+    if (count_ > static_cast<double>(limits::volume_blocks)) {
+      throw InputError(path_, name_,
+                       "has more active voxels than the allowed " +
+                           std::to_string(limits::volume_blocks) + " blocks of 8 x 8 x 8");
+    }
+  }
+
+  float value_of(const VdbTile& tile) const {
+    return to_value_(tile.value[static_cast<int>(component_)]);
+  }
+
+  void count(const VdbTile& tile) {
+    if (value_of(tile) == 0.0f) return;
+    count(std::pow(tile.side / DensityGrid::side, 3.0));
+    tiles_.push_back(tile);
+  }
+
+  // A tile becomes voxels.
+  void add(const VdbTile& tile) {
+    const float value = value_of(tile);
+    const int across = tile.side / DensityGrid::side;
+    for (int i = 0; i < across * across * across; ++i) {
+      const glm::ivec3 place(i / (across * across), i / across % across, i % across);
+      blocks_.push_back({tile.corner + DensityGrid::side * place, {}});
+      blocks_.back().values.fill(value);
+    }
+  }
+
+  void add(const VdbLeaf& leaf, std::span<const double> values) {
+    DensityGrid::Block block{leaf.corner, {}};
+    bool is_empty = true;
+    std::size_t next = component_;
+    for (std::size_t i = 0; i < VdbLeaf::size; ++i) {
+      if (!leaf.is_active(i)) continue;
+      block.values[i] = to_value_(values[next]);
+      next += values_.components;
+      is_empty = is_empty && block.values[i] == 0.0f;
+    }
+    if (!is_empty) blocks_.push_back(block);
+  }
+
+  const Path& path_;
+  const std::string& name_;
+  const VdbValues& values_;
+  std::size_t component_;
+  const std::function<float(double)>& to_value_;
+  ByteReader reader_;
+  double count_ = 0.0;
+  std::vector<VdbTile> tiles_;
+  std::vector<VdbLeaf> leaves_;
+  std::vector<DensityGrid::Block> blocks_;
+};
+
+}  // namespace
+
+ByteReader vdb_tree(const Path& path, std::string_view bytes, const VdbGrid& grid) {
+  ByteReader reader(path, bytes.substr(0, static_cast<std::size_t>(grid.end)));
+  reader.seek(grid.tree);
+  return reader;
+}
+
+DensityGrid read_vdb_blocks(const Path& path, std::string_view bytes, const VdbGrid& grid,
+                            std::size_t component, const std::function<float(double)>& to_value) {
+  if (!grid.transform) {
+    throw InputError(path, "transform",
+                     "found a perspective transform; allowed: translation, rotation, scale");
+  }
+  DensityGrid result;
+  set_transform(path, *grid.transform, result);
+  result.blocks = BlockReader(path, bytes, grid, component, to_value).read();
+  result.sort();
+  return result;
+}
+
+}  // namespace brume

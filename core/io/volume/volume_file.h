@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/volume/density_grid.h"
+#include "core/volume/velocity_grid.h"
+
+namespace brume {
+
+// OpenVDB files (.vdb).
+
+// Reads a scalar grid of any number type as density, with its transform (rotation, reflection and
+// axis scaling). Negative values, as solvers leave them, become 0. Voxels must be finite, at most
+// limits::density, and at most limits::voxels active. Throws InputError naming the file, and its
+// grids if there is none of that name.
+DensityGrid read_volume(const std::filesystem::path& file, const std::string& grid);
+
+// Reads a three-component grid `velocity`, `vel` or `v`, if present: in world axes [u/s], sampled
+// at voxels or, if staggered, on their faces. Throws InputError.
+std::optional<VelocityGrid> read_velocity(const std::filesystem::path& file);
+
+struct VolumeGridInfo {
+  std::string name;
+  std::string type;          // OpenVDB's type name
+  std::uint64_t voxels = 0;  // active ones
+  glm::dvec3 voxel_size{0.0};
+  // World bounds of the active voxels.
+  glm::dvec3 min_value{0.0};
+  glm::dvec3 max_value{0.0};
+};
+// Lists the grids of a file. Throws InputError.
+std::vector<VolumeGridInfo> volume_grids(const std::filesystem::path& file);
+
+// Writes a fog volume of the grid `density`, sparse, in half precision (11 bits) if asked for.
+// Throws InputError if the file cannot be written.
+void write_volume(const std::filesystem::path& file, const DensityGrid& grid, bool half);
+
+}  // namespace brume

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "core/limits.h"
+
+namespace brume {
+
+// The allowed interval of a number in a file. NaN is never allowed.
+struct NumberDomain {
+  double min_value;
+  double max_value;
+  const char* allowed;  // description for error messages
+  bool open = false;    // excludes its ends
+
+  [[nodiscard]] constexpr bool contains(double value) const {
+    return open ? value > min_value && value < max_value : value >= min_value && value <= max_value;
+  }
+  // "found -0.5; allowed: a number > 0"
+  [[nodiscard]] std::string refusal(double value) const;
+};
+
+// A number in error messages: the shortest text that round-trips.
+std::string quoted_text(double value);
+
+namespace domain {
+
+inline constexpr NumberDomain coordinate{-limits::coordinate, limits::coordinate,
+                                         "a number from -1e12 to 1e12"};
+inline constexpr NumberDomain length{limits::min_length, limits::max_length,
+                                     "a number > 0 (from 1e-12 to 1e12)"};
+inline constexpr NumberDomain density{0.0, limits::density, "a number >= 0 (up to 1e12)"};
+inline constexpr NumberDomain intensity{0.0, limits::intensity, "a number >= 0 (up to 1e20)"};
+inline constexpr NumberDomain unit{0.0, 1.0, "a number in [0, 1]"};
+inline constexpr NumberDomain albedo{1e-6, 1.0, "a number in (0, 1] (from 1e-6)"};
+inline constexpr NumberDomain anisotropy{-0.95, 0.95, "a number in [-0.95, 0.95]"};
+inline constexpr NumberDomain field_of_view{0.0, 180.0, "a number in (0, 180) degrees", true};
+inline constexpr NumberDomain not_negative{0.0, 1e12, "a number >= 0 (up to 1e12)"};
+inline constexpr NumberDomain seconds{-1e9, 1e9, "a number of seconds from -1e9 to 1e9"};
+inline constexpr NumberDomain rate{1e-3, 1e6, "a number from 1e-3 to 1e6"};
+inline constexpr NumberDomain degrees{-1e12, 1e12, "a number of degrees from -1e12 to 1e12"};
+
+}  // namespace domain
+}  // namespace brume

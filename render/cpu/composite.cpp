@@ -1,0 +1,41 @@
+#include "render/cpu/composite.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "render/simd/composite_kernels.h"
+
+namespace brume {
+
+void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
+                   std::span<const glm::vec3> surfaces, const Frame& frame, std::size_t y,
+                   std::span<glm::vec3> behind) {
+  const std::size_t width = behind.size();
+  if (surfaces.empty()) {
+    std::ranges::fill(behind, glm::vec3(0.0f));
+  } else {
+    std::ranges::copy(surfaces.subspan(y * width, width), behind.begin());
+  }
+  if (!environment) return;
+  const CameraRays::FilmPlane plane = rays.plane();
+  const glm::dvec3 first =
+      plane.corner + 0.5 * plane.per_x + (static_cast<double>(y) + 0.5) * plane.per_y;
+  environment->show(first, plane.per_x, std::span(frame.depth).subspan(y * width, width), behind);
+}
+
+void composite(const CameraRays& rays, const EnvironmentLight* environment,
+               std::span<const glm::vec3> surfaces, const Job& job, Frame& frame) {
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  job.each(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
+    thread_local std::vector<glm::vec3> behind;
+    behind.resize(width);
+    behind_medium(rays, environment, surfaces, frame, y, behind);
+    const auto row = [&](auto& layer, std::size_t channels) {
+      return std::span(layer).subspan(channels * y * width, channels * width);
+    };
+    composite_row({row(frame.airlight, 3), row(frame.transmittance, 3), row(frame.depth, 1)},
+                  behind, row(frame.beauty, 4));
+  });
+}
+
+}  // namespace brume

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "core/scene/camera.h"
+#include "render/frame.h"
+#include "render/lighting/environment_light.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// Background of row y, before attenuation by the medium: surface radiance (`surfaces`, RGB per
+// pixel; empty: black), or the environment where nothing is hit (null: none).
+void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
+                   std::span<const glm::vec3> surfaces, const Frame& frame, std::size_t y,
+                   std::span<glm::vec3> behind);
+
+// Eq. 29: composites frame.beauty from the other layers and the background.
+void composite(const CameraRays& rays, const EnvironmentLight* environment,
+               std::span<const glm::vec3> surfaces, const Job& job, Frame& frame);
+
+}  // namespace brume

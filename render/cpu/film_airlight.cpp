@@ -1,0 +1,208 @@
+#include "render/cpu/film_airlight.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <vector>
+
+#include "render/cpu/upsampling.h"
+#include "render/prepare/light_pixels.h"
+
+namespace brume {
+namespace {
+
+// The pixels of a tile that one call of a method evaluates.
+class Batch {
+ public:
+  // Adds to the pairs of the frame's pixels.
+  Batch(const FilmTiles& film, std::size_t tile, Frame& frame)
+      : film_(film), tile_(tile), frame_(frame) {
+    const CameraRays::PixelRectangle samples = film.tiles.rectangle(tile);
+    first_ = glm::vec2(samples.x0 * film.scale, samples.y0 * film.scale);
+    per_pixel_ = 1.0f / glm::vec2(Tiles::width * film.scale, Tiles::height * film.scale);
+  }
+
+  [[nodiscard]] bool full() const { return count_ == Tiles::pixels; }
+
+  void add(int x, int y) {
+    pixels_[count_] = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.film.width) +
+                      static_cast<std::size_t>(x);
+    lengths_[count_] = film_.ends.distance(frame_, pixels_[count_]);
+    // The last pixels of a film may stand a little beyond.
+    places_[count_] = glm::min((glm::vec2(x, y) - first_) * per_pixel_, 1.0f);
+    directions_[count_++] = film_.rays.direction(x + 0.5, y + 0.5);
+  }
+
+  // Evaluates what was added, calls store(pixel index, airlight and transmittance) for each pixel
+  // in order, and starts anew.
+  template <class Store>
+  std::uint64_t evaluate(const AirlightIntegrator& method, Store store) {
+    if (count_ == 0) return 0;
+    const TileRays rays{film_.rays.eye(), std::span(directions_).first(count_),
+                        std::span(lengths_).first(count_), tile_, std::span(places_).first(count_)};
+    const std::uint64_t pairs =
+        method.evaluate(film_.lists.gaussians_of(tile_), rays,
+                        {std::span(airlight_).first(count_), std::span(depths_).first(count_)});
+    // A tile's rays share their Gaussians.
+    const float each = static_cast<float>(pairs) / static_cast<float>(count_);
+    for (std::size_t k = 0; k < count_; ++k) {
+      frame_.statistics.pixel_pairs[pixels_[k]] += each;
+      const glm::vec3& l = airlight_[k];
+      store(pixels_[k], glm::vec4(finite(l.x), finite(l.y), finite(l.z),
+                                  finite(static_cast<float>(std::exp(-depths_[k])))));
+    }
+    count_ = 0;
+    return pairs;
+  }
+
+ private:
+  const FilmTiles& film_;
+  std::size_t tile_;
+  Frame& frame_;
+  glm::vec2 first_, per_pixel_;  // of the tile
+  std::size_t count_ = 0;
+  std::array<std::size_t, Tiles::pixels> pixels_;
+  std::array<glm::dvec3, Tiles::pixels> directions_;
+  std::array<double, Tiles::pixels> lengths_;
+  std::array<glm::vec2, Tiles::pixels> places_;
+  std::array<glm::vec3, Tiles::pixels> airlight_;
+  std::array<double, Tiles::pixels> depths_;
+};
+
+// How much nearer or farther a surface may be than expected without the airlight telling: small
+// against the Gaussians of the tile and the fog's mean free path.
+float depth_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                      double tolerance) {
+  double min_value = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : gaussians) {
+    min_value =
+        std::min(min_value, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
+  }
+  const double b0 = medium.homogeneous_density();
+  if (b0 > 0.0) min_value = std::min(min_value, double{free_paths_per_tolerance} * tolerance / b0);
+  return static_cast<float>(min_value);
+}
+
+// Maximum ray length over a row of pixels.
+double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::size_t count) {
+  double max_value = 0.0;
+  if (!ends.surfaces.empty()) {
+    for (std::size_t i = first; i < first + count; ++i)
+      max_value = std::max(max_value, ends.distance(frame, i));
+    return max_value;
+  }
+  // Distances as whole numbers have the same order, and compilers compare those in vectors.
+  constexpr auto infinite = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
+  std::int32_t farthest = 0;
+  std::int32_t any_open = 0;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const auto bits = std::bit_cast<std::int32_t>(frame.depth[i]);
+    const std::int32_t hit = bits < infinite ? bits : 0;
+    any_open |= bits ^ hit;
+    farthest = farthest < hit ? hit : farthest;
+  }
+  max_value = static_cast<double>(std::bit_cast<float>(farthest));
+  return any_open != 0 ? std::max(max_value, ends.open) : max_value;
+}
+
+}  // namespace
+
+CameraRays::PixelRectangle FilmTiles::pixels(std::size_t tile) const {
+  const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
+  const Film& film = frame.film;
+  // The last cells go on to the film's end.
+  const auto end = [this](int last, int size) {
+    return last * scale + 1 < size ? last * scale : size;
+  };
+  return {std::min(samples.x0 * scale, film.width - 1),
+          std::min(samples.y0 * scale, film.height - 1), end(samples.x1, film.width),
+          end(samples.y1, film.height)};
+}
+
+TileCone FilmTiles::cone(std::size_t tile) const {
+  const CameraRays::PixelRectangle r = pixels(tile);
+  std::array<glm::dvec3, 4> corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    corners[k] =
+        rays.direction((k % 2 == 0 ? r.x0 : r.x1 - 1) + 0.5, (k / 2 == 0 ? r.y0 : r.y1 - 1) + 0.5);
+  }
+  TileCone cone;
+  cone.eye = rays.eye();
+  cone.center = glm::normalize(corners[0] + corners[1] + corners[2] + corners[3]);
+  for (const glm::dvec3& w : corners) {
+    cone.spread = std::max(cone.spread, glm::length(w - cone.center));
+  }
+  for (int y = r.y0; y < r.y1; ++y) {
+    const std::size_t first =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
+        static_cast<std::size_t>(r.x0);
+    const auto count = static_cast<std::size_t>(r.x1 - r.x0);
+    cone.max_length = std::max(cone.max_length, max_end(ends, frame, first, count));
+    if (std::isinf(cone.max_length)) break;
+  }
+  return cone;
+}
+
+FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight> lights,
+                           const CameraRays& rays, const Settings& settings,
+                           const AirlightIntegrator& method, const RayEnds& ends, const Job& job,
+                           Frame& frame) {
+  const int scale = settings.airlight_scale;
+  AirlightSamples samples(frame, scale);
+  const Tiles tiles(samples.film());
+  const Tiles::Lists lists = tiles.lists(medium, rays, scale);
+  const FilmTiles film{tiles, lists, rays, ends, frame, scale};
+  if (method.prepare) method.prepare(film);
+  FilmAirlight result;
+  result.gaussians_used = lists.used;
+  std::atomic<std::uint64_t> pairs = 0;
+  std::atomic<std::size_t> exact = 0;
+  job.each_reported(tiles.count(), [&](std::size_t tile) {
+    Batch batch(film, tile, frame);
+    std::array<std::size_t, Tiles::pixels> order;
+    std::size_t count = 0;
+    Tiles::each_pixel(tiles.rectangle(tile), [&](int column, int row) {
+      order[count++] = samples.index(column, row);
+      batch.add(samples.x(column), samples.y(row));
+    });
+    count = 0;
+    pairs += batch.evaluate(method, [&](std::size_t pixel, const glm::vec4& value) {
+      samples.value(order[count++]) = value;
+      set_airlight(frame, pixel, value);
+    });
+    exact += count;
+  });
+  if (scale > 1 && !job.stop.stop_requested()) {
+    const TilePixels near_lights =
+        sort_into_tiles(light_pixels(lights, rays, frame.film, light_block), samples.film(), scale);
+    samples.measure_curvatures(settings.upsampling_tolerance, job);
+    job.each(tiles.count(), [&](std::size_t tile) {
+      Batch batch(film, tile, frame);
+      const auto evaluate = [&] {
+        pairs += batch.evaluate(method, [&](std::size_t pixel, const glm::vec4& value) {
+          ++exact;
+          set_airlight(frame, pixel, value);
+        });
+      };
+      const float tolerance =
+          depth_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
+      upsample(samples, tiles.rectangle(tile), tolerance, near_lights.pixels_of(tile), frame,
+               [&](int x, int y) {
+                 if (batch.full()) evaluate();
+                 batch.add(x, y);
+               });
+      evaluate();
+    });
+  }
+  result.pairs = pairs;
+  result.exact_pixels = exact;
+  return result;
+}
+
+}  // namespace brume

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+#include "render/geometry/medium_index.h"
+#include "render/geometry/tile_rays.h"
+#include "render/geometry/tiles.h"
+#include "render/prepare/ray_ends.h"
+#include "render/settings.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// The tiles of a film's airlight samples, one sample per scale x scale pixels.
+struct FilmTiles {
+  const Tiles& tiles;
+  const Tiles::Lists& lists;
+  const CameraRays& rays;
+  const RayEnds& ends;
+  const Frame& frame;
+  int scale;
+
+  // The pixels that a tile's samples cover.
+  [[nodiscard]] CameraRays::PixelRectangle pixels(std::size_t tile) const;
+  // The cone of their rays.
+  [[nodiscard]] TileCone cone(std::size_t tile) const;
+};
+
+// An airlight method.
+struct AirlightIntegrator {
+  // Evaluates the rays of one tile; `gaussians` are those that may contribute. Returns the number
+  // of Gaussian x ray pairs evaluated. Thread-safe.
+  using Evaluate = std::function<std::uint64_t(std::span<const std::uint32_t> gaussians,
+                                               const TileRays& rays, const TileAirlight& out)>;
+  Evaluate evaluate;
+  // Called once with all tiles before any is evaluated. May be empty.
+  std::function<void(const FilmTiles& film)> prepare;
+};
+
+struct FilmAirlight {
+  std::uint64_t pairs = 0;
+  std::size_t gaussians_used = 0;  // that reach any ray
+  std::size_t exact_pixels = 0;    // pixels evaluated by the method itself
+};
+
+// Fills frame.airlight, frame.transmittance and the pairs per pixel, tile by tile. All layers must
+// be allocated, the depth layer filled.
+//
+// With settings.airlight_scale 2 or 4 the method runs at every second or fourth pixel of each row
+// and column; the others are upsampled to a tolerance of settings.upsampling_tolerance, relative to
+// the film's rms airlight and to a transmittance of 1. Pixels that upsample() cannot resolve and
+// those nearest to `lights` are evaluated exactly.
+FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight> lights,
+                           const CameraRays& rays, const Settings& settings,
+                           const AirlightIntegrator& method, const RayEnds& ends, const Job& job,
+                           Frame& frame);
+
+}  // namespace brume

@@ -1,0 +1,58 @@
+#include "render/geometry/medium_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace brume {
+
+MediumIndex::MediumIndex(const Medium& medium, double tolerance, double anisotropy)
+    : b0_(medium.homogeneous_density()), tolerance_(tolerance), anisotropy_(anisotropy) {
+  gaussians_.reserve(medium.size());
+  cutoff_radii_.reserve(medium.size());
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const Gaussian g = medium.gaussian(i);
+    gaussians_.emplace_back(g);
+    cutoff_radii_.push_back(brume::cutoff_radius(g.radius, g.density, tolerance));
+    if (cutoff_radii_.back() > 0.0) max_radius_ = std::max(max_radius_, g.radius);
+  }
+  bvh_ = SphereBvh(medium.centers(), cutoff_radii_);
+}
+
+double MediumIndex::max_displacement() const {
+  return noise_.on() ? RayNoise::max_shift * noise_.amplitude() * max_radius_ : 0.0;
+}
+
+double MediumIndex::density(const glm::dvec3& x) const {
+  double sum = b0_;
+  bvh_.query(RaySegment{x, {0.0, 0.0, 1.0}, 0.0}, [&](std::uint32_t i) {
+    const GaussianTerm<double>& g = gaussians_[i];
+    const glm::dvec3 q = g.a * (x - g.b);
+    sum += g.c * std::exp(-glm::dot(q, q));
+  });
+  return sum;
+}
+
+double MediumIndex::depth(const RaySegment& segment) const {
+  if (!(segment.length > 0.0)) return 0.0;
+  double sum = b0_ > 0.0 ? b0_ * segment.length : 0.0;
+  bvh_.query(segment, [&](std::uint32_t i) {
+    sum +=
+        optical_depth(gaussians_[i], line_profile(gaussians_[i], segment.origin, segment.direction),
+                      segment.length);
+  });
+  return sum;
+}
+
+double depth_tolerance(const Medium& medium, double error) {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    deepest = std::max(deepest, medium.densities()[i] * medium.radii()[i]);
+  }
+  deepest *= std::sqrt(std::numbers::pi);
+  const double count = static_cast<double>(std::max<std::size_t>(medium.size(), 1));
+  return std::min(1.0, deepest) * std::min(0.1 * error, 25.0 * error / count);
+}
+
+}  // namespace brume

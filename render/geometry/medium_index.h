@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/medium/medium.h"
+#include "core/medium/noise.h"
+#include "core/transport/optical_depth.h"
+#include "render/geometry/sphere_bvh.h"
+
+namespace brume {
+
+// A medium prepared for queries: its Gaussians in the paper's symbols, their cutoff radii and a
+// bounding-volume hierarchy. Indices are the medium's.
+class MediumIndex {
+ public:
+  // `tolerance`: optical depth below which a Gaussian may be culled from a path.
+  MediumIndex(const Medium& medium, double tolerance, double anisotropy = 0.0);
+
+  [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
+  [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_; }
+  [[nodiscard]] std::span<const double> cutoff_radii() const { return cutoff_radii_; }
+  [[nodiscard]] const SphereBvh& bvh() const { return bvh_; }
+  // Noise that displaces view rays; off by default; changing it needs no new index.
+  [[nodiscard]] const RayNoise& noise() const { return noise_; }
+  void set_noise(const RayNoise& noise) { noise_ = noise; }
+  // Cutoff radius for a view ray that noise may displace [u].
+  [[nodiscard]] double view_cutoff_radius(std::size_t i) const {
+    if (!noise_.on() || !(cutoff_radii_[i] > 0.0)) return cutoff_radii_[i];
+    return cutoff_radii_[i] + RayNoise::max_shift * noise_.amplitude() / gaussians_[i].a;
+  }
+  // Maximum of view_cutoff_radius() - cutoff_radii().
+  [[nodiscard]] double max_displacement() const;
+  // g of its phase function, see henyey_greenstein().
+  [[nodiscard]] double anisotropy() const { return anisotropy_; }
+  [[nodiscard]] double tolerance() const { return tolerance_; }
+  // Segments below this optical depth are skipped, except in homogeneous fog, where short segments
+  // near a light matter.
+  [[nodiscard]] double negligible_depth() const { return b0_ > 0.0 ? 0.0 : 1e-3 * tolerance_; }
+  [[nodiscard]] double homogeneous_density() const { return b0_; }
+
+  // b(x) of Gaussians and b0 [1/u], up to the tolerance.
+  [[nodiscard]] double density(const glm::dvec3& x) const;
+
+  // Optical depth of a segment (length may be +inf), up to the tolerance.
+  [[nodiscard]] double depth(const RaySegment& segment) const;
+
+ private:
+  std::vector<GaussianTerm<double>> gaussians_;
+  std::vector<double> cutoff_radii_;
+  double max_radius_ = 0.0;
+  RayNoise noise_;
+  SphereBvh bvh_;
+  double b0_;
+  double tolerance_;
+  double anisotropy_;
+};
+
+// Tolerance per Gaussian for which the optical depth of a ray is within `error`, as measured on
+// clouds (culled Gaussians add up to 1/25 of the rigorous n * tolerance). Relative to the deepest
+// Gaussian in thin media, which would be culled altogether otherwise.
+double depth_tolerance(const Medium& medium, double error);
+
+}  // namespace brume

@@ -1,0 +1,158 @@
+#include "render/geometry/sphere_bvh.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brume {
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+
+// Node count of a balanced binary tree over `count` spheres, so subtrees can be built in parallel
+// at known positions.
+std::uint32_t node_count(std::uint32_t count) {
+  if (count <= leaf_size) return 1;
+  const std::uint32_t half = count / 2;
+  return 1 + node_count(half) + node_count(count - half);
+}
+
+}  // namespace
+
+SphereBvh::SphereBvh(std::span<const glm::dvec3> centers, std::span<const double> radii) {
+  for (std::uint32_t i = 0; i < centers.size(); ++i) {
+    if (radii[i] > 0.0) indices_.push_back(i);
+  }
+  const auto count = static_cast<std::uint32_t>(indices_.size());
+  if (count == 0) return;
+  centers_.assign(centers.begin(), centers.end());
+  radii_.assign(radii.begin(), radii.end());
+  nodes_.resize(node_count(count));
+  build(0, 0, count);
+  // From here on in the order of the leaves, where a query reads them.
+  std::vector<glm::dvec3> ordered_centers(count);
+  std::vector<double> ordered_radii(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ordered_centers[i] = centers[indices_[i]];
+    ordered_radii[i] = radii[indices_[i]];
+  }
+  centers_ = std::move(ordered_centers);
+  radii_ = std::move(ordered_radii);
+}
+
+void SphereBvh::fit(Node& node, std::uint32_t first, std::uint32_t count) const {
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-std::numeric_limits<double>::infinity());
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    const std::uint32_t s = indices_[i];
+    low = glm::min(low, centers_[s] - radii_[s]);
+    high = glm::max(high, centers_[s] + radii_[s]);
+  }
+  node.center = 0.5 * (low + high);
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    const std::uint32_t s = indices_[i];
+    node.radius = std::max(node.radius, glm::length(centers_[s] - node.center) + radii_[s]);
+  }
+}
+
+void SphereBvh::build(std::uint32_t at, std::uint32_t first, std::uint32_t count) {
+  Node& node = nodes_[at];
+  fit(node, first, count);
+  if (count <= leaf_size) {
+    node.first = first;
+    node.count = count;
+    return;
+  }
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-std::numeric_limits<double>::infinity());
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    low = glm::min(low, centers_[indices_[i]]);
+    high = glm::max(high, centers_[indices_[i]]);
+  }
+  const glm::dvec3 size = high - low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  const std::uint32_t half = count / 2;
+  std::nth_element(indices_.begin() + first, indices_.begin() + first + half,
+                   indices_.begin() + first + count, [&](std::uint32_t a, std::uint32_t b) {
+                     // The index breaks ties, so that the tree is the same every time.
+                     return centers_[a][axis] != centers_[b][axis]
+                                ? centers_[a][axis] < centers_[b][axis]
+                                : a < b;
+                   });
+  const std::uint32_t left = at + 1;
+  const std::uint32_t right = left + node_count(half);
+  node.first = left;
+  node.second = right;
+  const auto build_left = [&] { build(left, first, half); };
+  const auto build_right = [&] { build(right, first + half, count - half); };
+  if (count > 1024) {
+    tbb::parallel_invoke(build_left, build_right);
+  } else {
+    build_left();
+    build_right();
+  }
+}
+
+RayBundle::RayBundle(const glm::dvec3& origin, std::span<const glm::dvec3> endpoints)
+    : origin_(origin) {
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& endpoint : endpoints) {
+    const glm::dvec3 q = endpoint - origin;
+    const double distance = glm::length(q);
+    far_ = std::max(far_, distance);
+    if (distance > 0.0) sum += q / distance;
+  }
+  const double length = glm::length(sum);
+  if (length > 0.0) axis_ = sum / length;
+  for (const glm::dvec3& endpoint : endpoints) {
+    const glm::dvec3 q = endpoint - origin;
+    const double distance = glm::length(q);
+    if (distance > 0.0) cos_ = std::min(cos_, glm::dot(q, axis_) / distance);
+  }
+  // A cosine near 1 has lost half the digits of its angle: widen by more than that.
+  cos_ = std::max(cos_ - 1e-14, -1.0);
+  sin_ = std::sqrt(std::max(1.0 - cos_ * cos_, 0.0));
+}
+
+bool RayBundle::touches(const glm::dvec3& center, double radius) const {
+  const glm::dvec3 q = center - origin_;
+  const double distance2 = glm::dot(q, q);
+  if (distance2 <= radius * radius) return true;
+  const double distance = std::sqrt(distance2);
+  if (distance - radius > far_) return false;
+  // angle(q, axis) <= half angle + asin(radius / distance), without inverse functions.
+  const double sin_sphere = radius / distance;
+  const double cos_sphere = std::sqrt(1.0 - sin_sphere * sin_sphere);
+  if (sin_ * cos_sphere + cos_ * sin_sphere < 0.0) return true;  // the sum is beyond pi
+  const double limit = cos_ * cos_sphere - sin_ * sin_sphere;
+  return glm::dot(q, axis_) >= limit * distance;
+}
+
+bool TriangleShape::touches(const glm::dvec3& center, double radius) const {
+  // The closest point of a triangle, by the region of its plane that the centre is over.
+  const glm::dvec3 ab = b - a;
+  const glm::dvec3 ac = c - a;
+  const glm::dvec3 ap = center - a;
+  const auto near_edge = [&](const glm::dvec3& from, const glm::dvec3& edge) {
+    const double length2 = glm::dot(edge, edge);
+    const glm::dvec3 q = center - from;
+    const double t = length2 > 0.0 ? glm::clamp(glm::dot(q, edge) / length2, 0.0, 1.0) : 0.0;
+    const glm::dvec3 gap = q - t * edge;
+    return glm::dot(gap, gap) <= radius * radius;
+  };
+  const glm::dvec3 normal = glm::cross(ab, ac);
+  const double area2 = glm::dot(normal, normal);
+  if (area2 > 0.0) {
+    const double u = glm::dot(glm::cross(ap, ac), normal);
+    const double v = glm::dot(glm::cross(ab, ap), normal);
+    if (u >= 0.0 && v >= 0.0 && u + v <= area2) {
+      const double height = glm::dot(ap, normal);
+      return height * height <= radius * radius * area2;
+    }
+  }
+  return near_edge(a, ab) || near_edge(a, ac) || near_edge(b, c - b);
+}
+
+}  // namespace brume

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+namespace brume {
+
+// The view rays of the pixels of one tile: input of every airlight method.
+struct TileRays {
+  glm::dvec3 eye{0.0};
+  std::span<const glm::dvec3> directions;  // unit
+  std::span<const double> lengths;         // to the surface [u], or +inf
+  std::size_t tile = 0;                    // index on the film
+  std::span<const glm::vec2> positions;    // in the tile, in [0, 1]^2
+};
+
+// A cone that contains all rays of a tile.
+struct TileCone {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 center{0.0};   // unit
+  double spread = 0.0;      // maximum distance of a ray from the axis, at distance 1
+  double max_length = 0.0;  // [u], or +inf
+
+  // Parameter and distance at which the nearest ray of the cone passes a point relative to the eye
+  // [u]. Behind the eye: of the axis.
+  struct Pass {
+    double t = 0.0;
+    double h = 0.0;
+  };
+  [[nodiscard]] Pass nearest_pass(const glm::dvec3& q) const {
+    const double t = glm::dot(q, center);
+    const double h = std::max(glm::length(q - t * center) - spread * std::max(t, 0.0), 0.0);
+    if (!(t > 0.0)) return {t, h};
+    return {std::sqrt(std::max(glm::dot(q, q) - h * h, t * t)), h};
+  }
+};
+
+struct TileAirlight {
+  std::span<glm::vec3> airlight;  // RGB radiance
+  std::span<double> depths;       // T(v, p), b0 included; +inf possible
+};
+
+}  // namespace brume

@@ -1,0 +1,147 @@
+#include "render/gl/optical_depth_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render/gl/shadow_maps.h"
+
+namespace brume::gl {
+namespace {
+
+// As `Light` of shaders/lights.glsl.
+struct LightUniforms {
+  glm::vec4 position{0.0f};
+  glm::vec4 intensity{0.0f};
+  glm::vec4 radii{0.0f};
+  glm::vec4 depths{0.0f};
+  glm::ivec4 has{0};
+  MapUniforms table;
+  MapUniforms shadows;
+};
+static_assert(sizeof(LightUniforms) == 15 * sizeof(glm::vec4));
+
+// Maximum words of a table, a fixed slot per light, so that moving a light leaves the others'
+// tables in place: a DirectionMap has about size^2 cells and sides up to four times as long.
+std::size_t max_words(const OpticalDepthTableSize& size) {
+  const auto n = static_cast<std::size_t>(size.directions);
+  return (n * n + 12 * n + 16) * static_cast<std::size_t>(size.radii);
+}
+
+// No ray meets more than this.
+float max_depth(const MediumIndex& medium) {
+  double sum = 0.0;
+  for (const GaussianTerm<double>& g : medium.gaussians()) {
+    sum += g.c / g.a * std::sqrt(std::numbers::pi);
+  }
+  return static_cast<float>(
+      std::clamp(1.01 * sum, 1e-30, static_cast<double>(OpticalDepthTable::opaque)));
+}
+
+}  // namespace
+
+MapUniforms::MapUniforms(const DirectionMap& map, std::size_t first)
+    : right(map.right, map.scale.x),
+      up(map.up, map.scale.y),
+      axis(map.axis, map.octahedral ? 1.0f : 0.0f),
+      offset(map.offset, 0.0f, 0.0f),
+      cells(map.columns, map.rows, static_cast<int>(first), 0) {}
+
+void set_map(const Program& program, const MapUniforms& map) {
+  program.set("map_right", map.right);
+  program.set("map_up", map.up);
+  program.set("map_axis", map.axis);
+  program.set("map_offset", map.offset);
+  program.set("map_cells", map.cells);
+}
+
+std::span<const DirectionMap> OpticalDepthTables::lay_out(const MediumIndex& medium,
+                                                          std::uint64_t revision,
+                                                          std::span<const SlicedLight> lights,
+                                                          const OpticalDepthTableSize& size) {
+  const bool same = revision == revision_ && size == size_;
+  if (!same) max_depth_ = max_depth(medium);
+  tables_.resize(lights.size());
+  maps_.resize(lights.size());
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    Table& table = tables_[l];
+    if (!same || table.light != lights[l].position || table.layout.empty()) {
+      table = {lights[l].position, OpticalDepthTableLayout(medium, lights[l].position, size),
+               false};
+    }
+    maps_[l] = table.layout.map;
+  }
+  revision_ = revision;
+  size_ = size;
+  return maps_;
+}
+
+std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& medium) {
+  const std::size_t bytes = tables_.size() * max_words(size_) * sizeof(std::uint32_t);
+  if (bytes > values_.bytes()) {
+    for (Table& table : tables_) table.made = false;
+  }
+  values_.reserve(bytes);
+  bool any = false;
+  for (std::size_t l = 0; l < tables_.size(); ++l) {
+    Table& table = tables_[l];
+    if (table.made || table.layout.empty()) continue;
+    if (!any) {
+      pairs_.reserve(sizeof(std::uint32_t));
+      pairs_.clear();
+    }
+    any = true;
+    const Program& program = programs["optical_depth_table"];
+    set_map(program, MapUniforms(table.layout.map, l * max_words(size_)));
+    program.set("count", static_cast<unsigned>(medium.count()));
+    program.set("light", table.light);
+    program.set("max_depth", max_depth_);
+    program.set("radii", table.layout.radii.count);
+    program.set("first_radius", static_cast<float>(table.layout.radii.first));
+    program.set("radii_per_unit", static_cast<float>(table.layout.radii.per_unit));
+    program.set("curvature", static_cast<float>(table.layout.radii.curvature));
+    medium.bind();
+    values_.bind(2);
+    pairs_.bind(4);
+    const auto blocks = [](int cells) { return static_cast<std::size_t>((cells + 2 + 7) / 8); };
+    program.dispatch(blocks(table.layout.map.columns), blocks(table.layout.map.rows));
+    table.made = true;
+  }
+  if (!any) return 0;
+  std::array<std::uint32_t, 1> pairs{};
+  pairs_.download(std::span<std::uint32_t>(pairs));
+  return pairs[0];
+}
+
+void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
+                                const glm::dvec3& origin) {
+  std::vector<LightUniforms> uniforms(lights.size());
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    const SlicedLight& light = lights[l];
+    LightUniforms& u = uniforms[l];
+    u.position = glm::vec4(glm::vec3(light.position - origin), static_cast<float>(light.h_min));
+    u.intensity = glm::vec4(glm::vec3(light.intensity), 0.0f);
+    if (l < tables_.size() && !tables_[l].layout.empty()) {
+      const OpticalDepthTableLayout& layout = tables_[l].layout;
+      u.has.x = 1;
+      u.table = MapUniforms(layout.map, l * max_words(size_));
+      u.radii = glm::vec4(layout.radii.first, layout.radii.per_unit, layout.radii.count,
+                          layout.radii.curvature);
+      u.depths.x = max_depth_;
+    }
+    if (shadows && !shadows->empty()) {
+      u.has.y = 1;
+      u.shadows = MapUniforms(shadows->map(l), shadows->first(l));
+      u.intensity.w = 1.0f - 2.0f * static_cast<float>(shadows->map(l).cell_angle());
+    }
+  }
+  lights_.upload(std::span<const LightUniforms>(uniforms));
+}
+
+void OpticalDepthTables::bind() {
+  lights_.bind(0);
+  values_.bind(1);
+}
+
+}  // namespace brume::gl

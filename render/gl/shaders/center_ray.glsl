@@ -1,0 +1,51 @@
+// What a work group's rays have in common.
+shared float reduced[group_size];
+
+float reduce_min(float value) {
+  const int id = int(gl_LocalInvocationID.x);
+  barrier();
+  reduced[id] = value;
+  for (int half_ = group_size / 2; half_ > 0; half_ /= 2) {
+    barrier();
+    if (id < half_) reduced[id] = min(reduced[id], reduced[id + half_]);
+  }
+  barrier();
+  return reduced[0];
+}
+
+float reduce_max(float value) { return -reduce_min(-value); }
+
+float reduce_sum(float value) {
+  const int id = int(gl_LocalInvocationID.x);
+  barrier();
+  reduced[id] = value;
+  for (int half_ = group_size / 2; half_ > 0; half_ /= 2) {
+    barrier();
+    if (id < half_) reduced[id] += reduced[id + half_];
+  }
+  barrier();
+  return reduced[0];
+}
+
+// The central ray of a group of rays and the maximum distance of the others from it, at distance 1.
+struct CenterRay {
+  vec3 w;
+  float spread;
+  float longest;  // of all rays; set where slices are chosen
+};
+
+// TileCone::nearest_pass(): t and h.
+vec2 nearest_pass(CenterRay ray, vec3 q) {
+  const float t = dot(q, ray.w);
+  const float h = max(length(q - t * ray.w) - ray.spread * max(t, 0.0), 0.0);
+  return vec2(t > 0.0 ? sqrt(max(dot(q, q) - h * h, t * t)) : t, h);
+}
+
+CenterRay center_ray(bool live, vec3 w) {
+  CenterRay ray;
+  const vec3 own = live ? w : vec3(0.0);
+  ray.w = normalize(vec3(reduce_sum(own.x), reduce_sum(own.y), reduce_sum(own.z)));
+  ray.spread = sqrt(reduce_max(live ? dot(w - ray.w, w - ray.w) : 0.0));
+  ray.longest = 0.0;
+  return ray;
+}

@@ -1,0 +1,371 @@
+#include "render/gl_renderer.h"
+
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <limits>
+
+#include "render/gl/composite_stage.h"
+#include "render/gl/device.h"
+#include "render/gl/display_stage.h"
+#include "render/gl/egl_context.h"
+#include "render/gl/gl_plan.h"
+#include "render/gl/paper_stage.h"
+#include "render/gl/sliced_stage.h"
+#include "render/gl/surface_stage.h"
+#include "render/prepare/albedo.h"
+#include "render/prepare/frame_stages.h"
+#include "render/renderer.h"
+
+namespace brume {
+
+using namespace gl;
+
+namespace {
+
+void read_depth(const FilmTextures& textures, Frame& frame) {
+  const glm::ivec2& size = textures.depth.size();
+  frame.depth.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  textures.depth.download(frame.depth);
+  for (float& depth : frame.depth) {
+    if (depth < 0.0f) depth = std::numeric_limits<float>::infinity();
+  }
+}
+
+void read_back(const FilmTextures& textures, Frame& frame) {
+  const std::size_t pixels = frame.depth.size();
+  std::vector<float> values(4 * pixels);
+  textures.airlight.download(values);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      frame.airlight[3 * i + k] = finite(values[4 * i + k]);
+      frame.transmittance[3 * i + k] = finite(values[4 * i + 3]);
+    }
+  }
+  textures.beauty.download(frame.beauty);
+  for (float& x : frame.beauty) x = finite(x);
+  read_depth(textures, frame);
+  std::vector<float>& pairs = frame.statistics.pixel_pairs;
+  pairs.resize(pixels);
+  textures.pairs.download(pairs);
+  double sum = 0.0;
+  for (const float x : pairs) sum += static_cast<double>(x);
+  frame.statistics.view_pairs += static_cast<std::uint64_t>(sum);
+}
+
+// The context is current in this thread while one lives.
+class Current {
+ public:
+  explicit Current(Context& context) : context_(context) {
+    if (!context.make_current()) throw Error("the context cannot be made current");
+  }
+  ~Current() { context_.done_current(); }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+
+ private:
+  Context& context_;
+};
+
+}  // namespace
+
+struct GlRenderer::Impl {
+  // What one albedo among the colour channels has of its own; see albedo.h.
+  struct Group {
+    FrameStages stages;
+    MediumBuffers medium;
+    MeshBuffers mesh;
+    TileLists lists;
+    SlicedStage sliced;
+    PaperStage paper;
+    SurfaceStage surfaces;
+  };
+
+  std::unique_ptr<Context> context;
+  Device device;
+  std::shared_ptr<TransferStore> own_transfers;  // null: those of another
+  std::shared_ptr<const TransferStore> transfers;
+  std::shared_ptr<PicturePool> pictures;  // null: there is none
+  std::string failure;                    // why nothing more is tried; empty: nothing failed
+
+  // From here on objects of the context.
+  Programs programs;
+  DeviceClock clock;
+  FilmTextures textures;
+  CompositeStage composite;
+  DisplayStage display;
+  std::vector<std::unique_ptr<Group>> groups;
+
+  std::unique_ptr<Renderer> cpu;  // made when it is needed
+
+  ~Impl() { release(true); }
+  // Gives all objects back; the shaders too if the context is not used any more.
+  void release(bool all);
+
+  // Where a frame goes.
+  struct Target {
+    const DisplayOptions* options = nullptr;  // null: to memory
+    std::shared_ptr<DevicePicture> picture;   // null: not to a display
+  };
+  std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
+                              const Settings& settings, const Job& job, Target& target);
+  std::optional<Frame> try_render(const Scene& scene, const Camera& camera, const Film& film,
+                                  const Settings& settings, const Job& job, Target& target);
+  std::optional<Frame> render(FrameContext& work, tbb::task_arena& arena, std::size_t which,
+                              const Target& target);
+  void find_hits(FrameContext& work, Group& group);
+  void find_airlight(FrameContext& work, Group& group, StageClock& clock, DeviceFrame& frame);
+  void show(FrameContext& work, std::size_t which, const Target& target, StageClock& clock);
+};
+
+std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
+                                             const std::shared_ptr<const TransferStore>& transfers,
+                                             std::string& problem) {
+  std::unique_ptr<GlRenderer> renderer;
+  if (backend == Backend::gl) {
+    renderer = GlRenderer::create(transfers, problem);
+  } else if (backend == Backend::auto_) {
+    std::string none;
+    auto context = EglContext::create(&none, false, EglContext::Devices::gpu);
+    if (context) renderer = GlRenderer::create(std::move(context), transfers, none);
+    if (renderer && renderer->is_software()) renderer.reset();
+  }
+  if (renderer) return renderer;
+  return transfers ? std::make_unique<Renderer>(transfers) : std::make_unique<Renderer>();
+}
+
+std::unique_ptr<GlRenderer> GlRenderer::create(std::shared_ptr<const TransferStore> transfers,
+                                               std::string& problem, bool debug) {
+  auto context = EglContext::create(&problem, debug);
+  if (!context) return nullptr;
+  return create(std::move(context), std::move(transfers), problem);
+}
+
+std::unique_ptr<GlRenderer> GlRenderer::create(std::unique_ptr<Context> context,
+                                               std::shared_ptr<const TransferStore> transfers,
+                                               std::string& problem,
+                                               std::shared_ptr<PicturePool> pictures) {
+  auto impl = std::make_unique<Impl>();
+  impl->context = std::move(context);
+  if (!impl->context->make_current()) {
+    problem = "the context cannot be made current";
+    return nullptr;
+  }
+  impl->device = current_device();
+  impl->context->done_current();
+  problem = missing_feature(impl->device);
+  if (!problem.empty()) return nullptr;
+  if (!transfers) transfers = impl->own_transfers = std::make_shared<TransferStore>();
+  impl->transfers = std::move(transfers);
+  impl->pictures = std::move(pictures);
+  return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(impl)));
+}
+
+GlRenderer::GlRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+GlRenderer::~GlRenderer() = default;
+
+const std::string& GlRenderer::device_name() const {
+  return impl_->device.name;
+}
+
+bool GlRenderer::is_software() const {
+  return impl_->device.is_software;
+}
+
+Context& GlRenderer::context() {
+  return *impl_->context;
+}
+
+void GlRenderer::Impl::release(bool all) {
+  if (!context || !context->make_current()) return;
+  groups.clear();
+  textures = {};
+  composite = {};
+  display = {};
+  clock = {};
+  if (pictures) pictures->trim();
+  if (all) programs = {};
+  context->done_current();
+}
+
+std::optional<Frame> GlRenderer::render(const Scene& scene, const Camera& camera, const Film& film,
+                                        const Settings& settings, std::stop_token stop,
+                                        const std::function<void(double)>& progress) {
+  Impl::Target memory;
+  return impl_->render(scene, camera, film, settings, {std::move(stop), progress}, memory);
+}
+
+std::optional<GlRenderer::DisplayFrame> GlRenderer::show(const Scene& scene, const Camera& camera,
+                                                         const Film& film, const Settings& settings,
+                                                         const DisplayOptions& options,
+                                                         std::stop_token stop) {
+  Impl::Target target;
+  if (impl_->pictures) target.options = &options;
+  auto frame = impl_->render(scene, camera, film, settings, {std::move(stop), {}}, target);
+  if (!frame) return std::nullopt;
+  return DisplayFrame{std::move(*frame), std::move(target.picture)};
+}
+
+std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& camera,
+                                              const Film& film, const Settings& settings,
+                                              const Job& job, Target& target) {
+  GlPlan plan(settings, RenderPlan(scene, settings.airlight));
+  std::string refusal = failure.empty() ? plan.refusal : failure;
+  if (refusal.empty()) {
+    try {
+      std::optional<Frame> frame = try_render(scene, camera, film, settings, job, target);
+      if (!frame) return std::nullopt;
+      frame->statistics.backend = "gl";
+      frame->statistics.device = device.name;
+      frame->statistics.on_cpu = std::move(plan.on_cpu);
+      return frame;
+    } catch (const OutOfMemory& error) {
+      refusal = error.what();
+      target.picture.reset();
+      release(false);
+    } catch (const Error& error) {
+      refusal = failure = error.what();
+      target.picture.reset();
+      release(true);
+    }
+  }
+  if (!cpu) {
+    cpu = own_transfers ? std::make_unique<Renderer>() : std::make_unique<Renderer>(transfers);
+  }
+  std::optional<Frame> frame = cpu->render(scene, camera, film, settings, job.stop, job.progress);
+  if (frame) frame->statistics.on_cpu = {{"frame", refusal}};
+  return frame;
+}
+
+std::optional<Frame> GlRenderer::Impl::try_render(const Scene& scene, const Camera& camera,
+                                                  const Film& film, const Settings& settings,
+                                                  const Job& job, Target& target) {
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  const FogExtent fog_extent(scene);
+  const std::size_t count = albedo_groups(scene.optics.albedo).size();
+  const Current current(*context);
+  while (groups.size() < count) groups.push_back(std::make_unique<Group>());
+  groups.resize(count);
+  if (target.options) target.picture = pictures->acquire({film.width, film.height});
+  return render_groups(
+      scene, job,
+      [&](const Scene& group_scene, std::size_t which, double albedo, const Job& group_job) {
+        FrameContext work(group_scene, camera, film, settings, *transfers, own_transfers.get(),
+                          group_job, albedo, fog_extent);
+        return render(work, arena, which, target);
+      });
+}
+
+// Where view rays end: the depth texture, and the hits of the mesh.
+void GlRenderer::Impl::find_hits(FrameContext& work, Group& group) {
+  if (!work.plan.surfaces) {
+    textures.depth.fill(-1.0f);
+    return;
+  }
+  const PreparedScene& prepared = group.stages.prepared();
+  group.mesh.update(prepared.ray_caster(), prepared.surface_revision());
+  clock.time("visibility",
+             [&] { group.mesh.find_hits(programs, work.rays, work.frame.film, textures.depth); });
+}
+
+void GlRenderer::Impl::find_airlight(FrameContext& work, Group& group, StageClock& cpu_clock,
+                                     DeviceFrame& frame) {
+  if (!work.plan.gaussians && !work.plan.homogeneous) {
+    const glm::ivec2& size = textures.airlight.size();
+    const std::vector<glm::vec4> clear(
+        static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
+        {0.0f, 0.0f, 0.0f, 1.0f});
+    textures.airlight.upload({&clear[0].x, 4 * clear.size()});
+    textures.pairs.fill(0.0f);
+    return;
+  }
+  const PreparedScene& prepared = group.stages.prepared();
+  group.medium.update(prepared.medium(), prepared.medium_revision());
+  clock.time("lists", [&] {
+    group.lists.build(programs, group.medium, prepared.medium(), work.rays, work.frame.film,
+                      work.settings.airlight_scale, device.storage_bytes);
+  });
+  FrameStatistics& statistics = work.frame.statistics;
+  statistics.exact_pixels = work.settings.airlight == AirlightMethod::paper
+                                ? group.paper.run(group.stages, work, cpu_clock, frame)
+                                : group.sliced.run(group.stages, work, frame);
+  statistics.gaussians_used = group.lists.used();
+  cpu_clock.finish("submit");
+}
+
+// After the last group the picture is complete on return, for all contexts.
+void GlRenderer::Impl::show(FrameContext& work, std::size_t which, const Target& target,
+                            StageClock& cpu_clock) {
+  clock.time("display", [&] {
+    display.run(programs, textures, *target.options, albedo_groups(work.scene.optics.albedo), which,
+                target.picture->texture());
+  });
+  cpu_clock.finish("submit");
+  work.frame.statistics.view_pairs += display.sum_pairs(programs, textures);
+  finish();
+  cpu_clock.finish("wait");
+  if (which == 0 && target.options->depth && work.plan.surfaces) {
+    read_depth(textures, work.frame);
+    cpu_clock.finish("read_depth");
+  }
+}
+
+std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_arena& arena,
+                                              std::size_t which, const Target& target) {
+  Group& group = *groups[which];
+  const auto start = std::chrono::steady_clock::now();
+  FrameStatistics& statistics = work.frame.statistics;
+  statistics.skipped = work.plan.skipped;
+  statistics.gaussians_total = work.scene.medium.size();
+  StageClock cpu_clock(statistics.stages);
+  clock.restart();
+  if (!arena.execute([&] { return group.stages.begin(work, cpu_clock); })) return std::nullopt;
+  textures.reserve(work.frame.film);
+  find_hits(work, group);
+  if (!arena.execute([&] { return group.stages.prepare_source(work, cpu_clock); })) {
+    return std::nullopt;
+  }
+  DeviceFrame frame{
+      programs,
+      clock,
+      group.medium,
+      group.mesh,
+      group.lists,
+      textures,
+      {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays.eye()),
+       group.stages.prepared().medium().homogeneous_density(), work.settings, work.plan.lights},
+      arena};
+  find_airlight(work, group, cpu_clock, frame);
+  if (work.plan.lit_surfaces) {
+    if (!work.plan.transfers.empty()) {
+      arena.execute([&] { group.stages.update_vertex_lighting(work); });
+      if (work.job.stop.stop_requested()) return std::nullopt;
+      cpu_clock.finish("vertex_light");
+    }
+    const bool has_tables = work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians;
+    clock.time("surfaces", [&] {
+      statistics.light_pairs += group.surfaces.run(
+          group.stages, work, has_tables ? &group.sliced.tables() : nullptr, frame);
+    });
+  } else {
+    textures.behind.clear();
+  }
+  if (work.job.stop.stop_requested()) return std::nullopt;
+  clock.time("composite", [&] { composite.run(programs, work, textures); });
+  if (target.picture) {
+    show(work, which, target, cpu_clock);
+  } else {
+    cpu_clock.finish("submit");
+    work.make_layers();
+    read_back(textures, work.frame);
+    cpu_clock.finish("read_back");
+  }
+  check("finishing a frame");
+  clock.collect(statistics.stages);
+  if (work.job.progress) work.job.progress(1.0);
+  statistics.frame_milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::move(work.frame);
+}
+
+}  // namespace brume

@@ -1,0 +1,124 @@
+#include "render/lighting/average_depth_grid.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "core/transport/average_depth.h"
+
+namespace brume {
+namespace {
+
+constexpr double max_nodes = 32'768;
+constexpr double max_evaluations = 5e7;
+
+// The paper's table of Tbar(u), here over s = 1 / (1 + u^2), in which Tbar / s hardly varies.
+// Relative error at most 1e-4.
+class UnitAverageDepth {
+ public:
+  UnitAverageDepth() {
+    for (int i = 0; i <= intervals; ++i) {
+      const double s = std::max(static_cast<double>(i) / intervals, 1e-12);
+      values_[static_cast<std::size_t>(i)] =
+          static_cast<float>(unit_average_depth(std::sqrt((1.0 - s) / s)) / s);
+    }
+  }
+
+  float operator()(float u2) const {
+    const float s = 1.0f / (1.0f + u2);
+    const float at = s * intervals;
+    const std::size_t cell = std::min(static_cast<std::size_t>(at), std::size_t{intervals - 1});
+    const float t = at - static_cast<float>(cell);
+    return s * (values_[cell] + t * (values_[cell + 1] - values_[cell]));
+  }
+
+ private:
+  static constexpr int intervals = 512;
+  std::array<float, intervals + 1> values_;
+};
+
+// Relative to the grid's corner, where float has digits for it.
+struct Term {
+  glm::vec3 center;
+  float a2;
+  float depth;  // c / a
+};
+
+// The nodes along each axis of a grid with that spacing.
+glm::ivec3 nodes_at(const glm::dvec3& extent, double spacing) {
+  return glm::ivec3(glm::ceil(glm::min(extent / spacing, max_nodes))) + 1;
+}
+
+double count(const glm::ivec3& nodes) {
+  return static_cast<double>(nodes.x) * nodes.y * nodes.z;
+}
+
+// The smallest spacing of at most `max_value` nodes, at least `min_value`.
+double spacing_for(const glm::dvec3& extent, double min_value, double max_value) {
+  double spacing = std::max(min_value, 1e-4 * glm::max(extent.x, glm::max(extent.y, extent.z)));
+  while (count(nodes_at(extent, spacing)) > max_value) spacing *= 1.1;
+  return spacing;
+}
+
+}  // namespace
+
+AverageDepthGrid::AverageDepthGrid(std::span<const GaussianTerm<double>> gaussians, const Box& box)
+    : box_(box) {
+  static const UnitAverageDepth unit_depth;
+  double min_radius = std::numeric_limits<double>::infinity();
+  std::vector<Term> terms;
+  for (const GaussianTerm<double>& g : gaussians) {
+    if (!(g.c > 0.0)) continue;
+    min_radius = std::min(min_radius, 1.0 / g.a);
+    terms.push_back(
+        {glm::vec3(g.b - box.low), static_cast<float>(g.a * g.a), static_cast<float>(g.c / g.a)});
+  }
+  const glm::dvec3 extent = box.high - box.low;
+  if (!terms.empty()) {
+    const double max_value =
+        std::clamp(max_evaluations / static_cast<double>(terms.size()), 64.0, max_nodes);
+    nodes_ = nodes_at(extent, spacing_for(extent, 0.25 * min_radius, max_value));
+  }
+  const glm::dvec3 cells(nodes_ - 1);
+  for (int k = 0; k < 3; ++k) cells_per_unit_[k] = extent[k] > 0.0 ? cells[k] / extent[k] : 0.0;
+  const glm::vec3 step(extent / glm::max(cells, 1.0));
+  depths_.resize(static_cast<std::size_t>(count(nodes_)));
+  tbb::parallel_for(0, nodes_.y * nodes_.z, [&](int row) {
+    float* depths =
+        depths_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(nodes_.x);
+    for (int x = 0; x < nodes_.x; ++x) {
+      const glm::vec3 p = step * glm::vec3(x, row % nodes_.y, row / nodes_.y);
+      float sum = 0.0f;
+      for (const Term& term : terms) {
+        const glm::vec3 q = p - term.center;
+        sum += term.depth * unit_depth(term.a2 * (q.x * q.x + q.y * q.y + q.z * q.z));
+      }
+      depths[x] = sum;
+    }
+  });
+}
+
+float AverageDepthGrid::operator()(const glm::dvec3& p) const {
+  const glm::dvec3 at =
+      glm::clamp((p - box_.low) * cells_per_unit_, glm::dvec3(0.0), glm::dvec3(nodes_ - 1));
+  const glm::ivec3 cell = glm::min(glm::ivec3(at), glm::max(nodes_ - 2, 0));
+  const glm::vec3 t(at - glm::dvec3(cell));
+  const glm::ivec3 next = glm::min(cell + 1, nodes_ - 1);
+  const auto value = [&](int x, int y, int z) {
+    return depths_[(static_cast<std::size_t>(z) * static_cast<std::size_t>(nodes_.y) +
+                    static_cast<std::size_t>(y)) *
+                       static_cast<std::size_t>(nodes_.x) +
+                   static_cast<std::size_t>(x)];
+  };
+  const auto row = [&](int y, int z) {
+    return glm::mix(value(cell.x, y, z), value(next.x, y, z), t.x);
+  };
+  return glm::mix(glm::mix(row(cell.y, cell.z), row(next.y, cell.z), t.y),
+                  glm::mix(row(cell.y, next.z), row(next.y, next.z), t.y), t.z);
+}
+
+}  // namespace brume

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "core/math/spherical_harmonics.h"
+#include "core/scene/scene.h"
+#include "render/lighting/source_lookup.h"
+#include "render/simd/scatter_table.h"
+
+namespace brume {
+
+// A scene's environment, as background and as incident light at surfaces.
+class EnvironmentLight {
+ public:
+  // The map must be loaded. `scattering` outlives this.
+  EnvironmentLight(const Environment& environment, const ScatterTable& scattering);
+
+  [[nodiscard]] bool shows(const Environment& environment, const ScatterTable& scattering) const {
+    return environment_ == environment && scattering_ == &scattering;
+  }
+
+  // Spherical-harmonics coefficients of the environment without medium, and its scattering table.
+  [[nodiscard]] const ShVector<glm::vec3>& coefficients() const { return light_float_; }
+  [[nodiscard]] const ScatterTable& scattering() const { return *scattering_; }
+
+  // behind[k] = radiance from direction first + k per_pixel (any length) without medium, where
+  // distances[k] is infinite. Single precision.
+  void show(const glm::dvec3& first, const glm::dvec3& per_pixel, std::span<const float> distances,
+            std::span<glm::vec3> behind) const;
+
+  // Environment inscattering of the paper, T e^-T (L * spread)(w) (eq. 28), for a view ray of
+  // optical depth T. Also used in front of surfaces.
+  [[nodiscard]] glm::vec3 environment_inscattering(const glm::dvec3& w, float T) const;
+
+  // Per band, the fraction of the environment incident at a point of average optical depth Tbar,
+  // direct and scattered (eq. 27).
+  [[nodiscard]] ScatterTable::Bands incident(float Tbar, double albedo) const;
+
+  // Incident radiance at a point: from per-band fractions, or from a SourceGrid. Bands beyond the
+  // grid's are attenuated like the mean of all light.
+  [[nodiscard]] ShVector<glm::dvec3> incident(const ScatterTable::Bands& shares) const;
+  [[nodiscard]] ShVector<glm::dvec3> incident(const NodeRadiance& light) const;
+
+  // Radiance of a diffuse surface of reflectance 1 and unit normal n: irradiance / pi.
+  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ScatterTable::Bands& shares) const;
+  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const NodeRadiance& light) const;
+  // Per-band factors of the convolution with max(0, cos theta) / pi.
+  static const ScatterTable::Bands& cosine_factors();
+
+ private:
+  // Mean incident light relative to that without medium, R G B 0.
+  [[nodiscard]] glm::vec3 dimming(const NodeRadiance& light) const;
+
+  Environment environment_;
+  const ScatterTable* scattering_;
+  ShVector<glm::dvec3> light_;
+  ShVector<glm::vec3> light_float_;
+  glm::dmat3 to_map_;
+};
+
+}  // namespace brume

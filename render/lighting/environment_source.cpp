@@ -1,0 +1,194 @@
+#include "render/lighting/environment_source.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/scene/environment.h"
+#include "core/scene/radiance_map.h"
+#include "render/simd/gaussian_kernels.h"
+#include "render/simd/phase_kernels.h"
+
+namespace brume {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// In rows as fine as the phase function is narrow, 2 R columns of R rows.
+RadianceMap empty_map(double anisotropy) {
+  const int rows =
+      std::clamp(static_cast<int>(std::ceil(pi / (0.25 * (1.0 - std::abs(anisotropy))))), 24, 64);
+  RadianceMap map{2 * rows, rows, {}};
+  map.pixels.resize(static_cast<std::size_t>(2 * rows * rows));
+  return map;
+}
+
+// Forward-lobe scattering of a cluster for each direction: full phase function minus the grid's
+// bands of its lights.
+std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
+    const PhaseBands& bands, double anisotropy, std::span<const LightGroup* const> cluster,
+    const Job& job) {
+  std::vector<PhasedLight> parts;
+  for (const LightGroup* group : cluster) {
+    for (const DistantLight& part : group->parts) parts.push_back({part.direction, part.flux});
+  }
+  auto map = std::make_shared<RadianceMap>(empty_map(anisotropy));
+  const auto width = static_cast<std::size_t>(map->width);
+  job.each(static_cast<std::size_t>(map->height), [&](std::size_t y) {
+    std::array<std::vector<float>, 3> w;
+    std::array<std::vector<float>, 3> sums;
+    w.fill(std::vector<float>(padded(width), 0.0f));
+    sums.fill(std::vector<float>(padded(width), 0.0f));
+    for (std::size_t x = 0; x < width; ++x) {
+      const glm::dvec3 direction =
+          map_direction(*map, {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5});
+      glm::dvec3 in_bands(0.0);
+      for (const LightGroup* group : cluster) {
+        const DistantLight& whole = group->whole;
+        in_bands += bands.phase(glm::dot(direction, whole.direction)) * whole.flux;
+      }
+      for (int c = 0; c < 3; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        w[k][x] = static_cast<float>(direction[c]);
+        sums[k][x] = static_cast<float>(-in_bands[c]);
+      }
+    }
+    add_phased(parts, anisotropy, {w[0], w[1], w[2]}, {sums[0], sums[1], sums[2]});
+    for (std::size_t x = 0; x < width; ++x) {
+      map->pixels[y * width + x] = {sums[0][x], sums[1][x], sums[2][x]};
+    }
+  });
+  return map;
+}
+
+double power(const DistantLight& light) {
+  return light.flux.x + light.flux.y + light.flux.z;
+}
+
+// Whether the light comes from within 14 degrees or so (rms) of one direction.
+bool is_narrow(std::span<const LightGroup* const> cluster) {
+  constexpr double min_resultant = 0.97;
+  double sum = 0.0;
+  glm::dvec3 moment(0.0);
+  for (const LightGroup* group : cluster) {
+    for (const DistantLight& part : group->parts) {
+      sum += power(part);
+      moment += power(part) * part.direction;
+    }
+  }
+  return glm::length(moment) > min_resultant * sum;
+}
+
+}  // namespace
+
+bool EnvironmentSource::update(const Input& input, const Job& job) {
+  const Environment& environment = input.environment;
+  const bool same_light = grid_ && environment_.map == environment.map &&
+                          anisotropy_ == input.anisotropy && size_ == input.size;
+  const bool same = same_light && environment_.rotation == environment.rotation &&
+                    has_same(input.receivers) && medium_ == input.medium;
+  environment_ = environment;
+  attenuation_ = std::exp(-input.fog_depth);
+  if (same) return true;
+  if (!same_light) read_map(*environment.map, input.anisotropy, input.size.directions, job);
+  medium_ = input.medium;
+  anisotropy_ = input.anisotropy;
+  receivers_ = input.receivers;
+  size_ = input.size;
+
+  std::vector<SourceLight> lights = lights_;
+  for (SourceLight& light : lights) {
+    light.light.direction = environment_rotation(environment) * light.light.direction;
+  }
+  std::vector<GaussianTerm<double>> gaussians;
+  for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
+  const bool has_fog = medium_.homogeneous_density() > 0.0;
+  grid_.emplace(gaussians, lights, SourceGrid::Content{phase_.count(), has_fog, receivers_},
+                input.size, job);
+  ++revision_;
+  if (job.stop.stop_requested()) grid_.reset();
+  return grid_.has_value();
+}
+
+// Of where receivers are only that counts which decides on the grid.
+bool EnvironmentSource::has_same(const std::optional<SourceGrid::Receivers>& receivers) const {
+  if (!receivers_ || !receivers) return receivers_.has_value() == receivers.has_value();
+  return receivers_->optics == receivers->optics &&
+         grid_->holds(receivers_->box) == grid_->holds(receivers->box);
+}
+
+void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std::size_t directions,
+                                 const Job& job) {
+  const std::vector<LightGroup> groups = distant_light_groups(
+      map, {.groups = directions, .clusters = static_cast<std::size_t>(source_clusters)});
+  std::array<double, source_clusters> powers{};
+  for (const LightGroup& group : groups) {
+    powers[static_cast<std::size_t>(group.cluster)] += power(group.whole);
+  }
+  lights_.clear();
+  power_ = 0.0;
+  for (const LightGroup& group : groups) {
+    const double own = power(group.whole);
+    lights_.push_back(
+        {group.whole, group.cluster, own / powers[static_cast<std::size_t>(group.cluster)]});
+    power_ += own;
+  }
+  phase_ = PhaseBands(anisotropy);
+  lobes_.clear();
+  if (phase_.count() > 1) find_forward_lobes(groups, anisotropy, job);
+}
+
+void EnvironmentSource::find_forward_lobes(std::span<const LightGroup> groups, double anisotropy,
+                                           const Job& job) {
+  for (std::size_t cluster = 0; cluster < source_clusters; ++cluster) {
+    std::vector<const LightGroup*> members;
+    for (const LightGroup& group : groups) {
+      if (group.cluster == static_cast<int>(cluster)) members.push_back(&group);
+    }
+    lobes_.push_back(scattered_by_forward_lobe(phase_, anisotropy, members, job));
+    is_narrow_[cluster] = is_narrow(members);
+  }
+}
+
+EnvironmentSource::WeightParts EnvironmentSource::weight_parts() const {
+  // Sums of what is beyond float would not be numbers.
+  const double scale =
+      std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power_, 1e-30));
+  return {scale, phase_.factors(), lobes_, is_narrow_, environment_.rotation};
+}
+
+glm::vec3 EnvironmentSource::lobe(const SourceLookup& from_eye, const SourceWeights& weights,
+                                  float line_depth) const {
+  SourceLookup::ClusterTransmittance passes;
+  if (anisotropy_ > 0.0) {
+    passes.fill(std::exp(-line_depth));
+  } else {
+    passes = from_eye.cluster_transmittance();
+  }
+  glm::vec3 sum(0.0f);
+  for (std::size_t f = 0; f < passes.size(); ++f) sum += passes[f] * weights.spread[f];
+  return sum;
+}
+
+SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
+  const double scale = weight_parts().scale;
+  const auto bands = phase_.at(w);
+  SourceWeights weights;
+  for (std::size_t i = 0; i < sh_size(phase_.count()); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      weights.harmonics[4 * i + c] = static_cast<float>(scale * static_cast<double>(bands[i]));
+    }
+  }
+  if (lobes_.empty()) return weights;
+  const glm::vec3 in_map(glm::conjugate(environment_rotation(environment_)) * w);
+  for (std::size_t f = 0; f < lobes_.size(); ++f) {
+    const glm::vec3 scattered = static_cast<float>(scale) * map_radiance(*lobes_[f], in_map);
+    (is_narrow_[f] ? weights.narrow : weights.spread)[f] = scattered;
+    weights.has_narrow_clusters |= is_narrow_[f];
+  }
+  return weights;
+}
+
+}  // namespace brume

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/lighting/distant_lights.h"
+#include "render/lighting/source_grid.h"
+#include "render/lighting/source_lookup.h"
+#include "render/settings.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// In-scattered environment light towards the eye: the source function J on a SourceGrid, cached
+// between frames. Rebuilt only when its inputs change, never for a camera move.
+//
+// The grid stores few bands. The forward lobe of the phase function (see PhaseBands) is convolved
+// with the map without medium, once per cluster of directions. The medium attenuates it
+//   - for a narrow cluster, such as a sun's, by the mean transmittance towards it;
+//   - for the others by the transmittance along the view ray: from behind where g > 0, from the eye
+//   where g < 0.
+// This is exact for thin media, and converges for narrow lobes.
+class EnvironmentSource {
+ public:
+  struct Input {
+    const Environment& environment;
+    const Medium& medium;  // densities are extinction coefficients
+    double anisotropy;
+    double fog_depth;  // optical depth of b0 from any point to the end of the fog
+    std::optional<SourceGrid::Receivers> receivers;
+    SourceGridSize size;
+  };
+  // False, and empty, if the job was stopped.
+  bool update(const Input& input, const Job& job);
+  void clear() { grid_.reset(); }
+
+  // The results of the last update().
+  [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
+  // Changes whenever grid() does.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
+  [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
+  // Forward-lobe scattering of the light along a view ray, per unit of SliceShares::along_rays.
+  // `line_depth`: optical depth of the Gaussians from the eye to infinity.
+  [[nodiscard]] glm::vec3 lobe(const SourceLookup& from_eye, const SourceWeights& weights,
+                               float line_depth) const;
+  // Weights for a view ray along the unit vector w.
+  [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
+  // The inputs of weights(), for computing many at once on a device.
+  struct WeightParts {
+    double scale;
+    std::span<const double> factors;  // of the phase function's bands
+    // The map convolved with the forward lobe, per cluster; empty without lobe.
+    std::span<const std::shared_ptr<const RadianceMap>> lobes;
+    std::span<const bool> is_narrow;  // of the families
+    double rotation;                  // of the maps about +y; see Environment
+  };
+  [[nodiscard]] WeightParts weight_parts() const;
+
+ private:
+  [[nodiscard]] bool has_same(const std::optional<SourceGrid::Receivers>& receivers) const;
+  void read_map(const RadianceMap& map, double anisotropy, std::size_t directions, const Job& job);
+  void find_forward_lobes(std::span<const LightGroup> groups, double anisotropy, const Job& job);
+
+  // Inputs of the cached grid and lights.
+  Environment environment_;
+  Medium medium_;
+  double anisotropy_ = 0.0;
+  std::optional<SourceGrid::Receivers> receivers_;
+  SourceGridSize size_;
+
+  std::vector<SourceLight> lights_;  // in the frame of the map
+  double power_ = 0.0;               // of all the light
+  double attenuation_ = 1.0;         // by the fog
+  // Per cluster, the map convolved with the forward lobe; empty without lobe.
+  std::vector<std::shared_ptr<const RadianceMap>> lobes_;
+  std::array<bool, source_clusters> is_narrow_{};
+  PhaseBands phase_{0.0};
+  std::optional<SourceGrid> grid_;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace brume

@@ -1,0 +1,31 @@
+#include "render/lighting/shadow_map.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace brume {
+
+ShadowMap::ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const DirectionMap& map)
+    : light_(light), map_(map) {
+  if (ray_caster.empty()) return;
+  distances_.resize(map.cells());
+  const auto stride = static_cast<std::size_t>(map.stride());
+  tbb::parallel_for(0, map.rows + 2, [&](int y) {
+    std::vector<glm::dvec3> directions;
+    for (int x = 0; x < map.stride(); ++x) directions.push_back(map.direction(x - 1, y - 1));
+    std::vector<SurfaceHit> hits(stride);
+    // A lamp on a ceiling shines.
+    ray_caster.first_hits(light, directions, hits, ray_caster.min_gap());
+    float* const row = distances_.data() + static_cast<std::size_t>(y) * stride;
+    for (std::size_t x = 0; x < stride; ++x) row[x] = static_cast<float>(hits[x].distance);
+  });
+  ranges_.resize(map.cells());
+  for (std::size_t i = 0; i + stride + 1 < distances_.size(); ++i) {
+    const auto [min_value, max_value] = std::minmax(
+        {distances_[i], distances_[i + 1], distances_[i + stride], distances_[i + stride + 1]});
+    ranges_[i] = {min_value, max_value};
+  }
+}
+
+}  // namespace brume

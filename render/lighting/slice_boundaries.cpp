@@ -1,0 +1,233 @@
+#include "render/lighting/slice_boundaries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "core/transport/light_path.h"
+#include "render/geometry/ray_range.h"
+
+namespace brume {
+namespace {
+
+// Where light falls off within a medium, slices of equal angle as seen from the light.
+void add_equi_angular(const SlicedLight& light, const TileCone& rays, const RayRange& range,
+                      int count, std::vector<double>& boundaries) {
+  // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
+  // what is near the light if the medium is endless.
+  const double near = 16.0 * glm::length(light.position - (rays.eye + range.begin * rays.center));
+  const double min_value = 0.25 * std::min(range.end - range.begin, near) / count;
+  PointLightRay<double> path(light.position, rays.eye, rays.center,
+                             std::max(light.h_min, min_value));
+  path.ts = rays.nearest_pass(light.position - rays.eye).t;
+  const EquiAngular<double> angular(path, range.end);
+  const double begin = angular.angle(range.begin);
+  for (int k = 1; k < count; ++k) {
+    const double t = angular.t(begin + (angular.span - begin) * k / count);
+    if (t > range.begin && t < range.end) boundaries.push_back(t);
+  }
+}
+
+// The depth of a line through a Gaussian of radius r, where its density is at most `peak`.
+double line_depth(double peak, double r) {
+  return std::sqrt(std::numbers::pi) * peak * r;
+}
+
+// Opaque Gaussians need slices out to where the tail has this optical depth.
+constexpr double tail_depth = 0.02;
+
+// Distance from the center up to which a Gaussian of radius r and density c needs slices.
+double core_radius(double r, double c) {
+  return line_depth(c, r) < slice_opaque ? 2.0 * r : cutoff_radius(r, c, tail_depth);
+}
+
+// How a tile's rays pass a Gaussian of exponent g.a^2 at q relative to the eye, and where it needs
+// slices.
+struct Passing {
+  double t;  // [u]
+  double h;  // in radii, of the nearest ray
+};
+
+// A Gaussian among the rays needs slices where the nearest ray passes it. If only its tail is met,
+// the light decides where; then the center's position is as good, and symmetric.
+Passing passing(const TileCone& rays, const glm::dvec3& q, double a) {
+  const TileCone::Pass nearest = rays.nearest_pass(q);
+  const double center = glm::dot(q, rays.center);
+  const double h = a * nearest.h;
+  return {center + std::exp(-h * h) * (nearest.t - center), h};
+}
+
+// Demand for boundaries along a ray. The error of the midpoint rule is proportional to the second
+// derivative of the integrand, so the optimal density of slices is its cube root (c / r^2 within a
+// Gaussian, attenuated by what is in front), plus a uniform share that keeps thin media sampled.
+class SliceDemand {
+ public:
+  SliceDemand(const RayRange& range, int bins)
+      : begin_(range.begin),
+        width_((range.end - range.begin) / bins),
+        rate_(static_cast<std::size_t>(bins) + 1),
+        curvature_(static_cast<std::size_t>(bins) + 1) {}
+
+  // A Gaussian of radius r whose density is `peak` where the ray passes it at t.
+  void add(double t, double r, double peak) {
+    add_box(t, 1.5 * r, 0.59 * peak, peak / (r * r));  // with the Gaussian's integral
+    if (line_depth(peak, r) < slice_opaque) return;
+    const double last = cutoff_radius(r, peak, tail_depth) / r;
+    for (double k = 1.5; k < last; k += 0.5) {
+      const double middle = k + 0.25;
+      const double density = peak * std::exp(-middle * middle);
+      add_box(t, (k + 0.5) * r, density, 4.0 * middle * middle * density / (r * r));
+    }
+  }
+
+  // Appends the ends of the range and what lies between `count` slices of equal demand.
+  void cut(int count, std::vector<double>& boundaries) const {
+    const std::size_t bins = rate_.size() - 1;
+    thread_local std::vector<double> demand;
+    demand.assign(bins, 0.0);
+    double rate = 0.0;
+    double curvature = 0.0;
+    double depth = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < bins; ++i) {
+      rate += rate_[i];
+      curvature += curvature_[i];
+      demand[i] = std::cbrt(std::max(curvature, 0.0) / (1.0 + std::clamp(depth, 0.0, 4.0)));
+      // Behind that much only rays are seen that pass beside it.
+      if (depth > slice_opaque) demand[i] *= slice_opaque / depth;
+      depth += rate * width_;
+      sum += demand[i];
+    }
+    const double uniform = sum > 0.0 ? 0.3 * sum / static_cast<double>(bins) : 1.0;
+    sum += uniform * static_cast<double>(bins);
+    boundaries.push_back(begin_);
+    double reached = 0.0;
+    int k = 1;
+    for (std::size_t i = 0; i < bins && k < count; ++i) {
+      const double here = demand[i] + uniform;
+      for (double wanted = sum * k / count; k < count && wanted <= reached + here;
+           wanted = sum * ++k / count) {
+        boundaries.push_back(begin_ +
+                             width_ * (static_cast<double>(i) + (wanted - reached) / here));
+      }
+      reached += here;
+    }
+    boundaries.push_back(begin_ + width_ * static_cast<double>(bins));
+  }
+
+ private:
+  void add_box(double t, double half, double rate, double curvature) {
+    const auto bin = [this](double x) {
+      const double max_value = static_cast<double>(rate_.size() - 1);
+      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, max_value));
+    };
+    const std::size_t first = bin(t - half);
+    const std::size_t last = bin(t + half) + 1;
+    if (last >= rate_.size() && first + 1 >= rate_.size()) return;
+    rate_[first] += rate;
+    curvature_[first] += curvature;
+    if (last < rate_.size()) {
+      rate_[last] -= rate;
+      curvature_[last] -= curvature;
+    }
+  }
+
+  double begin_;
+  double width_;
+  std::vector<double> rate_;       // differences from bin to bin
+  std::vector<double> curvature_;  // the same
+};
+
+}  // namespace
+
+int slices_per_light(int slices, std::size_t lights) {
+  const int count = std::max(slices / static_cast<int>(std::clamp<std::size_t>(lights, 1, 4)), 4);
+  // The Gaussians have `slices` boundaries and four ends, the fog as many again.
+  const int room = static_cast<int>(max_slice_boundaries) - 2 * slices - 4;
+  return std::clamp(room / std::max(static_cast<int>(lights), 1), 1, count);
+}
+
+std::size_t max_boundaries(int slices, std::size_t lights, bool in_fog) {
+  const auto count = static_cast<std::size_t>(slices);
+  const auto per_light = static_cast<std::size_t>(slices_per_light(slices, lights));
+  return 4 + count + lights * (per_light - 1) + (in_fog ? count : 0);
+}
+
+void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                   std::span<const SlicedLight> lights, const TileCone& rays, int slices,
+                   std::vector<double>& boundaries) {
+  boundaries.clear();
+  const glm::dvec3& w = rays.center;
+  const double longest = rays.max_length;
+
+  // The Gaussians: slices over two radii or more to both sides, and one more for the tail at each
+  // end.
+  RayRange cutoff_radius;
+  RayRange core;
+  for (const std::uint32_t i : gaussians) {
+    const GaussianTerm<double>& g = medium.gaussians()[i];
+    const glm::dvec3 q = g.b - rays.eye;
+    const double r = medium.cutoff_radii()[i];
+    cutoff_radius.add(glm::dot(q, w) - r, rays.nearest_pass(q).t + r);
+    const double t = passing(rays, q, g.a).t;
+    const double half = std::min(core_radius(1.0 / g.a, g.c), r);
+    core.add(t - half, t + half);
+  }
+  cutoff_radius.clip(longest);
+  core.clip(longest);
+  const double b0 = medium.homogeneous_density();
+  RayRange whole = cutoff_radius;
+  if (b0 > 0.0) {
+    whole.begin = 0.0;
+    whole.end = std::min(
+        longest, std::max(cutoff_radius.empty() ? 0.0 : cutoff_radius.end, opaque_fog_depth / b0));
+  }
+  if (whole.empty()) return;
+  boundaries.push_back(whole.begin);
+  boundaries.push_back(whole.end);
+  if (!cutoff_radius.empty()) {
+    if (!core.empty()) {
+      SliceDemand demand(core, 4 * slices);
+      for (const std::uint32_t i : gaussians) {
+        const GaussianTerm<double>& g = medium.gaussians()[i];
+        const glm::dvec3 q = g.b - rays.eye;
+        const auto [t, h] = passing(rays, q, g.a);
+        const double half = core_radius(1.0 / g.a, g.c);
+        if (t + half < core.begin || t - half > core.end) continue;
+        demand.add(t, 1.0 / g.a, g.c * std::exp(-h * h));
+      }
+      demand.cut(slices - 2, boundaries);
+    }
+    boundaries.push_back(cutoff_radius.begin);
+    boundaries.push_back(cutoff_radius.end);
+  }
+  const RayRange& lit = b0 > 0.0 ? whole : core;
+  for (const SlicedLight& light : lights) {
+    // A light in or near the medium; far ones are smooth along the ray.
+    const glm::dvec3 q = light.position - rays.eye;
+    const double ts = glm::dot(q, w);
+    const double h = glm::length(q - ts * w);
+    const double gap = std::max({lit.begin - ts, ts - lit.end, 0.0});
+    if (lit.empty() || std::hypot(gap, h) > 0.5 * (lit.end - lit.begin)) continue;
+    add_equi_angular(light, rays, lit, slices_per_light(slices, lights.size()), boundaries);
+  }
+  if (b0 > 0.0) {
+    // Slices of equal loss in the fog.
+    const double opaque = -std::expm1(-b0 * whole.end);
+    for (int k = 1; k < slices; ++k) {
+      boundaries.push_back(-std::log1p(-opaque * k / slices) / b0);
+    }
+  }
+  std::sort(boundaries.begin(), boundaries.end());
+  // Float tells no more apart.
+  const double min_value = 1e-9 * (whole.end - whole.begin);
+  boundaries.erase(std::unique(boundaries.begin(), boundaries.end(),
+                               [min_value](double a, double b) {
+                                 return b - a < std::max(min_value, 1e-6 * b);
+                               }),
+                   boundaries.end());
+}
+
+}  // namespace brume

@@ -1,0 +1,367 @@
+#include "render/lighting/slice_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/lighting/slice_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+#include "render/simd/noise-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using Vector = V3<V>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+
+// coefficient::erf_fast.
+HWY_INLINE V FastErf(V x) {
+  const D d;
+  const V end = set(coefficient::erf_fast_end);
+  const V y = hn::Min(hn::Max(x, hn::Neg(end)), end);
+  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient::erf_fast));
+}
+
+template <bool kDisplaced>
+HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
+                                    const RaySlices& slices, float* increments) {
+  const D d;
+  const std::size_t stride = rays.padded_size();
+  const std::size_t last = slices.count() - 1;
+  std::uint64_t pairs = 0;
+  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
+                   hn::LoadU(d, rays.z.data() + i)};
+    const float* const nearest = slices.nearest(i).data();
+    const std::span<const float> farthest = slices.farthest(i);
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const V a = set(g.a[j]);
+      const Crossing<D> crossing = BatchCrossing<kDisplaced>(d, g, j, w);
+      const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
+      if (hn::AllFalse(d, reached)) continue;
+      pairs += hn::CountTrue(d, reached);
+      // The slices that any of the rays meets the Gaussian in.
+      const float cutoff_radius = std::sqrt(g.cutoff[j]) / g.a[j];
+      const float from = hn::GetLane(hn::MinOfLanes(d, crossing.t0)) - cutoff_radius;
+      const float to = hn::GetLane(hn::MaxOfLanes(d, crossing.t0)) + cutoff_radius;
+      const auto begin = farthest.begin();
+      const auto after = std::upper_bound(begin, farthest.end(), from) - begin;
+      std::size_t k = after > 0 ? static_cast<std::size_t>(after - 1) : 0;
+      if (k >= last || nearest[0] >= to) continue;
+      const auto u = [&](std::size_t boundary) HWY_ATTR {
+        return hn::Mul(a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), crossing.t0));
+      };
+      const auto add = [&](std::size_t slice, V depth) HWY_ATTR {
+        float* increment = increments + slice * stride + i;
+        hn::StoreU(hn::Add(depth, hn::LoadU(d, increment)), d, increment);
+      };
+      V before = u(k);
+      if (g.scale[j] > exact_above) {
+        for (; k < last && nearest[k] < to; ++k) {
+          const V now = u(k + 1);
+          add(k, hn::Mul(set(g.scale[j]),
+                         SegmentIntegral(d, crossing.e, before, now, hn::Sub(now, before))));
+          before = now;
+        }
+        continue;
+      }
+      const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(crossing.e)));
+      before = FastErf(before);
+      for (; k < last && nearest[k] < to; ++k) {
+        const V now = FastErf(u(k + 1));
+        add(k, hn::Mul(scale, hn::Sub(now, before)));
+        before = now;
+      }
+    }
+  }
+  return pairs;
+}
+
+std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
+                                   const RaySlices& slices, float* increments) {
+  return g.noise.on() ? Increments<true>(g, rays, slices, increments)
+                      : Increments<false>(g, rays, slices, increments);
+}
+
+// Where a direction lies in a table over a map: the lower of the cells to mix, and by how much.
+struct MapPosition {
+  hn::Vec<hn::RebindToSigned<D>> cell;  // row by row, border included
+  V fx, fy;
+
+  // `q` need not be unit; `distance` is its length.
+  HWY_INLINE MapPosition(const DirectionMap& map, const Vector& q, V distance) {
+    const D d;
+    const hn::RebindToSigned<D> di;
+    const V one = set(1.0f);
+    V u;
+    V v;
+    if (map.octahedral) {
+      const V sum = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
+      const V inverse = hn::Div(one, hn::Max(sum, set(1e-30f)));
+      const V x = hn::Mul(q.x, inverse);
+      const V y = hn::Mul(q.y, inverse);
+      const auto below = hn::Lt(q.z, hn::Zero(d));
+      u = hn::IfThenElse(below, hn::CopySign(hn::Sub(one, hn::Abs(y)), x), x);
+      v = hn::IfThenElse(below, hn::CopySign(hn::Sub(one, hn::Abs(x)), y), y);
+    } else {
+      const auto along = [&](const glm::vec3& axis) HWY_ATTR {
+        return dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)});
+      };
+      // Behind the light there is nothing of interest; the border of the map answers.
+      const V depth = hn::Max(along(map.axis), hn::Mul(set(1e-3f), distance));
+      const V inverse = hn::Div(one, hn::Max(depth, set(1e-30f)));
+      u = hn::MulAdd(hn::Mul(along(map.right), inverse), set(map.scale.x), set(map.offset.x));
+      v = hn::MulAdd(hn::Mul(along(map.up), inverse), set(map.scale.y), set(map.offset.y));
+    }
+    // In cells, counted from the middle of the border cell.
+    const auto in_cells = [&](V along, int count) HWY_ATTR {
+      const auto cells = static_cast<float>(count);
+      const V x = hn::MulAdd(along, set(0.5f * cells), set(0.5f * cells + 0.5f));
+      return hn::Min(hn::Max(x, hn::Zero(d)), set(cells + 0.999f));
+    };
+    const V x = in_cells(u, map.columns);
+    const V y = in_cells(v, map.rows);
+    const auto xi = hn::ConvertTo(di, x);
+    const auto yi = hn::ConvertTo(di, y);
+    fx = hn::Sub(x, hn::ConvertTo(d, xi));
+    fy = hn::Sub(y, hn::ConvertTo(d, yi));
+    cell = hn::Add(hn::Mul(yi, hn::Set(di, map.stride())), xi);
+  }
+
+  // The mix of value(cell offset) over the four cells.
+  template <class Value>
+  HWY_INLINE V Mix(int stride, Value value) const {
+    const auto mix = [](V low, V high, V f)
+                         HWY_ATTR { return hn::MulAdd(f, hn::Sub(high, low), low); };
+    return mix(mix(value(0), value(1), fx), mix(value(stride), value(stride + 1), fx), fy);
+  }
+};
+
+// The depth of a table at a point relative to its light, `distance` from it.
+HWY_INLINE V Lookup(const OpticalDepthTable::View& table, const Vector& q, V distance) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const MapPosition position(table.map, q, distance);
+  const V beyond = hn::Max(hn::Sub(distance, set(table.first_radius)), hn::Zero(d));
+  V r = hn::Mul(beyond, set(table.radii_per_unit));
+  if (table.curvature > 0.0f) r = hn::Div(r, hn::MulAdd(set(table.curvature), beyond, set(1.0f)));
+  r = hn::Min(r, set(static_cast<float>(table.radii) - 1.001f));
+  const auto ri = hn::ConvertTo(di, r);
+  const V fr = hn::Sub(r, hn::ConvertTo(d, ri));
+  const auto first = hn::Add(hn::Mul(position.cell, hn::Set(di, table.radii)), ri);
+  // Two neighbours of 16 bits come in one gather.
+  const auto* pairs = reinterpret_cast<const std::int32_t*>(table.depths);
+  const V depth = position.Mix(table.map.stride(), [&](int cell) HWY_ATTR {
+    const auto index = hn::Add(first, hn::Set(di, cell * table.radii));
+    const auto both = hn::GatherOffset(di, pairs, hn::ShiftLeft<1>(index));
+    const V near = hn::ConvertTo(d, hn::And(both, hn::Set(di, 0xffff)));
+    const V far = hn::ConvertTo(
+        d, hn::BitCast(di, hn::ShiftRight<16>(hn::BitCast(hn::RebindToUnsigned<D>(), both))));
+    return hn::MulAdd(fr, hn::Sub(far, near), near);
+  });
+  return hn::Mul(depth, set(table.unit));
+}
+
+void LookupDepths(const OpticalDepthTable::View& table, const PathBatch& paths, float* depths) {
+  const D d;
+  for (std::size_t i = 0; i < paths.padded_size(); i += hn::Lanes(d)) {
+    const V distance = hn::LoadU(d, paths.length.data() + i);
+    const Vector q{hn::Mul(distance, hn::LoadU(d, paths.x.data() + i)),
+                   hn::Mul(distance, hn::LoadU(d, paths.y.data() + i)),
+                   hn::Mul(distance, hn::LoadU(d, paths.z.data() + i))};
+    hn::StoreU(Lookup(table, q, distance), d, depths + i);
+  }
+}
+
+// The share of the light that no surface stops, mixed over four cells.
+HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const MapPosition position(shadows.map(), q, distance);
+  // A cell stands for its neighbourhood, where a slanting surface is nearer and farther by about
+  // the cells' width: so much behind the surface is still lit, or all surfaces would be darkened.
+  const V near =
+      hn::Mul(distance, set(1.0f - 2.0f * static_cast<float>(shadows.map().cell_angle())));
+  // Mostly all four cells agree.
+  const float* const ranges = &shadows.ranges()->min_value;
+  const auto range = hn::ShiftLeft<1>(position.cell);
+  const auto lit = hn::Le(near, hn::GatherIndex(d, ranges, range));
+  if (hn::AllTrue(d, lit)) return set(1.0f);
+  const auto dark = hn::Gt(near, hn::GatherIndex(d, ranges, hn::Add(range, hn::Set(di, 1))));
+  if (hn::AllTrue(d, hn::Or(lit, dark))) return hn::IfThenElseZero(lit, set(1.0f));
+  return position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
+    const V cutoff_radius =
+        hn::GatherIndex(d, shadows.distances(), hn::Add(position.cell, hn::Set(di, cell)));
+    return hn::IfThenElseZero(hn::Le(near, cutoff_radius), set(1.0f));
+  });
+}
+
+// The mean of 1 / r^2 over t in [ts + a, ts + b], b > a, for a light at distance h from the ray:
+// the angle that the slice spans at the light, divided by h (b - a).
+HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
+  const D d;
+  const V width = hn::Sub(b, a);
+  const V dots = hn::MulAdd(a, b, h2);
+  const V h = hn::Sqrt(h2);
+  const V crosses = hn::Mul(h, width);
+  const V ratio = hn::Div(crosses, dots);
+  const auto small = hn::And(hn::Gt(dots, hn::Zero(d)), hn::Lt(ratio, set(0.4f)));
+  const V near_one = Horner(d, hn::Mul(ratio, ratio), coefficient::atan_small);
+  const V direct = hn::Div(near_one, hn::Max(dots, set(1e-30f)));
+  if (hn::AllTrue(d, small)) return direct;
+  const V acute = hn::Atan(d, hn::Div(crosses, hn::Max(hn::Abs(dots), set(1e-30f))));
+  const V angle =
+      hn::IfThenElse(hn::Ge(dots, hn::Zero(d)), acute, hn::Sub(set(3.14159265f), acute));
+  const V wide = hn::Div(angle, hn::Max(crosses, set(1e-30f)));
+  return hn::IfThenElse(small, direct, wide);
+}
+
+// SliceShares::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
+// (G' + b0) exp(-b0 t) dt, or of (G' + b0) exp(-2 G - b0 t) dt for light from the eye. The exponent
+// grows evenly within a slice.
+void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments, float b0,
+                  bool from_eye, float* sums) {
+  const D d;
+  const V per_depth = set(from_eye ? 2.0f : 0.0f);
+  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    V begin = hn::LoadU(d, slices.at(i, 0));
+    V passes = hn::Exp(d, hn::Mul(set(-b0), begin));
+    V sum = hn::Zero(d);
+    for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
+      const V end = hn::LoadU(d, slices.at(i, k + 1));
+      const V fog = hn::Mul(set(b0), hn::Sub(end, begin));
+      const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), hn::Zero(d));
+      const V exponent = hn::MulAdd(per_depth, gaussians, fog);
+      const V left = hn::Mul(passes, hn::Exp(d, hn::Neg(exponent)));
+      // The mean of exp(-exponent x) over x in [0, 1], times what passes.
+      const V mean = hn::IfThenElse(hn::Lt(exponent, set(1e-2f)),
+                                    hn::NegMulAdd(hn::Mul(set(0.5f), exponent), passes, passes),
+                                    hn::Div(hn::Sub(passes, left), hn::Max(exponent, set(1e-30f))));
+      sum = hn::MulAdd(mean, hn::Add(gaussians, fog), sum);
+      passes = left;
+      begin = end;
+    }
+    hn::StoreU(sum, d, sums + i);
+  }
+}
+
+void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
+               float anisotropy, float negligible, std::span<const SliceLight> lights,
+               float* depths, const SliceShares& shares,
+               const std::array<float*, light_pack>& radiance) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const std::size_t stride = rays.padded_size();
+  if (shares.along_rays) {
+    SumAlongRays(slices, stride, increments, b0, anisotropy < 0.0f, shares.along_rays);
+  }
+  std::array<OpticalDepthTable::View, light_pack> tables{};
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    if (lights[l].table && !lights[l].table->empty()) tables[l] = lights[l].table->view();
+  }
+  for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
+    const Vector w{hn::LoadU(d, rays.x.data() + i), hn::LoadU(d, rays.y.data() + i),
+                   hn::LoadU(d, rays.z.data() + i)};
+    V ts[light_pack];
+    V h2[light_pack];
+    V sum[light_pack];
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      const Vector s{set(lights[l].position.x), set(lights[l].position.y),
+                     set(lights[l].position.z)};
+      ts[l] = dot(s, w);
+      const Vector gap = minus(s, ts[l], w);
+      h2[l] = hn::Max(dot(gap, gap), set(std::max(lights[l].h_min * lights[l].h_min, 1e-30f)));
+      sum[l] = zero;
+    }
+    V depth = zero;
+    V begin = hn::LoadU(d, slices.at(i, 0));
+    for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
+      const V end = hn::LoadU(d, slices.at(i, k + 1));
+      const V width = hn::Sub(end, begin);
+      const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), zero);
+      const V increment = hn::MulAdd(set(b0), width, gaussians);
+      const V next_depth = hn::Add(depth, increment);
+      const auto matters = hn::And(hn::Gt(increment, set(negligible)), hn::Lt(depth, set(20.0f)));
+      if (shares.of_slices) hn::StoreU(zero, d, shares.of_slices + k * stride + i);
+      if (!hn::AllFalse(d, matters)) {
+        // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
+        const V lost = hn::Mul(
+            hn::Exp(d, hn::Neg(depth)),
+            hn::IfThenElse(hn::Lt(increment, set(1e-3f)),
+                           hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
+                           hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
+        if (shares.of_slices) {
+          hn::StoreU(hn::IfThenElseZero(matters, lost), d, shares.of_slices + k * stride + i);
+        }
+        const V center = hn::Mul(set(0.5f), hn::Add(begin, end));
+        for (std::size_t l = 0; l < lights.size(); ++l) {
+          const V falloff = MeanInverseSquare(hn::Sub(begin, ts[l]), hn::Sub(end, ts[l]), h2[l]);
+          const V along = hn::Sub(center, ts[l]);
+          const V distance = hn::Sqrt(hn::MulAdd(along, along, h2[l]));
+          V light_depth = hn::Mul(set(b0), distance);
+          const Vector q{hn::MulSub(center, w.x, set(lights[l].position.x)),
+                         hn::MulSub(center, w.y, set(lights[l].position.y)),
+                         hn::MulSub(center, w.z, set(lights[l].position.z))};
+          if (tables[l].depths) {
+            light_depth = hn::Add(light_depth, Lookup(tables[l], q, distance));
+          }
+          V light = hn::Mul(falloff, hn::Exp(d, hn::Neg(light_depth)));
+          if (anisotropy != 0.0f) {
+            light = hn::Mul(light, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
+          }
+          if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
+          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(lost, light)));
+        }
+      }
+      depth = next_depth;
+      begin = end;
+    }
+    hn::StoreU(depth, d, depths + i);
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
+      hn::StoreU(hn::MulAdd(set(phase), sum[l], hn::LoadU(d, radiance[l] + i)), d, radiance[l] + i);
+    }
+  }
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(AccumulateIncrements);
+HWY_EXPORT(LookupDepths);
+HWY_EXPORT(SumSlices);
+
+std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
+                                    const RaySlices& slices, float* increments) {
+  return HWY_DYNAMIC_DISPATCH(AccumulateIncrements)(gaussians, rays, slices, increments);
+}
+
+void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float* depths) {
+  if (table.empty()) {
+    std::fill_n(depths, paths.padded_size(), 0.0f);
+    return;
+  }
+  HWY_DYNAMIC_DISPATCH(LookupDepths)(table.view(), paths, depths);
+}
+
+void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
+                float anisotropy, float negligible, std::span<const SliceLight> lights,
+                float* depths, const SliceShares& shares,
+                const std::array<float*, light_pack>& radiance) {
+  HWY_DYNAMIC_DISPATCH(SumSlices)
+  (rays, slices, increments, b0, anisotropy, negligible, lights, depths, shares, radiance);
+}
+
+}  // namespace brume
+#endif

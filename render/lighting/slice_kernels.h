@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "render/lighting/optical_depth_table.h"
+#include "render/lighting/ray_slices.h"
+#include "render/lighting/shadow_map.h"
+#include "render/simd/gaussian_kernels.h"
+
+namespace brume {
+
+// SIMD kernels of the sliced airlight (Highway, single precision). Rays are cut at ascending
+// boundaries t_0 <= ... <= t_K, clamped to the ray's end.
+
+// Half the optical depth of a line through a Gaussian above which coefficient::erf_fast is too
+// coarse; below it errs by at most 3e-4 of optical depth.
+constexpr float exact_above = 10.0f;
+
+// increments[k * rays.padded_size() + i] += optical depth of the Gaussians on slice k of ray i;
+// nothing before t_0 or after t_K. Returns the Gaussian x ray pairs evaluated.
+std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
+                                    const RaySlices& slices, float* increments);
+
+// depths[k] = the light table's optical depth at the end of path k, which starts at the light. For
+// padded_size() paths; 0 for an empty table.
+void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float* depths);
+
+struct SliceLight {
+  glm::vec3 position{0.0f};                  // relative to the rays' origin [u]
+  float h_min = 0.0f;                        // see PointLightRay [u]
+  const OpticalDepthTable* table = nullptr;  // null: no attenuation by Gaussians
+  const ShadowMap* shadows = nullptr;        // null: no surfaces
+};
+
+// In-scattered fractions for distant light; null: not needed.
+struct SliceShares {
+  // shares[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)) for slice k of ray i:
+  // in-scattering of a unit uniform light.
+  float* of_slices = nullptr;
+  // [i]: sum over the slices of ray i for light along the ray, attenuated by Gaussians only: from
+  // the eye, where it is 1, if the anisotropy is negative, else from behind, where it is
+  // exp(optical depth of the ray).
+  float* along_rays = nullptr;
+};
+
+// Single scattering summed front to back over the slices (K = slices.count() - 1):
+//   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
+//   (times henyey_greenstein() at the slice's center x_k)
+// radiance[l][i] += that, per unit of radiant intensity [1/u^2]; depths[i] = T(v, p) of Gaussians
+// and b0 up to t_K. Slices of optical depth below `negligible` are skipped. At most light_pack
+// lights.
+void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
+                float anisotropy, float negligible, std::span<const SliceLight> lights,
+                float* depths, const SliceShares& shares,
+                const std::array<float*, light_pack>& radiance);
+
+}  // namespace brume

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/math/spherical_harmonics.h"
+#include "core/transport/optical_depth.h"
+#include "render/geometry/box.h"
+#include "render/lighting/distant_lights.h"
+#include "render/lighting/incident_light.h"
+#include "render/lighting/sweep_kernels.h"
+#include "render/settings.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// Delta-M truncation of the Henyey-Greenstein phase function (Wiscombe 1977): the bands that a
+// SourceGrid stores, and the forward lobe of the rest. Band l of the light around a point times g^l
+// - p_l is that band of the scattered light without the lobe, whose bands p_l are g^4 (sgn g)^l for
+// l < 4, and g^l beyond.
+class PhaseBands {
+ public:
+  static constexpr int max_bands = grid_bands;
+
+  // One band if isotropic, else four.
+  explicit PhaseBands(double anisotropy);
+
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] std::span<const double> factors() const {
+    return std::span(factors_).first(static_cast<std::size_t>(count_));
+  }
+  // All basis functions at a unit direction, times their band's factor.
+  [[nodiscard]] std::array<float, sh_size(max_bands)> at(const glm::dvec3& w) const;
+  // The truncated phase function at the cosine of the scattering angle [1/sr].
+  [[nodiscard]] double phase(double cosine) const;
+
+ private:
+  int count_;
+  std::array<double, max_bands> factors_;
+};
+
+// Number of clusters of directions for which a SourceGrid stores the mean transmittance if
+// scattering is anisotropic: forward scattering depends on more than the first bands.
+inline constexpr int source_clusters = 16;
+
+struct SourceLight {
+  DistantLight light;
+  int cluster = 0;     // cluster index, < source_clusters
+  double share = 1.0;  // fraction of the cluster's flux
+};
+
+// Source function of single scattering, without the scattering coefficient:
+//   J(x, w) = integral over directions w' of p(w, w') L(w') exp(-T(x, w')),
+// for distant light L. Stored on a grid around the Gaussians as the first spherical-harmonics bands
+// of the incident light and the mean transmittance per cluster of directions; trilinearly
+// interpolated. The transmittance towards each light is swept through the grid: the cost is nodes x
+// lights, nearly independent of the number of Gaussians.
+//
+// With receivers it also stores the incident light itself, for surfaces.
+class SourceGrid {
+ public:
+  struct Receivers {
+    Box box;  // bounds of the surfaces
+    IncidentOptics optics;
+
+    bool operator==(const Receivers&) const = default;
+  };
+  struct Content {
+    int bands = 1;  // bands of J, <= grid_bands
+    bool has_fog = false;
+    std::optional<Receivers> receivers;
+  };
+
+  // With fog or surfaces, a second, coarser grid covers four times the extent. In parallel; invalid
+  // after the job was stopped.
+  SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const SourceLight> lights,
+             const Content& content, const SourceGridSize& size, const Job& job);
+
+  // Data for SourceLookup. A node holds R G B 0 per basis function; J also has the transmittance
+  // per cluster if there is more than one band.
+  struct Level {
+    glm::dvec3 first{0.0};  // position of node 0
+    GridNodes nodes;
+    std::vector<float> values;    // J
+    std::vector<float> incident;  // see incident_light(); empty without receivers
+  };
+  // Floats per node of J.
+  static constexpr std::size_t node_size(int bands) {
+    return 4 * sh_size(bands) + (bands > 1 ? source_clusters : 0);
+  }
+  // One or two, fine first.
+  [[nodiscard]] std::span<const Level> levels() const { return levels_; }
+  [[nodiscard]] int bands() const { return bands_; }
+  // Whether the fine grid covers receivers in this box.
+  [[nodiscard]] bool holds(const Box& box) const;
+
+ private:
+  int bands_;
+  Box core_;  // bounds of the fine grid; empty without Gaussians
+  std::vector<Level> levels_;
+};
+
+}  // namespace brume

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "render/lighting/source_grid.h"
+
+namespace brume {
+
+// Weights of a view ray for a node's values: J is their weighted sum.
+struct SourceWeights {
+  std::array<float, 4 * sh_size(PhaseBands::max_bands)> harmonics{};  // per basis function R G B 0
+  bool has_narrow_clusters = false;
+  std::array<glm::vec3, source_clusters> narrow{};
+  // Not part of J: forward-lobe scattering of the wide clusters.
+  std::array<glm::vec3, source_clusters> spread{};
+};
+
+// Incident light at a point: R G B 0 per basis function.
+using NodeRadiance = std::array<float, 4 * sh_size(grid_bands)>;
+
+// Look-ups in a SourceGrid relative to an origin (Highway, single precision). Keeps a reference to
+// the grid.
+class SourceLookup {
+ public:
+  SourceLookup(const SourceGrid& grid, const glm::dvec3& origin);
+
+  // Sum over k of shares[k] J(origin + t[k] w), clamped to the grid. Zero shares cost nothing.
+  // Thread-safe.
+  [[nodiscard]] glm::vec3 operator()(const glm::vec3& w, std::span<const float> t,
+                                     std::span<const float> shares,
+                                     const SourceWeights& weights) const;
+
+  // Transmittance towards each cluster at the origin, for grids of more than one band; 1 outside
+  // the grid. Thread-safe.
+  using ClusterTransmittance = std::array<float, source_clusters>;
+  [[nodiscard]] ClusterTransmittance cluster_transmittance() const;
+
+  // Incident light at origin + p, for grids with receivers. Thread-safe.
+  [[nodiscard]] NodeRadiance incident(const glm::vec3& p) const;
+
+  // The grid relative to the origin.
+  struct Level {
+    glm::vec3 first{0.0f};
+    float per_unit = 1.0f;
+    glm::ivec3 count{2};
+    const float* values = nullptr;
+    const float* incident = nullptr;
+  };
+
+ private:
+  std::array<Level, 2> levels_;
+  std::size_t count_ = 0;
+  int bands_;
+};
+
+}  // namespace brume

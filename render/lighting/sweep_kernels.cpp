@@ -1,0 +1,277 @@
+#include "render/lighting/sweep_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <utility>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/lighting/sweep_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+
+// The values of a slab of nodes with a border of two nodes, and room for whole vectors at the end
+// of rows.
+struct Slab {
+  std::size_t columns, stride;
+  float border;
+  std::vector<float> values;
+
+  Slab(std::size_t width, std::size_t height, float outside)
+      : columns(width),
+        stride(width + 4 + hn::Lanes(D())),
+        border(outside),
+        values(stride * (height + 4), outside) {}
+
+  float* row(std::size_t v) { return values.data() + (v + 2) * stride + 2; }
+  // After whole vectors were written over the border.
+  void end_row(std::size_t v) { std::fill_n(row(v) + columns, stride - columns - 2, border); }
+};
+
+// A slab and the one before it.
+struct TwoSlabs {
+  Slab before, now;
+
+  TwoSlabs(std::size_t columns, std::size_t rows, float border)
+      : before(columns, rows, border), now(before) {}
+  void advance() { std::swap(before, now); }
+};
+
+// Where the grid's values lie along the axes of a sweep: u and v in a slab, s from slab to slab.
+struct Axes {
+  int u, v, s;
+  std::ptrdiff_t step_u, step_v, step_s;
+
+  Axes(const glm::ivec3& count, const glm::vec3& w) {
+    const glm::vec3 size = glm::abs(w);
+    s = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    u = s == 0 ? 1 : 0;
+    v = s == 2 ? 1 : 2;
+    const std::ptrdiff_t step[] = {1, count.x, std::ptrdiff_t{count.x} * count.y};
+    step_u = step[u];
+    step_v = step[v];
+    step_s = step[s];
+  }
+};
+
+// Lagrange's polynomial through four values at -1, 0, 1, 2, taken at f in [0, 1]. Between two
+// values only, light would spread sideways by a quarter of the spacing per node: half of the error.
+struct Cubic {
+  std::ptrdiff_t first;  // of the four
+  std::array<float, 4> weights;
+
+  explicit Cubic(float shift) {
+    const float low = shift < 0.0f ? -1.0f : 0.0f;
+    const float f = shift - low;
+    first = static_cast<std::ptrdiff_t>(low) - 1;
+    weights = {-f * (f - 1.0f) * (f - 2.0f) / 6.0f, (f + 1.0f) * (f - 1.0f) * (f - 2.0f) / 2.0f,
+               -(f + 1.0f) * f * (f - 2.0f) / 2.0f, (f + 1.0f) * f * (f - 1.0f) / 6.0f};
+  }
+};
+
+// The nodes of the slab before that a node's light passes between.
+class Taps {
+ public:
+  Taps(float shift_u, float shift_v, std::size_t stride)
+      : u_(shift_u),
+        v_(shift_v),
+        first_(v_.first * static_cast<std::ptrdiff_t>(stride) + u_.first) {}
+
+  HWY_INLINE V Mix(const float* at, std::size_t stride) const {
+    const D d;
+    const float* row = at + first_;
+    V sum = hn::Zero(d);
+    for (const float weight_v : v_.weights) {
+      V mixed = hn::Zero(d);
+      for (std::size_t k = 0; k < 4; ++k) {
+        mixed = hn::MulAdd(hn::Set(d, u_.weights[k]), hn::LoadU(d, row + k), mixed);
+      }
+      sum = hn::MulAdd(hn::Set(d, weight_v), mixed, sum);
+      row += stride;
+    }
+    return sum;
+  }
+
+ private:
+  Cubic u_, v_;
+  std::ptrdiff_t first_;
+};
+
+// What all sweeps share: the order of the slabs, and where rows of them lie in the grid.
+struct Sweep {
+  Axes axes;
+  std::size_t columns, rows, slabs;
+  std::ptrdiff_t first, step;  // of slabs
+  float length;                // of the way between slabs [u]
+  float shift_u, shift_v;
+
+  Sweep(const GridNodes& nodes, const glm::vec3& w)
+      : axes(nodes.count, w),
+        columns(static_cast<std::size_t>(nodes.count[axes.u])),
+        rows(static_cast<std::size_t>(nodes.count[axes.v])),
+        slabs(static_cast<std::size_t>(nodes.count[axes.s])) {
+    const float steep = std::abs(w[axes.s]);
+    const bool backwards = w[axes.s] > 0.0f;
+    first = backwards ? static_cast<std::ptrdiff_t>(slabs - 1) * axes.step_s : 0;
+    step = backwards ? -axes.step_s : axes.step_s;
+    length = nodes.spacing / steep;
+    shift_u = w[axes.u] / steep;
+    shift_v = w[axes.v] / steep;
+  }
+  [[nodiscard]] std::ptrdiff_t row(std::size_t slab, std::size_t v) const {
+    return first + static_cast<std::ptrdiff_t>(slab) * step +
+           static_cast<std::ptrdiff_t>(v) * axes.step_v;
+  }
+  void read(const float* input, float* target) const {
+    for (std::size_t u = 0; u < columns; ++u) {
+      target[u] = input[static_cast<std::ptrdiff_t>(u) * axes.step_u];
+    }
+  }
+  void write(const float* input, float* target) const {
+    for (std::size_t u = 0; u < columns; ++u) {
+      target[static_cast<std::ptrdiff_t>(u) * axes.step_u] = input[u];
+    }
+  }
+};
+
+void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
+                        std::span<float> transmittance) {
+  const D d;
+  const Sweep sweep(nodes, w);
+  TwoSlabs b(sweep.columns, sweep.rows, 0.0f);
+  TwoSlabs light(sweep.columns, sweep.rows, 1.0f);
+  const std::size_t stride = b.now.stride;
+  const Taps taps(sweep.shift_u, sweep.shift_v, stride);
+  const V half_step = hn::Set(d, 0.5f * sweep.length);
+  for (std::size_t k = 0; k < sweep.slabs; ++k) {
+    for (std::size_t v = 0; v < sweep.rows; ++v) {
+      const std::ptrdiff_t row = sweep.row(k, v);
+      sweep.read(density.data() + row, b.now.row(v));
+      for (std::size_t u = 0; u < sweep.columns; u += hn::Lanes(d)) {
+        const V incoming = taps.Mix(light.before.row(v) + u, stride);
+        const V far = taps.Mix(b.before.row(v) + u, stride);
+        const V near = hn::LoadU(d, b.now.row(v) + u);
+        const V left = hn::Exp(d, hn::Neg(hn::Mul(half_step, hn::Add(near, far))));
+        // The polynomial overshoots where a shadow begins within a node or two.
+        const V light_here =
+            hn::Min(hn::Max(hn::Mul(incoming, left), hn::Zero(d)), hn::Set(d, 1.0f));
+        hn::StoreU(light_here, d, light.now.row(v) + u);
+      }
+      light.now.end_row(v);
+      sweep.write(light.now.row(v), transmittance.data() + row);
+    }
+    b.advance();
+    light.advance();
+  }
+}
+
+void SweepEmission(const GridNodes& nodes, std::span<const float> density, float fog,
+                   const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
+                   const std::array<std::span<float>, 3>& emitted) {
+  const D d;
+  const Sweep sweep(nodes, w);
+  const TwoSlabs empty(sweep.columns, sweep.rows, 0.0f);
+  TwoSlabs b = empty;
+  TwoSlabs emission[] = {empty, empty, empty};  // density times source
+  TwoSlabs light[] = {empty, empty, empty};
+  const std::size_t stride = b.now.stride;
+  const Taps taps(sweep.shift_u, sweep.shift_v, stride);
+  const V one = hn::Set(d, 1.0f);
+  const V half_step = hn::Set(d, 0.5f * sweep.length);
+  const V fog_step = hn::Set(d, fog * sweep.length);
+  for (std::size_t k = 0; k < sweep.slabs; ++k) {
+    for (std::size_t v = 0; v < sweep.rows; ++v) {
+      const std::ptrdiff_t row = sweep.row(k, v);
+      sweep.read(density.data() + row, b.now.row(v));
+      for (std::size_t c = 0; c < 3; ++c) {
+        sweep.read(source[c].data() + row, emission[c].now.row(v));
+      }
+      for (std::size_t u = 0; u < sweep.columns; u += hn::Lanes(d)) {
+        const V near = hn::LoadU(d, b.now.row(v) + u);
+        const V far = taps.Mix(b.before.row(v) + u, stride);
+        const V depth = hn::MulAdd(half_step, hn::Add(near, far), fog_step);
+        const V left = hn::Exp(d, hn::Neg(depth));
+        // (1 - e^-x) / x loses its digits for small x.
+        const V mean = hn::IfThenElse(hn::Lt(depth, hn::Set(d, 1e-2f)),
+                                      hn::NegMulAdd(hn::Set(d, 0.5f), depth, one),
+                                      hn::Div(hn::Sub(one, left), depth));
+        const V share = hn::Mul(half_step, mean);
+        for (std::size_t c = 0; c < 3; ++c) {
+          float* at = emission[c].now.row(v) + u;
+          const V sent = hn::Mul(near, hn::LoadU(d, at));
+          hn::StoreU(sent, d, at);
+          const V all = hn::Add(sent, taps.Mix(emission[c].before.row(v) + u, stride));
+          const V incoming = taps.Mix(light[c].before.row(v) + u, stride);
+          hn::StoreU(hn::MulAdd(incoming, left, hn::Mul(share, all)), d, light[c].now.row(v) + u);
+        }
+      }
+      for (std::size_t c = 0; c < 3; ++c) {
+        emission[c].now.end_row(v);
+        light[c].now.end_row(v);
+        sweep.write(light[c].now.row(v), emitted[c].data() + row);
+      }
+    }
+    b.advance();
+    for (std::size_t c = 0; c < 3; ++c) {
+      emission[c].advance();
+      light[c].advance();
+    }
+  }
+}
+
+void AddWeighted(std::span<const float> transmittances, std::span<const float> weights,
+                 std::size_t channels, std::size_t stride, std::size_t begin, std::size_t end,
+                 std::span<float> sums) {
+  const D d;
+  for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      V sum = hn::LoadU(d, sums.data() + c * stride + i);
+      for (std::size_t k = 0; k * channels < weights.size(); ++k) {
+        sum = hn::MulAdd(hn::Set(d, weights[k * channels + c]),
+                         hn::LoadU(d, transmittances.data() + k * stride + i), sum);
+      }
+      hn::StoreU(sum, d, sums.data() + c * stride + i);
+    }
+  }
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(SweepTransmittance);
+HWY_EXPORT(SweepEmission);
+HWY_EXPORT(AddWeighted);
+
+void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
+                         std::span<float> transmittance) {
+  HWY_DYNAMIC_DISPATCH(SweepTransmittance)(nodes, density, w, transmittance);
+}
+
+void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
+                    const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
+                    const std::array<std::span<float>, 3>& emitted) {
+  HWY_DYNAMIC_DISPATCH(SweepEmission)(nodes, density, fog, source, w, emitted);
+}
+
+void add_weighted(std::span<const float> transmittances, std::span<const float> weights,
+                  std::size_t channels, std::size_t stride, std::size_t begin, std::size_t end,
+                  std::span<float> sums) {
+  HWY_DYNAMIC_DISPATCH(AddWeighted)
+  (transmittances, weights, channels, stride, begin, end, sums);
+}
+
+}  // namespace brume
+#endif

@@ -1,0 +1,50 @@
+#include "render/output/frame_file.h"
+
+#include "core/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/image/image_file.h"
+#include "core/io/text_scanner.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* view_transform_name = "Khronos PBR Neutral, sRGB";  // of to_display()
+
+std::map<std::string, std::string> metadata_of(const FrameInfo& info) {
+  // Only its name: pictures are given away, and folders tell of whoever made them.
+  const std::string scene = std::filesystem::path(info.scene).filename().string();
+  std::map<std::string, std::string> metadata{{"brume:scene", scene},
+                                              {"brume:version", BRUME_VERSION},
+                                              {"brume:airlight", info.airlight},
+                                              {"brume:backend", info.backend}};
+  std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
+  return metadata;
+}
+
+}  // namespace
+
+void check_frame_extension(const std::filesystem::path& file) {
+  const std::string extension = lower_case_extension(file);
+  if (extension == ".exr" || extension == ".png") return;
+  throw InputError(file, "",
+                   "found the extension " + quoted_text(extension) + "; allowed: .exr, .png");
+}
+
+void write_frame(const std::filesystem::path& file, const Frame& frame, const FrameInfo& info) {
+  check_frame_extension(file);
+  std::map<std::string, std::string> metadata = metadata_of(info);
+  if (lower_case_extension(file) == ".exr") {
+    ImageLayers layers = to_layers(frame);
+    layers.metadata = std::move(metadata);
+    write_exr(file, layers);
+  } else {
+    metadata["Software"] = "Brume " BRUME_VERSION;  // a keyword of the PNG standard
+    metadata["brume:exposure"] = quoted_text(info.exposure);
+    metadata["brume:view_transform"] = view_transform_name;
+    write_png(file, frame.film.width, frame.film.height, to_display(frame, info.exposure),
+              metadata);
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,91 @@
+#include "render/prepare/albedo.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brume {
+
+std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo) {
+  std::vector<AlbedoGroup> groups;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double w = albedo[static_cast<int>(channel)];
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [w](const AlbedoGroup& group) { return group.albedo == w; });
+    if (same != groups.end()) {
+      same->channels.push_back(channel);
+    } else {
+      groups.push_back({w, {channel}});
+    }
+  }
+  return groups;
+}
+
+Medium extinction_medium(const Medium& scattering, double albedo) {
+  if (albedo == 1.0) return scattering;
+  Medium medium;
+  medium.reserve(scattering.size());
+  medium.set_homogeneous_density(scattering.homogeneous_density() / albedo);
+  for (std::size_t i = 0; i < scattering.size(); ++i) {
+    Gaussian g = scattering.gaussian(i);
+    g.density /= albedo;
+    medium.append(g);
+  }
+  return medium;
+}
+
+void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& frame) {
+  const auto albedo = static_cast<float>(group.albedo);
+  for (std::size_t i = 0; i < group_frame.airlight.size() / 3; ++i) {
+    for (const std::size_t c : group.channels) {
+      const float airlight = group_frame.airlight[3 * i + c];
+      const float surface = std::max(group_frame.beauty[4 * i + c] - airlight, 0.0f);
+      frame.airlight[3 * i + c] = albedo * airlight;
+      frame.transmittance[3 * i + c] = group_frame.transmittance[3 * i + c];
+      frame.beauty[4 * i + c] = albedo * airlight + surface;
+    }
+  }
+}
+
+std::optional<Frame> render_groups(const Scene& scene, const Job& job, const RenderGroup& render) {
+  const std::vector<AlbedoGroup> groups = albedo_groups(scene.optics.albedo);
+  if (groups.size() == 1 && groups[0].albedo == 1.0) return render(scene, 0, 1.0, job);
+  std::optional<Frame> frame;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Scene absorbing = scene;
+    absorbing.medium = extinction_medium(scene.medium, groups[i].albedo);
+    const auto share = [&](std::size_t n) {
+      return static_cast<double>(n) / static_cast<double>(groups.size());
+    };
+    std::optional<Frame> group_frame =
+        render(absorbing, i, groups[i].albedo, job.part(share(i), share(i + 1)));
+    if (!group_frame) return std::nullopt;
+    if (!frame) {
+      frame = *group_frame;
+    } else {
+      add_cost(group_frame->statistics, frame->statistics);
+    }
+    copy_channels(groups[i], *group_frame, *frame);
+  }
+  for (std::size_t i = 0; i < frame->beauty.size() / 4; ++i) {
+    if (std::isfinite(frame->depth[i])) continue;  // a surface covers its pixel
+    const float* transmittance = frame->transmittance.data() + 3 * i;
+    frame->beauty[4 * i + 3] =
+        1.0f - (transmittance[0] + transmittance[1] + transmittance[2]) / 3.0f;
+  }
+  return frame;
+}
+
+void add_cost(const FrameStatistics& group_frame, FrameStatistics& sum) {
+  sum.frame_milliseconds += group_frame.frame_milliseconds;
+  sum.light_pairs += group_frame.light_pairs;
+  sum.view_pairs += group_frame.view_pairs;
+  sum.exact_pixels = std::max(sum.exact_pixels, group_frame.exact_pixels);
+  for (std::size_t i = 0; i < group_frame.pixel_pairs.size(); ++i) {
+    sum.pixel_pairs[i] += group_frame.pixel_pairs[i];
+  }
+  for (std::size_t i = 0; i < std::min(group_frame.stages.size(), sum.stages.size()); ++i) {
+    sum.stages[i].milliseconds += group_frame.stages[i].milliseconds;
+  }
+}
+
+}  // namespace brume

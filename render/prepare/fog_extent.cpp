@@ -1,0 +1,48 @@
+#include "render/prepare/fog_extent.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/scene/mesh.h"
+
+namespace brume {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+FogExtent::FogExtent(const Scene& scene) : distance_(infinity) {
+  const double b0 = scene.medium.homogeneous_density();
+  if (!scene.environment || !(b0 > 0.0)) return;
+  glm::dvec3 low(infinity);
+  glm::dvec3 high(-infinity);
+  const auto add = [&](const glm::dvec3& p, double radius) {
+    low = glm::min(low, p - radius);
+    high = glm::max(high, p + radius);
+  };
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    const Gaussian g = scene.medium.gaussian(i);
+    add(g.center, 3.0 * g.radius);
+  }
+  for (const Surface& surface : scene.surfaces) {
+    for (const auto vertex : surface.mesh->vertices()) {
+      const auto& p = surface.mesh->point(vertex);
+      add(surface.translate + surface.rotate * (surface.scale * glm::dvec3(p[0], p[1], p[2])), 0.0);
+    }
+  }
+  const double diameter = glm::length(high - low);
+  if (low.x <= high.x && diameter > 0.0) {
+    center_ = 0.5 * (low + high);
+    distance_ = diameter;
+  } else {
+    distance_ = 1.0 / b0;
+  }
+}
+
+double FogExtent::ray_distance(const glm::dvec3& eye) const {
+  return distance_ + glm::length(eye - center_);
+}
+
+}  // namespace brume

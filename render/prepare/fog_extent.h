@@ -1,0 +1,30 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Extent of the homogeneous fog. It is infinite without an environment, which infinite fog would
+// hide; with one it ends at the distance D of eq. 26: the diagonal of the bounding box of surfaces
+// and Gaussians (3 radii each), or 1 / b0 without any.
+class FogExtent {
+ public:
+  explicit FogExtent(const Scene& scene);
+
+  // D for points on surfaces [u]; +inf without environment or fog.
+  [[nodiscard]] double surface_distance() const { return distance_; }
+  // Optical depth of fog of density b0 [1/u] over D; 0 without fog.
+  [[nodiscard]] double surface_optical_depth(double b0) const {
+    return b0 > 0.0 ? b0 * distance_ : 0.0;
+  }
+  // Length of a view ray that hits nothing: D beyond the center of the scene.
+  [[nodiscard]] double ray_distance(const glm::dvec3& eye) const;
+
+ private:
+  glm::dvec3 center_{0.0};
+  double distance_;
+};
+
+}  // namespace brume

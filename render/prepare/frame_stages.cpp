@@ -1,0 +1,274 @@
+#include "render/prepare/frame_stages.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "render/geometry/tiles.h"
+#include "render/prepare/light_limits.h"
+#include "render/shading/film_surfaces.h"
+
+namespace brume {
+namespace {
+
+Settings::Precision arithmetic_of(const Settings& settings) {
+  return settings.airlight == AirlightMethod::reference ? Settings::Precision::plain_double
+                                                        : settings.precision;
+}
+
+}  // namespace
+
+void FrameContext::make_layers() {
+  const auto pixels =
+      static_cast<std::size_t>(frame.film.width) * static_cast<std::size_t>(frame.film.height);
+  // To fill memory takes time. Not part of the job: the stages after a stop count on it.
+  const std::array<std::function<void()>, 5> layers{
+      [&] { frame.beauty.resize(4 * pixels); }, [&] { frame.airlight.resize(3 * pixels); },
+      [&] { frame.transmittance.assign(3 * pixels, 1.0f); },
+      [&] { frame.depth.assign(pixels, std::numeric_limits<float>::infinity()); },
+      [&] {
+        if (plan.gaussians || plan.homogeneous) frame.statistics.pixel_pairs.resize(pixels);
+      }};
+  Job().each(layers.size(), [&](std::size_t i) { layers[i](); });
+}
+
+bool FrameStages::begin(FrameContext& work, StageClock& clock) {
+  if (!work.plan.transfers.empty()) {
+    if (!find_transfers(work)) return false;
+    clock.finish("transfer");
+  }
+  prepared_.update(work.scene, work.plan.lights, work.settings);
+  shading_.update(work.scene, work.plan, work.settings, work.transfers);
+  clock.finish("prepare");
+  return true;
+}
+
+// False if stopped.
+bool FrameStages::find_transfers(FrameContext& work) {
+  if (work.transfers.has(work.plan.transfers)) return true;
+  if (!work.own_transfers) {
+    work.frame.statistics.skipped.push_back({"transfer", "it is not computed yet"});
+    return true;
+  }
+  const Job job = std::exchange(work.job, work.job.part(0.5, 1.0));
+  return work.own_transfers->make(work.plan.transfers, {}, job.part(0.0, 0.5));
+}
+
+namespace {
+
+// Calls keep(x, y, hit) for all pixels.
+template <class Keep>
+void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep) {
+  const Tiles tiles(work.frame.film);
+  work.job.each(tiles.count(), [&](std::size_t tile) {
+    const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
+    std::array<glm::dvec3, Tiles::pixels> directions;
+    std::array<SurfaceHit, Tiles::pixels> hits;
+    std::size_t count = 0;
+    Tiles::each_pixel(rectangle, [&](int x, int y) {
+      directions[count++] = work.rays.direction(x + 0.5, y + 0.5);
+    });
+    ray_caster.first_hits(work.rays.eye(), std::span(directions).first(count),
+                          std::span(hits).first(count));
+    count = 0;
+    Tiles::each_pixel(rectangle, [&](int x, int y) { keep(x, y, hits[count++]); });
+  });
+}
+
+}  // namespace
+
+void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
+  distances_.clear();
+  if (!work.plan.surfaces) return;
+  hits_.resize(work.frame.depth.size());  // all are set
+  const auto width = static_cast<std::size_t>(work.frame.film.width);
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+  };
+  const RayCaster& ray_caster = prepared_.ray_caster();
+  if (ray_caster.can_rasterize(work.rays, work.frame.film)) {
+    const Raster raster = ray_caster.raster(work.rays, work.frame.film, work.job);
+    work.job.each(raster.bands(),
+                  [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
+  } else {
+    distances_.resize(hits_.size());
+    trace_hits(ray_caster, work, [&](int x, int y, const SurfaceHit& hit) {
+      const std::size_t i = index(x, y);
+      distances_[i] = hit.distance;
+      hits_[i] = ray_caster.pixel_of(hit);
+      work.frame.depth[i] = hits_[i].distance;
+    });
+  }
+  clock.finish("visibility");
+}
+
+bool FrameStages::prepare_source(const FrameContext& work, StageClock& clock) {
+  const AirlightMethod method = work.settings.airlight;
+  const bool airlight =
+      work.plan.airlight && (method == AirlightMethod::sliced || method == AirlightMethod::march);
+  const bool receivers = work.plan.surfaces && method != AirlightMethod::paper;
+  if (!work.plan.environment || !work.plan.airlight) {
+    source_.clear();
+    return true;
+  }
+  if (!airlight && !receivers) return true;
+  EnvironmentSource::Input input{*work.scene.environment,
+                                 work.scene.medium,
+                                 work.scene.optics.anisotropy,
+                                 fog_depth(work),
+                                 {},
+                                 work.settings.source_grid};
+  if (receivers) input.receivers = {prepared_.ray_caster().bounds(), incident_optics(work)};
+  const bool made = source_.update(input, work.job);
+  clock.finish("environment");
+  return made;
+}
+
+IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
+  IncidentOptics optics;
+  optics.fog_density = prepared_.medium().homogeneous_density();
+  optics.anisotropy = work.scene.optics.anisotropy;
+  const double fog = fog_depth(work);
+  const ScatterTable::Bands shares =
+      shading_.environment()->incident(static_cast<float>(fog), work.albedo);
+  std::copy_n(shares.begin(), grid_bands, optics.through_fog.begin());
+  optics.scattered = work.albedo * std::exp(-fog);
+  return optics;
+}
+
+PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
+  const MediumIndex& medium = prepared_.medium();
+  const Settings::Precision precision = work.settings.precision;
+  const glm::dvec3& eye = work.rays.eye();
+  PaperLights paper;
+  paper.at_mean = work.settings.paper.at_mean;
+  for (const PointLight& light : work.plan.lights) {
+    PaperLight& l = paper.lights.emplace_back();
+    l.position = light.position;
+    l.intensity = light.intensity;
+    l.h_min = min_light_distance(work.rays, work.camera, light.position);
+  }
+  if (!paper.lights.empty() && work.plan.gaussians) {
+    const bool conserve_energy =
+        work.settings.paper.conserve_energy && !is_in_dense_gaussian(medium, eye);
+    for (PaperLight& light : paper.lights) {
+      light.conserve_energy = conserve_energy && !is_in_dense_gaussian(medium, light.position);
+      const CenterDepths& from_light =
+          prepared_.light_depths(light.position, precision, work.frame.statistics.light_pairs);
+      light.frozen = from_light.depths;
+      const glm::dvec3 q = eye - light.position;
+      const double distance = glm::length(q);
+      if (work.plan.homogeneous && distance > 0.0) {
+        light.depth_to_eye = medium.depth({light.position, q / distance, distance}) -
+                             medium.homogeneous_density() * distance;
+      }
+    }
+    clock.finish("light_depth");
+
+    CenterDepths from_eye = center_depths(medium, eye, precision);
+    work.frame.statistics.view_pairs += from_eye.pairs;
+    paper.from_eye = std::move(from_eye.depths);
+    const double b0 = medium.homogeneous_density();
+    for (std::size_t i = 0; i < medium.size(); ++i) {
+      const glm::dvec3& b = medium.gaussians()[i].b;
+      for (PaperLight& light : paper.lights) {
+        light.frozen[i] +=
+            paper.from_eye[i] + b0 * (glm::length(b - light.position) + glm::length(b - eye));
+      }
+    }
+    clock.finish("eye_depth");
+  }
+  return paper;
+}
+
+std::vector<SlicedLight> FrameStages::lights_of(const FrameContext& work) {
+  std::vector<SlicedLight> lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light.position, light.intensity,
+                      min_light_distance(work.rays, work.camera, light.position)});
+  }
+  return lights;
+}
+
+std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClock& clock) {
+  std::vector<SlicedLight> lights = lights_of(work);
+  std::vector<DirectionMap> maps(lights.size());
+  if (work.plan.gaussians) {
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      lights[l].table = &prepared_.optical_depth_table(
+          lights[l].position, work.settings.optical_depth_table, work.frame.statistics.light_pairs);
+      maps[l] = lights[l].table->map();
+    }
+    if (!lights.empty()) clock.finish("light_table");
+  }
+  if (work.plan.surfaces && !lights.empty()) {
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+      lights[l].shadows =
+          &prepared_.shadow_map(lights[l].position, shadow_directions(work, maps[l]));
+    }
+    clock.finish("shadow_map");
+  }
+  return lights;
+}
+
+// Fog scatters in every direction, Gaussians only where they are.
+DirectionMap FrameStages::shadow_directions(const FrameContext& work, const DirectionMap& table) {
+  const int cells = work.settings.shadow_cells;
+  return work.plan.homogeneous ? DirectionMap::full_sphere(cells) : table.resized(cells);
+}
+
+SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
+  SurfaceLighting lighting;
+  lighting.environment = shading_.environment();
+  lighting.albedo = work.albedo;
+  if (lighting.environment) {
+    lighting.fog_depth = fog_depth(work);
+    if (source_.has_receivers() && work.settings.airlight != AirlightMethod::paper) {
+      lighting.incident = &source_.grid();
+    }
+  }
+  if (work.plan.scattered_on_surfaces) {
+    const bool paper = work.settings.paper_spread;
+    lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
+    lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();
+  }
+  for (const PointLight& light : work.plan.lights) {
+    lighting.lights.push_back({light, prepared_.medium().density(light.position)});
+  }
+  return lighting;
+}
+
+SurfaceLighting FrameStages::tabled_lighting(FrameContext& work) {
+  SurfaceLighting lighting = surface_lighting(work);
+  if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
+    for (SurfaceLight& light : lighting.lights) {
+      light.table =
+          &prepared_.optical_depth_table(light.light.position, work.settings.optical_depth_table,
+                                         work.frame.statistics.light_pairs);
+    }
+  }
+  return lighting;
+}
+
+void FrameStages::update_vertex_lighting(FrameContext& work) {
+  shading_.update_vertex_lighting(work.scene, prepared_.medium(), tabled_lighting(work),
+                                  work.settings, arithmetic_of(work.settings), work.job,
+                                  work.frame.statistics.light_pairs);
+}
+
+std::span<const glm::vec3> FrameStages::shade_surfaces(FrameContext& work, StageClock& clock) {
+  if (!work.plan.lit_surfaces) return {};
+  surface_radiance_.resize(hits_.size());
+  update_vertex_lighting(work);
+  const SurfaceLighting lighting = tabled_lighting(work);
+  const FilmSurfaces film{
+      work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(),      shading_, lighting,
+      work.rays,           work.frame.film,    arithmetic_of(work.settings)};
+  work.frame.statistics.light_pairs += film.shade(hits_, work.job, surface_radiance_);
+  clock.finish("surfaces");
+  return surface_radiance_;
+}
+
+}  // namespace brume

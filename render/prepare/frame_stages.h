@@ -1,0 +1,132 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+#include "render/lighting/environment_source.h"
+#include "render/lighting/paper_lights.h"
+#include "render/lighting/sliced_light.h"
+#include "render/prepare/fog_extent.h"
+#include "render/prepare/prepared_scene.h"
+#include "render/prepare/ray_ends.h"
+#include "render/render_plan.h"
+#include "render/settings.h"
+#include "render/shading/prepared_shading.h"
+#include "render/shading/surface_shading.h"
+#include "render/transfer/transfer_store.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// Measures the wall time of consecutive stages.
+class StageClock {
+ public:
+  explicit StageClock(std::vector<StageTime>& stages) : stages_(stages) {}
+  void finish(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    stages_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  std::vector<StageTime>& stages_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// State of one frame of one albedo group while it is rendered.
+struct FrameContext {
+  const Scene& scene;
+  const Camera& camera;
+  const TransferStore& transfers;
+  TransferStore* own_transfers;  // where missing transfer is computed; null: it is not
+  Job job;
+  double albedo;  // of the group's channels
+  FogExtent fog_extent;
+  RenderPlan plan;
+  Settings settings;  // as requested, with light maps limited to the memory
+  CameraRays rays;
+  Frame frame;
+
+  FrameContext(const Scene& frame_scene, const Camera& frame_camera, const Film& film,
+               const Settings& requested_settings, const TransferStore& known_transfers,
+               TransferStore* new_transfers, Job frame_job, double group_albedo,
+               const FogExtent& extent)
+      : scene(frame_scene),
+        camera(frame_camera),
+        transfers(known_transfers),
+        own_transfers(new_transfers),
+        job(std::move(frame_job)),
+        albedo(group_albedo),
+        fog_extent(extent),
+        plan(frame_scene, requested_settings.airlight),
+        settings(limit_light_map_memory(requested_settings, plan.lights.size(), plan.surfaces)),
+        rays(frame_camera, film) {
+    frame.film = film;
+    frame.time = requested_settings.time;
+  }
+  // Allocates all layers of the frame.
+  void make_layers();
+};
+
+// The stages before and after the airlight, shared by both backends, and their caches.
+class FrameStages {
+ public:
+  // The stages before the airlight, in this order. First the view-independent ones; false if the
+  // job was stopped.
+  bool begin(FrameContext& work, StageClock& clock);
+  // First hits of the view rays; fills the depth layer.
+  void find_hits(FrameContext& work, StageClock& clock);
+  // Environment light in the medium. False if the job was stopped.
+  bool prepare_source(const FrameContext& work, StageClock& clock);
+
+  // State of the frame after begin().
+  [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
+  [[nodiscard]] const PreparedShading& shading() const { return shading_; }
+  // After find_hits().
+  [[nodiscard]] RayEnds ray_ends(const FrameContext& work) const {
+    return {work.fog_extent.ray_distance(work.rays.eye()), distances_};
+  }
+  // In-scattered environment light; null: none.
+  [[nodiscard]] const EnvironmentSource* scattered_environment(const FrameContext& work) const {
+    return work.plan.environment ? &source_ : nullptr;
+  }
+  // Optical depth of b0 from any point to the end of the fog.
+  [[nodiscard]] double fog_depth(const FrameContext& work) const {
+    return work.fog_extent.surface_optical_depth(prepared_.medium().homogeneous_density());
+  }
+  // The lights as `paper` and `sliced` need them; pairs are added to the frame's statistics.
+  PaperLights paper_lights(FrameContext& work, StageClock& clock);
+  std::vector<SlicedLight> sliced_lights(FrameContext& work, StageClock& clock);
+  // Parts of sliced_lights(): the lights without tables, and the directions of a light's shadow
+  // map; `table` is the map of its table.
+  static std::vector<SlicedLight> lights_of(const FrameContext& work);
+  static DirectionMap shadow_directions(const FrameContext& work, const DirectionMap& table);
+
+  // Lighting of surfaces, without optical depth tables.
+  [[nodiscard]] SurfaceLighting surface_lighting(const FrameContext& work) const;
+  // Changes whenever the grid of SurfaceLighting::arriving does.
+  [[nodiscard]] std::uint64_t source_revision() const { return source_.revision(); }
+  // Updates the vertex lighting of surfaces with radiance transfer; see PreparedShading.
+  void update_vertex_lighting(FrameContext& work);
+  // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
+  std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
+
+ private:
+  static bool find_transfers(FrameContext& work);
+  SurfaceLighting tabled_lighting(FrameContext& work);
+  [[nodiscard]] IncidentOptics incident_optics(const FrameContext& work) const;
+
+  PreparedScene prepared_;
+  PreparedShading shading_;
+  EnvironmentSource source_;
+  // Members to reuse their memory.
+  std::vector<RasterPixel> hits_;
+  std::vector<double> distances_;  // of hits_ in double, where float is too coarse; else empty
+  std::vector<glm::vec3> surface_radiance_;
+};
+
+}  // namespace brume

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/geometry/medium_index.h"
+#include "render/lighting/optical_depth_table.h"
+#include "render/lighting/path_depths.h"
+#include "render/lighting/shadow_map.h"
+#include "render/settings.h"
+#include "render/visibility/exact_occlusion.h"
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+
+// Acceleration structures and per-light caches of a scene. Updates by comparing values: a camera
+// move rebuilds nothing, a moved light only its own data, an edited Gaussian the part of each table
+// that it is visible in.
+class PreparedScene {
+ public:
+  // Brings medium and surfaces up to date and drops the caches of lights that are not in `lights`.
+  // If memory runs out, stale data is dropped as well.
+  void update(const Scene& scene, std::span<const PointLight> lights, const Settings& settings);
+
+  // State after the last update().
+  [[nodiscard]] const MediumIndex& medium() const { return *index_; }
+  // Changes whenever medium() does, except for its noise.
+  [[nodiscard]] std::uint64_t medium_revision() const { return medium_revision_; }
+  [[nodiscard]] const RayCaster& ray_caster() const { return *ray_caster_; }
+  // Changes whenever visibility() does.
+  [[nodiscard]] std::uint64_t surface_revision() const { return surface_revision_; }
+  [[nodiscard]] const ExactOcclusion& exact_occlusion() const {
+    return *exact_occlusion_;
+  }  // used by the reference only
+
+  // Built on first use; evaluated pairs are added to `pairs`. References are valid until the next
+  // update().
+  const CenterDepths& light_depths(const glm::dvec3& light, Settings::Precision precision,
+                                   std::uint64_t& pairs);
+  const OpticalDepthTable& optical_depth_table(const glm::dvec3& light,
+                                               const OpticalDepthTableSize& size,
+                                               std::uint64_t& pairs);
+  const ShadowMap& shadow_map(const glm::dvec3& light, const DirectionMap& map);
+
+ private:
+  std::unique_ptr<MediumIndex> index_;
+  std::uint64_t medium_revision_ = 0;
+  // Inputs of index_.
+  Medium medium_;
+  double depth_error_ = 0.0;
+
+  std::unique_ptr<RayCaster> ray_caster_;
+  std::uint64_t surface_revision_ = 0;
+  std::unique_ptr<ExactOcclusion> exact_occlusion_;
+
+  struct Depths {
+    glm::dvec3 light;
+    Settings::Precision precision;
+    CenterDepths depths;
+  };
+  struct Table {
+    OpticalDepthTableSize size;
+    OpticalDepthTable table;
+    std::vector<TableGaussian> changed = {};  // since the table was built
+    bool is_patched = false;
+  };
+  // Pointers, to keep references valid when a vector grows.
+  std::vector<std::unique_ptr<Depths>> depths_;
+  std::vector<std::unique_ptr<Table>> tables_;
+  std::vector<std::unique_ptr<ShadowMap>> shadows_;
+};
+
+}  // namespace brume

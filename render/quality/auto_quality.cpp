@@ -1,0 +1,140 @@
+#include "render/quality/auto_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "render/util/job.h"
+
+namespace brume {
+namespace {
+
+// A film of the same shape with about this many pixels.
+Film small_film(const Film& film) {
+  constexpr double pixels = 10'000.0;
+  const double shrink =
+      std::min(1.0, std::sqrt(pixels / (static_cast<double>(film.width) * film.height)));
+  return {std::max(1, static_cast<int>(std::lround(shrink * film.width))),
+          std::max(1, static_cast<int>(std::lround(shrink * film.height)))};
+}
+
+constexpr std::uint64_t seed_of_choice = 1;
+
+// An error of this share of the bound on a small frame is likely to be below the bound.
+constexpr double likely_share = 0.8;
+
+// Errors within this factor of the minimum count as equal.
+constexpr double little_gain = 1.1;
+
+// So many finer settings in a row that gain no more than that end the search.
+constexpr int max_vain_trials = 3;
+
+// Many times the light that is there: the view is black but for what no settings resolve. Smaller
+// errors may stay for long and then fall, once the slices are as short as what they miss.
+constexpr double hopeless_error = 10.0;
+
+// Whether the last errors found are no better than what was found before them.
+bool is_vain(std::span<const double> found) {
+  if (found.size() <= max_vain_trials) return false;
+  const auto last = found.end() - max_vain_trials;
+  return little_gain * *std::min_element(last, found.end()) >=
+         *std::min_element(found.begin(), last);
+}
+
+// The next finer settings, if any.
+std::optional<Settings> better_settings(const Settings& settings) {
+  const std::vector<Settings> ladder = quality_ladder(settings);
+  const auto at = std::find(ladder.begin(), ladder.end(), settings);
+  if (at == ladder.end() || at + 1 == ladder.end()) return std::nullopt;
+  return *(at + 1);
+}
+
+}  // namespace
+
+std::vector<Settings> quality_ladder(const Settings& settings) {
+  // `paper` is not among them: with the same error it is never cheaper.
+  std::vector<Settings> ladder;
+  for (const int slices : {8, 12, 16, 24, 32, 48, 64, 128}) {
+    ladder.push_back(sliced_settings(settings, slices));
+  }
+  return ladder;
+}
+
+std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
+                                        const Camera& camera, const Film& film,
+                                        const Settings& settings, double max_error,
+                                        std::stop_token stop,
+                                        const std::function<void(double)>& progress) {
+  // The sample takes most of the time, then each trial about as much as all before it.
+  const Job job{stop, progress};
+  const Job measuring = job.part(0.0, 0.6);
+  double begin = 0.6;
+  const Film small = small_film(film);
+  const std::vector<Settings> ladder = quality_ladder(settings);
+  FrameErrors errors(scene, camera, seed_of_choice);
+  std::vector<double> found;
+  for (const Settings& tried : ladder) {
+    const std::optional<Frame> frame = renderer.render(scene, camera, small, tried, stop);
+    if (!frame) return std::nullopt;
+    const std::optional<ErrorEstimate> error =
+        errors.measure(*frame, std::nullopt, stop, begin > 0.6 ? nullptr : measuring.progress);
+    if (!error) return std::nullopt;
+    begin += 0.5 * (1.0 - begin);
+    if (progress) progress(begin);
+    // By the estimate and not by its interval, which is wide on a few pixels and would make finer
+    // settings look needed; the frame is judged by the interval.
+    if (error->rel_rmse <= likely_share * max_error) return tried;
+    found.push_back(error->rel_rmse);
+    if (is_vain(found) && *std::ranges::min_element(found) > hopeless_error) break;
+  }
+  // A large frame is interpolated between nearer rays and may keep the bound all the same: where
+  // finer settings gain nothing they are not begun with.
+  const double good = little_gain * *std::ranges::min_element(found);
+  return ladder[static_cast<std::size_t>(
+      std::ranges::find_if(found, [=](double error) { return error <= good; }) - found.begin())];
+}
+
+std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
+                                           const Frame& frame, std::stop_token stop,
+                                           const std::function<void(double)>& progress) {
+  return FrameErrors(scene, camera, evaluation_seed).measure(frame, std::nullopt, stop, progress);
+}
+
+std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
+                                         const Camera& camera, const Film& film,
+                                         const Settings& settings, double max_error,
+                                         std::stop_token stop,
+                                         const std::function<void(double)>& progress) {
+  const Job job{stop, progress};
+  double begin = 0.4;
+  std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings,
+                                                  max_error, stop, job.part(0.0, begin).progress);
+  FrameErrors errors(scene, camera, evaluation_seed);
+  std::optional<MeasuredFrame> result;
+  std::vector<double> found;
+  while (tried) {
+    // Seldom is more than one frame needed.
+    const double end = begin + 0.8 * (1.0 - begin);
+    const double center = 0.5 * (begin + end);
+    std::optional<Frame> frame =
+        renderer.render(scene, camera, film, *tried, stop, job.part(begin, center).progress);
+    if (!frame) return std::nullopt;
+    const std::optional<ErrorEstimate> error =
+        errors.measure(*frame, max_error, stop, job.part(center, end).progress);
+    if (!error) return std::nullopt;
+    // Finer settings that are no surer of the bound are only slower.
+    const bool may_keep = result && result->error.rel_rmse <= max_error;
+    if (error->high <= max_error || !may_keep) {
+      result = MeasuredFrame{std::move(*frame), *tried, *error};
+    }
+    if (error->high <= max_error) break;
+    found.push_back(error->rel_rmse);
+    if (error->low > max_error && is_vain(found)) break;
+    tried = better_settings(*tried);
+    begin = end;
+  }
+  return result;
+}
+
+}  // namespace brume

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+
+#include "render/frame_renderer.h"
+#include "render/quality/frame_errors.h"
+
+namespace brume {
+
+// `auto`: chooses the cheapest settings whose airlight meets a relative RMSE, measured on the scene
+// itself.
+
+// Random seed of the pixels that evaluate the final frame. Settings are chosen on other pixels, to
+// keep the estimate unbiased.
+inline constexpr std::uint64_t evaluation_seed = 2;
+
+// The candidate settings in order of cost. `settings` provides everything that auto does not choose
+// (threads, tolerances).
+std::vector<Settings> quality_ladder(const Settings& settings);
+
+// Tries the candidates on a small frame of the view until one probably meets `max_error`; if none
+// does, returns the cheapest of those with about the lowest error. nullopt if `stop` was requested.
+// `progress`, here and below: see FrameRenderer.
+std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
+                                        const Camera& camera, const Film& film,
+                                        const Settings& settings, double max_error,
+                                        std::stop_token stop = {},
+                                        const std::function<void(double)>& progress = {});
+
+// A frame with the settings that made it and its measured error.
+struct MeasuredFrame {
+  Frame frame;
+  Settings settings;
+  ErrorEstimate error;
+};
+
+// Estimates the error of a frame on an independent sample of its pixels.
+std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
+                                           const Frame& frame, std::stop_token stop = {},
+                                           const std::function<void(double)>& progress = {});
+
+// Chooses settings, renders and measures. While the measured error exceeds the bound, continues
+// with finer settings. If none meets the bound, returns the cheapest frame that may meet it within
+// the confidence interval, or else the last.
+std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
+                                         const Camera& camera, const Film& film,
+                                         const Settings& settings, double max_error,
+                                         std::stop_token stop = {},
+                                         const std::function<void(double)>& progress = {});
+
+}  // namespace brume

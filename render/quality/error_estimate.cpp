@@ -1,0 +1,173 @@
+#include "render/quality/error_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/quality/sample_probabilities.h"
+#include "render/reference/view_reference.h"
+
+namespace brume {
+namespace {
+
+// In [0, 1), the same everywhere: a mixed counter (SplitMix64).
+double random_number(std::uint64_t seed, std::size_t index) {
+  std::uint64_t x = (seed << 32 ^ index) + 0x9e3779b97f4a7c15u;
+  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+  return static_cast<double>((x ^ x >> 31) >> 11) * 0x1p-53;
+}
+
+// Sums over RGB.
+struct Squares {
+  double error = 0.0;
+  double truth = 0.0;
+};
+
+Squares squares_of(const Frame& frame, std::size_t pixel, const glm::dvec3& truth) {
+  Squares squares;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double t = truth[static_cast<int>(k)];
+    const double d = static_cast<double>(frame.airlight[3 * pixel + k]) - t;
+    squares.error += d * d;
+    squares.truth += t * t;
+  }
+  return squares;
+}
+
+// The relative RMSE is the root of a ratio of sums of squares, which have long tails: its interval
+// is made on its logarithm, where it is nearly even, at 2.5 standard deviations instead of 1.96,
+// and at up to twice as many where few pixels tell how large those are.
+constexpr double deviations = 2.5;
+
+// What was not met may be wrong as well: this share of the most that any pixel adds to the sum.
+// With it the intervals of 300 random scenes held in 98% of cases, without in 96%.
+constexpr double not_met = 0.2;
+
+}  // namespace
+
+ErrorSample::ErrorSample(std::shared_ptr<ViewReference> reference,
+                         std::vector<double> probabilities, std::uint64_t seed)
+    : reference_(std::move(reference)), probabilities_(std::move(probabilities)), seed_(seed) {}
+
+std::optional<ErrorSample> ErrorSample::create(const Scene& scene, const Camera& camera,
+                                               const Frame& guide, std::size_t count,
+                                               std::uint64_t seed, double tolerance,
+                                               std::stop_token stop,
+                                               const std::function<void(double)>& progress) {
+  return create(std::make_shared<ViewReference>(scene, camera, guide.film, guide.time, tolerance),
+                scene, camera, guide, count, seed, std::move(stop), progress);
+}
+
+std::optional<ErrorSample> ErrorSample::create(std::shared_ptr<ViewReference> reference,
+                                               const Scene& scene, const Camera& camera,
+                                               const Frame& guide, std::size_t count,
+                                               std::uint64_t seed, std::stop_token stop,
+                                               const std::function<void(double)>& progress) {
+  ErrorSample sample(std::move(reference), sample_probabilities(scene, camera, guide, count), seed);
+  if (!sample.sample_around_errors(guide, count / 4, stop)) return std::nullopt;
+  if (!sample.draw(stop, progress)) return std::nullopt;
+  return sample;
+}
+
+// Pixels that are always met do not depend on chance, and so neither do those around them.
+bool ErrorSample::sample_around_errors(const Frame& guide, std::size_t max_pixels,
+                                       const std::stop_token& stop) {
+  constexpr double large_share = 0.01;
+  constexpr int rounds = 3;
+  const auto width = static_cast<std::size_t>(guide.film.width);
+  const auto height = static_cast<std::size_t>(guide.film.height);
+  for (int round = 0; round < rounds && max_pixels > 0; ++round) {
+    std::vector<std::size_t> sure;
+    for (std::size_t i = 0; i < probabilities_.size(); ++i) {
+      if (probabilities_[i] >= 1.0) sure.push_back(i);
+    }
+    if (!reference_->evaluate(sure, stop)) return false;
+    std::vector<std::pair<double, std::size_t>> errors;
+    double sum = 0.0;
+    for (const std::size_t i : sure) {
+      errors.emplace_back(squares_of(guide, i, reference_->airlight(i)).error, i);
+      sum += errors.back().first;
+    }
+    std::ranges::sort(errors, std::greater());
+    const std::size_t before = max_pixels;
+    for (const auto& [error, i] : errors) {
+      if (!(error > large_share * sum)) break;
+      const std::size_t x = i % width;
+      const std::size_t y = i / width;
+      for (std::size_t v = y - std::min<std::size_t>(y, 1); v <= std::min(y + 1, height - 1); ++v) {
+        for (std::size_t u = x - std::min<std::size_t>(x, 1); u <= std::min(x + 1, width - 1);
+             ++u) {
+          double& probability = probabilities_[v * width + u];
+          if (probability >= 1.0 || max_pixels == 0) continue;
+          probability = 1.0;
+          --max_pixels;
+        }
+      }
+    }
+    if (max_pixels == before) break;
+  }
+  return true;
+}
+
+bool ErrorSample::grow(const std::stop_token& stop, const std::function<void(double)>& progress) {
+  const std::vector<double> before = probabilities_;
+  for (double& probability : probabilities_) probability = std::min(2.0 * probability, 1.0);
+  if (draw(stop, progress)) return true;
+  probabilities_ = before;
+  return false;
+}
+
+// Each pixel by a random number of its own (Poisson sampling): more chance adds pixels and loses
+// none, and no order of pixels can go along with that of interpolated airlight.
+bool ErrorSample::draw(const std::stop_token& stop, const std::function<void(double)>& progress) {
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < probabilities_.size(); ++i) {
+    if (random_number(seed_, i) < probabilities_[i]) pixels.push_back(i);
+  }
+  if (!reference_->evaluate(pixels, stop, progress)) return false;
+  pixels_ = std::move(pixels);
+  return true;
+}
+
+ErrorEstimate ErrorSample::measure(const Frame& frame) const {
+  // Sums over all pixels, estimated from those met (Horvitz and Thompson).
+  std::vector<Squares> weighted;
+  Squares sums;
+  for (const std::size_t i : pixels_) {
+    Squares squares = squares_of(frame, i, reference_->airlight(i));
+    squares.error /= probabilities_[i];
+    squares.truth /= probabilities_[i];
+    sums.error += squares.error;
+    sums.truth += squares.truth;
+    weighted.push_back(squares);
+  }
+  ErrorEstimate estimate;
+  estimate.pixels = pixels_.size();
+  if (!(sums.truth > 0.0)) {
+    // Black; what is shown of it is all wrong.
+    if (sums.error > 0.0) estimate.rel_rmse = estimate.low = estimate.high = 1.0;
+    return estimate;
+  }
+  const double ratio = sums.error / sums.truth;
+  double spread = 0.0;
+  double fourth = 0.0;
+  double worst = 0.0;
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    const double d = weighted[k].error - ratio * weighted[k].truth;
+    const double square = (1.0 - probabilities_[pixels_[k]]) * d * d;
+    spread += square;
+    fourth += square * square;
+    worst = std::max(worst, weighted[k].error);
+  }
+  const double relative = ratio > 0.0 ? std::sqrt(spread) / sums.error : 0.0;
+  // As many pixels of one size would have this spread: 1 if one pixel rules it.
+  const double alike = fourth > 0.0 ? spread * spread / fourth : 1.0;
+  const double factor = std::exp(0.5 * deviations * (1.0 + 1.0 / alike) * relative);
+  estimate.rel_rmse = std::sqrt(ratio);
+  estimate.low = estimate.rel_rmse / factor;
+  estimate.high = std::sqrt(ratio * factor * factor + not_met * worst / sums.truth);
+  return estimate;
+}
+
+}  // namespace brume

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+
+namespace brume {
+
+class ViewReference;
+
+// Error of a frame's airlight, estimated from a sample of its pixels.
+struct ErrorEstimate {
+  double rel_rmse = 0.0;  // rms(L - Lref) / rms(Lref) over RGB of the airlight
+  double low = 0.0;       // 95% confidence interval
+  double high = 0.0;
+  std::size_t pixels = 0;  // of the sample
+};
+
+// A random sample of a view's pixels with their converged airlight. Importance-sampled by
+// sample_probabilities(); the neighbourhoods of wrong pixels that are always sampled are always
+// sampled too. A few hundred pixels suffice.
+class ErrorSample {
+ public:
+  // Evaluates the reference at about `count` pixels of the guide's film, in parallel (milliseconds
+  // per pixel). nullopt if `stop` was requested. Deterministic for a given seed. `progress`: see
+  // FrameRenderer.
+  static std::optional<ErrorSample> create(const Scene& scene, const Camera& camera,
+                                           const Frame& guide, std::size_t count,
+                                           std::uint64_t seed, double tolerance,
+                                           std::stop_token stop = {},
+                                           const std::function<void(double)>& progress = {});
+  // Like above, reusing pixels of the view that are already evaluated.
+  static std::optional<ErrorSample> create(std::shared_ptr<ViewReference> reference,
+                                           const Scene& scene, const Camera& camera,
+                                           const Frame& guide, std::size_t count,
+                                           std::uint64_t seed, std::stop_token stop = {},
+                                           const std::function<void(double)>& progress = {});
+
+  // Doubles the sampling probability of every pixel, keeping those sampled. False, and unchanged,
+  // if `stop` was requested.
+  bool grow(const std::stop_token& stop, const std::function<void(double)>& progress = {});
+
+  // The error of a frame of the same view and film as the guide.
+  [[nodiscard]] ErrorEstimate measure(const Frame& frame) const;
+
+ private:
+  ErrorSample(std::shared_ptr<ViewReference> reference, std::vector<double> probabilities,
+              std::uint64_t seed);
+  bool sample_around_errors(const Frame& guide, std::size_t max_pixels,
+                            const std::stop_token& stop);
+  bool draw(const std::stop_token& stop, const std::function<void(double)>& progress);
+
+  std::shared_ptr<ViewReference> reference_;
+  std::vector<double> probabilities_;  // sampling probability of each pixel
+  std::uint64_t seed_;
+  std::vector<std::size_t> pixels_;  // sampled
+};
+
+}  // namespace brume

@@ -1,0 +1,52 @@
+#include "render/quality/frame_errors.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/util/job.h"
+
+namespace brume {
+namespace {
+
+constexpr double sample_tolerance = 1e-3;
+constexpr int max_doublings = 3;
+
+// The reference's time per pixel grows with the number of Gaussians, and more with an environment;
+// the sample shrinks accordingly, by count and not by clock, to stay deterministic.
+std::size_t sample_pixels(const Scene& scene) {
+  const std::size_t max_value = scene.environment ? 64 : 128;
+  return std::clamp<std::size_t>(800'000 / (scene.medium.size() + 1), 40, max_value);
+}
+
+bool is_undecided(const ErrorEstimate& error, double max_error) {
+  return error.low <= max_error && max_error < error.high;
+}
+
+}  // namespace
+
+std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
+                                                  std::optional<double> max_error,
+                                                  const std::stop_token& stop,
+                                                  const std::function<void(double)>& progress) {
+  // Seldom is more than the first sample needed, and then it takes longer than what was before.
+  const Job job{stop, progress};
+  double begin = 0.0;
+  const auto next_part = [&] {
+    const double end = begin + 0.5 * (1.0 - begin);
+    return job.part(std::exchange(begin, end), end).progress;
+  };
+  if (!sample_) {
+    sample_ = ErrorSample::create(scene_, camera_, frame, sample_pixels(scene_), seed_,
+                                  sample_tolerance, stop, next_part());
+    if (!sample_) return std::nullopt;
+  }
+  ErrorEstimate error = sample_->measure(frame);
+  while (max_error && is_undecided(error, *max_error) && times_grown_ < max_doublings) {
+    if (!sample_->grow(stop, next_part())) return std::nullopt;
+    ++times_grown_;
+    error = sample_->measure(frame);
+  }
+  return error;
+}
+
+}  // namespace brume

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/quality/error_estimate.h"
+
+namespace brume {
+
+// Estimates the errors of frames of one view on the same pixels, so that reference pixels are
+// evaluated once. The number of pixels depends on the scene, to take a few seconds at most. Not
+// thread-safe.
+class FrameErrors {
+ public:
+  // Keeps a reference to the scene. Deterministic for a given seed.
+  FrameErrors(const Scene& scene, const Camera& camera, std::uint64_t seed)
+      : scene_(scene), camera_(camera), seed_(seed) {}
+
+  // The error of a frame. All frames share film and time; the first one guides the sampling. With
+  // `max_error` the sample grows, up to eightfold, while the confidence interval contains the
+  // bound: pixels are cheaper than finer settings. nullopt if `stop` was requested. `progress`: see
+  // FrameRenderer.
+  std::optional<ErrorEstimate> measure(const Frame& frame, std::optional<double> max_error,
+                                       const std::stop_token& stop = {},
+                                       const std::function<void(double)>& progress = {});
+
+ private:
+  const Scene& scene_;
+  Camera camera_;
+  std::uint64_t seed_;
+  std::optional<ErrorSample> sample_;
+  int times_grown_ = 0;
+};
+
+}  // namespace brume

@@ -1,0 +1,128 @@
+#include "render/quality/sample_probabilities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "render/prepare/light_pixels.h"
+#include "render/quality/small_gaussians.h"
+
+namespace brume {
+namespace {
+
+constexpr double even_share = 0.3;
+constexpr double bright_share = 0.35;
+constexpr double steep_share = 0.35;
+
+// A small Gaussian must be able to make a relative error of 0.3% to be met for its own sake.
+constexpr double change_that_counts = 3e-3;
+
+std::vector<double> squared_radiance(const Frame& frame) {
+  std::vector<double> square(frame.depth.size(), 0.0);
+  for (std::size_t i = 0; i < frame.airlight.size(); ++i) {
+    const auto x = static_cast<double>(frame.airlight[i]);
+    square[i / 3] += x * x;
+  }
+  return square;
+}
+
+// The squared difference to the neighbour that differs most.
+std::vector<double> squared_steps(const Frame& frame) {
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  std::vector<double> steps(frame.depth.size(), 0.0);
+  const auto compare = [&](std::size_t i, std::size_t j) {
+    double square = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = static_cast<double>(frame.airlight[3 * i + k]) -
+                       static_cast<double>(frame.airlight[3 * j + k]);
+      square += d * d;
+    }
+    steps[i] = std::max(steps[i], square);
+    steps[j] = std::max(steps[j], square);
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (i % width != 0) compare(i, i - 1);
+    if (i >= width) compare(i, i - width);
+  }
+  return steps;
+}
+
+// Pixels nearest to lights in view, up to a limit; beyond it those of the brightest lights. The
+// distance at which the nearest ray passes a light grows with the light's distance.
+std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& rays,
+                                         const Film& film, std::size_t max_value) {
+  for (const int width : {3, 2, 1}) {
+    std::vector<glm::ivec2> pixels = light_pixels(scene.lights, rays, film, width);
+    if (pixels.size() <= max_value) return pixels;
+  }
+  std::vector<PointLight> lights = scene.lights;
+  std::ranges::stable_sort(lights, std::greater(), [&](const PointLight& light) {
+    return std::max({light.intensity.x, light.intensity.y, light.intensity.z}) /
+           glm::length(light.position - rays.eye());
+  });
+  std::vector<glm::ivec2> pixels;
+  for (const PointLight& light : lights) {
+    for (const glm::ivec2& pixel : light_pixels({&light, 1}, rays, film, 1)) {
+      if (pixels.size() < max_value) pixels.push_back(pixel);
+    }
+  }
+  return pixels;
+}
+
+// Scales chances so that they add up to `count` with none above 1.
+void fill(std::vector<double>& probabilities, double count) {
+  count = std::min(count, static_cast<double>(probabilities.size()));
+  // Each round takes out those that became sure and shares what they had too much.
+  for (int round = 0; round < 20; ++round) {
+    double sure = 0.0;
+    double open = 0.0;
+    for (const double probability : probabilities)
+      (probability >= 1.0 ? sure : open) += std::min(probability, 1.0);
+    if (!(open > 0.0)) break;
+    const double scale = (count - sure) / open;
+    bool changed = false;
+    for (double& probability : probabilities) {
+      if (probability >= 1.0) {
+        probability = 1.0;
+      } else {
+        probability *= scale;
+        changed = changed || probability >= 1.0;
+      }
+    }
+    if (!changed) break;
+  }
+  for (double& probability : probabilities) probability = std::clamp(probability, 0.0, 1.0);
+}
+
+}  // namespace
+
+std::vector<double> sample_probabilities(const Scene& scene, const Camera& camera,
+                                         const Frame& guide, std::size_t count) {
+  const CameraRays rays(camera, guide.film);
+  const std::vector<double> uniform(guide.depth.size(), 1.0);
+  const std::vector<double> bright = squared_radiance(guide);
+  const std::vector<double> steep = squared_steps(guide);
+  std::vector<double> probabilities(uniform.size(), 0.0);
+  const auto add = [&](const std::vector<double>& measure, double share) {
+    const double sum = std::accumulate(measure.begin(), measure.end(), 0.0);
+    if (!(sum > 0.0)) return sum;
+    const double scale = share * static_cast<double>(count) / sum;
+    for (std::size_t i = 0; i < probabilities.size(); ++i) probabilities[i] += scale * measure[i];
+    return sum;
+  };
+  add(uniform, even_share);
+  add(steep, steep_share);
+  const double sum = add(bright, bright_share);
+  for (const glm::ivec2& pixel : pixels_of_lights(scene, rays, guide.film, count / 4)) {
+    probabilities[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(guide.film.width) +
+                  static_cast<std::size_t>(pixel.x)] = 1.0;
+  }
+  const double min_value = std::max(change_that_counts * std::sqrt(sum), 1e-300);
+  for (const SmallGaussian& small : small_gaussians(scene, rays, guide, min_value, count / 4)) {
+    probabilities[small.pixel] = 1.0;
+  }
+  fill(probabilities, static_cast<double>(count));
+  return probabilities;
+}
+
+}  // namespace brume

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+
+namespace brume {
+
+// Sampling probability of each pixel for estimating a frame's error. They add up to `count`, or to
+// the number of pixels if that is smaller.
+//
+// A mixture: uniform, proportional to the guide's brightness (which dominates the relative error),
+// and to its gradient (where methods err). To catch what the guide missed, pixels nearest to lights
+// in view are always sampled, and pixels where small Gaussians would be brighter than the guide get
+// a share.
+std::vector<double> sample_probabilities(const Scene& scene, const Camera& camera,
+                                         const Frame& guide, std::size_t count);
+
+}  // namespace brume

@@ -1,0 +1,99 @@
+#include "render/quality/small_gaussians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "core/scene/radiance_map.h"
+#include "core/transport/optical_depth.h"
+
+namespace brume {
+namespace {
+
+// Samples of interpolated airlight are four pixels apart.
+constexpr double small_radius = 4.0;
+
+// What is left of a Gaussian so many radii from its centre does not count.
+constexpr double hidden_radii = 5.0;
+
+// Lights that tell which Gaussians are bright: these are enough.
+constexpr std::size_t max_lights = 16;
+
+double strength(const PointLight& light) {
+  return std::max({light.intensity.x, light.intensity.y, light.intensity.z});
+}
+
+std::vector<PointLight> strongest(std::vector<PointLight> lights) {
+  std::erase_if(lights, [](const PointLight& light) { return !light.on; });
+  std::ranges::sort(lights, std::greater(), strength);
+  lights.resize(std::min(lights.size(), max_lights));
+  return lights;
+}
+
+double mean_radiance(const Environment& environment) {
+  double sum = 0.0;
+  for (const glm::vec3& pixel : environment.map->pixels) {
+    sum += static_cast<double>(std::max({pixel.x, pixel.y, pixel.z}));
+  }
+  return environment.intensity * sum / static_cast<double>(environment.map->pixels.size());
+}
+
+// Unattenuated light at a Gaussian's center.
+double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights, double around) {
+  double sum = around;
+  for (const PointLight& light : lights) {
+    const glm::dvec3 apart = light.position - gaussian.center;
+    const double square = std::max(glm::dot(apart, apart), gaussian.radius * gaussian.radius);
+    sum += strength(light) / (4.0 * std::numbers::pi * square);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays& rays,
+                                           const Frame& guide, double min_value,
+                                           std::size_t max_count) {
+  const std::vector<PointLight> lights = strongest(scene.lights);
+  const double around = scene.environment ? mean_radiance(*scene.environment) : 0.0;
+  const double per_radius = 0.5 / std::tan(rays.pixel_half_angle());  // pixels, at distance 1
+  const int width = guide.film.width;
+  const int height = guide.film.height;
+  std::vector<SmallGaussian> found;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    const Gaussian gaussian = scene.medium.gaussian(i);
+    const glm::dvec3 at = rays.project(gaussian.center);
+    if (!(at.z > 0.0 && gaussian.radius * per_radius < small_radius * at.z)) continue;
+    // One whose centre is beside the film may still be on it.
+    if (!(at.x > -small_radius && at.y > -small_radius && at.x < width + small_radius &&
+          at.y < height + small_radius)) {
+      continue;
+    }
+    const int x = std::clamp(static_cast<int>(std::floor(at.x)), 0, width - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(at.y)), 0, height - 1);
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    const double distance = glm::length(gaussian.center - rays.eye());
+    if (distance - hidden_radii * gaussian.radius > static_cast<double>(guide.depth[pixel])) {
+      continue;  // behind a surface
+    }
+    const GaussianTerm<double> term(gaussian);
+    const LineProfile<double> line =
+        line_profile(term, rays.eye(), rays.direction(x + 0.5, y + 0.5));
+    const double depth = optical_depth(term, line, std::numeric_limits<double>::infinity());
+    // It adds the light that it scatters, and takes away of what is behind it.
+    const float* rgb = &guide.airlight[3 * pixel];
+    const auto shown = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));
+    const double change = -std::expm1(-depth) * std::max(incident(gaussian, lights, around), shown);
+    if (change >= min_value) found.push_back({pixel, change});
+  }
+  max_count = std::min(max_count, found.size());
+  std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(max_count),
+                            std::greater(), &SmallGaussian::change);
+  found.resize(max_count);
+  return found;
+}
+
+}  // namespace brume

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/frame.h"
+
+namespace brume {
+
+// A Gaussian of at most a few pixels, which a frame may miss: the pixel nearest to its center
+// (row-major index) and the radiance it may add there, estimated without occlusion.
+struct SmallGaussian {
+  std::size_t pixel;
+  double change;
+};
+
+// The Gaussians that may change the guide by at least `min_value` > 0, in descending order, at most
+// `max_count`.
+std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays& rays,
+                                           const Frame& guide, double min_value,
+                                           std::size_t max_count);
+
+}  // namespace brume

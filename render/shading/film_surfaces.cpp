@@ -1,0 +1,132 @@
+#include "render/shading/film_surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <glm/ext/vector_int2.hpp>
+#include <vector>
+
+#include "render/geometry/tiles.h"
+#include "render/simd/surface_kernels.h"
+
+namespace brume {
+namespace {
+
+// So many neighbours are looked at by one thread, and their points shaded together.
+constexpr std::size_t tiles_together = 25;
+
+// Points of one surface.
+struct Seen {
+  std::array<SurfaceHit, Tiles::pixels> hits;
+  std::array<glm::vec3, Tiles::pixels> directions;
+  std::size_t count = 0;
+};
+
+// Computes their outgoing radiance.
+std::uint64_t shade_points(const FilmSurfaces& film, const Seen& seen, SurfacePoints& points,
+                           PointRadiance& outgoing) {
+  const auto hits = std::span(seen.hits).first(seen.count);
+  film.ray_caster.points(hits, std::span(seen.directions).first(seen.count), film.surfaces, points);
+  const SurfaceShading& shading =
+      film.shading.surfaces()[static_cast<std::size_t>(hits[0].surface)];
+  // What transfer does not hold.
+  const SurfaceLighting straight{.lights = film.lighting.lights};
+  const std::uint64_t pairs =
+      surface_radiance(film.medium, film.ray_caster, shading.transferred ? straight : film.lighting,
+                       shading, points, film.precision, outgoing);
+  if (shading.transferred) shading.transferred->add(hits, points, outgoing);
+  return pairs;
+}
+
+// What one thread does.
+class Shader {
+ public:
+  Shader(const FilmSurfaces& film, std::span<const RasterPixel> hits, std::span<glm::vec3> radiance)
+      : film_(film), hits_(hits), radiance_(radiance), waiting_(film.surfaces.size()) {}
+
+  void shade(const CameraRays::PixelRectangle& tile) {
+    Tiles::each_pixel(tile, [&](int x, int y) {
+      const std::size_t i = index_of({x, y});
+      radiance_[i] = glm::vec3(0.0f);
+      if (std::isfinite(hits_[i].distance)) shade_later({x, y});
+    });
+  }
+
+  // Before the tile is shaded: its rows are far apart in memory.
+  void prefetch(const CameraRays::PixelRectangle& tile) const {
+    constexpr int per_line = 64 / sizeof(RasterPixel);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; x += per_line) {
+        __builtin_prefetch(&hits_[index_of({x, y})]);
+      }
+    }
+  }
+
+  // Shades what has waited until now.
+  void finish() {
+    for (std::vector<glm::ivec2>& pixels : waiting_) shade_now(pixels);
+  }
+
+  [[nodiscard]] std::uint64_t pairs() const { return pairs_; }
+
+ private:
+  [[nodiscard]] std::size_t index_of(const glm::ivec2& pixel) const {
+    return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(film_.film.width) +
+           static_cast<std::size_t>(pixel.x);
+  }
+
+  void shade_later(const glm::ivec2& pixel) {
+    const SurfaceHit hit = film_.ray_caster.hit_of(hits_[index_of(pixel)]);
+    std::vector<glm::ivec2>& pixels = waiting_[static_cast<std::size_t>(hit.surface)];
+    pixels.push_back(pixel);
+    if (pixels.size() == Tiles::pixels) shade_now(pixels);
+  }
+
+  // Pixels that see one surface.
+  void shade_now(std::vector<glm::ivec2>& pixels) {
+    if (pixels.empty()) return;
+    Seen seen;
+    PointVectors directions;
+    find_view_directions(film_.rays, pixels, directions);
+    for (const glm::ivec2& pixel : pixels) {
+      const std::size_t k = seen.count++;
+      seen.hits[k] = film_.ray_caster.hit_of(hits_[index_of(pixel)]);
+      seen.directions[k] = {directions.x[k], directions.y[k], directions.z[k]};
+    }
+    SurfacePoints points;
+    PointRadiance outgoing;
+    pairs_ += shade_points(film_, seen, points, outgoing);
+    for (std::size_t k = 0; k < seen.count; ++k) {
+      radiance_[index_of(pixels[k])] = {outgoing.r[k], outgoing.g[k], outgoing.b[k]};
+    }
+    pixels.clear();
+  }
+
+  const FilmSurfaces& film_;
+  std::span<const RasterPixel> hits_;
+  std::span<glm::vec3> radiance_;
+  std::vector<std::vector<glm::ivec2>> waiting_;  // per surface
+  std::uint64_t pairs_ = 0;
+};
+
+}  // namespace
+
+std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& job,
+                                  std::span<glm::vec3> radiance) const {
+  const Tiles tiles(film);
+  std::atomic<std::uint64_t> pairs = 0;
+  job.each((tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t part) {
+    Shader shader(*this, hits, radiance);
+    const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
+    for (std::size_t tile = part * tiles_together; tile < end; ++tile) {
+      shader.shade(tiles.rectangle(tile));
+      if (tile + 1 < end) shader.prefetch(tiles.rectangle(tile + 1));
+    }
+    shader.finish();
+    pairs += shader.pairs();
+  });
+  return pairs;
+}
+
+}  // namespace brume

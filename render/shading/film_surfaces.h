@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "render/geometry/medium_index.h"
+#include "render/settings.h"
+#include "render/shading/prepared_shading.h"
+#include "render/shading/surface_shading.h"
+#include "render/util/job.h"
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+
+// Shades the surfaces of a view.
+struct FilmSurfaces {
+  std::span<const Surface> surfaces;
+  const MediumIndex& medium;
+  const RayCaster& ray_caster;
+  const PreparedShading& shading;
+  const SurfaceLighting& lighting;
+  const CameraRays& rays;
+  Film film;
+  Settings::Precision precision;
+
+  // Sets the exitant radiance of each pixel's hit towards the eye, black where there is none.
+  // Returns the Gaussian x path pairs evaluated.
+  std::uint64_t shade(std::span<const RasterPixel> hits, const Job& job,
+                      std::span<glm::vec3> radiance) const;
+};
+
+}  // namespace brume

@@ -1,0 +1,159 @@
+#include "render/shading/prepared_shading.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "core/scene/mesh.h"
+#include "render/shading/surface_shading.h"
+
+namespace brume {
+namespace {
+
+Box bounds(const Surface& surface) {
+  Box box{glm::dvec3(std::numeric_limits<double>::infinity()),
+          glm::dvec3(-std::numeric_limits<double>::infinity())};
+  for (const auto vertex : surface.mesh->vertices()) {
+    const auto& v = surface.mesh->point(vertex);
+    const glm::dvec3 p =
+        surface.translate + surface.rotate * (surface.scale * glm::dvec3(v[0], v[1], v[2]));
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
+  }
+  return box.low.x <= box.high.x ? box : Box{};
+}
+
+}  // namespace
+
+bool PreparedShading::Depths::matches(const Surface& surface) const {
+  return mesh == surface.mesh && translate == surface.translate && rotate == surface.rotate &&
+         scale == surface.scale;
+}
+
+void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const Settings& settings,
+                             const TransferStore& transfers) {
+  const ScatterTable& scattering =
+      settings.paper_spread ? ScatterTable::paper() : ScatterTable::distant();
+  if (!plan.environment) {
+    environment_.reset();
+  } else if (!environment_ || !environment_->shows(*scene.environment, scattering)) {
+    environment_.emplace(*scene.environment, scattering);
+  }
+
+  const auto unused = [&](const auto& is_of) {
+    return std::none_of(scene.surfaces.begin(), scene.surfaces.end(), is_of);
+  };
+  std::erase_if(reflections_, [&](const auto& known) {
+    return unused([&](const Surface& s) { return s.material == known->material; });
+  });
+  // Other methods know what arrives at a point.
+  const bool needs_average =
+      plan.environment && plan.gaussians && settings.airlight == AirlightMethod::paper;
+  const Medium medium = needs_average ? scene.medium : Medium();
+  if (!(medium_ == medium)) {
+    depths_.clear();
+    medium_ = medium;
+  }
+  std::erase_if(depths_, [&](const auto& known) {
+    return unused([&](const Surface& s) { return known->matches(s); });
+  });
+
+  const auto transfer_of = [&](const Surface& surface) {
+    return plan.needs_transfer(surface) ? transfers.find(transfer_request(surface)) : nullptr;
+  };
+  std::erase_if(vertex_lights_, [&](const VertexLight& known) {
+    return unused(
+        [&](const Surface& s) { return s == known.surface && transfer_of(s) == known.transfer; });
+  });
+
+  shading_.assign(scene.surfaces.size(), {});
+  for (std::size_t i = 0; i < shading_.size(); ++i) {
+    const Surface& surface = scene.surfaces[i];
+    if (surface.material.type != Material::Type::diffuse &&
+        (plan.scattered_on_surfaces || plan.environment)) {
+      shading_[i].material = &sh_material_of(surface.material);
+    }
+    if (needs_average) {
+      shading_[i].average_depth = &average_depth_of(surface);
+    }
+    if (const auto transfer = transfer_of(surface)) {
+      shading_[i].transfer = transfer.get();
+      shading_[i].material = &sh_material_of(surface.material);
+      if (std::ranges::find(vertex_lights_, surface, &VertexLight::surface) ==
+          vertex_lights_.end()) {
+        vertex_lights_.push_back({surface, transfer, nullptr});
+      }
+    }
+  }
+}
+
+PreparedShading::LightingState PreparedShading::make_lighting_state(const Scene& scene,
+                                                                    const SurfaceLighting& lighting,
+                                                                    const Settings& settings,
+                                                                    Settings::Precision precision) {
+  LightingState state{scene.medium,
+                      scene.lights,
+                      scene.environment,
+                      scene.optics.anisotropy,
+                      lighting.fog_depth,
+                      lighting.albedo,
+                      {}};
+  state.settings.airlight = settings.airlight;
+  state.settings.optical_depth_table = settings.optical_depth_table;
+  state.settings.source_grid = settings.source_grid;
+  state.settings.depth_error = settings.depth_error;
+  state.settings.paper_spread = settings.paper_spread;
+  state.settings.precision = precision;
+  state.settings.patch_light_tables = settings.patch_light_tables;
+  return state;
+}
+
+void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumIndex& medium,
+                                             const SurfaceLighting& lighting,
+                                             const Settings& settings,
+                                             Settings::Precision precision, const Job& job,
+                                             std::uint64_t& pairs) {
+  if (vertex_lights_.empty()) return;
+  LightingState state = make_lighting_state(scene, lighting, settings, precision);
+  if (!(state == lighting_state_)) {
+    for (VertexLight& known : vertex_lights_) known.light.reset();
+    lighting_state_ = std::move(state);
+  }
+  for (std::size_t i = 0; i < shading_.size(); ++i) {
+    if (!shading_[i].transfer) continue;
+    const Surface& surface = scene.surfaces[i];
+    auto& light = std::ranges::find(vertex_lights_, surface, &VertexLight::surface)->light;
+    if (!light) {
+      auto taken = std::make_unique<const VertexLighting>(medium, lighting, surface, shading_[i],
+                                                          precision, job, pairs);
+      if (job.stop.stop_requested()) return;
+      light = std::move(taken);
+      ++light_revision_;
+    }
+    shading_[i].transferred = light.get();
+  }
+}
+
+const ShMaterial& PreparedShading::sh_material_of(const Material& material) {
+  for (const auto& known : reflections_) {
+    if (known->material == material) return known->sh;
+  }
+  reflections_.push_back(
+      std::make_unique<Reflection>(Reflection{material, ShMaterial(material, sh_max_bands)}));
+  return reflections_.back()->sh;
+}
+
+const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface) {
+  for (const auto& known : depths_) {
+    if (known->matches(surface)) return known->grid;
+  }
+  std::vector<GaussianTerm<double>> gaussians;
+  for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
+  ++light_revision_;
+  depths_.push_back(std::make_unique<Depths>(Depths{surface.mesh, surface.translate, surface.rotate,
+                                                    surface.scale,
+                                                    AverageDepthGrid(gaussians, bounds(surface))}));
+  return depths_.back()->grid;
+}
+
+}  // namespace brume

@@ -1,0 +1,158 @@
+#include "render/shading/surface_shading.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vector_relational.hpp>
+#include <numbers>
+
+#include "core/scene/brdf.h"
+#include "render/lighting/path_depths.h"
+#include "render/lighting/slice_kernels.h"
+#include "render/simd/reflection_kernels.h"
+#include "render/simd/surface_kernels.h"
+
+namespace brume {
+namespace {
+
+using BandArrays = std::array<PointArray, sh_max_bands>;
+
+void add(const glm::vec3& value, std::size_t k, PointRadiance& radiance) {
+  radiance.r[k] += value.r;
+  radiance.g[k] += value.g;
+  radiance.b[k] += value.b;
+}
+
+// What brdf() has no kernel for, point by point.
+void add_measured_light(const SurfacePoints& points, const LightAtPoints& at,
+                        const glm::vec3& intensity, PointRadiance& radiance) {
+  for (std::size_t k = 0; k < points.count; ++k) {
+    if (!(at.cosine[k] > 0.0f && at.lit[k] > 0.0f)) continue;
+    const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
+    const glm::vec3 f(brdf(points.surface->material, wi, points.to_eye[k], points.normal[k]));
+    const float incoming = at.cosine[k] * at.inverse_square[k] * std::exp(-at.depths[k]);
+    add(f * intensity * incoming, k, radiance);
+  }
+}
+
+// light += light of a point light scattered by the medium, with factors per band.
+void add_scattered(const LightAtPoints& at, const BandArrays& factors, const glm::vec3& intensity,
+                   std::size_t count, IncidentLight& light) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const ShVector<float> direction =
+        sh_basis(sh_max_bands, glm::vec3(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]));
+    for (int l = 0; l < sh_max_bands; ++l) {
+      const glm::vec3 band =
+          at.inverse_square[k] * factors[static_cast<std::size_t>(l)][k] * intensity;
+      for (int m = -l; m <= l; ++m) {
+        light.add(k, sh_index(l, m), direction[sh_index(l, m)] * band);
+      }
+    }
+  }
+}
+
+// Non-diffuse materials reflect all indirect light at once.
+void add_reflected(const SurfacePoints& points, const ReflectionTable& table,
+                   const IncidentLight& light, PointRadiance& radiance) {
+  thread_local PointRadiance outgoing;
+  reflect(points, table, light, outgoing);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    add(glm::max(glm::vec3(outgoing.r[k], outgoing.g[k], outgoing.b[k]), 0.0f), k, radiance);
+  }
+}
+
+}  // namespace
+
+PointLightShading point_light_shading(const Material& material, const PointLight& light) {
+  PointLightShading shading;
+  shading.intensity = glm::vec3(light.intensity);
+  shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
+  if (material.type == Material::Type::phong) {
+    const double exponent = std::min(material.exponent, 1e30);  // float ends
+    shading.highlight =
+        glm::vec3(material.specular * ((exponent + 2.0) * 0.5 * std::numbers::inv_pi));
+    shading.exponent = static_cast<float>(exponent);
+  }
+  return shading;
+}
+
+std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
+                          const SurfacePoints& points, Settings::Precision precision,
+                          LightAtPoints& at) {
+  std::uint64_t pairs = 0;
+  if (light.table) {
+    lookup_depths(*light.table, at.paths, at.depths.data());
+  } else {
+    std::array<glm::dvec3, Tiles::pixels> ends;
+    std::array<double, Tiles::pixels> depths;
+    std::array<std::int32_t, Tiles::pixels> none;
+    none.fill(-1);
+    for (std::size_t k = 0; k < points.count; ++k) ends[k] = points.origin + points.position[k];
+    pairs = bundle_depths(medium, light.light.position, std::span(ends).first(points.count),
+                          std::span(none).first(points.count), precision,
+                          std::span(depths).first(points.count));
+    for (std::size_t k = 0; k < points.padded_size(); ++k) {
+      at.depths[k] = static_cast<float>(depths[std::min(k, points.count - 1)]);
+    }
+  }
+  const auto b0 = static_cast<float>(medium.homogeneous_density());
+  for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
+    at.depths[k] += b0 * at.paths.length[k];
+  }
+  return pairs;
+}
+
+std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_caster,
+                               const SurfaceLighting& lighting, const SurfaceShading& shading,
+                               const SurfacePoints& points, Settings::Precision precision,
+                               PointRadiance& radiance) {
+  thread_local LightAtPoints at;
+  thread_local BandArrays factors;
+  thread_local IncidentLight indirect;  // of what is not diffuse
+  for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
+  const Material& material = points.surface->material;
+  const bool is_diffuse = !shading.material || shading.material->is_diffuse();
+  const bool reflects_indirect = !is_diffuse && (lighting.point || lighting.environment);
+  if (reflects_indirect) indirect.clear();
+  std::uint64_t pairs = 0;
+  for (const SurfaceLight& light : lighting.lights) {
+    const glm::vec3 position(light.light.position - points.origin);
+    point_to_light(points, position, at);
+    pairs += find_depths(medium, light, points, precision, at);
+    ray_caster.trace_shadow_rays(points, position, at);
+    PointLightShading reflected = point_light_shading(material, light.light);
+    if (material.type == Material::Type::measured) {
+      add_measured_light(points, at, reflected.intensity, radiance);
+    } else {
+      add_direct_light(points, at, reflected, radiance);
+    }
+    if (!lighting.point) continue;
+    find_spread(at, points.padded_size(),
+                {lighting.point, lighting.distant, static_cast<float>(light.density)}, is_diffuse,
+                factors);
+    reflected.intensity *= static_cast<float>(lighting.albedo);
+    if (is_diffuse) {
+      add_scattered_light(points, at, factors, reflected, radiance);
+    } else {
+      add_scattered(at, factors, reflected.intensity, points.count, indirect);
+    }
+  }
+  if (lighting.environment) {
+    const EnvironmentLight& environment = *lighting.environment;
+    for_each_incident(
+        lighting, shading.average_depth, points, [&](std::size_t k, const auto& incident) {
+          if (is_diffuse) {
+            add(glm::vec3(material.reflectance) * environment.diffuse(points.normal[k], incident),
+                k, radiance);
+          } else {
+            indirect.add(k, environment.incident(incident));
+          }
+        });
+  }
+  if (reflects_indirect) {
+    add_reflected(points, shading.material->table(), indirect, radiance);
+  }
+  return pairs;
+}
+
+}  // namespace brume

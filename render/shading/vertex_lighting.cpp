@@ -1,0 +1,186 @@
+#include "render/shading/vertex_lighting.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/scene/mesh.h"
+#include "render/shading/surface_shading.h"
+#include "render/simd/reflection_kernels.h"
+#include "render/simd/surface_kernels.h"
+
+namespace brume {
+namespace {
+
+using Light = std::vector<ShVector<glm::dvec3>>;  // at some points
+
+constexpr auto block = static_cast<std::size_t>(Tiles::pixels);  // vertices taken together
+
+glm::dvec3 to_dvec3(const OpenMesh::Vec3f& v) {
+  return {v[0], v[1], v[2]};
+}
+
+// Beyond any light, and sums of some of these stay in the range of float.
+glm::vec3 bounded(const glm::dvec3& x) {
+  return glm::vec3(glm::clamp(x, -1e30, 1e30));
+}
+
+// The places of a block of vertices; they have neither normals nor an eye.
+SurfacePoints places(const Surface& surface, std::size_t first) {
+  const auto place = [&](std::size_t vertex) {
+    const OpenMesh::VertexHandle v(static_cast<int>(vertex));
+    return surface.translate + surface.rotate * (surface.scale * to_dvec3(surface.mesh->point(v)));
+  };
+  SurfacePoints points{};
+  points.surface = &surface;
+  points.count = std::min(block, surface.mesh->n_vertices() - first);
+  points.origin = place(first);
+  for (std::size_t k = 0; k < points.padded_size(); ++k) {
+    const std::size_t vertex = first + std::min(k, points.count - 1);
+    points.position.set(k, glm::vec3(place(vertex) - points.origin));
+  }
+  return points;
+}
+
+// light += light from one direction, with factors per band.
+template <class Share>
+void add_direction(const ShVector<double>& direction, const glm::dvec3& irradiance, Share share,
+                   ShVector<glm::dvec3>& light) {
+  for (int l = 0; l < light.order(); ++l) {
+    const glm::dvec3 band = irradiance * static_cast<double>(share(l));
+    for (int m = -l; m <= l; ++m) light[sh_index(l, m)] += direction[sh_index(l, m)] * band;
+  }
+}
+
+// light += light of a point light scattered by the medium; traced += its direct light.
+std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting& lighting,
+                               const SurfaceLight& lamp, const SurfacePoints& points,
+                               Settings::Precision precision, Light& light, Light& traced) {
+  thread_local LightAtPoints at;
+  thread_local std::array<PointArray, sh_max_bands> factors;
+  point_to_light(points, glm::vec3(lamp.light.position - points.origin), at);
+  const std::uint64_t pairs = find_depths(medium, lamp, points, precision, at);
+  if (lighting.point) {
+    find_spread(at, points.padded_size(),
+                {lighting.point, lighting.distant, static_cast<float>(lamp.density)}, false,
+                factors);
+  }
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
+    const ShVector<double> direction = sh_basis(light[k].order(), wi);
+    const glm::dvec3 irradiance = static_cast<double>(at.inverse_square[k]) * lamp.light.intensity;
+    const float unscattered = std::exp(-at.depths[k]);
+    add_direction(
+        direction, irradiance, [&](int) { return unscattered; }, traced[k]);
+    if (!lighting.point) continue;
+    add_direction(
+        direction, lighting.albedo * irradiance,
+        [&](int l) { return factors[static_cast<std::size_t>(l)][k]; }, light[k]);
+  }
+  return pairs;
+}
+
+void add_environment(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
+                     const SurfacePoints& points, Light& light) {
+  for_each_incident(lighting, average_depth, points, [&](std::size_t k, const auto& incident) {
+    const ShVector<glm::dvec3> sky = lighting.environment->incident(incident);
+    for (std::size_t i = 0; i < light[k].size(); ++i) light[k][i] += sky[i];
+  });
+}
+
+}  // namespace
+
+VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting& lighting,
+                               const Surface& surface, const SurfaceShading& shading,
+                               Settings::Precision precision, const Job& job, std::uint64_t& pairs)
+    : rotate_(surface.rotate),
+      triangles_(triangles_of(*surface.mesh)),
+      material_(shading.material),
+      order_(shading.transfer->settings.order) {
+  const RadianceTransfer& transfer = *shading.transfer;
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    if (transfer.sides[s].visibility.empty()) continue;
+    sides_[s].radiance.resize(transfer.vertices);
+    if (!material_->is_diffuse()) sides_[s].incident.resize(transfer.vertices * sh_size(order_));
+  }
+  std::atomic<std::uint64_t> pair_count = 0;
+  job.each((transfer.vertices + block - 1) / block, [&](std::size_t b) {
+    const SurfacePoints points = places(surface, b * block);
+    Light light(points.count, ShVector<glm::dvec3>(order_));
+    Light traced = light;
+    for (const SurfaceLight& lamp : lighting.lights) {
+      pair_count += add_light_sphere(medium, lighting, lamp, points, precision, light, traced);
+    }
+    if (lighting.environment) add_environment(lighting, shading.average_depth, points, light);
+    for (std::size_t k = 0; k < points.count; ++k) {
+      receive(transfer, b * block + k, light[k], traced[k]);
+    }
+  });
+  pairs += pair_count;
+}
+
+void VertexLighting::receive(const RadianceTransfer& transfer, std::size_t vertex,
+                             const ShVector<glm::dvec3>& light,
+                             const ShVector<glm::dvec3>& traced) {
+  const bool is_turned = rotate_ != glm::dquat(1.0, 0.0, 0.0, 0.0);
+  const auto on_mesh = [&](const ShVector<glm::dvec3>& in_world) {
+    return is_turned ? sh_rotate(in_world, glm::conjugate(rotate_)) : in_world;
+  };
+  const ShVector<glm::dvec3> light_on_mesh = on_mesh(light);
+  const ShVector<glm::dvec3> traced_on_mesh =
+      transfer.settings.bounces > 0 ? on_mesh(traced) : traced;
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    Side& side = sides_[s];
+    if (side.radiance.empty()) continue;
+    ReceivedLight received =
+        material_->received(light_on_mesh, traced_on_mesh, transfer, static_cast<MeshSide>(s),
+                            at_vertex(static_cast<std::uint32_t>(vertex)));
+    side.radiance[vertex] = bounded(received.radiance);
+    if (side.incident.empty()) continue;
+    if (is_turned) received.incident = sh_rotate(received.incident, rotate_);
+    for (std::size_t i = 0; i < received.incident.size(); ++i) {
+      side.incident[vertex * received.incident.size() + i] = bounded(received.incident[i]);
+    }
+  }
+}
+
+void VertexLighting::add(std::span<const SurfaceHit> hits, const SurfacePoints& points,
+                         PointRadiance& radiance) const {
+  const bool is_diffuse = material_->is_diffuse();
+  const std::size_t size = sh_size(order_);
+  std::array<glm::vec3, Tiles::pixels> outgoing;
+  std::array<MixedLight, Tiles::pixels> incident;
+  for (std::size_t p = 0; p < hits.size(); ++p) {
+    outgoing[p] = glm::vec3(0.0f);
+    incident[p] = {};
+    const Side& side =
+        sides_[static_cast<std::size_t>(points.side[p] < 0.0f ? MeshSide::back : MeshSide::front)];
+    if (side.radiance.empty()) continue;
+    const glm::uvec3& corners = triangles_[hits[p].triangle];
+    const glm::vec3 weights(1.0f - hits[p].u - hits[p].v, hits[p].u, hits[p].v);
+    for (int k = 0; k < 3; ++k) outgoing[p] += weights[k] * side.radiance[corners[k]];
+    if (is_diffuse) continue;
+    incident[p].weights = weights;
+    for (int k = 0; k < 3; ++k) {
+      incident[p].corners[static_cast<std::size_t>(k)] = side.incident.data() + corners[k] * size;
+    }
+  }
+  if (!is_diffuse) {
+    PointRadiance reflected;
+    reflect(points, material_->table(), std::span(incident).first(hits.size()), size, reflected);
+    for (std::size_t p = 0; p < hits.size(); ++p) {
+      outgoing[p] += glm::vec3(reflected.r[p], reflected.g[p], reflected.b[p]);
+    }
+  }
+  for (std::size_t p = 0; p < hits.size(); ++p) {
+    radiance.r[p] += std::max(outgoing[p].r, 0.0f);
+    radiance.g[p] += std::max(outgoing[p].g, 0.0f);
+    radiance.b[p] += std::max(outgoing[p].b, 0.0f);
+  }
+}
+
+}  // namespace brume

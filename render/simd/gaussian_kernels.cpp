@@ -1,0 +1,366 @@
+#include "render/simd/gaussian_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/simd/gaussian_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+#include "render/simd/noise-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+using Vector = V3<V>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+
+// coefficient::erf_small.
+HWY_INLINE V ErfSmall(V x) {
+  return hn::Mul(x, Horner(D(), hn::Mul(x, x), coefficient::erf_small));
+}
+
+HWY_INLINE Vector LoadDirection(const PathBatch& paths, std::size_t k) {
+  const D d;
+  return {hn::LoadU(d, paths.x.data() + k), hn::LoadU(d, paths.y.data() + k),
+          hn::LoadU(d, paths.z.data() + k)};
+}
+
+template <bool kDisplaced>
+HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t k = 0; k < paths.padded_size(); k += lanes) {
+    const Vector w = LoadDirection(paths, k);
+    const V length = hn::LoadU(d, paths.length.data() + k);
+    const auto self = hn::LoadU(di, paths.self.data() + k);
+    V sum = hn::LoadU(d, depths + k);
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const V a = set(g.a[j]);
+      const Crossing<D> crossing = BatchCrossing<kDisplaced>(d, g, j, w);
+      if (hn::AllTrue(d, hn::Gt(crossing.e, set(g.cutoff[j])))) continue;
+      const V depth = hn::Mul(set(g.scale[j]), crossing.Depth(d, a, length));
+      const auto own = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
+      sum = hn::Add(sum, hn::IfThenZeroElse(own, depth));
+    }
+    hn::StoreU(sum, d, depths + k);
+  }
+}
+
+void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float* depths) {
+  g.noise.on() ? PathDepths<true>(g, paths, depths) : PathDepths<false>(g, paths, depths);
+}
+
+// Optical depth of a Gaussian up to the projection of its center on the ray, clamped to the ray:
+// zero if the center is behind the eye, all of `depth` if behind the surface, else half a line
+// minus the part behind the eye.
+HWY_INLINE V DepthToProjection(const Crossing<D>& view, V a, V scale, V length, V depth) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const V u = hn::Mul(a, view.t0);
+  const V before = hn::IfThenElse(
+      hn::Lt(u, set(1.0f)), hn::Mul(hn::Exp(d, hn::Neg(view.e)), ErfSmall(hn::Min(u, set(1.0f)))),
+      hn::Sub(hn::Exp(d, hn::Neg(view.e)), ScaledErfc(d, view.e, u)));
+  return hn::IfThenElse(
+      hn::Le(view.t0, zero), zero,
+      hn::IfThenElse(hn::Ge(view.t0, length), depth, hn::Mul(scale, hn::Max(before, zero))));
+}
+
+// One pack of `kLights` lights; the number is a constant so that sums stay in registers.
+template <bool kDisplaced, std::size_t kLights>
+HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& rays,
+                                       const LightBatch& lights, float* depths, float* scattered,
+                                       const std::array<float*, light_pack>& radiance) {
+  const D d;
+  const std::size_t lanes = hn::Lanes(d);
+  const V zero = hn::Zero(d);
+  std::uint64_t pairs = 0;
+  for (std::size_t k = 0; k < rays.padded_size(); k += lanes) {
+    const Vector w = LoadDirection(rays, k);
+    const V length = hn::LoadU(d, rays.length.data() + k);
+    V ts[kLights > 0 ? kLights : 1];
+    V gap2[kLights > 0 ? kLights : 1];
+    V sum[kLights > 0 ? kLights : 1];
+    for (std::size_t l = 0; l < kLights; ++l) {
+      const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
+      ts[l] = dot(s, w);
+      const Vector gap = minus(s, ts[l], w);
+      gap2[l] = dot(gap, gap);
+      sum[l] = zero;
+    }
+    V depth_sum = zero;
+    V scattered_sum = zero;
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const V a = set(g.a[j]);
+      const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
+      const Crossing<D> view = BatchCrossing<kDisplaced>(d, g, j, w);
+      const M reached = hn::Le(view.e, set(g.cutoff[j]));
+      if (hn::AllFalse(d, reached)) continue;
+      pairs += hn::CountTrue(d, reached);
+      const V scale = set(g.scale[j]);
+      const V unit_depth = view.Depth(d, a, length);
+      const V depth = hn::Mul(scale, unit_depth);
+      depth_sum = hn::Add(depth_sum, depth);
+
+      V t;
+      V own;
+      if (lights.at_mean) {
+        t = view.Mean(d, a, length, unit_depth);
+        own = hn::Mul(scale, view.Depth(d, a, t));
+      } else {
+        t = hn::Min(hn::Max(view.t0, zero), length);
+        own = DepthToProjection(view, a, scale, length, depth);
+      }
+      if (scattered) {
+        const V exponent = hn::Add(set(lights.from_eye[j]), own);
+        scattered_sum = hn::MulAdd(depth, hn::Exp(d, hn::Neg(exponent)), scattered_sum);
+      }
+      const Vector q = minus(b, t, w);  // centre relative to that point
+      for (std::size_t l = 0; l < kLights; ++l) {
+        const V along = hn::Sub(t, ts[l]);
+        // The path is as long as it is; only the falloff has a least distance (PointLightRay).
+        const V h2 = hn::Max(gap2[l], set(lights.h_min[l] * lights.h_min[l]));
+        const V distance2 = hn::MulAdd(along, along, h2);
+        const V distance = hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2[l]), set(1e-30f)));
+        const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
+        const Vector to_light = minus(s, t, w);
+        const V inverse = hn::Div(set(1.0f), distance);
+        const Vector wl{hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse),
+                        hn::Mul(to_light.z, inverse)};
+        const V light_depth = hn::Mul(scale, Crossing<D>(q, wl, a).Depth(d, a, distance));
+        const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(own, light_depth));
+        const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
+        V towards_eye = depth;
+        if (lights.anisotropy != 0.0f) {
+          towards_eye =
+              hn::Mul(depth, HenyeyGreenstein(d, CosTheta(d, along, distance), lights.anisotropy));
+        }
+        sum[l] = hn::MulAdd(towards_eye, falloff, sum[l]);
+      }
+    }
+    if (scattered) {
+      hn::StoreU(hn::Add(scattered_sum, hn::LoadU(d, scattered + k)), d, scattered + k);
+    }
+    if (depths) hn::StoreU(hn::Add(depth_sum, hn::LoadU(d, depths + k)), d, depths + k);
+    for (std::size_t l = 0; l < kLights; ++l) {
+      constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
+      const V old = hn::LoadU(d, radiance[l] + k);
+      hn::StoreU(hn::MulAdd(set(phase), sum[l], old), d, radiance[l] + k);
+    }
+  }
+  return pairs;
+}
+
+template <bool kDisplaced>
+HWY_INLINE std::uint64_t PaperAirlightOfPack(const GaussianBatch& g, const PathBatch& rays,
+                                             const LightBatch& lights, float* depths,
+                                             float* scattered,
+                                             const std::array<float*, light_pack>& radiance) {
+  switch (lights.count) {
+    case 0:
+      return PaperAirlight<kDisplaced, 0>(g, rays, lights, depths, scattered, radiance);
+    case 1:
+      return PaperAirlight<kDisplaced, 1>(g, rays, lights, depths, scattered, radiance);
+    case 2:
+      return PaperAirlight<kDisplaced, 2>(g, rays, lights, depths, scattered, radiance);
+    case 3:
+      return PaperAirlight<kDisplaced, 3>(g, rays, lights, depths, scattered, radiance);
+    default:
+      return PaperAirlight<kDisplaced, 4>(g, rays, lights, depths, scattered, radiance);
+  }
+}
+
+std::uint64_t AccumulatePaperAirlight(const GaussianBatch& g, const PathBatch& rays,
+                                      const LightBatch& lights, float* depths, float* scattered,
+                                      const std::array<float*, light_pack>& radiance) {
+  return g.noise.on() ? PaperAirlightOfPack<true>(g, rays, lights, depths, scattered, radiance)
+                      : PaperAirlightOfPack<false>(g, rays, lights, depths, scattered, radiance);
+}
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3& light, float h_min,
+                                   float anisotropy, const PathBatch& rays, float* radiance) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const Vector s{set(light.x), set(light.y), set(light.z)};
+  const V minus_b0 = set(-b0);
+  // The angle that the rule takes at once next to the phase function's peak.
+  const float first_panel = 4.0f * (1.0f - std::abs(anisotropy));
+  const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(pi / first_panel))));
+  for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
+    const Vector w = LoadDirection(rays, k);
+    const V ts = dot(s, w);
+    const Vector gap = minus(s, ts, w);
+    // A light on the ray needs some distance from it; see PointLightRay.
+    const V floor = hn::Max(hn::Mul(hn::Abs(ts), set(1e-6f)), set(1e-15f));
+    const V h = hn::Max(hn::Max(hn::Sqrt(dot(gap, gap)), set(h_min)), floor);
+    const V start2 = hn::MulAdd(ts, ts, hn::Mul(h, h));
+    // Light travels the true distance; only its falloff has a least one.
+    const V gap2 = dot(gap, gap);
+    const V start = hn::Sqrt(hn::MulAdd(ts, ts, gap2));
+    // Past this point the path is longer than the shortest one by a depth of 10.
+    const V longer = set(10.0f / b0);
+    const V longest = hn::Add(start, longer);
+    // start - ts, which cancels for a light straight ahead.
+    const V ahead = hn::Max(hn::Add(start, ts), set(1e-30f));
+    const V detour = hn::IfThenElse(hn::Gt(ts, zero), hn::Div(gap2, ahead), hn::Sub(start, ts));
+    const V cutoff_radius = hn::Div(hn::Mul(longer, hn::Add(longest, start)),
+                                    hn::Mul(set(2.0f), hn::Add(longer, detour)));
+    const V end = hn::Min(hn::LoadU(d, rays.length.data() + k), cutoff_radius);
+    // The angle at the light between start and end.
+    const V opposite = hn::Mul(h, end);
+    const V adjacent = hn::NegMulAdd(ts, end, start2);
+    const V acute = hn::Atan(d, hn::Div(opposite, hn::Max(hn::Abs(adjacent), set(1e-30f))));
+    const V span = hn::IfThenElse(hn::Ge(adjacent, zero), acute, hn::Sub(set(pi), acute));
+    // A forward peak of the phase function lies at angle 0 between light and view, a backward one
+    // at pi: panels double from there.
+    const V at_start = hn::Sub(set(0.5f * pi), hn::Atan(d, hn::Div(ts, h)));
+    const V before = anisotropy < 0.0f ? hn::Sub(set(pi), hn::Add(at_start, span)) : at_start;
+    V mean = zero;
+    for (int panel = 0; panel < panels; ++panel) {
+      const auto until = [&](int count) HWY_ATTR {
+        const V angle = count == panels ? set(4.0f) : set(std::ldexp(first_panel, count - 1));
+        return hn::Min(hn::Max(hn::Sub(angle, before), zero), span);
+      };
+      const V from = panel == 0 ? zero : until(panel);
+      const V part = hn::Sub(until(panel + 1), from);
+      if (hn::AllTrue(d, hn::Le(part, zero))) continue;
+      V sum = zero;
+      for (int i = 0; i < 8; ++i) {
+        const V angle = hn::MulAdd(part, set(coefficient::fog_rule.nodes[i]), from);
+        const V phi = anisotropy < 0.0f ? hn::Sub(span, angle) : angle;
+        const V sine = hn::Sin(d, phi);
+        const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
+        const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
+        const V along = hn::Sub(t, ts);
+        const V distance = hn::Sqrt(hn::MulAdd(along, along, gap2));
+        V value = hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance)));
+        if (anisotropy != 0.0f) {
+          value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
+        }
+        sum = hn::MulAdd(set(coefficient::fog_rule.weights[i]), value, sum);
+      }
+      mean = hn::MulAdd(sum, hn::Div(part, h), mean);
+    }
+    const V gain = set(b0 * attenuation * 0.0795774715459476679f);
+    hn::StoreU(hn::MulAdd(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
+  }
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(AccumulatePathDepths);
+HWY_EXPORT(AccumulatePaperAirlight);
+HWY_EXPORT(AccumulateHomogeneousAirlight);
+
+void accumulate_path_depths(const GaussianBatch& gaussians, const PathBatch& paths, float* depths) {
+  HWY_DYNAMIC_DISPATCH(AccumulatePathDepths)(gaussians, paths, depths);
+}
+
+std::uint64_t accumulate_paper_airlight(const GaussianBatch& gaussians, const PathBatch& rays,
+                                        const LightBatch& lights, float* depths, float* scattered,
+                                        const std::array<float*, light_pack>& radiance) {
+  return HWY_DYNAMIC_DISPATCH(AccumulatePaperAirlight)(gaussians, rays, lights, depths, scattered,
+                                                       radiance);
+}
+
+void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec3& light,
+                                     float h_min, float anisotropy, const PathBatch& rays,
+                                     float* radiance) {
+  HWY_DYNAMIC_DISPATCH(AccumulateHomogeneousAirlight)
+  (b0, attenuation, light, h_min, anisotropy, rays, radiance);
+}
+
+void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
+                           std::span<const std::uint32_t> indices, const RayNoise& bend) {
+  for (auto* array : {&x, &y, &z, &a, &scale, &cutoff}) array->resize(indices.size());
+  index.resize(indices.size());
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    const GaussianTerm<double>& g = medium.gaussians()[indices[k]];
+    const glm::vec3 b(g.b - origin);
+    const double cutoff_radius = medium.cutoff_radii()[indices[k]] * g.a;
+    x[k] = b.x;
+    y[k] = b.y;
+    z[k] = b.z;
+    a[k] = static_cast<float>(g.a);
+    // Deeper than this is opaque all the same, and float has room for its sums and products.
+    scale[k] = static_cast<float>(std::min(g.c / g.a * 0.886226925452758, 1e20));
+    cutoff[k] = static_cast<float>(cutoff_radius * cutoff_radius);
+    index[k] = static_cast<std::int32_t>(indices[k]);
+  }
+  displaced_cutoff.clear();
+  noise = {};
+  if (!bend.on()) return;
+  for (const float own : cutoff) {
+    const auto farther = static_cast<float>(RayNoise::max_shift * bend.amplitude());
+    displaced_cutoff.push_back((std::sqrt(own) + farther) * (std::sqrt(own) + farther));
+  }
+  const glm::vec3 cell(bend.cell(origin));
+  noise = {static_cast<float>(bend.amplitude() / noise_lattice::rms),
+           static_cast<float>(std::min(bend.frequency(), 1e30)),
+           cell.x,
+           cell.y,
+           cell.z,
+           bend.key()};
+}
+
+void PathBatch::resize(std::size_t size) {
+  count = size;
+  // Padding rays are valid rays of length 0.
+  x.assign(padded(size), 0.0f);
+  y.assign(padded(size), 0.0f);
+  z.assign(padded(size), 1.0f);
+  length.assign(padded(size), 0.0f);
+  self.assign(padded(size), -1);
+}
+
+void PathBatch::assign(std::span<const glm::dvec3> directions, std::span<const double> lengths) {
+  resize(directions.size());
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const glm::vec3 w(directions[k]);
+    x[k] = w.x;
+    y[k] = w.y;
+    z[k] = w.z;
+    length[k] = static_cast<float>(lengths[k]);
+  }
+}
+
+void PathBatch::make_endless() {
+  std::ranges::fill(length, std::numeric_limits<float>::infinity());
+}
+
+void PathBatch::assign(const glm::dvec3& origin, std::span<const glm::dvec3> ends,
+                       std::span<const std::int32_t> self_of) {
+  resize(ends.size());
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const glm::dvec3 q = ends[k] - origin;
+    const double distance = glm::length(q);
+    if (!(distance > 0.0)) continue;
+    const glm::vec3 w(q / distance);
+    x[k] = w.x;
+    y[k] = w.y;
+    z[k] = w.z;
+    length[k] = static_cast<float>(distance);
+    self[k] = self_of[k];
+  }
+}
+
+}  // namespace brume
+#endif

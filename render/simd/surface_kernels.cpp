@@ -1,0 +1,269 @@
+#include "render/simd/surface_kernels.h"
+
+#include <algorithm>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/simd/surface_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using Vector = V3<V>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+HWY_INLINE Vector set(const glm::vec3& v) {
+  return {set(v.x), set(v.y), set(v.z)};
+}
+HWY_INLINE V load(const PointArray& a, std::size_t i) {
+  return hn::Load(D(), a.data() + i);
+}
+HWY_INLINE Vector load(const PointVectors& v, std::size_t i) {
+  return {load(v.x, i), load(v.y, i), load(v.z, i)};
+}
+HWY_INLINE void store(V x, PointArray& a, std::size_t i) {
+  hn::Store(x, D(), a.data() + i);
+}
+HWY_INLINE void store(const Vector& v, PointVectors& to, std::size_t i) {
+  store(v.x, to.x, i);
+  store(v.y, to.y, i);
+  store(v.z, to.z, i);
+}
+HWY_INLINE Vector times(V s, const Vector& v) {
+  return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)};
+}
+HWY_INLINE Vector minus(const Vector& a, const Vector& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+// a + s b
+HWY_INLINE Vector plus(const Vector& a, V s, const Vector& b) {
+  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+}
+HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+// Unit, or 0 where `v` is too short to tell.
+HWY_INLINE Vector normalized(const Vector& v) {
+  const V square = dot(v, v);
+  const V inverse = hn::Div(set(1.0f), hn::Sqrt(hn::Max(square, set(1e-37f))));
+  return times(hn::IfThenElseZero(hn::Gt(square, set(1e-37f)), inverse), v);
+}
+HWY_INLINE Vector choose(hn::Mask<D> mask, const Vector& yes, const Vector& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+// directions: from `origin` so many steps as their x and y say, made unit.
+void WalkAndNormalize(const glm::vec3& origin, const glm::vec3& per_x, const glm::vec3& per_y,
+                      std::size_t padded_size, PointVectors& directions) {
+  for (std::size_t i = 0; i < padded_size; i += hn::Lanes(D())) {
+    const Vector along = plus(set(origin), load(directions.x, i), set(per_x));
+    store(normalized(plus(along, load(directions.y, i), set(per_y))), directions, i);
+  }
+}
+
+void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoints& points) {
+  const D d;
+  const V zero = hn::Zero(d);
+  for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
+    const V u = load(points.u, i);
+    const V v = load(points.v, i);
+    const V weights[] = {hn::Sub(set(1.0f), hn::Add(u, v)), u, v};
+    const Vector corners[] = {load(triangles.position[0], i), load(triangles.position[1], i),
+                              load(triangles.position[2], i)};
+    const Vector normals[] = {load(triangles.normal[0], i), load(triangles.normal[1], i),
+                              load(triangles.normal[2], i)};
+    const Vector along = minus(corners[1], corners[0]);
+    const Vector across = minus(corners[2], corners[0]);
+    // From a corner, so that big triangles lose nothing near it.
+    const Vector p = plus(plus(corners[0], u, along), v, across);
+    const Vector smooth = normalized(
+        plus(plus(times(weights[0], normals[0]), weights[1], normals[1]), weights[2], normals[2]));
+    // Lengthened first: the product of two short edges would vanish.
+    Vector geometric = normalized(cross(normalized(along), normalized(across)));
+    const Vector w = load(points.to_eye, i);
+    const V faces = hn::CopySign(set(1.0f), dot(geometric, w));
+    geometric = times(faces, geometric);
+    Vector normal = choose(hn::Gt(dot(smooth, smooth), zero), smooth, geometric);
+    const V side = hn::IfThenElse(hn::Lt(dot(normal, geometric), zero), set(-1.0f), set(1.0f));
+    normal = times(side, normal);
+    Vector shadow = plus(p, set(offset), geometric);
+    for (std::size_t k = 0; k < 3; ++k) {
+      // How far the point lies below the tangent plane of a corner.
+      const Vector n = times(side, normals[k]);
+      const V below = hn::Min(dot(minus(p, corners[k]), n), zero);
+      shadow = plus(shadow, hn::Neg(hn::Mul(weights[k], below)), n);
+    }
+    store(p, points.position, i);
+    store(normal, points.normal, i);
+    store(shadow, points.shadow_origin, i);
+    store(side, points.side, i);
+  }
+}
+
+void PointToLight(const SurfacePoints& points, const glm::vec3& position, LightAtPoints& light) {
+  const D d;
+  light.paths.resize(points.count);
+  for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
+    const Vector q = minus(load(points.position, i), set(position));
+    const V square = dot(q, q);
+    const auto apart = hn::Gt(square, set(1e-30f));
+    const V inverse = hn::IfThenElseZero(apart, hn::Div(set(1.0f), hn::Sqrt(square)));
+    const Vector from_light = times(inverse, q);
+    hn::StoreU(from_light.x, d, light.paths.x.data() + i);
+    hn::StoreU(from_light.y, d, light.paths.y.data() + i);
+    hn::StoreU(from_light.z, d, light.paths.z.data() + i);
+    hn::StoreU(hn::Mul(square, inverse), d, light.paths.length.data() + i);
+    store(hn::Neg(dot(from_light, load(points.normal, i))), light.cosine, i);
+    store(hn::Mul(inverse, inverse), light.inverse_square, i);
+  }
+}
+
+HWY_INLINE void add(V x, const glm::vec3& color, PointRadiance& radiance, std::size_t i) {
+  store(hn::MulAdd(x, set(color.r), load(radiance.r, i)), radiance.r, i);
+  store(hn::MulAdd(x, set(color.g), load(radiance.g, i)), radiance.g, i);
+  store(hn::MulAdd(x, set(color.b), load(radiance.b, i)), radiance.b, i);
+}
+
+void AddDirectLight(const SurfacePoints& points, const LightAtPoints& light,
+                    const PointLightShading& shading, PointRadiance& radiance) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const bool shines = shading.highlight != glm::vec3(0.0f);
+  for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
+    const V cosine = load(light.cosine, i);
+    const auto lit = hn::And(hn::Gt(cosine, zero), hn::Gt(load(light.lit, i), zero));
+    if (hn::AllFalse(d, lit)) continue;
+    const V incoming =
+        hn::IfThenElseZero(lit, hn::Mul(hn::Mul(cosine, load(light.inverse_square, i)),
+                                        hn::Exp(d, hn::Neg(load(light.depths, i)))));
+    add(incoming, shading.diffuse * shading.intensity, radiance, i);
+    if (!shines) continue;
+    const Vector w{hn::LoadU(d, light.paths.x.data() + i), hn::LoadU(d, light.paths.y.data() + i),
+                   hn::LoadU(d, light.paths.z.data() + i)};
+    const Vector to_eye = load(points.to_eye, i);
+    // w mirrored at the normal, times the direction to the eye.
+    const V r =
+        hn::MulAdd(hn::Add(cosine, cosine), dot(load(points.normal, i), to_eye), dot(w, to_eye));
+    const V lobe = hn::Exp(
+        d, hn::Mul(set(shading.exponent), hn::Log(d, hn::Min(hn::Max(r, set(1e-30f)), set(1.0f)))));
+    add(hn::IfThenElseZero(hn::Gt(r, zero), hn::Mul(incoming, lobe)),
+        shading.highlight * shading.intensity, radiance, i);
+  }
+}
+
+HWY_INLINE V Polynomial(V x, const std::array<float, ScatterTable::degree + 1>& coefficient) {
+  V p = set(coefficient[0]);
+  for (std::size_t i = 1; i < coefficient.size(); ++i) p = hn::MulAdd(p, x, set(coefficient[i]));
+  return p;
+}
+
+void FindSpread(const LightAtPoints& light, std::size_t padded_size, const LightSpread& spread,
+                bool diffuse_only, std::array<PointArray, sh_max_bands>& factors) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const V one = set(1.0f);
+  const ScatterTable::Polynomials& near = spread.point->polynomials();
+  const ScatterTable::Polynomials& far = spread.distant->polynomials();
+  for (std::size_t i = 0; i < padded_size; i += hn::Lanes(d)) {
+    const V depth = load(light.depths, i);
+    const V homogeneous = hn::Mul(set(spread.density), hn::LoadU(d, light.paths.length.data() + i));
+    const V share = hn::IfThenElse(hn::Lt(homogeneous, depth), hn::Div(homogeneous, depth), one);
+    const auto passes = hn::And(hn::Gt(depth, zero), hn::Lt(depth, set(ScatterTable::opaque)));
+    const V T = hn::IfThenElseZero(passes, depth);
+    const V root = hn::Sqrt(T);
+    const V x = hn::Sub(hn::Mul(set(ScatterTable::scale), hn::Div(root, hn::Add(root, one))), one);
+    const V once = hn::Mul(T, hn::Exp(d, hn::Neg(T)));
+    for (std::size_t l = 0; l < sh_max_bands; ++l) {
+      if (diffuse_only && (l == 3 || l == 5)) continue;
+      const V of_distant = Polynomial(x, far[l]);
+      const V of_point = Polynomial(x, near[l]);
+      const V both = hn::MulAdd(share, hn::Sub(of_point, of_distant), of_distant);
+      store(hn::Mul(once, both), factors[l], i);
+    }
+  }
+}
+
+void AddScatteredLight(const SurfacePoints& points, const LightAtPoints& light,
+                       const std::array<PointArray, sh_max_bands>& factors,
+                       const PointLightShading& shading, PointRadiance& radiance) {
+  const D d;
+  for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
+    // sh_convolve() of the light's bands with clamped_cosine_sh(), written out.
+    const V x = load(light.cosine, i);
+    const V x2 = hn::Mul(x, x);
+    const V p2 = hn::MulAdd(set(1.5f), x2, set(-0.5f));
+    const V p4 = hn::MulAdd(hn::MulAdd(set(4.375f), x2, set(-3.75f)), x2, set(0.375f));
+    V irradiance = hn::Mul(set(0.25f), load(factors[0], i));
+    irradiance = hn::MulAdd(hn::Mul(set(0.5f), x), load(factors[1], i), irradiance);
+    irradiance = hn::MulAdd(hn::Mul(set(0.3125f), p2), load(factors[2], i), irradiance);
+    irradiance = hn::MulAdd(hn::Mul(set(-0.09375f), p4), load(factors[4], i), irradiance);
+    add(hn::Mul(hn::Max(irradiance, hn::Zero(d)), load(light.inverse_square, i)),
+        shading.diffuse * shading.intensity, radiance, i);
+  }
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(WalkAndNormalize);
+HWY_EXPORT(InterpolatePoints);
+HWY_EXPORT(PointToLight);
+HWY_EXPORT(AddDirectLight);
+HWY_EXPORT(FindSpread);
+HWY_EXPORT(AddScatteredLight);
+
+void find_view_directions(const CameraRays& rays, std::span<const glm::ivec2> pixels,
+                          PointVectors& directions) {
+  // From one of them: no digits are lost on large films.
+  const glm::ivec2 origin = pixels[0];
+  for (std::size_t k = 0; k < padded(pixels.size()); ++k) {
+    const glm::ivec2 from_origin = pixels[std::min(k, pixels.size() - 1)] - origin;
+    directions.x[k] = static_cast<float>(from_origin.x);
+    directions.y[k] = static_cast<float>(from_origin.y);
+  }
+  const CameraRays::FilmPlane plane = rays.plane();
+  const glm::dvec3 first =
+      plane.corner + (origin.x + 0.5) * plane.per_x + (origin.y + 0.5) * plane.per_y;
+  HWY_DYNAMIC_DISPATCH(WalkAndNormalize)
+  (glm::vec3(first), glm::vec3(plane.per_x), glm::vec3(plane.per_y), padded(pixels.size()),
+   directions);
+}
+
+void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points) {
+  HWY_DYNAMIC_DISPATCH(InterpolatePoints)(triangles, offset, points);
+}
+
+void point_to_light(const SurfacePoints& points, const glm::vec3& position, LightAtPoints& light) {
+  HWY_DYNAMIC_DISPATCH(PointToLight)(points, position, light);
+}
+
+void add_direct_light(const SurfacePoints& points, const LightAtPoints& light,
+                      const PointLightShading& shading, PointRadiance& radiance) {
+  HWY_DYNAMIC_DISPATCH(AddDirectLight)(points, light, shading, radiance);
+}
+
+void find_spread(const LightAtPoints& light, std::size_t padded_size, const LightSpread& spread,
+                 bool diffuse_only, std::array<PointArray, sh_max_bands>& factors) {
+  HWY_DYNAMIC_DISPATCH(FindSpread)(light, padded_size, spread, diffuse_only, factors);
+}
+
+void add_scattered_light(const SurfacePoints& points, const LightAtPoints& light,
+                         const std::array<PointArray, sh_max_bands>& factors,
+                         const PointLightShading& shading, PointRadiance& radiance) {
+  HWY_DYNAMIC_DISPATCH(AddScatteredLight)(points, light, factors, shading, radiance);
+}
+
+}  // namespace brume
+#endif

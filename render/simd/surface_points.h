@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "core/scene/scene.h"
+#include "render/geometry/tiles.h"
+#include "render/simd/gaussian_kernels.h"
+
+namespace brume {
+
+// One value per point of a tile, padded to whole vectors.
+struct alignas(64) PointArray : std::array<float, Tiles::pixels> {};
+static_assert(padded(Tiles::pixels) == Tiles::pixels);
+
+struct PointVectors {
+  PointArray x, y, z;
+
+  [[nodiscard]] glm::dvec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
+  void set(std::size_t k, const glm::vec3& v) {
+    x[k] = v.x;
+    y[k] = v.y;
+    z[k] = v.z;
+  }
+};
+
+// Hit points of one surface in a tile, as arrays in single precision; padded to padded(count) by
+// repeating the last. See SurfacePoint.
+struct SurfacePoints {
+  const Surface* surface = nullptr;
+  std::size_t count = 0;
+  PointArray u, v;             // barycentric, of the triangle's second and third corner
+  glm::dvec3 origin{0.0};      // origin of positions
+  PointVectors position;       // [u]
+  PointVectors normal;         // unit, or 0 if degenerate
+  PointVectors to_eye;         // unit
+  PointVectors shadow_origin;  // [u]
+  PointArray side;             // 1 if the front (of the mesh's normals) is visible, else -1
+
+  [[nodiscard]] std::size_t padded_size() const { return padded(count); }
+};
+
+// One light at the points.
+struct LightAtPoints {
+  PathBatch paths;            // from the light to the points
+  PointArray cosine;          // of the angle between normal and light direction
+  PointArray inverse_square;  // of the distance [1/u^2]; 0 for a light on the surface
+  PointArray depths;          // T(s, p), b0 included
+  PointArray lit;             // 1, or 0 if occluded; undefined for cosine <= 0
+};
+
+struct PointRadiance {
+  PointArray r, g, b;
+};
+
+}  // namespace brume

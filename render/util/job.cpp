@@ -1,0 +1,36 @@
+#include "render/util/job.h"
+
+#include <tbb/parallel_for.h>
+
+#include <mutex>
+
+#include "render/util/flush_denormals.h"
+
+namespace brume {
+
+Job Job::part(double begin, double end) const {
+  if (!progress) return {stop, {}};
+  return {stop,
+          [tell = progress, begin, end](double share) { tell(begin + share * (end - begin)); }};
+}
+
+void Job::each(std::size_t count, const std::function<void(std::size_t)>& body) const {
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    const FlushDenormals flush;
+    body(i);
+  });
+}
+
+void Job::each_reported(std::size_t count, const std::function<void(std::size_t)>& body) const {
+  if (!progress) return each(count, body);
+  std::size_t done = 0;
+  std::mutex mutex;
+  each(count, [&](std::size_t i) {
+    body(i);
+    const std::scoped_lock lock(mutex);
+    progress(static_cast<double>(++done) / static_cast<double>(count));
+  });
+}
+
+}  // namespace brume

@@ -1,0 +1,144 @@
+#include "render/visibility/exact_occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+
+#include "core/scene/mesh.h"
+
+namespace brume {
+namespace {
+
+// The surface at the end of the view ray touches it and must not occlude it: occluders closer to
+// the ray than this fraction of the light's distance are ignored.
+constexpr double touching = 1e-9;
+
+using Segment = std::array<glm::dvec2, 2>;
+
+// Where a triangle meets the plane through `origin` spanned by x and y, in those coordinates.
+std::optional<Segment> cross_section(const std::array<glm::dvec3, 3>& triangle,
+                                     const glm::dvec3& origin, const glm::dvec3& x,
+                                     const glm::dvec3& y, const glm::dvec3& normal) {
+  std::array<double, 3> height;
+  for (std::size_t k = 0; k < 3; ++k) height[k] = glm::dot(triangle[k] - origin, normal);
+  Segment segment;
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < 3 && found < 2; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    // A corner in the plane counts as above it, so that a crossing is found once.
+    if ((height[k] < 0.0) == (height[next] < 0.0)) continue;
+    const double s = height[k] / (height[k] - height[next]);
+    const glm::dvec3 q = triangle[k] + s * (triangle[next] - triangle[k]) - origin;
+    segment[found++] = {glm::dot(q, x), glm::dot(q, y)};
+  }
+  return found == 2 ? std::optional(segment) : std::nullopt;
+}
+
+// The part of a segment with y in [low, high].
+bool clip(Segment& s, double low, double high) {
+  if (s[0].y > s[1].y) std::swap(s[0], s[1]);
+  if (!(s[0].y < high && s[1].y > low)) return false;
+  const glm::dvec2 step = s[1] - s[0];
+  const Segment whole = s;
+  if (whole[0].y < low) s[0] = whole[0] + (low - whole[0].y) / step.y * step;
+  if (whole[1].y > high) s[1] = whole[0] + (high - whole[0].y) / step.y * step;
+  return true;
+}
+
+}  // namespace
+
+ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
+  std::vector<glm::dvec3> centers;
+  std::vector<double> radii;
+  for (const Surface& surface : surfaces) {
+    const auto corner = [&](OpenMesh::SmartVertexHandle v) {
+      const auto& p = surface.mesh->point(v);
+      return surface.translate + surface.rotate * (surface.scale * glm::dvec3(p[0], p[1], p[2]));
+    };
+    for (const auto face : surface.mesh->faces()) {
+      Triangle triangle;
+      std::size_t k = 0;
+      for (const auto vertex : face.vertices()) triangle[k++] = corner(vertex);
+      const glm::dvec3 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
+      const glm::dvec3 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
+      triangles_.push_back(triangle);
+      centers.push_back(0.5 * (low + high));
+      radii.push_back(0.5 * glm::length(high - low));
+    }
+  }
+  bvh_ = SphereBvh(centers, radii);
+}
+
+double ExactOcclusion::first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                 double end) const {
+  double nearest = end;
+  bvh_.query(RaySegment{origin, direction, end}, [&](std::uint32_t i) {
+    // Moeller and Trumbore 1997.
+    const Triangle& triangle = triangles_[i];
+    const glm::dvec3 e1 = triangle[1] - triangle[0];
+    const glm::dvec3 e2 = triangle[2] - triangle[0];
+    const glm::dvec3 p = glm::cross(direction, e2);
+    const double det = glm::dot(e1, p);
+    if (det == 0.0) return;
+    const glm::dvec3 q = origin - triangle[0];
+    const double u = glm::dot(q, p) / det;
+    const double v = glm::dot(direction, glm::cross(q, e1)) / det;
+    const double t = glm::dot(e2, glm::cross(q, e1)) / det;
+    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0) nearest = std::min(nearest, t);
+  });
+  return nearest;
+}
+
+std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& light,
+                                                           const glm::dvec3& eye,
+                                                           const glm::dvec3& w, double end) const {
+  const glm::dvec3 q = light - eye;
+  const double ts = glm::dot(q, w);
+  const glm::dvec3 to_ray = ts * w - q;  // from the light to the nearest point of the ray
+  const double h = glm::length(to_ray);
+  if (h <= 1e-9 * glm::length(q)) {
+    // The light is on the ray, and shines along it both ways until something stops it.
+    const double back = first_hit(light, -w, std::abs(ts) + end);
+    const double on = first_hit(light, w, std::abs(ts) + end);
+    const double begin = std::clamp(ts - back, 0.0, end);
+    const double last = std::clamp(ts + on, 0.0, end);
+    if (begin < last) return {{begin, last}};
+    return {};
+  }
+
+  const glm::dvec3 y = to_ray / h;
+  const glm::dvec3 normal = glm::cross(w, y);
+  // Angles at the light, 0 at the foot of the ray.
+  const double first = std::atan2(-ts, h);
+  const double last = std::atan2(end - ts, h);
+  std::vector<std::pair<double, double>> hidden;
+  bvh_.query(TriangleShape{light, eye, eye + end * w}, [&](std::uint32_t i) {
+    std::optional<Segment> s = cross_section(triangles_[i], light, w, y, normal);
+    if (!s || !clip(*s, touching * h, (1.0 - touching) * h)) return;
+    const double a = std::atan2((*s)[0].x, (*s)[0].y);
+    const double b = std::atan2((*s)[1].x, (*s)[1].y);
+    const double begin = std::max(std::min(a, b), first);
+    const double stop = std::min(std::max(a, b), last);
+    if (begin < stop) hidden.emplace_back(begin, stop);
+  });
+  std::sort(hidden.begin(), hidden.end());
+
+  std::vector<std::pair<double, double>> lit;
+  const auto t = [&](double angle) {
+    return angle >= last ? end : std::clamp(ts + h * std::tan(angle), 0.0, end);
+  };
+  double at = first;
+  const auto shine_until = [&](double angle) {
+    if (at < angle && t(at) < t(angle)) lit.emplace_back(t(at), t(angle));
+  };
+  for (const auto& [begin, stop] : hidden) {
+    shine_until(begin);
+    at = std::max(at, stop);
+  }
+  shine_until(last);
+  return lit;
+}
+
+}  // namespace brume

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/geometry/sphere_bvh.h"
+
+namespace brume {
+
+// Exact occlusion between a point light and a view ray. Where Embree answers one shadow ray, this
+// answers all shadow rays from the light to the view ray analytically: in the plane of light and
+// ray every triangle is a segment that hides an angular interval at the light.
+class ExactOcclusion {
+ public:
+  explicit ExactOcclusion(std::span<const Surface> surfaces);
+
+  [[nodiscard]] bool empty() const { return triangles_.empty(); }
+
+  // The intervals [t0, t1] of the view ray eye + t w, t in [0, end], that are visible from the
+  // light, ascending. Thread-safe.
+  [[nodiscard]] std::vector<std::pair<double, double>> lit(const glm::dvec3& light,
+                                                           const glm::dvec3& eye,
+                                                           const glm::dvec3& w, double end) const;
+
+ private:
+  [[nodiscard]] double first_hit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                 double end) const;
+
+  using Triangle = std::array<glm::dvec3, 3>;
+  std::vector<Triangle> triangles_;
+  SphereBvh bvh_;
+};
+
+}  // namespace brume

@@ -1,0 +1,494 @@
+#include "render/visibility/raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "render/geometry/edge_on.h"
+#include "render/simd/gaussian_kernels.h"
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/visibility/raster.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+using D = hn::CappedTag<float, Raster::block * Raster::block>;
+using V = hn::Vec<D>;
+
+HWY_INLINE V set(float x) {
+  return hn::Set(D(), x);
+}
+HWY_INLINE V3<V> set(const glm::vec3& v) {
+  return {set(v.x), set(v.y), set(v.z)};
+}
+
+// Where rounding leaves a coordinate [pixels].
+HWY_INLINE float Below(float x) {
+  return x - (0.01f + 1e-5f * std::abs(x));
+}
+HWY_INLINE float Above(float x) {
+  return x + (0.01f + 1e-5f * std::abs(x));
+}
+
+// Where on the film a triangle is.
+struct Extent {
+  glm::vec2 low{infinite};
+  glm::vec2 high{-infinite};
+
+  HWY_INLINE void add(const glm::vec2& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  // An edge that runs on to behind the eye: where it leaves, in that direction on the film.
+  HWY_INLINE void add_beyond(const glm::vec2& direction, float rounding) {
+    for (int k = 0; k < 2; ++k) {
+      if (direction[k] > -rounding) high[k] = infinite;
+      if (direction[k] < rounding) low[k] = -infinite;
+    }
+  }
+};
+
+HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
+                                   const Raster::View& view) {
+  Extent extent;
+  int seen = 0;
+  for (const Raster::Vertex& v : corners) {
+    if (!(v.inverse > 0.0f)) continue;
+    ++seen;
+    extent.add(view.center + glm::vec2(v.x, v.y) * v.inverse);
+  }
+  if (seen == 0) return {};
+  for (std::size_t k = 0; seen < 3 && k < 3; ++k) {
+    for (const std::size_t l : {(k + 1) % 3, (k + 2) % 3}) {
+      const Raster::Vertex& from = corners[k];
+      const Raster::Vertex& to = corners[l];
+      if (!(from.inverse > 0.0f) || to.inverse > 0.0f) continue;
+      const glm::vec2 a(from.x, from.y);
+      const glm::vec2 b(to.x, to.y);
+      const float behind = std::min(to.z, 0.0f);
+      const glm::vec2 size = glm::abs(behind * a) + glm::abs(from.z * b);
+      extent.add_beyond(from.z * b - behind * a, 1e-4f * (size.x + size.y));
+    }
+  }
+  const auto width = static_cast<float>(view.width);
+  const auto height = static_cast<float>(view.height);
+  const auto first = [](float x, float end) HWY_ATTR {
+    return static_cast<std::int16_t>(std::ceil(std::min(std::max(Below(x), 0.0f), end)));
+  };
+  const auto last = [](float x, float end) HWY_ATTR {
+    return static_cast<std::int16_t>(std::floor(std::min(std::max(Above(x), -1.0f), end - 1.0f)));
+  };
+  return {first(extent.low.x, width), last(extent.high.x, width), first(extent.low.y, height),
+          last(extent.high.y, height)};
+}
+
+HWY_INLINE Raster::Winding WindingOf(const std::array<Raster::Vertex, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  if (!(std::min({a.inverse, b.inverse, c.inverse}) > 0.0f)) return Raster::Winding::one;
+  const auto at = [](const Raster::Vertex& v) { return glm::vec2(v.x, v.y) * v.inverse; };
+  const glm::vec2 along = at(b) - at(a);
+  const glm::vec2 across = at(c) - at(a);
+  return along.x * across.y > along.y * across.x ? Raster::Winding::one : Raster::Winding::other;
+}
+
+// is_edge_on() of a triangle; few need it in double.
+HWY_INLINE bool IsEdgeOn(const RasterTriangles& triangles, const glm::uvec3& c,
+                         const Raster::View& view) {
+  const auto corner = [&](std::uint32_t vertex) {
+    return triangles.relative(vertex, glm::vec3(0.0f));
+  };
+  const std::array<glm::vec3, 3> corners{corner(c.x), corner(c.y), corner(c.z)};
+  const glm::vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const float above = glm::dot(normal, view.eye - corners[0]);
+  const auto far = 100.0f * static_cast<float>(view.edge_on_height);
+  if (above * above > far * far * glm::dot(normal, normal)) return false;
+  return is_edge_on(corners, glm::dvec3(view.eye), view.edge_on_height);
+}
+
+Raster::WindingDepths FindBounds(const RasterTriangles& triangles, const Raster::View& view,
+                                 std::span<const Raster::Vertex> vertices, std::size_t first,
+                                 std::size_t last, Raster::Bounds* bounds, Raster::Winding* turns) {
+  Raster::WindingDepths depths;
+  for (std::size_t i = first; i < last; ++i) {
+    const glm::uvec3& c = triangles.corners[i];
+    const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
+    bounds[i] = BoundsOf(corners, view);
+    if (bounds[i].empty()) continue;
+    if (IsEdgeOn(triangles, c, view)) {
+      bounds[i] = {};
+      continue;
+    }
+    turns[i] = WindingOf(corners);
+    depths.sum[static_cast<std::size_t>(turns[i])] += static_cast<double>(corners[0].z);
+    ++depths.count[static_cast<std::size_t>(turns[i])];
+  }
+  return depths;
+}
+
+// Vertices [first, last) of whole vectors.
+void Project(const RasterTriangles& triangles, const Raster::View& view, std::size_t first,
+             std::size_t last, Raster::Vertex* vertices) {
+  const D d;
+  for (std::size_t i = first; i < last; i += hn::Lanes(d)) {
+    const V3<V> p{hn::Sub(hn::LoadU(d, triangles.x.data() + i), set(view.eye.x)),
+                  hn::Sub(hn::LoadU(d, triangles.y.data() + i), set(view.eye.y)),
+                  hn::Sub(hn::LoadU(d, triangles.z.data() + i), set(view.eye.z))};
+    const V z = dot(p, set(view.forward));
+    const V size = hn::Add(hn::Abs(p.x), hn::Add(hn::Abs(p.y), hn::Abs(p.z)));
+    const auto ahead = hn::Gt(z, hn::Mul(set(1e-5f), size));
+    hn::StoreInterleaved4(dot(p, set(view.to_x)), dot(p, set(view.to_y)), z,
+                          hn::IfThenElseZero(ahead, hn::Div(set(1.0f), z)), d, &vertices[i].x);
+  }
+}
+
+// The plane through the eye and an edge from p to q, as a function of the pixel from the film's
+// center: value + x per_x + y per_y. Of the edge from q to p it is exactly the negative, as no
+// compiler chooses which products to round.
+struct EdgePlane {
+  float value, per_x, per_y;
+
+  HWY_INLINE EdgePlane(const Raster::Vertex& from, const Raster::Vertex& to) {
+    const hn::CappedTag<float, 1> d;
+    using V1 = hn::Vec<decltype(d)>;
+    const auto set1 = [&](float x) HWY_ATTR { return hn::Set(d, x); };
+    const V3<V1> edge{set1(to.x - from.x), set1(to.y - from.y), set1(to.z - from.z)};
+    const V3<V1> sum{set1(to.x + from.x), set1(to.y + from.y), set1(to.z + from.z)};
+    per_x = hn::GetLane(hn::MulSub(edge.y, sum.z, hn::Mul(edge.z, sum.y)));
+    per_y = hn::GetLane(hn::MulSub(edge.z, sum.x, hn::Mul(edge.x, sum.z)));
+    value = hn::GetLane(hn::MulSub(edge.x, sum.y, hn::Mul(edge.y, sum.x)));
+  }
+};
+
+// The same for whole vectors of pixels.
+struct EdgeLanes {
+  V value, per_x, per_y;
+
+  HWY_INLINE explicit EdgeLanes(const EdgePlane& plane)
+      : value(set(plane.value)), per_x(set(plane.per_x)), per_y(set(plane.per_y)) {}
+  HWY_INLINE V at(V x, V y) const { return hn::MulAdd(per_x, x, hn::MulAdd(per_y, y, value)); }
+};
+
+// The blocks of a band that a triangle may reach.
+struct Blocks {
+  int x0, x1, y0, y1;
+
+  HWY_INLINE Blocks(const Raster::Bounds& bounds, int first_row)
+      : x0(bounds.x0 / Raster::block),
+        x1(bounds.x1 / Raster::block),
+        y0(std::max(bounds.y0 - first_row, 0) / Raster::block),
+        y1(std::min(bounds.y1 - first_row, Raster::band_rows - 1) / Raster::block) {}
+};
+
+constexpr std::size_t block_pixels = Raster::block * Raster::block;
+
+// Where the pixels of a vector are in their block.
+struct LanePositions {
+  V column, row;
+
+  HWY_INLINE explicit LanePositions(std::size_t part) {
+    const V lane = hn::Iota(D(), static_cast<float>(part * hn::Lanes(D())));
+    row = hn::Floor(hn::Mul(lane, set(1.0f / Raster::block)));
+    column = hn::NegMulAdd(set(Raster::block), row, lane);
+  }
+};
+
+// Draws into the vectors `part` of blocks; where `passes_over`, not into those that are nearer.
+template <bool passes_over>
+HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::uint32_t index,
+                             const Blocks& on, const Raster::View& view, int first_row,
+                             std::size_t part, Raster::Buffer& buffer) {
+  const D d;
+  const hn::RebindToUnsigned<D> du;
+  constexpr int side = Raster::block;
+  const auto& [a, b, c] = corners;
+  // Interpolation rounds.
+  const float min_value = 0.99999f * std::min({a.z, b.z, c.z});
+  const int blocks = (view.width + side - 1) / side;
+  const auto place = [&](int x, int y) HWY_ATTR {
+    return static_cast<std::size_t>(y * blocks + x) * block_pixels + part * hn::Lanes(d);
+  };
+  if (passes_over) {
+    bool is_behind = true;
+    for (int y = on.y0; y <= on.y1; ++y) {
+      for (int x = on.x0; x <= on.x1; ++x) {
+        is_behind = is_behind && buffer.farthest[place(x, y) / hn::Lanes(d)] <= min_value;
+      }
+    }
+    if (is_behind) return;
+  }
+  const LanePositions lanes(part);
+  const EdgeLanes of_a(EdgePlane(b, c));
+  const EdgeLanes of_b(EdgePlane(c, a));
+  const EdgeLanes of_c(EdgePlane(a, b));
+  const V zero = hn::Zero(d);
+  for (int y = on.y0; y <= on.y1; ++y) {
+    const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y * side) - view.center.y));
+    for (int x = on.x0; x <= on.x1; ++x) {
+      const V px = hn::Add(lanes.column, set(static_cast<float>(x * side) - view.center.x));
+      const V ea = of_a.at(px, py);
+      const V eb = of_b.at(px, py);
+      const V ec = of_c.at(px, py);
+      const V sum = hn::Add(ea, hn::Add(eb, ec));
+      const auto inside = hn::Or(hn::Ge(hn::Min(ea, hn::Min(eb, ec)), zero),
+                                 hn::Le(hn::Max(ea, hn::Max(eb, ec)), zero));
+      const auto there = hn::And(inside, hn::Ne(sum, zero));
+      if (hn::AllFalse(d, there)) continue;
+      const V inverse = hn::Div(set(1.0f), sum);
+      const V depth = hn::Mul(
+          inverse, hn::MulAdd(ea, set(a.z), hn::MulAdd(eb, set(b.z), hn::Mul(ec, set(c.z)))));
+      const std::size_t k = place(x, y);
+      const V known = hn::LoadU(d, buffer.distance.data() + k);
+      const auto nearer = hn::And(there, hn::And(hn::Gt(depth, zero), hn::Lt(depth, known)));
+      if (hn::AllFalse(d, nearer)) continue;
+      hn::BlendedStore(depth, nearer, d, buffer.distance.data() + k);
+      hn::BlendedStore(hn::Mul(eb, inverse), nearer, d, buffer.u.data() + k);
+      hn::BlendedStore(hn::Mul(ec, inverse), nearer, d, buffer.v.data() + k);
+      hn::BlendedStore(hn::Set(du, index), hn::RebindMask(du, nearer), du,
+                       buffer.triangle.data() + k);
+    }
+  }
+}
+
+template <bool passes_over>
+HWY_INLINE void DrawTriangles(const RasterTriangles& triangles, const Raster::View& view,
+                              std::span<const Raster::Vertex> vertices,
+                              std::span<const Raster::Bounds> bounds,
+                              std::span<const std::uint32_t> drawn, int first_row,
+                              Raster::Buffer& buffer) {
+  for (const std::uint32_t index : drawn) {
+    const glm::uvec3& c = triangles.corners[index];
+    const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
+    const Blocks on(bounds[index], first_row);
+    for (std::size_t part = 0; part < block_pixels / hn::Lanes(D()); ++part) {
+      DrawTriangle<passes_over>(corners, index, on, view, first_row, part, buffer);
+    }
+  }
+}
+
+HWY_INLINE void FindFarthest(Raster::Buffer& buffer) {
+  const D d;
+  for (std::size_t i = 0; i < buffer.farthest.size(); ++i) {
+    const V depth = hn::LoadU(d, buffer.distance.data() + i * hn::Lanes(d));
+    buffer.farthest[i] = hn::GetLane(hn::MaxOfLanes(d, depth));
+  }
+}
+
+// Depths along forward become distances.
+HWY_INLINE void Lengthen(const Raster::View& view, int first_row, Raster::Buffer& buffer) {
+  const D d;
+  constexpr int side = Raster::block;
+  std::size_t k = 0;
+  for (int y = 0; y < Raster::band_rows; y += side) {
+    for (int x = 0; x < view.width; x += side) {
+      for (std::size_t part = 0; part < block_pixels / hn::Lanes(d); ++part, k += hn::Lanes(d)) {
+        const LanePositions lanes(part);
+        const V px = hn::Add(lanes.column, set(static_cast<float>(x)));
+        const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y)));
+        const auto along = [&](float from, float per_x, float per_y) HWY_ATTR {
+          return hn::MulAdd(px, set(per_x), hn::MulAdd(py, set(per_y), set(from)));
+        };
+        const V3<V> w{along(view.corner.x, view.per_x.x, view.per_y.x),
+                      along(view.corner.y, view.per_x.y, view.per_y.y),
+                      along(view.corner.z, view.per_x.z, view.per_y.z)};
+        float* distance = buffer.distance.data() + k;
+        hn::StoreU(hn::Mul(hn::Sqrt(dot(w, w)), hn::LoadU(d, distance)), d, distance);
+      }
+    }
+  }
+}
+
+// Four pixels of a block side by side.
+HWY_INLINE void StoreFour(const Raster::Buffer& buffer, std::size_t k, RasterPixel* hits,
+                          float* distances) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t i = 0; i < 4; ++i) {
+    hits[i] = {buffer.distance[k + i], buffer.triangle[k + i], buffer.u[k + i], buffer.v[k + i]};
+    distances[i] = buffer.distance[k + i];
+  }
+#else
+  static_assert(sizeof(RasterPixel) == 4 * sizeof(float));
+  const hn::FixedTag<float, 4> d;
+  const hn::FixedTag<std::uint32_t, 4> du;
+  const auto distance = hn::LoadU(d, buffer.distance.data() + k);
+  const auto triangle = hn::BitCast(d, hn::LoadU(du, buffer.triangle.data() + k));
+  hn::StoreInterleaved4(distance, triangle, hn::LoadU(d, buffer.u.data() + k),
+                        hn::LoadU(d, buffer.v.data() + k), d, &hits->distance);
+  hn::StoreU(distance, d, distances);
+#endif
+}
+
+// From blocks to rows of the film.
+HWY_INLINE void StoreRows(const Raster::View& view, int first_row, const Raster::Buffer& buffer,
+                          RasterPixel* hits, float* distances) {
+  constexpr int side = Raster::block;
+  std::size_t k = 0;
+  for (int y0 = 0; y0 < Raster::band_rows; y0 += side) {
+    for (int x = 0; x < view.width; x += side, k += block_pixels) {
+      for (int y = y0; y < std::min(y0 + side, view.height - first_row); ++y) {
+        const auto from = k + static_cast<std::size_t>((y - y0) * side);
+        const auto to =
+            static_cast<std::size_t>(first_row + y) * static_cast<std::size_t>(view.width) +
+            static_cast<std::size_t>(x);
+        if (x + side <= view.width) {
+          StoreFour(buffer, from, hits + to, distances + to);
+          continue;
+        }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(view.width - x); ++i) {
+          hits[to + i] = {buffer.distance[from + i], buffer.triangle[from + i], buffer.u[from + i],
+                          buffer.v[from + i]};
+          distances[to + i] = buffer.distance[from + i];
+        }
+      }
+    }
+  }
+}
+
+void DrawBand(const RasterTriangles& triangles, const Raster::View& view,
+              std::span<const Raster::Vertex> vertices, std::span<const Raster::Bounds> bounds,
+              std::span<const std::uint32_t> nearer, std::span<const std::uint32_t> others,
+              int first_row, Raster::Buffer& buffer, RasterPixel* hits, float* distances) {
+  DrawTriangles<false>(triangles, view, vertices, bounds, nearer, first_row, buffer);
+  buffer.farthest.resize(buffer.distance.size() / hn::Lanes(D()));
+  FindFarthest(buffer);
+  DrawTriangles<true>(triangles, view, vertices, bounds, others, first_row, buffer);
+  Lengthen(view, first_row, buffer);
+  StoreRows(view, first_row, buffer, hits, distances);
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(Project);
+HWY_EXPORT(FindBounds);
+HWY_EXPORT(DrawBand);
+
+namespace {
+constexpr std::size_t chunk = 4096;  // vertices or triangles taken together
+}  // namespace
+
+void RasterTriangles::add_vertex(const glm::vec3& p) {
+  x.push_back(p.x);
+  y.push_back(p.y);
+  z.push_back(p.z);
+}
+
+void RasterTriangles::pad() {
+  const std::size_t size = padded(x.size());
+  for (std::vector<float>* of : {&x, &y, &z}) of->resize(size, 0.0f);
+}
+
+Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const glm::dvec3& eye,
+               double edge_on_height, const Film& film, const Job& job)
+    : triangles_(triangles),
+      film_(film),
+      bands_(static_cast<std::size_t>((film.height + band_rows - 1) / band_rows)) {
+  const CameraRays::FilmPlane plane = rays.plane();
+  view_ = {glm::vec3(eye),
+           edge_on_height,
+           glm::vec3(rays.forward()),
+           glm::vec3(plane.corner + 0.5 * plane.per_x + 0.5 * plane.per_y),
+           glm::vec3(plane.per_x),
+           glm::vec3(plane.per_y),
+           glm::vec3(plane.per_x / glm::dot(plane.per_x, plane.per_x)),
+           glm::vec3(plane.per_y / glm::dot(plane.per_y, plane.per_y)),
+           0.5f * glm::vec2(film.width - 1, film.height - 1),
+           film.width,
+           film.height};
+  const std::size_t vertices = triangles.x.size();
+  vertices_.resize(vertices);
+  job.each((vertices + chunk - 1) / chunk, [&](std::size_t i) {
+    HWY_DYNAMIC_DISPATCH(Project)
+    (triangles, view_, i * chunk, std::min((i + 1) * chunk, vertices), vertices_.data());
+  });
+  sort(job);
+}
+
+// By counting, in chunks.
+void Raster::sort(const Job& job) {
+  const std::size_t count = triangles_.corners.size();
+  const std::size_t chunks = (count + chunk - 1) / chunk;
+  const std::size_t lists = 2 * bands_;
+  // Calls visit(triangle, list) for all of a chunk: two lists for each band, by turns.
+  const auto each = [&](std::size_t c, auto visit) {
+    for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i) {
+      const Bounds& b = bounds_[i];
+      if (b.empty()) continue;
+      for (int y = b.y0 / band_rows; y <= b.y1 / band_rows; ++y) {
+        visit(static_cast<std::uint32_t>(i),
+              2 * static_cast<std::size_t>(y) + static_cast<std::size_t>(windings_[i]));
+      }
+    }
+  };
+  bounds_.resize(count);
+  windings_.resize(count);
+  std::vector<WindingDepths> depths(chunks);
+  std::vector<std::size_t> next(chunks * lists, 0);
+  job.each(chunks, [&](std::size_t c) {
+    depths[c] = HWY_DYNAMIC_DISPATCH(FindBounds)(triangles_, view_, vertices_, c * chunk,
+                                                 std::min((c + 1) * chunk, count), bounds_.data(),
+                                                 windings_.data());
+    each(c, [&](std::uint32_t, std::size_t list) { ++next[c * lists + list]; });
+  });
+  nearer_ = nearer_winding(depths);
+  std::size_t sum = 0;
+  for (std::size_t list = 0; list < lists; ++list) {
+    offsets_.push_back(sum);
+    for (std::size_t c = 0; c < chunks; ++c) {
+      sum += std::exchange(next[c * lists + list], sum);
+    }
+  }
+  offsets_.push_back(sum);
+  sorted_.resize(sum);
+  job.each(chunks, [&](std::size_t c) {
+    each(c, [&](std::uint32_t i, std::size_t list) { sorted_[next[c * lists + list]++] = i; });
+  });
+}
+
+Raster::Winding Raster::nearer_winding(std::span<const WindingDepths> depths) {
+  WindingDepths all;
+  for (const WindingDepths& of : depths) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      all.sum[k] += of.sum[k];
+      all.count[k] += of.count[k];
+    }
+  }
+  // Each mean times both counts.
+  const double one = all.sum[0] * static_cast<double>(all.count[1]);
+  const double other = all.sum[1] * static_cast<double>(all.count[0]);
+  return one <= other ? Winding::one : Winding::other;
+}
+
+void Raster::draw(std::size_t band, std::span<RasterPixel> hits, std::span<float> distances) const {
+  thread_local Buffer buffer;
+  const auto blocks = static_cast<std::size_t>((film_.width + block - 1) / block);
+  const std::size_t pixels = blocks * block * band_rows;
+  buffer.distance.assign(pixels, std::numeric_limits<float>::infinity());
+  buffer.u.resize(pixels);
+  buffer.v.resize(pixels);
+  buffer.triangle.resize(pixels);
+  const auto of_turn = [&](Winding turn) {
+    const std::size_t list = 2 * band + static_cast<std::size_t>(turn);
+    return std::span(sorted_).subspan(offsets_[list], offsets_[list + 1] - offsets_[list]);
+  };
+  HWY_DYNAMIC_DISPATCH(DrawBand)
+  (triangles_, view_, vertices_, bounds_, of_turn(nearer_),
+   of_turn(nearer_ == Winding::one ? Winding::other : Winding::one),
+   static_cast<int>(band) * band_rows, buffer, hits.data(), distances.data());
+}
+
+}  // namespace brume
+#endif

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/ext/vector_uint3.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/geometry/box.h"
+#include "render/simd/surface_points.h"
+#include "render/visibility/raster.h"
+
+namespace brume {
+
+// The nearest hit of a ray, compact.
+struct SurfaceHit {
+  double distance = std::numeric_limits<double>::infinity();
+  std::int32_t surface = -1;  // index, or -1 for none
+  std::uint32_t triangle = 0;
+  float u = 0.0f, v = 0.0f;  // barycentric, of the triangle's second and third corner
+
+  explicit operator bool() const { return surface >= 0; }
+};
+
+// A hit point with everything shading needs.
+struct SurfacePoint {
+  glm::dvec3 position{0.0};
+  glm::dvec3 normal{0.0};  // unit, interpolated, on the visible side
+  glm::dvec3 to_eye{0.0};  // unit
+  // Origin of shadow rays: offset from the triangle by a few float roundings, and onto the smooth
+  // surface implied by the normals, so coarse triangles do not self-shadow (Hanika, "Hacking the
+  // Shadow Terminator", Ray Tracing Gems II, 2021).
+  glm::dvec3 shadow_origin{0.0};
+  const Surface* surface = nullptr;
+};
+
+// A triangle in world space, relative to Visibility::center().
+struct WorldTriangle {
+  std::array<glm::vec3, 3> positions;
+  std::array<glm::vec3, 3> normals;  // of any length
+  glm::uvec3 vertices{0};            // in the surface's mesh
+  std::uint32_t surface = 0;
+  std::uint32_t index = 0;  // in the surface's mesh
+};
+
+// Ray casting against the surfaces of a scene, by Embree. Coordinates are stored as float relative
+// to the center of the surfaces, so scenes far from the origin lose no precision.
+class RayCaster {
+ public:
+  explicit RayCaster(std::span<const Surface> surfaces);
+  ~RayCaster();
+  RayCaster(const RayCaster&) = delete;
+  RayCaster& operator=(const RayCaster&) = delete;
+
+  [[nodiscard]] bool empty() const;
+  [[nodiscard]] std::size_t size() const;  // triangles
+  // Bounds of all surfaces.
+  [[nodiscard]] const Box& bounds() const;
+
+  // Data for casting the same rays elsewhere: the center that triangles are relative to, the radius
+  // of the ball around it that holds them all (< 0: none), and the triangles.
+  [[nodiscard]] const glm::dvec3& center() const;
+  [[nodiscard]] double radius() const;
+  [[nodiscard]] std::vector<WorldTriangle> triangles() const;
+  [[nodiscard]] std::uint32_t index_of(const SurfaceHit& hit) const;  // index in triangles()
+  // Whether rays may start here: close enough that rounding the direction moves a hit by a few
+  // float roundings only. Rays from farther away start near the ball.
+  [[nodiscard]] bool is_near(const glm::dvec3& origin) const;
+  // Relative length by which shadow rays keep away from both ends: a few float roundings.
+  static constexpr double self_hit_margin = 1e-5;
+
+  // Whether these are the surfaces it was built from, comparing meshes and transforms (materials do
+  // not count).
+  [[nodiscard]] bool shows(std::span<const Surface> surfaces) const;
+
+  // The nearest hit of a ray (unit direction); triangles seen edge-on are invisible
+  // (render/geometry/edge_on.h). Thread-safe.
+  [[nodiscard]] SurfaceHit first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const;
+
+  // The same for coherent rays, several times as fast. Ignores hits nearer than `nearest`.
+  void first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
+                  std::span<SurfaceHit> hits, double nearest = 0.0) const;
+
+  // Hits nearer than this to a ray's origin are ambiguous: a few float roundings [u].
+  [[nodiscard]] double min_gap() const;
+
+  // Rasterization of a film's first hits: faster than rays unless pixels are far fewer than
+  // triangles, and precise enough unless the eye is far away. Keeps a reference to this.
+  [[nodiscard]] bool can_rasterize(const CameraRays& rays, const Film& film) const;
+  [[nodiscard]] Raster raster(const CameraRays& rays, const Film& film, const Job& job) const;
+  [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel) const;
+  [[nodiscard]] RasterPixel pixel_of(const SurfaceHit& hit) const;
+
+  // The hit point of that ray. Thread-safe.
+  [[nodiscard]] SurfacePoint point(const SurfaceHit& hit, const glm::dvec3& origin,
+                                   const glm::dvec3& direction,
+                                   std::span<const Surface> surfaces) const;
+
+  // The same for hits on one surface, in single precision: positions to 1e-6 of the size of all
+  // surfaces, relative to their center. Thread-safe.
+  void points(std::span<const SurfaceHit> hits, std::span<const glm::vec3> directions,
+              std::span<const Surface> surfaces, SurfacePoints& points) const;
+
+  // Sets `lit` of a light at `position` relative to points.origin that point_to_light() has seen.
+  void trace_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
+                         LightAtPoints& light) const;
+
+  // Whether a surface occludes the segment between two points, ends excluded. Thread-safe.
+  [[nodiscard]] bool occluded(const glm::dvec3& start, const glm::dvec3& end) const;
+
+ private:
+  void cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
+                        std::span<const std::uint8_t> pending, LightAtPoints& light) const;
+
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace brume

@@ -1,0 +1,266 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/authoring/contribution.h"
+#include "core/authoring/eraser.h"
+#include "core/authoring/paintbrush.h"
+#include "core/authoring/smooth_path.h"
+#include "core/transport/optical_depth.h"
+
+namespace brume {
+namespace {
+
+std::vector<Gaussian> paint(const Paintbrush& brush, std::uint64_t seed,
+                            const std::vector<glm::dvec3>& path) {
+  PaintStroke stroke(brush, seed);
+  std::vector<Gaussian> all;
+  for (const glm::dvec3& point : path) {
+    const auto more = stroke.extend(point);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+TEST(PaintStroke, SpacesGaussiansEvenly) {
+  const Paintbrush brush{.radius = 0.5, .density = 2.0, .spacing = 0.8, .scatter = 0.0};
+  const auto gaussians = paint(brush, 1, {{0, 0, 0}, {1, 0, 0}, {1, 3, 0}});
+  ASSERT_EQ(gaussians.size(), 11u);  // a path of 4 in steps of 0.4
+  for (std::size_t k = 0; k < gaussians.size(); ++k) {
+    const double s = 0.4 * static_cast<double>(k);
+    const glm::dvec3 on_path = s <= 1.0 ? glm::dvec3(s, 0, 0) : glm::dvec3(1.0, s - 1.0, 0);
+    EXPECT_LT(glm::distance(gaussians[k].center, on_path), 1e-12) << k;
+    EXPECT_EQ(gaussians[k].radius, 0.5);
+    EXPECT_EQ(gaussians[k].density, 2.0);
+  }
+}
+
+TEST(PaintStroke, ScattersAcrossTheStrokeByLessThanTheRadius) {
+  const Paintbrush brush{.radius = 0.25, .density = 1.0, .spacing = 0.5, .scatter = 1.0};
+  const glm::dvec3 end(30.0, 40.0, -50.0);
+  const glm::dvec3 direction = glm::normalize(end);
+  const auto gaussians = paint(brush, 3, {{0, 0, 0}, end});
+  ASSERT_GT(gaussians.size(), 500u);
+  double farthest = 0.0;
+  double sum_of_squares = 0.0;
+  for (std::size_t k = 0; k < gaussians.size(); ++k) {
+    const glm::dvec3 offset = gaussians[k].center - 0.125 * static_cast<double>(k) * direction;
+    EXPECT_NEAR(glm::dot(offset, direction), 0.0, 1e-10);
+    EXPECT_LT(glm::length(offset), 0.25);
+    farthest = std::max(farthest, glm::length(offset));
+    sum_of_squares += glm::dot(offset, offset);
+  }
+  EXPECT_GT(farthest, 0.24);
+  // The mean square in a disc is half the radius squared; 5 standard errors of 565 of them.
+  EXPECT_NEAR(sum_of_squares / static_cast<double>(gaussians.size()), 0.5 * 0.0625,
+              5.0 * 0.0625 / std::sqrt(12.0 * 565.0));
+}
+
+TEST(PaintStroke, DependsOnSeedAndPathOnly) {
+  const Paintbrush brush;
+  const auto few = paint(brush, 5, {{0, 0, 0}, {4, 0, 0}});
+  std::vector<glm::dvec3> points;
+  for (int k = 0; k <= 64; ++k) points.emplace_back(k / 16.0, 0, 0);
+  const auto many = paint(brush, 5, points);
+  ASSERT_EQ(few.size(), many.size());
+  for (std::size_t k = 0; k < few.size(); ++k) {
+    EXPECT_LT(glm::distance(few[k].center, many[k].center), 1e-12);
+  }
+  EXPECT_EQ(paint(brush, 5, points), many);
+  EXPECT_NE(paint(brush, 6, points), many);
+}
+
+TEST(PaintStroke, AHugeJumpRestartsTheStroke) {
+  PaintStroke stroke({.radius = 1e-3}, 1);
+  stroke.extend({0, 0, 0});
+  const auto far = stroke.extend({1e9, 0, 0});
+  ASSERT_EQ(far.size(), 1u);
+  EXPECT_EQ(far[0].center, glm::dvec3(1e9, 0, 0));
+}
+
+Medium row_of_three() {
+  Medium medium;
+  for (const double x : {0.0, 0.5, 3.0}) medium.append({{x, 0, -10}, 1.0, 0.8});
+  return medium;
+}
+const auto all = [](GaussianId /*id*/) { return true; };
+
+TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
+  Medium medium = row_of_three();
+  const Medium start = medium;
+  const EraserCone cone{{0, 0, 0}, {0, 0, -1}, 0.1};  // 1 u wide at the Gaussians
+  const double cover = eraser_cover(cone, {0.5, 0, -10});
+  EXPECT_DOUBLE_EQ(cover, 0.5625);
+  EXPECT_EQ(eraser_cover(cone, {1.0, 0, -10}), 0.0);
+  EXPECT_EQ(eraser_cover(cone, {0, 0, 10}), 0.0);  // behind the eye
+  EXPECT_EQ(eraser_cover(cone, {0, 0, -5}), 1.0);
+
+  EraserStroke stroke(0.4);
+  MediumEdit whole;
+  const auto touch = [&] {
+    const MediumEdit edit = stroke.touch(medium, {&cone, 1}, all);
+    edit.apply(medium);
+    whole.merge(edit);
+  };
+  touch();
+  EXPECT_DOUBLE_EQ(medium.densities()[0], 0.8 * 0.6);
+  EXPECT_DOUBLE_EQ(medium.densities()[1], 0.8 * (1.0 - 0.4 * cover));
+  EXPECT_EQ(medium.densities()[2], 0.8);
+  touch();
+  touch();
+  EXPECT_EQ(medium.size(), 2u);
+  EXPECT_FALSE(medium.index_of(start.ids()[0]));
+  touch();
+  touch();
+  EXPECT_EQ(medium.size(), 1u);
+  whole.inverted().apply(medium);
+  EXPECT_EQ(medium, start);
+}
+
+TEST(Eraser, TouchesAtOnceAreTouchesOneByOne) {
+  const Medium start = row_of_three();
+  std::vector<EraserCone> cones;
+  for (int k = 0; k < 8; ++k) {
+    cones.push_back({{0, 0, 0}, glm::normalize(glm::dvec3(0.02 * k, 0, -1)), 0.1});
+  }
+  Medium one_by_one = start;
+  EraserStroke slow(0.3);
+  for (const EraserCone& cone : cones) {
+    slow.touch(one_by_one, {&cone, 1}, all).apply(one_by_one);
+  }
+  Medium at_once = start;
+  EraserStroke(0.3).touch(at_once, cones, all).apply(at_once);
+  EXPECT_EQ(at_once, one_by_one);
+  EXPECT_LT(at_once.size(), start.size());
+}
+
+TEST(Eraser, TouchesOnlyWhatItMay) {
+  const Medium medium = row_of_three();
+  EraserStroke stroke(1.0);
+  const GaussianId locked = medium.ids()[0];
+  const EraserCone cone{{0, 0, 0}, {0, 0, -1}, 0.1};
+  const MediumEdit edit =
+      stroke.touch(medium, {&cone, 1}, [&](GaussianId id) { return id != locked; });
+  EXPECT_TRUE(edit.removed().empty());
+  ASSERT_EQ(edit.changed().size(), 1u);
+  EXPECT_EQ(edit.changed()[0].id, medium.ids()[1]);
+}
+
+// How far a curve through some positions of a spiral, given one by one, is from the spiral
+// [pixels].
+TEST(SmoothPath, FollowsASpiralThroughFewPositions) {
+  // Four turns out to 120 pixels, 31 positions a turn: a second of a mouse at 125 Hz.
+  const auto spiral = [](double turns) {
+    const double angle = 2.0 * std::numbers::pi * turns;
+    return 30.0 * turns * glm::dvec2(std::cos(angle), std::sin(angle));
+  };
+  SmoothPath path(spiral(0.0), 3.0);
+  std::vector<glm::dvec2> curve{spiral(0.0)};
+  const auto append = [&](const std::vector<glm::dvec2>& more) {
+    curve.insert(curve.end(), more.begin(), more.end());
+  };
+  for (int k = 1; k <= 124; ++k) append(path.extend(spiral(k / 31.0)));
+  append(path.end());
+  EXPECT_EQ(curve.back(), spiral(4.0));
+  double polygon = 0.0;  // how far the middles between positions are from the spiral
+  double smooth = 0.0;
+  const auto distance = [&](const glm::dvec2& point) {
+    double nearest = 1e9;
+    for (int k = 0; k <= 20000; ++k) {
+      nearest = std::min(nearest, glm::distance(point, spiral(k * 2e-4)));
+    }
+    return nearest;
+  };
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    if (k > 0) {
+      EXPECT_LT(glm::distance(curve[k], curve[k - 1]), 4.0);
+    }
+    // The last piece, of 24 pixels, does not know how it would have gone on.
+    if (k % 5 == 0 && k + 10 < curve.size()) smooth = std::max(smooth, distance(curve[k]));
+  }
+  for (int k = 90; k < 124; ++k) {
+    polygon = std::max(polygon, distance(0.5 * (spiral(k / 31.0) + spiral((k + 1) / 31.0))));
+  }
+  EXPECT_GT(polygon, 0.5);
+  EXPECT_LT(smooth, 0.1);
+}
+
+TEST(SmoothPath, InterpolatesWithoutCusps) {
+  // Far apart and close together in turn: where other Catmull-Rom curves loop.
+  const std::vector<glm::dvec2> positions{{0, 0},    {100, 0}, {101, 1}, {101, 1},
+                                          {102, 60}, {20, 61}, {20, 60}};
+  SmoothPath path(positions[0], 0.5);
+  std::vector<glm::dvec2> curve{positions[0]};
+  for (const glm::dvec2& position : positions) {
+    const auto more = path.extend(position);
+    curve.insert(curve.end(), more.begin(), more.end());
+  }
+  const auto rest = path.end();
+  curve.insert(curve.end(), rest.begin(), rest.end());
+  for (const glm::dvec2& position : positions) {
+    EXPECT_TRUE(std::find(curve.begin(), curve.end(), position) != curve.end());
+  }
+  for (std::size_t k = 1; k < curve.size(); ++k) {
+    EXPECT_GT(glm::distance(curve[k], curve[k - 1]), 0.0);
+    if (k > 1) {
+      EXPECT_GT(glm::distance(curve[k], curve[k - 2]), 0.05);  // it never turns back
+    }
+  }
+  EXPECT_TRUE(path.end().empty());
+}
+
+TEST(Contributions, SharesAreWhatTheRayLoses) {
+  Medium medium;
+  medium.append({{0, 0, -20}, 1.0, 5.0});
+  medium.append({{0.3, 0, -10}, 1.0, 1.0});
+  medium.append({{9, 0, -10}, 1.0, 1.0});
+  const auto met = contributions(medium, {0, 0, 0}, {0, 0, -1});
+  ASSERT_EQ(met.size(), 2u);
+  double sum = 0.0;
+  double depth = 0.0;
+  for (const Contribution& c : met) {
+    const double expected = optical_depth(GaussianTerm<double>(medium.gaussian(c.index)),
+                                          glm::dvec3(0), glm::dvec3(0, 0, -1000));
+    EXPECT_NEAR(c.optical_depth, expected, 1e-12);
+    sum += c.share;
+    depth += c.optical_depth;
+  }
+  EXPECT_NEAR(sum, 1.0 - std::exp(-depth), 1e-12);
+  EXPECT_EQ(met[0].index, 1u);  // the thinner one, but it stands before the other
+  EXPECT_GT(met[0].share, met[1].share);
+  // A surface between them hides the far one.
+  EXPECT_EQ(contributions(medium, {0, 0, 0}, {0, 0, -1}, 15.0).size(), 1u);
+}
+
+// A small thin Gaussian is a point that scatters: (I / d^2) tau albedo / 4 pi, less what b0 and the
+// Gaussian before it take away on both ways.
+TEST(Contributions, RadianceOfALightIsThatOfAPointInThinFog) {
+  Scene scene;
+  scene.medium.append({{0, 0, -10}, 0.05, 0.1});
+  scene.medium.append({{0, 0, -4}, 0.5, 0.4});
+  scene.medium.set_homogeneous_density(0.02);
+  scene.optics.albedo = {1.0, 0.5, 0.5};
+  PointLight light;
+  light.position = {3, 0, -10};
+  light.intensity = {7.0, 7.0, 14.0};
+  const glm::dvec3 towards(0, 0, -1);
+  const auto met = contributions(scene.medium, {0, 0, 0}, towards);
+  ASSERT_EQ(met.size(), 2u);
+  const auto& far = met[0].index == 0 ? met[0] : met[1];
+  EXPECT_NEAR(far.distance, 10.0, 1e-3);
+  EXPECT_NEAR(far.before, std::sqrt(M_PI) * 0.5 * 0.4, 1e-9);
+  const glm::dvec3 radiance = scattered_radiance(scene, far, {0, 0, 0}, towards, light);
+  const auto expected = [&](double intensity, double albedo) {
+    const double taken = (far.before + 0.02 * 13.0) / albedo;
+    return intensity / 9.0 * far.optical_depth / (4.0 * M_PI) * std::exp(-taken);
+  };
+  EXPECT_NEAR(radiance.r, expected(7.0, 1.0), 0.01 * radiance.r);
+  EXPECT_NEAR(radiance.g, expected(7.0, 0.5), 0.02 * radiance.g);
+  EXPECT_NEAR(radiance.b, 2.0 * radiance.g, 1e-12);
+}
+
+}  // namespace
+}  // namespace brume

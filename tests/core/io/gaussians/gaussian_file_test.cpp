@@ -1,0 +1,202 @@
+#include "core/io/gaussians/gaussian_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+constexpr const char* header =
+    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+    "property float z\nproperty double radius\nproperty double density\nend_header\n";
+
+template <typename Number>
+void append(std::string& bytes, Number value, bool big_endian) {
+  char raw[sizeof(Number)];
+  std::memcpy(raw, &value, sizeof(Number));
+  if (big_endian) std::reverse(std::begin(raw), std::end(raw));
+  bytes.append(raw, sizeof(Number));
+}
+
+TEST(GaussianFile, ReadsBackExactlyWhatWasWritten) {
+  const TemporaryFolder folder;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> coordinate(-1e3, 1e3);
+  std::uniform_real_distribution<double> exponent(-9.0, 9.0);
+  for (const std::size_t count : {0u, 1u, 1000u}) {
+    std::vector<Gaussian> gaussians;
+    for (std::size_t i = 0; i < count; ++i) {
+      gaussians.push_back({{coordinate(random), coordinate(random), coordinate(random)},
+                           std::pow(10.0, exponent(random)),
+                           i % 7 == 0 ? 0.0 : std::pow(10.0, exponent(random))});
+    }
+    write_gaussians(folder / "a.ply", gaussians);
+    EXPECT_EQ(read_gaussians(folder / "a.ply"), gaussians);
+  }
+}
+
+TEST(GaussianFile, DetectsTheFormatByItsContent) {
+  const TemporaryFolder folder;
+  const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.1, 0.3}};
+  write_gaussians(folder / "a.CSV", gaussians);
+  EXPECT_TRUE(content_of(folder / "a.CSV").starts_with("x,y,z"));
+  std::filesystem::rename(folder / "a.CSV", folder / "a.ply");
+  EXPECT_EQ(read_gaussians(folder / "a.ply"), gaussians);
+}
+
+TEST(GaussianFile, AcceptsColumnNamesOfOtherPrograms) {
+  const TemporaryFolder folder;
+  std::string text = header;
+  text.replace(text.find("radius"), 6, "pscale");
+  text.replace(text.find("density"), 7, "scalar_density");
+  const std::vector<Gaussian> expected{{{1, 2, 3}, 0.5, 0.01}, {{-1, 2, 0}, 4, 5}};
+  EXPECT_EQ(read_gaussians(folder.write("a.ply", text + "1 2 3 .5 1e-2\n-1 +2 0 4 5")), expected);
+  EXPECT_EQ(read_gaussians(
+                folder.write("a.csv", "x,y,z,scalar_radius,density\n1,2,3,.5,1e-2\n-1,2,0,4,5\n")),
+            expected);
+}
+
+// As Gaussian splatting stores them: an ellipsoid becomes the ball of its volume that is as opaque
+// across its middle, or several where it is long.
+TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
+  const TemporaryFolder folder;
+  const std::string splats =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float f_dc_0\nproperty float opacity\n"
+      "property float scale_0\nproperty float scale_1\nproperty float scale_2\n"
+      "property float rot_0\nproperty float rot_1\nproperty float rot_2\nproperty float rot_3\n"
+      "end_header\n";
+  const auto file = folder.write("a.ply", splats +
+                                              "1 2 3 0 .5 0 -2.1 -2 -1.9 1 0 0 0\n"
+                                              "0 0 0 0 0 2 0 0 0 1 0 0 0\n"
+                                              "0 0 0 0 0 -40 0 0 0 1 0 0 0\n"
+                                              "0 0 0 0 0 800 0 0 0 1 0 0 0\n");
+  const std::vector<Gaussian> balls = read_gaussians(file);
+  ASSERT_EQ(balls.size(), 4u);
+  EXPECT_EQ(balls[0].center, glm::dvec3(1, 2, 3));
+  EXPECT_NEAR(balls[0].radius, std::sqrt(2.0) * std::exp(-2.0), 1e-15);
+  const auto opacity = [](const Gaussian& g) {
+    return -std::expm1(-g.density * std::sqrt(std::acos(-1.0)) * g.radius);
+  };
+  EXPECT_NEAR(opacity(balls[0]), 0.5, 1e-15);
+  EXPECT_NEAR(opacity(balls[1]), 1.0 / (1.0 + std::exp(-2.0)), 1e-15);
+  EXPECT_NEAR(opacity(balls[2]) / std::exp(-40.0), 1.0, 1e-12);
+  EXPECT_NEAR(balls[3].density * std::sqrt(std::acos(-1.0)) * balls[3].radius, 800.0, 1e-9);
+
+  for (const char* row : {"0 0 0 0 0 nan 0 0 0 1 0 0 0", "0 0 0 0 0 0 900 900 900 1 0 0 0",
+                          "0 0 0 0 0 0 -90 -90 -90 1 0 0 0", "0 0 0 0 0 1e300 0 0 0 1 0 0 0"}) {
+    std::string one = splats;
+    one.replace(one.find("vertex 4"), 8, "vertex 1");
+    const auto bad = folder.write("b.ply", one + row);
+    EXPECT_TRUE(contains(error_of([&] { read_gaussians(bad); }), "vertex 0")) << row;
+  }
+
+  // Turned from x to y.
+  std::string one = splats;
+  one.replace(one.find("vertex 4"), 8, "vertex 1");
+  const auto turned = folder.write("c.ply", one + "1 2 3 0 0 0 0 -.3 -.3 5 0 0 5");
+  const std::vector<Gaussian> row = read_gaussians(turned);
+  ASSERT_EQ(row.size(), 2u);
+  EXPECT_NEAR(row[0].center.x, 1.0, 1e-12);
+  EXPECT_LT(row[0].center.y, 1.5);
+  EXPECT_NEAR(row[0].center.y + row[1].center.y, 4.0, 1e-12);
+}
+
+TEST(GaussianFile, ReadsAscii) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.ply", std::string(header) + "1 2 3 .5 1e-2\r\n-1 +2 0 4 5");
+  const std::vector<Gaussian> expected{{{1, 2, 3}, 0.5, 0.01}, {{-1, 2, 0}, 4, 5}};
+  EXPECT_EQ(read_gaussians(file), expected);
+}
+
+// Other elements, lists and properties of every type stand between and around the ones needed.
+TEST(GaussianFile, SkipsWhatItDoesNotNeedInBothByteOrders) {
+  const TemporaryFolder folder;
+  for (const bool big : {false, true}) {
+    std::string bytes = "ply\nformat binary_" + std::string(big ? "big" : "little") +
+                        "_endian 1.0\ncomment made by hand\nobj_info nothing\n"
+                        "element before 2\nproperty list uchar short tags\nproperty char c\n"
+                        "element vertex 1\nproperty double density\nproperty uchar red\n"
+                        "property float x\nproperty short y\nproperty int8 z\n"
+                        "property list ushort double weights\nproperty uint radius\nend_header\n";
+    for (const int length : {2, 0}) {
+      append(bytes, static_cast<std::uint8_t>(length), big);
+      for (int i = 0; i < length; ++i) append(bytes, std::int16_t{-7}, big);
+      append(bytes, std::int8_t{1}, big);
+    }
+    append(bytes, 0.25, big);
+    append(bytes, std::uint8_t{200}, big);
+    append(bytes, 1.5f, big);
+    append(bytes, std::int16_t{-300}, big);
+    append(bytes, std::int8_t{-3}, big);
+    append(bytes, std::uint16_t{1}, big);
+    append(bytes, 9.0, big);
+    append(bytes, std::uint32_t{70000}, big);
+    const std::vector<Gaussian> expected{{{1.5, -300, -3}, 70000, 0.25}};
+    EXPECT_EQ(read_gaussians(folder.write("a.ply", bytes)), expected) << "big-endian: " << big;
+  }
+}
+
+struct BadFile {
+  const char* name;
+  std::string content;
+  const char* place;
+};
+
+TEST(GaussianFile, RefusesBadFilesAndNamesThePlace) {
+  const std::string h = header;
+  const auto replaced = [&](const std::string& what, const std::string& by) {
+    std::string text = h;
+    return text.replace(text.find(what), what.size(), by) + "1 2 3 1 1\n1 2 3 1 1\n";
+  };
+  const BadFile files[] = {
+      {"empty", "", "empty"},
+      {"neither PLY nor a table", "solid x\n", "line 1"},
+      {"header without end", "ply\nformat ascii 1.0\n", "line 2"},
+      {"no format", replaced("format ascii 1.0\n", ""), "header has no format"},
+      {"unknown format", replaced("ascii", "ebcdic"), "ebcdic"},
+      {"unknown type", replaced("float x", "quad x"), "quad"},
+      {"no vertices", replaced("element vertex 2", "element point 2"), "element vertex"},
+      {"no radius", replaced("double radius", "double size"), "radius"},
+      {"density as a list", replaced("double density", "list uchar float density"), "density"},
+      {"negative count", replaced("vertex 2", "vertex -2"), "-2"},
+      {"count beyond the file", replaced("vertex 2", "vertex 9000000"), "too short"},
+      {"count beyond the limit", replaced("vertex 2", "vertex 4000000000"), "10000000"},
+      {"count beyond 64 bits", replaced("vertex 2", "vertex 99999999999999999999"), "line 3"},
+      {"truncated", h + "1.25 2 3 1 1\n1 2 3 1", "vertex 1: density: the file ends"},
+      {"a word", h + "1 2 3 1 1\n1 2 x 1 1\n", "vertex 1: z"},
+      {"NaN", h + "1 2 3 1 1\n1 nan 3 1 1\n", "vertex 1: y"},
+      {"infinite density", h + "1 2 3 1 inf\n1 2 3 1 1\n", "vertex 0: density"},
+      {"radius 0", h + "1 2 3 1 1\n1 2 3 0 1\n", "vertex 1: radius: found 0; allowed"},
+      {"negative density", h + "1 2 3 1 -1\n1 2 3 1 1\n", "vertex 0: density"},
+  };
+  const TemporaryFolder folder;
+  for (const auto& [name, content, place] : files) {
+    SCOPED_TRACE(name);
+    const auto file = folder.write("bad.ply", content);
+    const std::string error = error_of([&] { read_gaussians(file); });
+    EXPECT_TRUE(contains(error, file.string())) << error;
+    EXPECT_TRUE(contains(error, place)) << error;
+  }
+  EXPECT_TRUE(contains(error_of([&] { read_gaussians(folder / "none.ply"); }), "no such file"));
+  EXPECT_TRUE(contains(error_of([&] { read_gaussians(folder.path()); }), "folder"));
+}
+
+TEST(GaussianFile, EveryTruncationOfABinaryFileIsRefused) {
+  const TemporaryFolder folder;
+  write_gaussians(folder / "a.ply", std::vector<Gaussian>(3, {{1, 2, 3}, 4, 5}));
+  const std::string whole = content_of(folder / "a.ply");
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const auto file = folder.write("cut.ply", whole.substr(0, size));
+    EXPECT_THROW(read_gaussians(file), InputError) << size << " bytes";
+  }
+}
+
+}  // namespace
+}  // namespace brume

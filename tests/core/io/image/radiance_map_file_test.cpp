@@ -1,0 +1,163 @@
+#include "core/io/image/radiance_map_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/io/image/hdr_file.h"
+#include "core/io/image/image_file.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+std::string header(int width, int height, const std::string& more = "") {
+  return "#?RADIANCE\n# made by a test\nFORMAT=32-bit_rle_rgbe\n" + more + "\n-Y " +
+         std::to_string(height) + " +X " + std::to_string(width) + "\n";
+}
+
+std::string bytes(std::initializer_list<int> values) {
+  std::string text;
+  for (const int value : values) text += static_cast<char>(value);
+  return text;
+}
+
+TEST(HdrFile, ReadsFlatPixels) {
+  const TemporaryFolder folder;
+  // Exponent 136 is a unit of 1; 128 one of 1/256.
+  const RadianceMap map = read_hdr(folder.write(
+      "a.hdr",
+      header(2, 2) + bytes({10, 20, 30, 136, 255, 0, 128, 128, 9, 9, 9, 0, 1, 1, 2, 137})));
+  ASSERT_EQ(map.width, 2);
+  ASSERT_EQ(map.height, 2);
+  EXPECT_EQ(map.pixel(0, 0), glm::vec3(10.5f, 20.5f, 30.5f));
+  EXPECT_EQ(map.pixel(1, 0), glm::vec3(255.5f, 0.5f, 128.5f) / 256.0f);
+  EXPECT_EQ(map.pixel(0, 1), glm::vec3(0.0f)) << "exponent 0 is black";
+  EXPECT_EQ(map.pixel(1, 1), glm::vec3(3.0f, 3.0f, 5.0f));
+}
+
+TEST(HdrFile, UndoesTheExposure) {
+  const TemporaryFolder folder;
+  const RadianceMap map = read_hdr(folder.write(
+      "a.hdr", header(1, 1, "EXPOSURE= 4\nGAMMA=1\nEXPOSURE=0.5\n") + bytes({10, 20, 30, 136})));
+  EXPECT_EQ(map.pixel(0, 0), glm::vec3(5.25f, 10.25f, 15.25f));
+}
+
+TEST(HdrFile, ReadsTheOldRuns) {
+  const TemporaryFolder folder;
+  // A count of 3 + 256 in two pixels.
+  const RadianceMap map = read_hdr(folder.write(
+      "a.hdr", header(261, 1) + bytes({10, 20, 30, 136, 1, 1, 1, 3, 1, 1, 1, 1, 40, 20, 30, 136})));
+  EXPECT_EQ(map.pixel(259, 0).x, 10.5f);
+  EXPECT_EQ(map.pixel(260, 0).x, 40.5f);
+}
+
+TEST(HdrFile, ReadsTheNewRuns) {
+  const TemporaryFolder folder;
+  std::string data = header(8, 2);
+  for (int row = 0; row < 2; ++row) {
+    data += bytes({2, 2, 0, 8});
+    data += bytes({128 + 8, 10 + row});                        // red: one run
+    data += bytes({3, 1, 2, 3, 128 + 4, 4, 1, 5});             // green: both
+    data += bytes({8, 0, 1, 2, 3, 4, 5, 6, 7, 128 + 8, 136});  // blue: one stretch
+  }
+  const RadianceMap map = read_hdr(folder.write("a.hdr", data));
+  EXPECT_EQ(map.pixel(0, 0), glm::vec3(10.5f, 1.5f, 0.5f));
+  EXPECT_EQ(map.pixel(6, 1), glm::vec3(11.5f, 4.5f, 6.5f));
+  EXPECT_EQ(map.pixel(7, 1), glm::vec3(11.5f, 5.5f, 7.5f));
+}
+
+TEST(HdrFile, RefusesWhatItIsNot) {
+  const TemporaryFolder folder;
+  const std::string pixel = bytes({10, 20, 30, 136});
+  const std::string bad_header = "#?RADIANCE\n\n";
+  const std::string new_row = bytes({2, 2, 0, 8});
+  const std::pair<std::string, std::string> cases[] = {
+      {"PNG", "line 1"},
+      {"#?RADIANCE\n", "line 1"},
+      {"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + pixel, "32-bit_rle_rgbe"},
+      {header(1, 1, "EXPOSURE=0\n") + pixel, "exposure"},
+      {header(1, 1, "EXPOSURE=nan\n") + pixel, "exposure"},
+      {header(1, 1, "EXPOSURE=1e300\nEXPOSURE=1e300\n") + pixel, "exposures"},
+      {bad_header + "+Y 1 +X 1\n" + pixel, "-Y HEIGHT +X WIDTH"},
+      {bad_header + "-Y 0 +X 1\n", "line 3"},
+      {bad_header + "-Y 1 +X 99999\n", "32768"},
+      {bad_header + "-Y 32768 +X 32768\n" + pixel, "too short"},
+      {bad_header, "before the size"},
+      {header(2, 1) + pixel, "row 0"},
+      {header(1, 2) + pixel, "row 1"},
+      {header(1, 1) + pixel + "x", "1 bytes behind"},
+      {header(2, 1) + bytes({1, 1, 1, 1}) + pixel, "without a pixel"},
+      {header(2, 1) + pixel + bytes({1, 1, 1, 9}), "beyond"},
+      {header(8, 1) + bytes({2, 2, 0, 9}), "width of 9"},
+      {header(8, 1) + new_row + bytes({0}), "run of 0"},
+      {header(8, 1) + new_row + bytes({7, 1, 1, 1, 1, 1, 1, 1, 130, 1}), "column 7"},
+      {header(8, 1) + new_row + bytes({136}), "ends here"},
+  };
+  for (const auto& [content, part] : cases) {
+    const std::string error = error_of([&] { read_hdr(folder.write("bad.hdr", content)); });
+    EXPECT_TRUE(contains(error, part)) << part << " in: " << error;
+    EXPECT_TRUE(contains(error, "bad.hdr"));
+  }
+}
+
+TEST(HdrFile, NoDamageDoesAnythingButAnError) {
+  const TemporaryFolder folder;
+  std::string whole =
+      header(8, 1) + bytes({2, 2, 0, 8, 136, 1, 136, 2, 3, 1, 2, 3, 133, 4, 136, 9});
+  EXPECT_NO_THROW(read_hdr(folder.write("whole.hdr", whole)));
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    EXPECT_THROW(read_hdr(folder.write("cut.hdr", whole.substr(0, size))), InputError) << size;
+  }
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
+    try {
+      read_hdr(folder.write("damaged.hdr", damaged));
+    } catch (const InputError&) {
+    }
+  }
+}
+
+ImageLayers sky() {
+  ImageLayers image;
+  image.width = 2;
+  image.height = 1;
+  image.channels = {{"R", {1.0f, 2.0f}}, {"G", {3.0f, 4.0f}}, {"B", {5.0f, -1e-4f}}};
+  return image;
+}
+
+TEST(RadianceMapFile, ReadsEitherFormat) {
+  const TemporaryFolder folder;
+  write_exr(folder / "a.exr", sky());
+  const auto map = read_radiance_map(folder / "a.exr");
+  ASSERT_EQ(map->width, 2);
+  EXPECT_EQ(map->pixel(0, 0), glm::vec3(1, 3, 5));
+  EXPECT_EQ(map->pixel(1, 0), glm::vec3(2, 4, 0)) << "below 0 is 0";
+  folder.write("a.hdr", header(1, 1) + bytes({10, 20, 30, 136}));
+  EXPECT_EQ(read_radiance_map(folder / "a.hdr")->pixel(0, 0), glm::vec3(10.5f, 20.5f, 30.5f));
+}
+
+TEST(RadianceMapFile, RefusesWhatCannotLightAScene) {
+  const TemporaryFolder folder;
+  const auto error = [&](const ImageLayers& image) {
+    write_exr(folder / "bad.exr", image);
+    return error_of([&] { read_radiance_map(folder / "bad.exr"); });
+  };
+  ImageLayers image = sky();
+  image.channels["G"][1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(contains(error(image), "pixel (1, 0): found nan"));
+  image.channels["G"][1] = std::numeric_limits<float>::infinity();
+  EXPECT_TRUE(contains(error(image), "pixel (1, 0): found inf"));
+  image.channels["G"][1] = -3e38f;
+  EXPECT_TRUE(contains(error(image), "pixel (1, 0)"));
+  image.channels.erase("G");
+  EXPECT_TRUE(contains(error(image), "channel G"));
+  EXPECT_TRUE(contains(error_of([&] { read_radiance_map(folder.write("not.exr", "PNG")); }),
+                       "neither an OpenEXR"));
+}
+
+}  // namespace
+}  // namespace brume

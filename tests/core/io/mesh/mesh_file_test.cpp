@@ -1,0 +1,255 @@
+#include "core/io/mesh/mesh_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+// A tetrahedron in each format.
+constexpr const char* obj =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+constexpr const char* off =
+    "OFF\n# four\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3 255 0 0\n";
+constexpr const char* ply =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+constexpr float tetrahedron[4][3][3] = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+                                        {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}},
+                                        {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                                        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+std::string ascii_stl() {
+  std::string text = "solid tetrahedron\n";
+  for (const auto& triangle : tetrahedron) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const auto& p : triangle) {
+      text += "vertex";
+      for (const float x : p) (text += ' ') += std::to_string(x);
+      text += "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid tetrahedron\n";
+}
+
+std::string binary_stl() {
+  std::string bytes = "solid, but binary";
+  bytes.resize(80, ' ');
+  const std::uint32_t count = 4;
+  bytes.append(reinterpret_cast<const char*>(&count), 4);
+  for (const auto& triangle : tetrahedron) {
+    bytes.append(12, '\0');
+    bytes.append(reinterpret_cast<const char*>(triangle), sizeof triangle);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+void expect_unit_normals(const TriangleMesh& mesh) {
+  for (const auto vertex : mesh.vertices()) {
+    EXPECT_NEAR(mesh.normal(vertex).norm(), 1.0f, 1e-6f) << "vertex " << vertex.idx();
+  }
+}
+
+TEST(MeshFile, ReadsEveryFormat) {
+  const TemporaryFolder folder;
+  const std::pair<const char*, std::string> files[] = {{"a.obj", obj},
+                                                       {"a.OFF", off},
+                                                       {"a.ply", ply},
+                                                       {"ascii.stl", ascii_stl()},
+                                                       {"binary.stl", binary_stl()}};
+  for (const auto& [name, content] : files) {
+    SCOPED_TRACE(name);
+    const auto mesh = read_mesh(folder.write(name, content));
+    EXPECT_EQ(mesh->n_vertices(), 4u);
+    EXPECT_EQ(mesh->n_faces(), 4u);
+    expect_unit_normals(*mesh);
+    // Smooth normals of a tetrahedron point away from its middle.
+    for (const auto vertex : mesh->vertices()) {
+      const auto outward = mesh->point(vertex) - OpenMesh::Vec3f(0.25f, 0.25f, 0.25f);
+      EXPECT_GT(outward | mesh->normal(vertex), 0.0f);
+    }
+  }
+}
+
+TEST(MeshFile, WeighsSmoothNormalsByArea) {
+  const TemporaryFolder folder;
+  // A triangle of area 8 in z = 0 and one of area 0.5 in x = 0 share the origin.
+  const auto mesh = read_mesh(
+      folder.write("a.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 -1 0\nv 0 0 -1\nf 1 2 3\nf 1 4 5\n"));
+  const auto normal = mesh->normal(OpenMesh::VertexHandle(0));
+  EXPECT_NEAR(normal[0], 0.5f / std::hypot(8.0f, 0.5f), 1e-6f);
+  EXPECT_NEAR(normal[2], 8.0f / std::hypot(8.0f, 0.5f), 1e-6f);
+}
+
+TEST(MeshFile, SmoothsSeamsAndKeepsEdges) {
+  const TemporaryFolder folder;
+  // Two squares meet along x = 1 with vertices of their own; the second is bent up by `rise`.
+  const auto normal_at_seam = [&](const char* rise) {
+    const std::string right = std::string("v 2 0 ") + rise + "\nv 2 1 " + rise + "\n";
+    const auto mesh =
+        read_mesh(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\n" + right +
+                                            "v 1 1 0\nf 1 2 3 4\nf 5 6 7 8\n"));
+    return mesh->normal(OpenMesh::VertexHandle(1));
+  };
+  // 45 degrees: one surface, its normal between the two. 80 degrees: an edge.
+  EXPECT_LT(normal_at_seam("1")[0], -0.3f);
+  EXPECT_EQ(normal_at_seam("5.67")[0], 0.0f);
+}
+
+TEST(MeshFile, UsesNormalsOfTheFileAndKeepsCreases) {
+  const TemporaryFolder folder;
+  const auto mesh =
+      read_mesh(folder.write("a.obj",
+                             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 5\nvn 1 0 0\nvn 0 0 0\n"
+                             "f 1//1 2//1 3//1\nf -4//-2 3//2 4//3\n"));
+  EXPECT_EQ(mesh->n_vertices(), 6u) << "the two points of the crease have two normals each";
+  expect_unit_normals(*mesh);
+  EXPECT_EQ(mesh->normal(OpenMesh::VertexHandle(0)), OpenMesh::Vec3f(0, 0, 1));
+  EXPECT_EQ(mesh->normal(OpenMesh::VertexHandle(3)), OpenMesh::Vec3f(1, 0, 0));
+}
+
+TEST(MeshFile, UsesNormalsOfPlyAndOff) {
+  const TemporaryFolder folder;
+  const auto of_off = read_mesh(
+      folder.write("a.off", "NOFF 3 1 0\n0 0 0 0 3 4\n1 0 0 0 3 4\n0 1 0 0 3 4\n3 0 1 2\n"));
+  const auto of_ply = read_mesh(
+      folder.write("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float nx\nproperty float ny\n"
+                   "property float nz\nproperty float x\nproperty float y\nproperty float z\n"
+                   "element face 1\nproperty list uchar uint vertex_index\nend_header\n"
+                   "0 3 4 0 0 0\n0 3 4 1 0 0\n0 3 4 0 1 0\n3 0 1 2\n"));
+  for (const auto& mesh : {of_off, of_ply}) {
+    for (const auto vertex : mesh->vertices()) {
+      EXPECT_NEAR((mesh->normal(vertex) - OpenMesh::Vec3f(0, 0.6f, 0.8f)).norm(), 0.0f, 1e-6f);
+    }
+  }
+}
+
+TEST(MeshFile, SplitsPolygonsAndAcceptsNonManifolds) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_mesh(folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"))
+                ->n_faces(),
+            2u);
+  // Three triangles on one edge, one of them twice.
+  EXPECT_EQ(read_mesh(folder.write("fan.obj",
+                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\n"
+                                   "f 1 2 4\nf 1 2 5\nf 1 2 5\n"))
+                ->n_faces(),
+            4u);
+}
+
+struct BadFile {
+  const char* name;
+  const char* file;
+  std::string content;
+  const char* place;
+};
+
+TEST(MeshFile, RefusesBadFilesAndNamesThePlace) {
+  const std::string o = obj;
+  const std::string p = ply;
+  const auto replaced = [](std::string text, const std::string& what, const std::string& by) {
+    return text.replace(text.find(what), what.size(), by);
+  };
+  std::string huge_stl = binary_stl();
+  huge_stl.replace(80, 4, "\xff\xff\xff\xff");
+  std::string nan_stl = binary_stl();
+  nan_stl.replace(84 + 12, 4, "\xff\xff\xff\x7f");
+  const BadFile files[] = {
+      {"empty", "a.obj", "", "empty"},
+      {"unknown format", "a.fbx", "x", "found a mesh of format .fbx"},
+      {"no extension", "a", "x", "allowed: .obj, .ply, .stl, .off"},
+      {"obj: no faces", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no faces"},
+      {"obj: only degenerate faces", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\n", "no faces"},
+      {"obj: index too great", "a.obj", o + "f 1 2 5\n", "line 9"},
+      {"obj: index 0", "a.obj", o + "f 0 1 2\n", "line 9"},
+      {"obj: index too negative", "a.obj", o + "f -1 -2 -5\n", "line 9"},
+      {"obj: index beyond 64 bits", "a.obj", o + "f 1 2 99999999999999999999\n", "line 9"},
+      {"obj: normal index", "a.obj", o + "f 1//1 2//1 3//1\n", "normal index"},
+      {"obj: a word", "a.obj", "v 0 zero 0\n" + o, "line 1"},
+      {"obj: NaN", "a.obj", o + "v nan 0 0\n", "line 9"},
+      {"obj: huge", "a.obj", o + "v 0 0 1e20\n", "line 9"},
+      {"obj: vertex cut short", "a.obj", "v 0 0\n" + o, "line 1"},
+      {"obj: face of two", "a.obj", o + "f 1 2\n", "face of 2"},
+      {"off: garbage", "a.off", "\x01\x02\x03", "line 1"},
+      {"off: no counts", "a.off", "OFF\n", "count"},
+      {"off: huge counts", "a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n", "count of 4000000000"},
+      {"off: negative count", "a.off", "OFF\n-1 1 0\n", "count of -1"},
+      {"off: truncated vertices", "a.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n", "after 2 of 4 vertices"},
+      {"off: truncated faces", "a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+       "after 1 of 2"},
+      {"off: index", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6"},
+      {"off: long face", "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n", "line 6"},
+      {"off: binary", "a.off", "OFF BINARY\n", "not supported"},
+      {"ply: no faces", "a.ply",
+       p.substr(0, p.find("element face")) + "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n",
+       "no faces"},
+      {"ply: huge vertex count", "a.ply", replaced(p, "vertex 4", "vertex 4000000000"),
+       "too short"},
+      {"ply: huge face count", "a.ply", replaced(p, "face 4", "face 4000000000"), "too short"},
+      {"ply: huge list", "a.ply", replaced(p, "3 1 2 3", "4000000000 1 2 3"), "face 3"},
+      {"ply: negative list", "a.ply", replaced(p, "3 1 2 3", "-3 1 2 3"), "face 3"},
+      {"ply: index", "a.ply", replaced(p, "3 1 2 3", "3 1 2 4"), "face 3"},
+      {"ply: negative index", "a.ply", replaced(p, "3 1 2 3", "3 1 2 -1"), "face 3"},
+      {"ply: NaN", "a.ply", replaced(p, "0 1 0\n", "0 nan 0\n"), "vertex 2"},
+      {"ply: truncated", "a.ply", p.substr(0, p.size() - 4), "face 3"},
+      {"ply: no position", "a.ply", replaced(p, "float z", "float w"), "x y z"},
+      {"stl: garbage", "a.stl", std::string(200, 'x'), "header"},
+      {"stl: short", "a.stl", "abc", "header"},
+      {"stl: huge count", "a.stl", huge_stl.substr(5), "header"},
+      {"stl: truncated", "a.stl", std::string(150, 'x'), "header"},
+      {"stl: NaN", "a.stl", nan_stl, "triangle 0"},
+      {"stl: ascii truncated", "a.stl", replaced(ascii_stl(), "endsolid tetrahedron\n", ""),
+       "endsolid"},
+      {"stl: ascii facet of two", "a.stl", replaced(ascii_stl(), "vertex", "#"), "keyword"},
+      {"stl: no facets", "a.stl", "solid a\nendsolid a\n", "no faces"},
+  };
+  const TemporaryFolder folder;
+  for (const auto& [name, file_name, content, place] : files) {
+    SCOPED_TRACE(name);
+    const auto file = folder.write(file_name, content);
+    const std::string error = error_of([&] { read_mesh(file); });
+    EXPECT_TRUE(contains(error, file.string())) << error;
+    EXPECT_TRUE(contains(error, place)) << error;
+  }
+  EXPECT_TRUE(contains(error_of([&] { read_mesh(folder / "none.obj"); }), "no such file"));
+  std::filesystem::create_directory(folder / "folder.obj");
+  EXPECT_TRUE(contains(error_of([&] { read_mesh(folder / "folder.obj"); }), "is a folder"));
+}
+
+// Whatever is cut off or damaged: a mesh or an InputError, never anything else.
+TEST(MeshFile, SurvivesTruncationAndDamage) {
+  const TemporaryFolder folder;
+  const std::pair<const char*, std::string> files[] = {{"a.obj", obj},
+                                                       {"a.off", off},
+                                                       {"a.ply", ply},
+                                                       {"b.stl", ascii_stl()},
+                                                       {"c.stl", binary_stl()}};
+  std::size_t refused = 0;
+  for (const auto& [name, content] : files) {
+    for (std::size_t at = 0; at < content.size(); ++at) {
+      std::string damaged = content;
+      damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+      for (const std::string& bytes : {content.substr(0, at), damaged}) {
+        try {
+          read_mesh(folder.write(name, bytes));
+        } catch (const InputError&) {
+          ++refused;
+        }
+      }
+    }
+  }
+  EXPECT_GT(refused, 1000u);
+}
+
+}  // namespace
+}  // namespace brume

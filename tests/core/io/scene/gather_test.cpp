@@ -1,0 +1,93 @@
+#include "core/io/scene/gather.h"
+
+#include <gtest/gtest.h>
+
+#include "core/io/gaussians/gaussian_file.h"
+#include "core/io/image/image_file.h"
+#include "core/io/scene/scene_file.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::vector<Gaussian> two{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
+
+class Gather : public ::testing::Test {
+ protected:
+  Gather() {
+    for (const char* name : {"a", "b", "smoke"}) fs::create_directory(folder_ / name);
+    folder_.write("a/mesh.obj", triangle);
+    folder_.write("b/Mesh.OBJ", triangle);
+    write_gaussians(folder_ / "column.ply", two);
+    for (const char* name : {"smoke/s_1.csv", "smoke/s_2.csv", "smoke/s_3.csv"}) {
+      write_gaussians(folder_ / name, two);
+    }
+    ImageLayers sky;
+    sky.width = sky.height = 1;
+    for (const char* name : {"R", "G", "B"}) sky.channels[name] = {1.0f};
+    write_exr(folder_ / "sky.exr", sky);
+    scene_ = folder_.write("here.brume", R"({ "format": "brume-scene", "version": 1,
+      "medium": { "file": "column.ply", "sequences": [ { "file": "smoke/s_%d.csv", "first": 1, "last": 2 } ] },
+      "environment": { "file": "sky.exr" },
+      "surfaces": [ { "mesh": "a/mesh.obj" }, { "mesh": "b/Mesh.OBJ" }, { "mesh": "a/mesh.obj" } ] })");
+  }
+
+  TemporaryFolder folder_;
+  fs::path scene_;
+};
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST_F(Gather, MakesARelocatableFolder) {
+  const Scene scene = load_scene(scene_);
+  ASSERT_TRUE(gather_scene(scene, folder_ / "out/", "scene"));
+  fs::rename(folder_ / "out", folder_ / "moved");
+  for (const char* gone : {"a", "b", "smoke", "column.ply", "sky.exr", "here.brume"}) {
+    fs::remove_all(folder_ / gone);
+  }
+  const Scene moved = load_scene(folder_ / "moved/scene.brume");
+  EXPECT_EQ(moved.medium.size(), 2u);
+  EXPECT_NE(moved.medium_file, nullptr);
+  ASSERT_EQ(moved.surfaces.size(), 3u);
+  EXPECT_EQ(moved.surfaces[0].mesh_file.filename(), "mesh.obj");
+  EXPECT_EQ(moved.surfaces[1].mesh_file.filename(), "Mesh_2.OBJ");
+  EXPECT_EQ(moved.surfaces[0].mesh_file, moved.surfaces[2].mesh_file) << "copied once";
+  EXPECT_EQ(*moved.sequences.at(0).frames, *scene.sequences.at(0).frames);
+  EXPECT_EQ(entries(moved.sequences[0].file.parent_path()), 2u) << "not those of other frames";
+  EXPECT_EQ(entries(folder_.path()), 1u) << "nothing else is left";
+}
+
+TEST_F(Gather, LeavesNothingWhereItFails) {
+  Scene scene = load_scene(scene_);
+  fs::remove(folder_ / "smoke/s_2.csv");
+  const std::size_t before = entries(folder_.path());
+  EXPECT_TRUE(
+      contains(error_of([&] { gather_scene(scene, folder_ / "out", "scene"); }), "s_2.csv"));
+  EXPECT_EQ(entries(folder_.path()), before);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(gather_scene(scene, folder_ / "out", "scene", stop.get_token()));
+  EXPECT_EQ(entries(folder_.path()), before);
+  EXPECT_TRUE(contains(error_of([&] { gather_scene(scene, folder_ / "nowhere/out", "scene"); }),
+                       "cannot be created"));
+}
+
+TEST_F(Gather, ReplacesNothing) {
+  const Scene scene = load_scene(scene_);
+  EXPECT_TRUE(contains(error_of([&] { gather_scene(scene, folder_ / "smoke", "scene"); }),
+                       "already exists"));
+  EXPECT_EQ(entries(folder_ / "smoke"), 3u);
+  fs::create_directory(folder_ / "empty");
+  EXPECT_TRUE(gather_scene(scene, folder_ / "empty", "scene"));
+  EXPECT_TRUE(fs::exists(folder_ / "empty/scene.brume"));
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,92 @@
+#include "core/io/scene/missing_files.h"
+
+#include <gtest/gtest.h>
+
+#include "core/io/scene/scene_file.h"
+#include "core/scene/mesh.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* scene_text = R"({
+  "format": "brume-scene", "version": 1,
+  "medium": { "file": "column.ply",
+              "gaussians": [ { "center": [1, 2, 3], "radius": 0.5, "density": 1 } ],
+              "sequences": [ { "file": "steam_%02d.csv", "first": 3, "last": 5 } ] },
+  "environment": { "file": "sky/dawn.exr", "intensity": 3 },
+  "surfaces": [
+    { "mesh": "meshes/a.obj", "translate": [1, 0, 0],
+      "material": { "type": "measured", "file": "gold.binary" } },
+    { "mesh": "meshes/a.obj", "scale": 2 } ]
+})";
+
+constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+bool is_visible(const TriangleMesh& mesh) {
+  return mesh.point(OpenMesh::VertexHandle(0)) != mesh.point(OpenMesh::VertexHandle(1));
+}
+
+class MissingFilesTest : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  fs::path scene_ = folder_.write("scene.brume", scene_text);
+  MissingFiles missing_;
+};
+
+TEST_F(MissingFilesTest, AreAnErrorByDefault) {
+  EXPECT_TRUE(contains(error_of([&] { load_scene(scene_); }), "column.ply"));
+}
+
+TEST_F(MissingFilesTest, AreListedOnce) {
+  load_scene(scene_, nullptr, missing_);
+  EXPECT_EQ(missing_.missing,
+            (std::vector<fs::path>{folder_ / "column.ply", folder_ / "steam_%02d.csv",
+                                   folder_ / "sky/dawn.exr", folder_ / "meshes/a.obj",
+                                   folder_ / "gold.binary"}));
+}
+
+TEST_F(MissingFilesTest, PreserveTheirReferences) {
+  const Scene scene = load_scene(scene_, nullptr, missing_);
+  EXPECT_EQ(scene.medium.size(), 1u);
+  EXPECT_FALSE(is_visible(*scene.surfaces.at(0).mesh));
+  EXPECT_EQ(scene.sequences.at(0).frames->size(), 3u);
+  save_scene(scene, folder_ / "saved.brume");
+  const std::string saved = content_of(folder_ / "saved.brume");
+  for (const char* text :
+       {"\"column.ply\"", "\"steam_%02d.csv\"", "\"sky/dawn.exr\"", "\"meshes/a.obj\"",
+        "\"gold.binary\"", "\"measured\"", "\"intensity\": 3"}) {
+    EXPECT_TRUE(contains(saved, text)) << text << " in\n" << saved;
+  }
+  MissingFiles again;
+  const Scene loaded = load_scene(folder_ / "saved.brume", nullptr, again);
+  EXPECT_EQ(again.missing, missing_.missing);
+  EXPECT_EQ(scene_to_json(loaded, folder_.path()), saved);
+}
+
+TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
+  const fs::path mesh = folder_.write("elsewhere/b.obj", triangle);
+  folder_.write("elsewhere/steam_03.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
+  folder_.write("elsewhere/steam_04.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
+  missing_.found[folder_ / "meshes/a.obj"] = mesh;
+  missing_.found[folder_ / "steam_%02d.csv"] = folder_ / "elsewhere/steam_%02d.csv";
+  const Scene without = load_scene(scene_, nullptr, missing_);
+  EXPECT_EQ(without.surfaces.at(1).mesh_file, mesh);
+  EXPECT_TRUE(is_visible(*without.surfaces.at(1).mesh));
+  // One frame is still missing: the sequence is, where it was looked for.
+  EXPECT_EQ(missing_.missing.at(1), folder_ / "elsewhere/steam_%02d.csv");
+  folder_.write("elsewhere/steam_05.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
+  const Scene found = load_scene(scene_, nullptr, missing_);
+  EXPECT_EQ(found.sequences.at(0).frames->at(2).gaussians.size(), 1u);
+}
+
+TEST_F(MissingFilesTest, OtherMistakesStayErrors) {
+  folder_.write("column.ply", "no ply");
+  EXPECT_TRUE(contains(error_of([&] { load_scene(scene_, nullptr, missing_); }), "column.ply"));
+}
+
+}  // namespace
+}  // namespace brume

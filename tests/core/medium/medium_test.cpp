@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "core/medium/medium_edit.h"
+
+namespace brume {
+namespace {
+
+Medium make_medium(int count) {
+  Medium medium;
+  for (int i = 0; i < count; ++i) medium.append({{i, 2.0 * i, -i}, 1.0 + i, 0.5 * i});
+  return medium;
+}
+
+TEST(Medium, FindsGaussiansById) {
+  Medium medium = make_medium(3);
+  const GaussianId id = medium.ids()[1];
+  EXPECT_EQ(medium.index_of(id), 1u);
+  MediumEdit::remove(medium, std::vector{id}).apply(medium);
+  EXPECT_EQ(medium.index_of(id), std::nullopt);
+  EXPECT_EQ(medium.size(), 2u);
+}
+
+TEST(Medium, NeverReusesAnId) {
+  Medium medium = make_medium(2);
+  const GaussianId last = medium.ids()[1];
+  MediumEdit::remove(medium, std::vector{last}).apply(medium);
+  EXPECT_GT(medium.append({}), last);
+}
+
+TEST(MediumEdit, ChangeThatChangesNothingIsEmpty) {
+  const Medium medium = make_medium(2);
+  const std::vector<GaussianId> ids(medium.ids().begin(), medium.ids().end());
+  EXPECT_TRUE(
+      MediumEdit::change(medium, ids, std::vector{medium.gaussian(0), medium.gaussian(1)}).empty());
+  EXPECT_TRUE(MediumEdit::set_homogeneous_density(medium, 0.0).empty());
+}
+
+TEST(MediumEdit, MergedDragIsOneEdit) {
+  Medium medium = make_medium(4);
+  const Medium start = medium;
+  const std::vector<GaussianId> ids{medium.ids()[1], medium.ids()[3]};
+  const auto moved = [&](double dx) {
+    std::vector<Gaussian> after;
+    for (const GaussianId id : ids) {
+      after.push_back(medium.gaussian(*medium.index_of(id)));
+      after.back().center.x += dx;
+    }
+    return after;
+  };
+  MediumEdit drag = MediumEdit::change(medium, ids, moved(1.0));
+  drag.apply(medium);
+  const MediumEdit second = MediumEdit::change(medium, ids, moved(2.0));
+  second.apply(medium);
+  drag.merge(second);
+  EXPECT_EQ(drag.changed().size(), 2u);
+
+  Medium replay = start;
+  drag.apply(replay);
+  EXPECT_EQ(replay, medium);
+  drag.inverted().apply(replay);
+  EXPECT_EQ(replay, start);
+
+  // A drag that comes back to where it began leaves nothing to undo.
+  const MediumEdit back = MediumEdit::change(medium, ids, moved(-3.0));
+  drag.merge(back);
+  EXPECT_TRUE(drag.empty());
+}
+
+MediumEdit random_edit(const Medium& medium, std::mt19937& random) {
+  std::vector<GaussianId> some;
+  for (const GaussianId id : medium.ids()) {
+    if (random() % 5 == 0) some.push_back(id);
+  }
+  std::shuffle(some.begin(), some.end(), random);
+  switch (random() % 4) {
+    case 0:
+      return MediumEdit::add(medium, std::vector<Gaussian>(random() % 4, {{1, 2, 3}, 4, 5}));
+    case 1:
+      return MediumEdit::remove(medium, some);
+    case 2: {
+      std::vector<Gaussian> after(some.size());
+      for (Gaussian& g : after) g.radius = 1.0 + static_cast<double>(random() % 100);
+      return MediumEdit::change(medium, some, after);
+    }
+    default:
+      return MediumEdit::set_homogeneous_density(medium, static_cast<double>(random() % 10));
+  }
+}
+
+// Random edits; undoing all restores the start exactly, redoing all the end.
+TEST(MediumEdit, UndoAllRedoAll) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 50; ++round) {
+    Medium medium = make_medium(20);
+    const Medium start = medium;
+    std::vector<MediumEdit> history;
+    for (int step = 0; step < 40; ++step) {
+      history.push_back(random_edit(medium, random));
+      history.back().apply(medium);
+    }
+    const Medium end = medium;
+    for (auto edit = history.rbegin(); edit != history.rend(); ++edit) {
+      edit->inverted().apply(medium);
+    }
+    ASSERT_EQ(medium, start);
+    for (const MediumEdit& edit : history) edit.apply(medium);
+    ASSERT_EQ(medium, end);
+  }
+}
+
+// A whole history merges into one edit that does and undoes the same.
+TEST(MediumEdit, AnyEditsMerge) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 50; ++round) {
+    Medium medium = make_medium(20);
+    const Medium start = medium;
+    MediumEdit all;
+    for (int step = 0; step < 30; ++step) {
+      const MediumEdit edit = random_edit(medium, random);
+      edit.apply(medium);
+      all.merge(edit);
+      Medium replay = start;
+      all.apply(replay);
+      ASSERT_EQ(replay, medium);
+      all.inverted().apply(replay);
+      ASSERT_EQ(replay, start);
+    }
+    all.merge(all.inverted());
+    EXPECT_TRUE(all.empty());
+  }
+}
+
+TEST(MediumEdit, AddingThenRemovingCancels) {
+  Medium medium = make_medium(3);
+  MediumEdit stroke = MediumEdit::add(medium, std::vector<Gaussian>(5));
+  stroke.apply(medium);
+  stroke.merge(MediumEdit::remove(medium, medium.ids().subspan(3)));
+  EXPECT_TRUE(stroke.empty());
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,71 @@
+#include "core/scene/medium_sequence.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/fit/gaussian_numbers.h"
+#include "core/scene/at_time.h"
+
+namespace brume {
+namespace {
+
+const SequenceFrame first{{1, 4, 7},
+                          {{{0, 0, 0}, 1.0, 2.0}, {{1, 0, 0}, 2.0, 1.0}, {{2, 0, 0}, 1.0, 4.0}}};
+const SequenceFrame second{{4, 7, 9},
+                           {{{3, 0, 0}, 8.0, 3.0}, {{2, 2, 0}, 1.0, 0.0}, {{5, 0, 0}, 0.5, 8.0}}};
+
+TEST(MediumSequence, InterpolatesByIdAndFadesTheRest) {
+  const auto middle = between_frames(first, second, 0.25);
+  ASSERT_EQ(middle.size(), 4u);
+  EXPECT_EQ(middle[0], (Gaussian{{0, 0, 0}, 1.0, 1.5})) << "it dies where it was";
+  EXPECT_EQ(middle[1].center, glm::dvec3(1.5, 0, 0));
+  EXPECT_NEAR(middle[1].radius, 2.0 * std::sqrt(2.0), 1e-12) << "a quarter of the way from 2 to 8";
+  EXPECT_EQ(middle[1].density, 1.5);
+  EXPECT_EQ(middle[2], (Gaussian{{2, 0.5, 0}, 1.0, 3.0}));
+  EXPECT_EQ(middle[3], (Gaussian{{5, 0, 0}, 0.5, 2.0})) << "it is born where it will be";
+}
+
+MediumSequence smoke() {
+  MediumSequence sequence;
+  sequence.first = 11;
+  sequence.last = 12;
+  sequence.frames_per_second = 10.0;
+  sequence.start = 2.0;
+  sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(std::vector{first, second});
+  return sequence;
+}
+
+TEST(MediumSequence, ShowsItsFramesAtTheirTimes) {
+  const MediumSequence sequence = smoke();
+  EXPECT_EQ(sequence_at(sequence, 0.0), first.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.0), first.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.1), second.gaussians) << "2.1 is no exact number";
+  EXPECT_EQ(sequence_at(sequence, 99.0), second.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.05).size(), 4u);
+  EXPECT_NEAR(end_of(sequence), 2.1, 1e-12);
+}
+
+TEST(MediumSequence, BelongsToTheSceneAtATime) {
+  Scene scene;
+  scene.medium.append({{0, 9, 0}, 1.0, 1.0});
+  scene.sequences = {smoke(), smoke()};
+  EXPECT_TRUE(is_animated(scene));
+  EXPECT_NEAR(last_moment(scene), 2.1, 1e-12);
+  const Scene shown = evaluate_at(scene, 2.05);
+  EXPECT_EQ(shown.medium.size(), 9u);
+  EXPECT_EQ(shown.medium.gaussian(0), scene.medium.gaussian(0));
+  EXPECT_TRUE(shown.sequences.empty());
+}
+
+TEST(GaussianNumbers, AreNeverReused) {
+  GaussianNumbers numbers;
+  numbers.begin(3);
+  EXPECT_EQ(numbers.relocate({false, true, false}), 1u);
+  EXPECT_EQ(numbers.relocate({false, true, true}), 2u);
+  EXPECT_EQ(std::vector(numbers.ids().begin(), numbers.ids().end()),
+            (std::vector<GaussianNumber>{0, 4, 5}));
+}
+
+}  // namespace
+}  // namespace brume

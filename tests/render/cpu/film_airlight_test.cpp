@@ -1,0 +1,164 @@
+#include "render/cpu/film_airlight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+
+#include "render/renderer.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+Settings at_scale(int scale, AirlightMethod method = AirlightMethod::sliced, int slices = 64) {
+  Settings settings = sliced_settings({}, slices);  // so that slicing differs less than is tested
+  settings.airlight = method;
+  settings.airlight_scale = scale;
+  settings.upsampling_tolerance = 0.01;
+  settings.march_steps = 16;
+  return settings;
+}
+
+// Far fog, seen past posts that are thinner than the distance between samples, and a ball.
+Scene posts_before_fog() {
+  Scene scene = cloud_scene(40, 2.0);
+  scene.film = {160, 120};
+  // From behind: what the posts shade is not in the fog.
+  scene.lights[0].position = {1.0, 2.0, -3.0};
+  for (const double x : {-0.9, -0.41, 0.03, 0.52, 0.97}) {
+    Surface post = wall(1.2, 0.008, 0.5);
+    post.translate = {x, 0.0, 0.0};
+    // Tall: the wall is square, so many of them make a post.
+    for (int k = -40; k <= 40; ++k) {
+      post.translate.y = 0.016 * k;
+      scene.surfaces.push_back(post);
+    }
+  }
+  Surface ball;
+  ball.mesh = ball_mesh(24);
+  ball.scale = 0.35;
+  ball.translate = {-0.2, 0.2, 0.3};
+  scene.surfaces.push_back(ball);
+  return scene;
+}
+
+struct Errors {
+  double relative_rmse = 0.0;
+  double max_value = 0.0;  // relative to the greatest value
+};
+
+Errors errors(const std::vector<float>& a, const std::vector<float>& b) {
+  double max_value = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    max_value =
+        std::max(max_value, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+  }
+  return {difference(a, b).relative_rmse,
+          max_value / static_cast<double>(*std::max_element(b.begin(), b.end()))};
+}
+
+// The worst pixel counts: a halo is a few bad pixels, which an average forgives.
+TEST(AirlightScale, ThinObjectsBeforeFarFogHaveNoHalo) {
+  const Scene scene = posts_before_fog();
+  for (const AirlightMethod method :
+       {AirlightMethod::sliced, AirlightMethod::paper, AirlightMethod::march}) {
+    SCOPED_TRACE(to_string(method));
+    const Frame full = render_frame(scene, at_scale(1, method));
+    for (const int scale : {2, 4}) {
+      SCOPED_TRACE(scale);
+      const Frame frame = render_frame(scene, at_scale(scale, method));
+      const Errors light = errors(frame.airlight, full.airlight);
+      EXPECT_LT(light.relative_rmse, 0.005);
+      EXPECT_LT(light.max_value, 0.03);
+      const Errors taken = errors(frame.transmittance, full.transmittance);
+      EXPECT_LT(taken.max_value, 0.03);
+      EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels * 2 / 3);
+    }
+  }
+}
+
+TEST(AirlightScale, SmoothFogIsAlmostAllInterpolated) {
+  Scene scene = cloud_scene(10, 1.0);
+  scene.film = {320, 240};
+  const Frame full = render_frame(scene, at_scale(1));
+  const Frame frame = render_frame(scene, at_scale(4));
+  EXPECT_LT(errors(frame.airlight, full.airlight).relative_rmse, 0.004);
+  EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels / 8);
+}
+
+// Steps of a stair, each seen beside the next one farther away, and a ball: pixels beside an edge
+// are told from samples on their side of it.
+TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
+  Scene scene = cloud_scene(10, 1.0);
+  scene.film = {480, 360};
+  for (int k = 0; k < 12; ++k) {
+    Surface step = wall(1.2, 0.1, 0.8 - 0.15 * k);
+    step.translate = {0.0, 0.2 * k - 1.1, 0.0};
+    scene.surfaces.push_back(step);
+  }
+  Surface& ball = scene.surfaces.emplace_back();
+  ball.mesh = ball_mesh(48);
+  ball.scale = 0.35;
+  ball.translate = {0.6, 0.1, 1.2};
+  scene.lights[0].position = {-2.0, 3.0, 4.0};
+  // Slicing differs most where steps cast shadows, by up to 4% in a pixel at 64 slices.
+  Settings settings = at_scale(4, AirlightMethod::sliced, 128);
+  settings.upsampling_tolerance = 0.03;
+  const Frame full = render_frame(scene, at_scale(1, AirlightMethod::sliced, 128));
+  const Frame frame = render_frame(scene, settings);
+  const Errors light = errors(frame.airlight, full.airlight);
+  const Errors taken = errors(frame.transmittance, full.transmittance);
+  EXPECT_LT(light.relative_rmse, 0.008);
+  EXPECT_LT(light.max_value, 0.03);
+  EXPECT_LT(taken.max_value, 0.005);
+  // 15,599 pixels without what surroundings tell, 11,521 with it; 10,920 are samples.
+  EXPECT_LT(frame.statistics.exact_pixels, 12'500U);
+}
+
+// The last column and row are samples too, wherever they fall.
+TEST(AirlightScale, AnyFilmIsCovered) {
+  Scene scene = posts_before_fog();
+  scene.medium.set_homogeneous_density(0.01);
+  for (const int width : {1, 2, 3, 5, 9}) {
+    for (const int height : {1, 2, 4, 8}) {
+      scene.film = {width, height};
+      const Frame full = render_frame(scene, at_scale(1));
+      const Frame frame = render_frame(scene, at_scale(4));
+      SCOPED_TRACE(width);
+      SCOPED_TRACE(height);
+      expect_finite(frame);
+      EXPECT_LT(errors(frame.airlight, full.airlight).max_value, 0.1);
+    }
+  }
+}
+
+// A light between samples, alone in thin fog or in a Gaussian smaller than they are apart: what is
+// bright is nearer to it than any sample.
+TEST(AirlightScale, PixelsNearestToALightAreComputed) {
+  for (const glm::dvec2 offset :
+       {glm::dvec2(1.0, 2.0), glm::dvec2(2.4, 2.3), glm::dvec2(3.1, 0.4)}) {
+    Scene scene;
+    scene.film = {161, 120};
+    scene.camera = {{0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
+    const CameraRays rays(scene.camera, scene.film);
+    const glm::dvec3 w = rays.direction(80.5 + offset.x, 60.5 + offset.y);
+    scene.lights.push_back({scene.camera.eye + 4.0 * w, glm::dvec3(10.0), {}});
+    for (const double b0 : {0.01, 0.0}) {
+      scene.medium = {};
+      scene.medium.set_homogeneous_density(b0);
+      if (b0 == 0.0) scene.medium.append({scene.lights[0].position, 0.01, 1.0});
+      const Frame full = render_frame(scene, at_scale(1));
+      for (const int scale : {2, 4}) {
+        SCOPED_TRACE(testing::Message()
+                     << offset.x << ' ' << offset.y << ", b0 " << b0 << ", scale " << scale);
+        const Frame frame = render_frame(scene, at_scale(scale));
+        EXPECT_LT(errors(frame.airlight, full.airlight).relative_rmse, 0.01);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume

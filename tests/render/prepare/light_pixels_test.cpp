@@ -1,0 +1,70 @@
+#include "render/prepare/light_pixels.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace brume {
+namespace {
+
+constexpr Film film{8, 6};
+
+// Looks along -z from 1 u away at the plane z = 0, where a pixel is 1 u wide.
+Camera camera() {
+  Camera camera;
+  camera.eye = {0.0, 0.0, 1.0};
+  camera.vertical_fov = 2.0 * std::atan(3.0) * 180.0 / std::numbers::pi;
+  return camera;
+}
+
+// A light that is seen at a film position.
+PointLight light_at(double x, double y) {
+  PointLight light;
+  light.position = {x - 4.0, 3.0 - y, 0.0};
+  return light;
+}
+
+std::vector<glm::ivec2> pixels_of(const std::vector<PointLight>& lights, int width) {
+  return light_pixels(lights, CameraRays(camera(), film), film, width);
+}
+
+using Pixels = std::vector<glm::ivec2>;
+
+TEST(LightPixels, OneIsThePixelOfTheLight) {
+  EXPECT_EQ(pixels_of({light_at(2.3, 4.9)}, 1), Pixels({{2, 4}}));
+}
+
+TEST(LightPixels, BlockHoldsTheNearestCentres) {
+  EXPECT_EQ(pixels_of({light_at(2.3, 4.9)}, 2), Pixels({{1, 4}, {2, 4}, {1, 5}, {2, 5}}));
+  EXPECT_EQ(pixels_of({light_at(2.7, 4.1)}, 2), Pixels({{2, 3}, {3, 3}, {2, 4}, {3, 4}}));
+  EXPECT_EQ(pixels_of({light_at(4.4, 3.4)}, 4).size(), 16U);
+}
+
+TEST(LightPixels, AreClippedToTheFilm) {
+  EXPECT_EQ(pixels_of({light_at(-0.3, 2.5)}, 1), Pixels());
+  EXPECT_EQ(pixels_of({light_at(-0.3, 2.5)}, 3), Pixels({{0, 1}, {0, 2}, {0, 3}}));
+  EXPECT_EQ(pixels_of({light_at(8.9, 6.9)}, 3), Pixels({{7, 5}}));
+}
+
+TEST(LightPixels, EachPixelIsListedOnce) {
+  EXPECT_EQ(pixels_of({light_at(3.5, 2.5), light_at(2.5, 2.5), light_at(3.4, 2.4)}, 1),
+            Pixels({{2, 2}, {3, 2}}));
+}
+
+TEST(LightPixels, LightsThatAreNotSeenHaveNone) {
+  PointLight off = light_at(3.5, 2.5);
+  off.on = false;
+  PointLight black = light_at(3.5, 2.5);
+  black.intensity = glm::dvec3(0.0);
+  PointLight behind;
+  behind.position = {0.0, 0.0, 2.0};
+  PointLight eye;
+  eye.position = camera().eye;
+  PointLight beside;
+  beside.position = camera().eye + glm::dvec3(1e300, 0.0, -1e-10);
+  EXPECT_EQ(pixels_of({off, black, behind, eye, beside}, 4), Pixels());
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,118 @@
+// The compositing of rows in single precision SIMD against plain double, pixel by pixel.
+
+#include "render/cpu/composite.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "core/scene/environment.h"
+#include "render/simd/composite_kernels.h"
+#include "tests/random.h"
+
+namespace brume {
+namespace {
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+Environment random_sky(int width, int height) {
+  Random random(5);
+  RadianceMap map{width, height, {}};
+  for (int i = 0; i < width * height; ++i) map.pixels.emplace_back(glm::abs(random.point(1.0)));
+  Environment sky;
+  sky.map = std::make_shared<const RadianceMap>(std::move(map));
+  sky.intensity = 2.0;
+  sky.rotation = 33.0;
+  return sky;
+}
+
+// A frame with objects in some places.
+Frame random_frame(const Film& film) {
+  Random random(6);
+  Frame frame;
+  frame.film = film;
+  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  frame.beauty.resize(4 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    frame.depth.push_back(random.uniform(0.0, 1.0) < 0.3 ? 2.0f : infinite);
+    const auto transmittance = static_cast<float>(random.uniform(0.0, 1.0));
+    for (int c = 0; c < 3; ++c) {
+      frame.airlight.push_back(static_cast<float>(random.uniform(0.0, 1.0)));
+      frame.transmittance.push_back(transmittance);
+    }
+  }
+  return frame;
+}
+
+// Cameras that look at the seam of the map, at its poles, and at all sides in films whose rows are
+// no whole vectors, or shorter than one.
+TEST(Composite, ShowsTheSkyAndTheSurfaces) {
+  struct Case {
+    glm::dvec3 target;
+    Film film;
+    int map_width, map_height;
+  };
+  for (const Case& c : {Case{{0, 0, 1}, {67, 5}, 64, 32}, Case{{0.01, 1, 0}, {33, 33}, 64, 32},
+                        Case{{0.01, -1, 0}, {32, 31}, 7, 5}, Case{{1, 0.2, 0.3}, {5, 40}, 1, 1},
+                        Case{{-0.3, 0.1, -1}, {130, 3}, 2, 1}}) {
+    const Environment sky = random_sky(c.map_width, c.map_height);
+    const EnvironmentLight light(sky, ScatterTable::distant());
+    const Camera camera{{0, 0, 0}, c.target, {0, 1, 0}, 120.0};
+    const CameraRays rays(camera, c.film);
+    Frame frame = random_frame(c.film);
+    const std::vector<glm::vec3> surfaces(frame.depth.size(), glm::vec3(0.3f, 0.2f, 0.1f));
+    composite(rays, &light, surfaces, {}, frame);
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+      const int x = static_cast<int>(i) % c.film.width;
+      const int y = static_cast<int>(i) / c.film.width;
+      const bool is_sky = std::isinf(frame.depth[i]);
+      const glm::dvec3 behind = is_sky ? environment_radiance(sky, rays.direction(x + 0.5, y + 0.5))
+                                       : glm::dvec3(surfaces[i]);
+      const auto transmittance = static_cast<double>(frame.transmittance[3 * i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double expected = static_cast<double>(frame.airlight[3 * i + k]) +
+                                transmittance * behind[static_cast<int>(k)];
+        ASSERT_NEAR(static_cast<double>(frame.beauty[4 * i + k]), expected, 1e-4)
+            << c.film.width << ": " << x << ' ' << y;
+      }
+      ASSERT_FLOAT_EQ(frame.beauty[4 * i + 3], is_sky ? 1.0f - frame.transmittance[3 * i] : 1.0f);
+    }
+  }
+}
+
+TEST(Composite, BackgroundIsBlackWithoutAnEnvironment) {
+  Frame frame = random_frame({20, 2});
+  composite(CameraRays({}, frame.film), nullptr, {}, {}, frame);
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    EXPECT_EQ(frame.beauty[4 * i + 1], frame.airlight[3 * i + 1]);
+  }
+}
+
+// What would be a NaN or beyond the range is as finite() has it, in whole vectors and after them.
+TEST(Composite, RowsStayFinite) {
+  constexpr std::size_t count = 35;
+  std::vector<float> airlight(3 * count, 1.0f);
+  const std::vector<float> transmittance(3 * count, 0.5f);
+  const std::vector<float> depth(count, 1.0f);
+  std::vector<glm::vec3> behind(count, glm::vec3(2.0f));
+  for (const std::size_t i : {std::size_t{3}, count - 1}) {
+    airlight[3 * i] = std::numeric_limits<float>::quiet_NaN();
+    airlight[3 * i + 1] = -5.0f;
+    behind[i].b = infinite;
+  }
+  std::vector<float> beauty(4 * count);
+  composite_row({airlight, transmittance, depth}, behind, beauty);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_odd = i == 3 || i + 1 == count;
+    EXPECT_EQ(beauty[4 * i], is_odd ? 0.0f : 2.0f) << i;
+    EXPECT_EQ(beauty[4 * i + 1], is_odd ? 0.0f : 2.0f) << i;
+    EXPECT_EQ(beauty[4 * i + 2], is_odd ? max_radiance : 2.0f) << i;
+  }
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,193 @@
+// Surfaces in single precision SIMD against the same in plain double, point by point.
+
+#include "render/simd/surface_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "core/scene/brdf.h"
+#include "core/scene/mesh.h"
+#include "core/transport/incident_light.h"
+#include "render/visibility/ray_caster.h"
+#include "tests/random.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+// A ball, a shell inside out and a flat triangle, seen from where rays start.
+struct Seen {
+  std::vector<Surface> surfaces;
+  std::unique_ptr<RayCaster> ray_caster;
+  glm::dvec3 eye;
+  std::vector<SurfaceHit> hits;
+  std::vector<glm::vec3> directions;
+};
+
+// `count` hits on surface `which`; all is `offset` away from the origin and `size` large.
+Seen look(std::int32_t which, std::size_t count, const glm::dvec3& offset, double size,
+          Random& random) {
+  Seen seen;
+  for (const double scale : {1.0, 3.0}) {
+    Surface& surface = seen.surfaces.emplace_back();
+    surface.mesh = ball_mesh(24);
+    surface.scale = scale * size;
+    surface.translate = offset + size * glm::dvec3(0.2, 0.1 * scale, 0.0);
+    surface.rotate = glm::normalize(glm::dquat(1.0, 0.3, -0.2, 0.5));
+  }
+  seen.ray_caster = std::make_unique<RayCaster>(seen.surfaces);
+  seen.eye = offset + size * glm::dvec3(0.3, 0.4, 2.2);
+  while (seen.hits.size() < count) {
+    const glm::dvec3 w = glm::normalize(random.point(1.0));
+    const SurfaceHit hit = seen.ray_caster->first_hit(seen.eye, w);
+    if (hit.surface != which) continue;
+    seen.hits.push_back(hit);
+    seen.directions.emplace_back(w);
+  }
+  return seen;
+}
+
+void expect_close(const glm::dvec3& got, const glm::dvec3& expected, double tolerance,
+                  const char* what) {
+  EXPECT_LT(glm::length(got - expected), tolerance) << what;
+}
+
+TEST(SurfaceKernels, ViewDirectionsAreThoseOfThePlainVersion) {
+  for (const double fov : {0.01, 40.0, 150.0}) {
+    const Film film{1003, 601};
+    const CameraRays rays({{1, 2, 3}, {-4, 0.5, 1}, {0.1, 1, 0}, fov}, film);
+    for (const CameraRays::PixelRectangle& r :
+         {CameraRays::PixelRectangle{0, 0, 16, 8}, {992, 600, 1003, 601}, {512, 304, 517, 307}}) {
+      std::vector<glm::ivec2> pixels;
+      Tiles::each_pixel(r, [&](int x, int y) { pixels.emplace_back(x, y); });
+      PointVectors directions;
+      find_view_directions(rays, pixels, directions);
+      std::size_t k = 0;
+      for (const glm::ivec2& p : pixels) {
+        expect_close(directions[k++], rays.direction(p.x + 0.5, p.y + 0.5), 2e-7, "direction");
+      }
+      for (std::size_t i = k; i < padded(k); ++i) EXPECT_EQ(directions[i], directions[k - 1]);
+    }
+  }
+}
+
+TEST(SurfaceKernels, PointsAreThoseOfThePlainVersion) {
+  Random random(1);
+  for (const double size : {1.0, 1e-4, 1e4}) {
+    for (const std::int32_t which : {0, 1}) {
+      for (const std::size_t count : {1u, 15u, 16u, 100u, 128u}) {
+        const Seen seen = look(which, count, 100.0 * size * random.point(1.0), size, random);
+        SurfacePoints points;
+        seen.ray_caster->points(seen.hits, seen.directions, seen.surfaces, points);
+        ASSERT_EQ(points.count, count);
+        EXPECT_EQ(points.surface, &seen.surfaces[static_cast<std::size_t>(which)]);
+        for (std::size_t k = 0; k < count; ++k) {
+          const SurfacePoint plain = seen.ray_caster->point(
+              seen.hits[k], seen.eye, glm::dvec3(seen.directions[k]), seen.surfaces);
+          // Embree's own distance is good to a few 1e-6 of the surfaces' size.
+          expect_close(points.origin + points.position[k], plain.position, 2e-5 * size, "position");
+          expect_close(points.origin + points.shadow_origin[k], plain.shadow_origin, 2e-5 * size,
+                       "shadow origin");
+          expect_close(points.normal[k], plain.normal, 2e-5, "normal");
+          expect_close(points.to_eye[k], plain.to_eye, 1e-6, "to eye");
+        }
+      }
+    }
+  }
+}
+
+TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
+  Random random(2);
+  std::array<PointArray, sh_max_bands> factors;
+  int lit = 0;
+  for (int scene = 0; scene < 20; ++scene) {
+    const Seen seen = look(scene % 2, 128, glm::dvec3(0.0), 1.0, random);
+    SurfacePoints points;
+    seen.ray_caster->points(seen.hits, seen.directions, seen.surfaces, points);
+    Material material;
+    material.type = scene % 3 == 0 ? Material::Type::phong : Material::Type::diffuse;
+    material.reflectance = {0.2, 0.5, 0.9};
+    material.specular = glm::dvec3(0.4);
+    material.exponent = random.power(0.0, 2.5);
+    // Inside the shell, some close to the ball, some in it.
+    const glm::dvec3 light = random.point(2.0);
+    const double density = random.uniform(0.0, 0.5);
+
+    LightAtPoints at;
+    point_to_light(points, glm::vec3(light - points.origin), at);
+    seen.ray_caster->trace_shadow_rays(points, glm::vec3(light - points.origin), at);
+    for (float& depth : at.depths) depth = static_cast<float>(random.power(-3.0, 1.3));
+    PointLightShading shading;
+    shading.intensity = {3.0f, 2.0f, 1.0f};
+    shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
+    if (material.type == Material::Type::phong) {
+      shading.highlight =
+          glm::vec3(material.specular * (material.exponent + 2.0) / (2.0 * std::numbers::pi));
+      shading.exponent = static_cast<float>(material.exponent);
+    }
+    PointRadiance direct{};
+    PointRadiance scattered{};
+    add_direct_light(points, at, shading, direct);
+    find_spread(at, points.padded_size(),
+                {&ScatterTable::point(), &ScatterTable::distant(), static_cast<float>(density)},
+                true, factors);
+    add_scattered_light(points, at, factors, shading, scattered);
+
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const glm::dvec3 p = points.origin + points.position[k];
+      const double distance = glm::length(light - p);
+      const glm::dvec3 wi = (light - p) / distance;
+      const double cosine = glm::dot(points.normal[k], wi);
+      const bool blocked =
+          seen.ray_caster->occluded(points.origin + points.shadow_origin[k], light);
+      const double T = static_cast<double>(at.depths[k]);
+      const double irradiance = 3.0 / (distance * distance);
+      glm::dvec3 expected(0.0);
+      if (!blocked) {
+        expected = brdf(material, wi, points.to_eye[k], points.normal[k]) *
+                   (irradiance * std::exp(-T) * std::max(cosine, 0.0));
+        ++lit;
+      }
+      // A power of 300 makes 300 times as much of a rounding.
+      EXPECT_NEAR(static_cast<double>(direct.r[k]), expected.r, 3e-4 * expected.r + 1e-7);
+
+      // Eq. 25 without its delta, convolved with the cosine.
+      const double share = density * distance < T ? density * distance / T : 1.0;
+      ZonalSh<double> spread = SpreadTable::distant()(T);
+      const ZonalSh<double> near = SpreadTable::point()(T);
+      for (std::size_t l = 0; l < spread.size(); ++l) spread[l] += share * (near[l] - spread[l]);
+      const ShVector<double> light_sh = sh_convolve(sh_basis(sh_max_bands, wi), spread);
+      const double reflected =
+          std::max(0.0, sh_evaluate(sh_convolve(light_sh, clamped_cosine_sh()), points.normal[k]));
+      const double scale = irradiance * 0.2 * std::numbers::inv_pi;
+      EXPECT_NEAR(static_cast<double>(scattered.r[k]), scale * T * std::exp(-T) * reflected,
+                  5e-5 * scale);
+      EXPECT_NEAR(scattered.b[k], scattered.r[k] * (0.9 / 0.2) / 3.0, 1e-5 * scale);
+    }
+  }
+  EXPECT_GT(lit, 500);
+}
+
+TEST(SurfaceKernels, ALightOnTheSurfaceContributesNothing) {
+  Random random(3);
+  const Seen seen = look(0, 5, glm::dvec3(0.0), 1.0, random);
+  SurfacePoints points;
+  seen.ray_caster->points(seen.hits, seen.directions, seen.surfaces, points);
+  LightAtPoints at;
+  point_to_light(points, glm::vec3(points.position[2]), at);
+  at.depths.fill(0.0f);
+  at.lit.fill(1.0f);
+  PointRadiance radiance{};
+  add_direct_light(points, at, {glm::vec3(1.0f), glm::vec3(1.0f), glm::vec3(1.0f), 10.0f},
+                   radiance);
+  EXPECT_EQ(radiance.r[2], 0.0f);
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,182 @@
+#include "render/transfer/transfer_cache.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cstring>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <span>
+
+#include "core/io/content_hash.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/render/test_meshes.h"
+
+namespace brume {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr TransferSettings settings{.order = 2, .directions = 64, .bounces = 1};
+
+std::shared_ptr<TriangleMesh> small_bowl() {
+  auto mesh = empty_mesh();
+  add_ball(*mesh, 6, {0, 0, 0}, 1.0, 2.0, true);
+  return mesh;
+}
+
+bool same(const RadianceTransfer& a, const RadianceTransfer& b) {
+  if (!(a.settings == b.settings) || a.vertices != b.vertices) return false;
+  for (std::size_t s = 0; s < 2; ++s) {
+    if (a.sides[s].visibility != b.sides[s].visibility) return false;
+    if (a.sides[s].reflected != b.sides[s].reflected) return false;
+  }
+  return true;
+}
+
+// The transfer by way of the folder, and how.
+struct Cached {
+  RadianceTransfer transfer;
+  bool was_read = true;
+  std::vector<std::string> warnings;
+};
+
+Cached cached(const std::shared_ptr<const TriangleMesh>& mesh, const fs::path& folder,
+              const TransferSettings& wanted = settings) {
+  Cached result;
+  const auto progress = [&](double share) { result.was_read &= share == 1.0; };
+  result.transfer =
+      *cached_radiance_transfer(mesh, wanted, folder, {{}, progress}, &result.warnings);
+  return result;
+}
+
+TEST(TransferCache, RoundTrips) {
+  const TemporaryFolder folder;
+  const fs::path cache = folder / "to/be/made";
+  const RadianceTransfer truth = *radiance_transfer(small_bowl(), settings);
+  const Cached first = cached(small_bowl(), cache);
+  EXPECT_FALSE(first.was_read);
+  const Cached second = cached(small_bowl(), cache);  // another mesh object with the same content
+  EXPECT_TRUE(second.was_read);
+  EXPECT_TRUE(same(first.transfer, truth));
+  EXPECT_TRUE(same(second.transfer, truth));
+  EXPECT_TRUE(first.warnings.empty() && second.warnings.empty());
+
+  // A side that is not there.
+  auto ball = empty_mesh();
+  add_ball(*ball, 6, {0, 0, 0}, 1.0, std::numbers::pi, false);
+  const RadianceTransfer made = cached(ball, cache).transfer;
+  ASSERT_TRUE(made.side(MeshSide::back).visibility.empty());
+  const Cached read = cached(ball, cache);
+  EXPECT_TRUE(read.was_read && same(read.transfer, made));
+}
+
+TEST(TransferCache, DistinguishesMeshesAndSettings) {
+  const auto mesh = small_bowl();
+  std::set<fs::path> names = {transfer_file("", *mesh, settings)};
+  names.insert(transfer_file("", *mesh, {.order = 3, .directions = 64, .bounces = 1}));
+  names.insert(transfer_file("", *mesh, {.order = 2, .directions = 72, .bounces = 1}));
+  names.insert(transfer_file("", *mesh, {.order = 2, .directions = 64, .bounces = 2}));
+  auto moved = std::make_shared<TriangleMesh>(*mesh);
+  moved->point(OpenMesh::VertexHandle(7))[1] += 1e-6f;
+  names.insert(transfer_file("", *moved, settings));
+  auto bent = std::make_shared<TriangleMesh>(*mesh);
+  bent->set_normal(OpenMesh::VertexHandle(7), {1, 0, 0});
+  names.insert(transfer_file("", *bent, settings));
+  auto more = std::make_shared<TriangleMesh>(*mesh);
+  for (const auto edge : more->edges()) {
+    if (!more->is_flip_ok(edge)) continue;
+    more->flip(edge);
+    break;
+  }
+  names.insert(transfer_file("", *more, settings));
+  EXPECT_EQ(names.size(), 7u);
+}
+
+TEST(TransferCache, ReplacesDamagedFiles) {
+  const TemporaryFolder folder;
+  const auto mesh = small_bowl();
+  const RadianceTransfer truth = cached(mesh, folder.path()).transfer;
+  const fs::path file = transfer_file(folder.path(), *mesh, settings);
+  const std::string good = content_of(file);
+
+  std::vector<std::string> bad = {"",
+                                  "x",
+                                  good.substr(0, 47),
+                                  good.substr(0, good.size() - 1),
+                                  good + "x",
+                                  std::string(good.size(), '\0')};
+  for (std::size_t i = 0; i < good.size(); i += 1 + good.size() / 97) {
+    bad.push_back(good);
+    bad.back()[i] = static_cast<char>(bad.back()[i] ^ 0x10);
+  }
+  for (std::size_t i = 0; i < 48; ++i) {  // the header, byte by byte
+    bad.push_back(good);
+    bad.back()[i] = static_cast<char>(bad.back()[i] ^ 0xff);
+  }
+  // A number that is none, in a file that is whole otherwise.
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(), 1e30f}) {
+    bad.push_back(good);
+    std::memcpy(bad.back().data() + 64, &value, sizeof(value));
+    ContentHash hash;
+    hash.add(std::span<const char>(bad.back().data(), good.size() - 8));
+    const std::uint64_t sum = hash.value();
+    std::memcpy(bad.back().data() + good.size() - 8, &sum, sizeof(sum));
+  }
+  for (const std::string& content : bad) {
+    folder.write(file.filename().string(), content);
+    const Cached got = cached(mesh, folder.path());
+    EXPECT_FALSE(got.was_read);
+    EXPECT_TRUE(same(got.transfer, truth));
+    ASSERT_EQ(got.warnings.size(), 1u);
+    EXPECT_NE(got.warnings[0].find(file.string()), std::string::npos);
+    EXPECT_EQ(content_of(file), good) << "replaced";
+  }
+  EXPECT_EQ(folder.entry_count(), 1u) << "nothing is left beside it";
+}
+
+TEST(TransferCache, ToleratesUnwritableFolders) {
+  const TemporaryFolder folder;
+  const auto mesh = small_bowl();
+  const Cached none = cached(mesh, "");
+  EXPECT_TRUE(none.warnings.empty() && !none.was_read);
+  const Cached under_a_file = cached(mesh, folder.write("file", "x") / "cache");
+  EXPECT_EQ(under_a_file.warnings.size(), 1u);
+  EXPECT_TRUE(same(under_a_file.transfer, none.transfer));
+  // A folder where the file should be.
+  fs::create_directory(transfer_file(folder.path(), *mesh, settings));
+  EXPECT_TRUE(same(cached(mesh, folder.path()).transfer, none.transfer));
+
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(cached_radiance_transfer(mesh, settings, folder / "new", {source.get_token(), {}}));
+  EXPECT_FALSE(fs::exists(folder / "new"));
+}
+
+TEST(TransferCache, FollowsTheXdgCacheFolder) {
+  // Sets a variable, and back at the end.
+  struct Variable {
+    Variable(const char* variable, const char* value) : name(variable) {
+      if (const char* const now = ::getenv(name)) old = now;
+      value ? ::setenv(name, value, 1) : ::unsetenv(name);
+    }
+    ~Variable() { old ? ::setenv(name, old->c_str(), 1) : ::unsetenv(name); }
+    const char* name;
+    std::optional<std::string> old;
+  };
+  const Variable home("HOME", "/home/someone");
+  {
+    const Variable cache("XDG_CACHE_HOME", "/var/cache/someone");
+    EXPECT_EQ(cache_folder(), "/var/cache/someone/brume");
+  }
+  for (const char* const ignored : {static_cast<const char*>(nullptr), "", "relative"}) {
+    const Variable cache("XDG_CACHE_HOME", ignored);
+    EXPECT_EQ(cache_folder(), "/home/someone/.cache/brume");
+    const Variable no_home("HOME", nullptr);
+    EXPECT_EQ(cache_folder(), "");
+  }
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,0 +1,167 @@
+// The raster against rays, pixel by pixel.
+
+#include "render/visibility/raster.h"
+
+#include <gtest/gtest.h>
+
+#include <hwy/targets.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <vector>
+
+#include "core/scene/mesh.h"
+#include "render/visibility/ray_caster.h"
+#include "tests/random.h"
+#include "tests/render/test_meshes.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+// Of three corners for each triangle.
+Surface surface_of(const std::vector<glm::dvec3>& corners) {
+  const auto mesh = empty_mesh();
+  std::vector<OpenMesh::VertexHandle> triangle;
+  for (const glm::dvec3& corner : corners) {
+    const glm::vec3 p(corner);
+    triangle.push_back(mesh->add_vertex({p.x, p.y, p.z}));
+    mesh->set_normal(triangle.back(), {0, 1, 0});
+    if (triangle.size() < 3) continue;
+    mesh->add_face(triangle);
+    triangle.clear();
+  }
+  Surface surface;
+  surface.mesh = mesh;
+  return surface;
+}
+
+// A ground of two triangles that reaches behind any eye above it, a ball, and triangles of all
+// sizes and sides.
+std::vector<Surface> mixed_surfaces(Random& random) {
+  std::vector<Surface> surfaces{
+      surface_of({{-9, -1, -9}, {9, -1, -9}, {9, -1, 9}, {-9, -1, -9}, {9, -1, 9}, {-9, -1, 9}})};
+  surfaces.emplace_back().mesh = ball_mesh(24);
+  surfaces.back().translate = {0.5, 0.3, 0.0};
+  std::vector<glm::dvec3> corners;
+  for (int i = 0; i < 300; ++i) {
+    const glm::dvec3 center = random.point(4.0);
+    const double size = random.power(-2.5, 0.0);
+    for (int k = 0; k < 3; ++k) corners.push_back(center + random.point(size));
+  }
+  surfaces.push_back(surface_of(corners));
+  return surfaces;
+}
+
+// Of all pixels, row by row; what no band sets has a negative distance.
+std::vector<RasterPixel> drawn(const RayCaster& ray_caster, const CameraRays& rays,
+                               const Film& film) {
+  const Raster raster = ray_caster.raster(rays, film, {});
+  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  std::vector<RasterPixel> hits(pixels, RasterPixel{-1.0f});
+  std::vector<float> distances(pixels, -2.0f);
+  for (std::size_t band = 0; band < raster.bands(); ++band) raster.draw(band, hits, distances);
+  for (std::size_t i = 0; i < pixels; ++i) EXPECT_EQ(distances[i], hits[i].distance);
+  return hits;
+}
+
+struct Differences {
+  int others = 0;  // pixels of another triangle at another distance
+  int hits = 0;
+  double distance = 0.0;  // relative, where the triangle is the same
+  double weights = 0.0;   // barycentric, of the two large triangles
+};
+
+Differences differences(const RayCaster& ray_caster, const CameraRays& rays, const Film& film) {
+  Differences result;
+  const std::vector<RasterPixel> hits = drawn(ray_caster, rays, film);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const auto x = static_cast<double>(i % static_cast<std::size_t>(film.width));
+    const auto y = static_cast<double>(i / static_cast<std::size_t>(film.width));
+    EXPECT_GE(hits[i].distance, 0.0f);
+    const SurfaceHit hit = ray_caster.hit_of(hits[i]);
+    const SurfaceHit ray = ray_caster.first_hit(rays.eye(), rays.direction(x + 0.5, y + 0.5));
+    if (ray) ++result.hits;
+    if (!hit && !ray) continue;
+    if (hit.surface == ray.surface && hit.triangle == ray.triangle) {
+      result.distance =
+          std::max(result.distance, std::abs(hit.distance - ray.distance) / ray.distance);
+      if (hit.surface == 0) {
+        result.weights = std::max({result.weights, std::abs(static_cast<double>(hit.u - ray.u)),
+                                   std::abs(static_cast<double>(hit.v - ray.v))});
+      }
+    } else if (!(std::abs(hit.distance - ray.distance) < 1e-4 * ray.distance)) {
+      ++result.others;
+    }
+  }
+  return result;
+}
+
+// On every instruction set of the machine.
+TEST(Raster, HitsAreThoseOfRays) {
+  Random random(3);
+  const std::vector<Surface> surfaces = mixed_surfaces(random);
+  const RayCaster ray_caster(surfaces);
+  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  int hits = 0;
+  int others = 0;
+  for (int n = 0; n < 30; ++n) {
+    const Film film{120 + 3 * n, 67 + n};
+    glm::dvec3 eye = random.point(4.0);
+    eye.y = std::abs(eye.y);
+    // The widest view puts all but the horizon into the pixels at its center.
+    const double fov = n % 5 == 4 ? 179.9 : random.uniform(2.0, 150.0);
+    const Camera camera{eye, random.point(2.0), {0.2, 1, 0.1}, fov};
+    const CameraRays rays(camera, film);
+    ASSERT_TRUE(ray_caster.can_rasterize(rays, film));
+    hwy::SetSupportedTargetsForTest(targets[static_cast<std::size_t>(n) % targets.size()]);
+    const Differences d = differences(ray_caster, rays, film);
+    // At its rim depths along forward are 1/1,000 of distances: so much more do roundings count.
+    EXPECT_LT(d.distance, fov > 179.0 ? 5e-3 : 1e-4) << n;
+    EXPECT_LT(d.weights, 1e-4) << n;
+    hits += d.hits;
+    others += d.others;
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  EXPECT_GT(hits, 100'000);
+  // Rays that touch an edge.
+  EXPECT_LT(others, hits / 5'000);
+}
+
+// The interior of a closed mesh has no gaps, its triangles far smaller and far larger than pixels.
+TEST(Raster, HasNoGaps) {
+  Random random(8);
+  for (const int segments : {4, 24, 150}) {
+    std::vector<Surface> surfaces(1);
+    surfaces[0].mesh = ball_mesh(segments);
+    const RayCaster ray_caster(surfaces);
+    for (int n = 0; n < 4; ++n) {
+      const Film film{333, 111};
+      const CameraRays rays({random.point(0.3), random.point(0.5), {0, 1, 0}, 60.0}, film);
+      int open = 0;
+      for (const RasterPixel& pixel : drawn(ray_caster, rays, film)) {
+        if (!std::isfinite(pixel.distance)) ++open;
+      }
+      EXPECT_EQ(open, 0) << segments;
+    }
+  }
+}
+
+// Where float has no digits for it, or rays are fewer, rays are asked.
+TEST(Raster, IsAvoidedWhereImprecise) {
+  Random random(5);
+  const std::vector<Surface> surfaces = mixed_surfaces(random);
+  const RayCaster ray_caster(surfaces);
+  const auto suits = [&](const glm::dvec3& eye, const Film& film) {
+    return ray_caster.can_rasterize(CameraRays({eye, {0, 0, 0}, {0, 1, 0}, 40.0}, film), film);
+  };
+  EXPECT_TRUE(suits({0, 1, 5}, {80, 60}));
+  EXPECT_FALSE(suits({0, 1, 5}, {8, 6}));
+  EXPECT_FALSE(suits({0, 1, 5e4}, {80, 60}));
+  EXPECT_FALSE(RayCaster({}).can_rasterize(CameraRays({}, {80, 60}), {80, 60}));
+}
+
+}  // namespace
+}  // namespace brume

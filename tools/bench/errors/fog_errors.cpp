@@ -1,0 +1,147 @@
+#include "tools/bench/errors/fog_errors.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <numbers>
+
+#include "core/medium/medium_summary.h"
+#include "render/renderer.h"
+#include "tools/bench/measure/report_text.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+#include "tools/bench/scenes/table_one_scenes.h"
+
+namespace brume {
+namespace {
+
+ErrorEstimate error_of(const ErrorSample& sample, const Scene& scene, const Settings& settings) {
+  return sample.measure(*Renderer().render(scene, scene.camera, scene.film, settings));
+}
+
+ErrorEstimate sky_error(Scene scene, std::shared_ptr<const RadianceMap> sky) {
+  scene.lights.clear();
+  scene.environment.emplace().map = std::move(sky);
+  const Frame frame = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 24));
+  const std::size_t pixels = scene.medium.size() > 1000 ? 12 : 40;
+  return ErrorSample::create(scene, scene.camera, frame, pixels, 1, 1e-3)->measure(frame);
+}
+
+double relative_rms(const std::vector<float>& a, const std::vector<float>& b) {
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference += std::pow(static_cast<double>(a[i]) - static_cast<double>(b[i]), 2);
+    sum += std::pow(static_cast<double>(b[i]), 2);
+  }
+  return std::sqrt(difference / sum);
+}
+
+}  // namespace
+
+std::vector<ThicknessRow> measure_thickness(std::size_t pixels) {
+  std::vector<ThicknessRow> rows;
+  for (const double factor : {0.03, 0.1, 0.3, 1.0, 3.0}) {
+    Scene scene = sample_airlight("dense_cloud");
+    scene.film = {200, 150};
+    Medium medium;
+    for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+      Gaussian g = scene.medium.gaussian(i);
+      g.density *= factor;
+      medium.append(g);
+    }
+    scene.medium = medium;
+    const Settings sliced = sliced_settings({}, 24);
+    const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced);
+    const ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, 1e-4);
+    Settings energy;
+    energy.paper.conserve_energy = true;
+    rows.push_back({factor, summarize(medium).max_optical_depth,
+                    error_of(sample, scene, Settings{}), error_of(sample, scene, energy),
+                    sample.measure(guide)});
+  }
+  return rows;
+}
+
+std::vector<SkyRow> measure_skies() {
+  std::vector<SkyRow> rows;
+  const auto add = [&](int gaussians, double depth, double anisotropy = 0.0) {
+    Scene scene = cloud(gaussians, depth);
+    scene.optics.anisotropy = anisotropy;
+    rows.push_back({gaussians, depth, anisotropy, sky_error(scene, uniform_sky()),
+                    sky_error(scene, sunny_sky())});
+  };
+  for (const double depth : {0.3, 3.0, 10.0}) add(30, depth);
+  for (const double depth : {1.0, 3.0, 10.0}) add(300, depth);
+  add(3000, 3.0);
+  for (const double anisotropy : {0.6, -0.6}) add(100, 2.0, anisotropy);
+  return rows;
+}
+
+std::vector<ComparedError> measure_patches() {
+  std::vector<ComparedError> rows;
+  for (const double anisotropy : {0.0, 0.6, 0.8}) {
+    Scene scene = sample_airlight("ground_fog");
+    scene.film = {200, 150};
+    scene.lights.clear();
+    scene.environment.emplace().map = low_sun_sky();
+    scene.optics.anisotropy = anisotropy;
+    const auto frame = [&](int slices) {
+      return *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, slices));
+    };
+    const ErrorSample truth = *ErrorSample::create(scene, scene.camera, frame(24), 80, 1, 1e-3);
+    for (const int slices : anisotropy == 0.0 ? std::vector{12, 24, 64} : std::vector{24}) {
+      rows.push_back({formatted("anisotropy %g, a grid of %d nodes, %d slices", anisotropy,
+                                sliced_settings({}, slices).source_grid.nodes, slices),
+                      truth.measure(frame(slices)),
+                      {}});
+    }
+  }
+  return rows;
+}
+
+std::vector<InscatteringRow> measure_inscattering() {
+  std::vector<InscatteringRow> rows;
+  for (const double depth : {0.1, 0.3, 1.0, 3.0}) {
+    Scene scene;
+    scene.environment.emplace().map = uniform_sky();
+    scene.medium.append({{0, 0, 0}, 1.0, depth / std::sqrt(std::numbers::pi)});
+    scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 1.0};
+    scene.film = {1, 1};
+    const auto airlight = [&](AirlightMethod method) {
+      Settings settings;
+      settings.airlight = method;
+      const Frame frame = *Renderer().render(scene, scene.camera, scene.film, settings);
+      return static_cast<double>(frame.airlight[0]);
+    };
+    rows.push_back({depth, airlight(AirlightMethod::paper) / airlight(AirlightMethod::reference)});
+  }
+  return rows;
+}
+
+std::vector<ScaleRow> measure_scales() {
+  std::vector<ScaleRow> rows;
+  const auto add = [&](const char* name, Scene scene) {
+    scene.film = {800, 600};
+    const auto frame = [&](int scale) {
+      Settings settings = sliced_settings({}, 24);
+      settings.airlight_scale = scale;
+      return *Renderer().render(scene, scene.camera, scene.film, settings);
+    };
+    const Frame full = frame(1);
+    for (const int scale : {2, 4}) {
+      const Frame fewer = frame(scale);
+      rows.push_back({name, scale,
+                      static_cast<double>(fewer.statistics.exact_pixels) /
+                          static_cast<double>(full.statistics.exact_pixels),
+                      relative_rms(fewer.airlight, full.airlight)});
+    }
+  };
+  add("cloud_300_depth_3", cloud(300, 3.0));
+  add("statue", statue_scene());
+  for (const char* name : {"bunny_fog", "dense_cloud", "ground_fog"}) {
+    add(name, sample_airlight(name));
+  }
+  return rows;
+}
+
+}  // namespace brume

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/quality/error_estimate.h"
+#include "tools/bench/errors/compared_error.h"
+
+namespace brume {
+
+// How the errors of `paper`, as published and conserving energy, and of `sliced` with 24 slices, go
+// with the thickness of the fog: resources/scenes/dense_cloud with all densities times a factor.
+struct ThicknessRow {
+  double factor = 1.0;
+  double max_depth = 0.0;
+  ErrorEstimate paper, energy, sliced;
+};
+std::vector<ThicknessRow> measure_thickness(std::size_t pixels);
+
+// Errors of `sliced` with 24 slices in clouds that only an environment lights: an even sky, and one
+// with a sun.
+struct SkyRow {
+  int gaussians = 0;
+  double depth = 0.0;
+  double anisotropy = 0.0;
+  ErrorEstimate even, sunny;
+};
+std::vector<SkyRow> measure_skies();
+
+// Where the grid of an environment's light is worst: small Gaussians in patches over a landscape
+// (resources/scenes/ground_fog) under a sun near the horizon, with `sliced` of 12, 24 and 64 slices
+// and the grids that go with them; and in fog that turns light little, with 24.
+std::vector<ComparedError> measure_patches();
+
+// The glow of `paper` (eq. 28) in the middle of a Gaussian before a white sky, over what single
+// scattering gives there.
+struct InscatteringRow {
+  double depth = 0.0;
+  double share = 0.0;
+};
+std::vector<InscatteringRow> measure_inscattering();
+
+// What is computed at 800 x 600 where the airlight is interpolated, and what that changes: `sliced`
+// with 24 slices, at every second and fourth pixel, against every pixel.
+struct ScaleRow {
+  std::string scene;
+  int scale = 1;
+  double computed = 1.0;  // share of the pixels
+  double change = 0.0;    // relative rms
+};
+std::vector<ScaleRow> measure_scales();
+
+}  // namespace brume

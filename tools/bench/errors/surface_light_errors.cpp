@@ -1,0 +1,95 @@
+#include "tools/bench/errors/surface_light_errors.h"
+
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/transport/optical_depth.h"
+#include "render/renderer.h"
+#include "tools/bench/errors/surface_truth.h"
+#include "tools/bench/measure/report_text.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+#include "tools/bench/scenes/mesh_patches.h"
+
+namespace brume {
+namespace {
+
+constexpr double ball_radius = 0.3;  // in clouds
+
+Surface ball(double radius) {
+  auto mesh = empty_mesh();
+  add_ball(*mesh, 64, {0, 0, 0}, radius, std::numbers::pi, false);
+  Surface surface;
+  surface.mesh = mesh;
+  return surface;
+}
+
+// Scattering near the light exists only if the light is inside the fog.
+Scene ball_in_fog(double depth) {
+  Scene scene;
+  scene.medium.set_homogeneous_density(depth);
+  scene.optics.albedo = {1.0, 1.0, 0.6};
+  scene.surfaces = {ball(0.05)};
+  scene.lights.push_back({{0, 0, 1}, {1, 2, 3}, {}});
+  scene.camera = {{1.0, 0.0, 0.6}, {0, 0, 0}, {0, 1, 0}, 5.0};
+  scene.film = {6, 6};
+  return scene;
+}
+
+Scene ball_in_cloud(std::uint64_t seed, Material::Type type) {
+  Scene scene = cloud(30, 3.0, seed);
+  scene.surfaces = {ball(ball_radius)};
+  Material& material = scene.surfaces[0].material;
+  material.type = type;
+  material.specular = glm::dvec3(0.3);
+  material.exponent = 5.0;
+  scene.camera = {0.3 * scene.lights[0].position, {0, 0, 0}, {0, 1, 0}, 20.0};
+  scene.film = {6, 6};
+  return scene;
+}
+
+// Seen from the light's side of the ball.
+double depth_to_light(const Scene& scene) {
+  const glm::dvec3& light = scene.lights[0].position;
+  const glm::dvec3 facing = ball_radius * glm::normalize(light);
+  double depth = 0.0;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    depth += optical_depth(GaussianTerm<double>(scene.medium.gaussian(i)), facing, light);
+  }
+  return depth;
+}
+
+Frame frame_of(const Scene& scene, bool paper_spread) {
+  Settings settings;
+  settings.paper_spread = paper_spread;
+  return *Renderer().render(scene, scene.camera, scene.film, settings);
+}
+
+}  // namespace
+
+std::vector<ComparedError> measure_surface_light(std::size_t samples) {
+  std::vector<ComparedError> rows;
+  for (const double depth : {0.1, 0.3, 1.0, 3.0}) {
+    const Scene scene = ball_in_fog(depth);
+    const SurfaceTruth truth(scene, {.samples = samples});
+    rows.push_back({formatted("diffuse ball in even fog, lamp at depth %g", depth),
+                    truth.scattered_error(frame_of(scene, false)),
+                    truth.scattered_error(frame_of(scene, true))});
+  }
+  const auto add_cloud = [&](std::uint64_t seed, Material::Type type, const char* kind) {
+    const Scene scene = ball_in_cloud(seed, type);
+    // Its error is larger: fewer samples show it.
+    const SurfaceTruth truth(scene, {.samples = samples / 10});
+    const Frame ours = frame_of(scene, false);
+    const Frame paper = frame_of(scene, true);
+    const std::string what =
+        formatted("%s ball in a cloud, lamp outside at depth %.2g", kind, depth_to_light(scene));
+    rows.push_back({what, truth.scattered_error(ours), truth.scattered_error(paper)});
+    rows.push_back({what + ": of all light", truth.error(ours), truth.error(paper)});
+  };
+  // The first ten clouds, by increasing optical depth towards the light.
+  for (const std::uint64_t seed : {1, 3, 4, 7}) add_cloud(seed, Material::Type::diffuse, "diffuse");
+  add_cloud(4, Material::Type::phong, "shiny");
+  return rows;
+}
+
+}  // namespace brume

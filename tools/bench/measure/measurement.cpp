@@ -1,0 +1,104 @@
+#include "tools/bench/measure/measurement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+
+#include "render/renderer.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+
+namespace brume {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+Camera moved(Camera camera, const CameraStep& step, int steps) {
+  const glm::dvec3 from_target = camera.eye - camera.target;
+  if (step.turn == 0.0) {
+    camera.eye -= steps * 1e-6 * from_target;
+  } else {
+    const glm::dquat turn =
+        glm::angleAxis(glm::radians(steps * step.turn), glm::normalize(camera.up));
+    camera.eye = camera.target + turn * from_target;
+  }
+  return camera;
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t center = values.size() / 2;
+  const double median =
+      values.size() % 2 == 1 ? values[center] : 0.5 * (values[center - 1] + values[center]);
+  return {median, values.front(), values.back()};
+}
+
+std::string setting_name(const Settings& settings) {
+  std::string name = airlight_name(settings);
+  if (settings.airlight == AirlightMethod::sliced) name += ' ' + std::to_string(settings.slices);
+  if (settings.airlight_scale > 1) name += ", scale " + std::to_string(settings.airlight_scale);
+  return name;
+}
+
+Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
+  const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 12));
+  const double begin = cpu_seconds();
+  ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, tolerance);
+  const double film = static_cast<double>(scene.film.width) * scene.film.height;
+  return {std::move(sample), 1e3 * (cpu_seconds() - begin) * film / static_cast<double>(pixels)};
+}
+
+MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
+                         int min_value, double seconds, const CameraStep& step) {
+  constexpr int max_value = 15;
+  std::vector<double> times;
+  std::vector<double> cpu_times;
+  std::map<std::string, std::vector<double>> stages;
+  std::vector<std::string> order;
+  const Clock::time_point begin = Clock::now();
+  for (int i = 1; i <= std::max(min_value, max_value); ++i) {
+    if (i > min_value && milliseconds_since(begin) > 1e3 * seconds) break;
+    // Nothing of the last view can be used again.
+    const Camera camera = moved(scene.camera, step, step.first + i - 1);
+    const Clock::time_point start = Clock::now();
+    const double cpu_start = cpu_seconds();
+    const Frame frame = *renderer.render(scene, camera, scene.film, settings);
+    cpu_times.push_back(1e3 * (cpu_seconds() - cpu_start));
+    times.push_back(milliseconds_since(start));
+    for (const StageTime& stage : frame.statistics.stages) {
+      if (!stages.contains(stage.name)) order.push_back(stage.name);
+      stages[stage.name].push_back(stage.milliseconds);
+    }
+  }
+  MovedFrames result{spread_of(times), spread_of(cpu_times), {}};
+  for (const std::string& name : order) {
+    result.stages.push_back({name, spread_of(stages[name]).median});
+  }
+  return result;
+}
+
+Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
+                    const ErrorSample& truth, double seconds, const CameraStep& step) {
+  Measurement result;
+  result.setting = setting_name(settings);
+  result.settings = settings;
+  const Clock::time_point begin = Clock::now();
+  const double cpu_begin = cpu_seconds();
+  const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
+  result.first_milliseconds = milliseconds_since(begin);
+  result.first_cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
+  result.error = truth.measure(first);
+  result.pairs = first.statistics.view_pairs;
+  static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds, step);
+  return result;
+}
+
+}  // namespace brume

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/frame_renderer.h"
+#include "render/quality/error_estimate.h"
+
+namespace brume {
+
+// Median and spread of something measured several times.
+struct Spread {
+  double median = 0.0;
+  double min_value = 0.0;
+  double max_value = 0.0;
+};
+// At least one value.
+Spread spread_of(std::vector<double> values);
+
+// What frames cost when the camera moves a little from each to the next.
+struct MovedFrames {
+  Spread milliseconds;
+  Spread cpu_milliseconds;        // all threads together: other programs matter less to it
+  std::vector<StageTime> stages;  // medians
+};
+
+// How the camera moves from frame to frame.
+struct CameraStep {
+  // Around its target [degrees]. 0: towards it, so little that no cost changes.
+  double turn = 0.0;
+  int first = 1;  // steps that the first frame has taken
+};
+
+// Renders a number of frames, or more for at most `seconds`, up to 15. Uses the caches of
+// `renderer`, which a first frame must have filled.
+MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
+                         int min_value, double seconds = 0.0, const CameraStep& step = {});
+
+// What one setting costs on one view, and how wrong it is: of the same frames.
+struct Measurement : MovedFrames {
+  std::string setting;  // "sliced 24, scale 4"
+  Settings settings;
+  double first_milliseconds = 0.0;
+  double first_cpu_milliseconds = 0.0;
+  ErrorEstimate error;
+  std::uint64_t pairs = 0;  // Gaussian x ray pairs of the view
+};
+
+std::string setting_name(const Settings& settings);
+
+// Pixels of the view with their converged airlight, and what a whole frame of those would cost.
+struct Truth {
+  ErrorSample sample;
+  double frame_cpu_milliseconds;
+};
+Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance = 1e-4);
+
+// A first frame, of which the error is, and moved ones: 3 to 15 in `seconds`.
+Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
+                    const ErrorSample& truth, double seconds, const CameraStep& step = {});
+
+}  // namespace brume

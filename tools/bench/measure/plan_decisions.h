@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/settings.h"
+#include "tools/bench/measure/measurement.h"
+
+namespace brume {
+
+// What a render plan leaves out, as scenes that show whether it may: one in which the stage is left
+// out, the same with as good as nothing for it to do (a density, light or amplitude of about 1e-9),
+// so that it runs, and one that needs it.
+struct PlanDecision {
+  std::string stage;  // as of SkippedStage
+  std::string why;
+  AirlightMethod method = AirlightMethod::sliced;
+  Scene left_out, made, needed;
+};
+
+// One for every stage that a plan may leave out.
+std::vector<PlanDecision> plan_decisions();
+
+// Renders with the scene's requested radiance transfer.
+Frame render_planned(const Scene& scene, AirlightMethod method);
+
+// Whether the stage is among those that the frame left out.
+bool leaves_out(const Frame& frame, const PlanDecision& decision);
+
+// Maximum difference of two frames' radiance or transmittance, relative to the maximum of `scale`.
+double max_change(const Frame& a, const Frame& b, const Frame& scale);
+
+// What leaving the stage out saves: CPU milliseconds of a frame with a moved camera.
+struct PlanSaving {
+  std::string stage, why;
+  Spread left_out, made;
+  double change = 0.0;  // of the picture: max_change()
+};
+PlanSaving measure_saving(const PlanDecision& decision, int frames);
+
+}  // namespace brume

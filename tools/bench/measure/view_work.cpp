@@ -1,0 +1,154 @@
+#include "tools/bench/measure/view_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tools/bench/measure/view_work.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+// A value that the compiler must take to be unknown, or used.
+HWY_INLINE float Opaque(float x) {
+  volatile float hidden = x;
+  return hidden;
+}
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+
+// As in render/lighting/slice_kernels.cpp.
+HWY_INLINE V FastErf(V x) {
+  constexpr float coefficient[] = {4.48287326e-08f,  -2.10701818e-06f, 4.373204e-05f,
+                                   -5.34635078e-04f, 4.35594895e-03f,  -2.54599806e-02f,
+                                   1.11661121e-01f,  -3.75768876e-01f, 1.12838748f};
+  const D d;
+  const V y = hn::Min(hn::Max(x, hn::Set(d, -3.0f)), hn::Set(d, 3.0f));
+  return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient));
+}
+
+// A Gaussian on the rays of one vector; `before` is erf at the last boundary.
+struct Chain {
+  V t0, a, scale, length, before, depth;
+
+  HWY_INLINE void Step(V boundary) {
+    const V now = FastErf(hn::Mul(a, hn::Sub(hn::Min(boundary, length), t0)));
+    depth = hn::MulAdd(scale, hn::Sub(now, before), depth);
+    before = now;
+  }
+};
+
+std::uint64_t IncrementsInRegisters(std::uint64_t count) {
+  const D d;
+  const float start = Opaque(0.5f);
+  const auto chain = [&](float t0) HWY_ATTR {
+    return Chain{hn::Set(d, t0),    hn::Set(d, start),      hn::Set(d, start),
+                 hn::Set(d, 1e30f), hn::Set(d, start + t0), hn::Zero(d)};
+  };
+  // Enough that none waits for another; their state and the constants fill the registers.
+  Chain p = chain(1.0f);
+  Chain q = chain(1.1f);
+  Chain r = chain(1.2f);
+  V boundary = hn::Zero(d);
+  const V width = hn::Set(d, 0.01f * start);
+  const std::uint64_t per_step = 3 * hn::Lanes(d);
+  const std::uint64_t steps = count / per_step + 1;
+  for (std::uint64_t k = 0; k < steps; ++k) {
+    p.Step(boundary);
+    q.Step(boundary);
+    r.Step(boundary);
+    boundary = hn::Add(boundary, width);
+  }
+  Opaque(hn::GetLane(hn::SumOfLanes(d, hn::Add(p.depth, hn::Add(q.depth, r.depth)))));
+  return steps * per_step;
+}
+
+std::uint64_t PairsInRegisters(std::uint64_t count) {
+  const D d;
+  const float start = Opaque(0.5f);
+  const V a = hn::Set(d, start);
+  const V boundary = hn::Set(d, 2.0f * start);
+  const V3<V> w{hn::Set(d, 0.6f * start), hn::Set(d, 0.8f * start), hn::Set(d, start)};
+  V x = hn::Zero(d);
+  V sum = hn::Zero(d);
+  const std::uint64_t steps = count / hn::Lanes(d) + 1;
+  for (std::uint64_t k = 0; k < steps; ++k) {
+    // One does not need the other: the processor overlaps them.
+    const Crossing<D> crossing({x, a, boundary}, w, a);
+    const V scale = hn::Mul(a, hn::Exp(d, hn::Neg(crossing.e)));
+    sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, crossing.t0))), sum);
+    x = hn::Add(x, hn::Set(d, 1e-6f));
+  }
+  Opaque(hn::GetLane(hn::SumOfLanes(d, sum)));
+  return steps * hn::Lanes(d);
+}
+
+std::size_t VectorLanes() {
+  return hn::Lanes(D());
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(IncrementsInRegisters);
+HWY_EXPORT(PairsInRegisters);
+HWY_EXPORT(VectorLanes);
+
+std::uint64_t increments_in_registers(std::uint64_t count) {
+  return HWY_DYNAMIC_DISPATCH(IncrementsInRegisters)(count);
+}
+
+std::uint64_t pairs_in_registers(std::uint64_t count) {
+  return HWY_DYNAMIC_DISPATCH(PairsInRegisters)(count);
+}
+
+std::size_t vector_lanes() {
+  return HWY_DYNAMIC_DISPATCH(VectorLanes)();
+}
+
+ViewWork count_view_work(const GaussianBatch& g, const PathBatch& rays,
+                         std::span<const float> boundaries, std::size_t lanes) {
+  ViewWork work;
+  for (std::size_t first = 0; first < rays.count; first += lanes) {
+    const std::size_t end = std::min(first + lanes, rays.count);
+    for (std::size_t j = 0; j < g.size(); ++j) {
+      const glm::vec3 b(g.x[j], g.y[j], g.z[j]);
+      float from = std::numeric_limits<float>::infinity();
+      float to = -from;
+      for (std::size_t i = first; i < end; ++i) {
+        const glm::vec3 w(rays.x[i], rays.y[i], rays.z[i]);
+        const float t0 = glm::dot(b, w);
+        const glm::vec3 p = g.a[j] * (b - t0 * w);
+        const float left = g.cutoff[j] - glm::dot(p, p);
+        if (left < 0.0f) continue;
+        const float half = std::sqrt(left) / g.a[j];
+        const float last = std::min(t0 + half, rays.length[i]);
+        if (last <= std::max(t0 - half, boundaries.front())) continue;
+        from = std::min(from, t0 - half);
+        to = std::max(to, last);
+      }
+      if (from >= to || from >= boundaries.back()) continue;
+      // The boundaries at which the first and the last of the slices end.
+      const auto first_end =
+          std::max(std::ranges::upper_bound(boundaries, from), boundaries.begin() + 1);
+      const auto last_end =
+          std::min(std::ranges::lower_bound(boundaries, to), boundaries.end() - 1);
+      work.pairs += lanes;
+      work.increments += static_cast<std::uint64_t>(last_end - first_end + 1) * lanes;
+    }
+  }
+  return work;
+}
+
+}  // namespace brume
+#endif

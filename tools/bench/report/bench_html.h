@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "tools/bench/report/bench_report.h"
+
+namespace brume {
+
+// The report as one HTML file that needs no other: plots as SVG, pictures embedded.
+std::string to_html(const BenchReport& report);
+
+}  // namespace brume

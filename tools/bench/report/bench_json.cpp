@@ -1,0 +1,207 @@
+#include "tools/bench/report/bench_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "tools/bench/measure/device_name.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Spread& spread) {
+  return {{"median", spread.median}, {"min", spread.min_value}, {"max", spread.max_value}};
+}
+
+Json to_json(const HardCaseError& error) {
+  return {{"airlight", error.airlight}, {"transmittance", error.transmittance}};
+}
+
+Json to_json(const HardCaseRow& row) {
+  Json json;
+  json["name"] = row.hard_case.name;
+  json["bound"] = row.hard_case.bound;
+  json["auto"] = {{"airlight", row.errors.automatic.airlight},
+                  {"is_told", row.errors.automatic.is_told}};
+  json["reference"] = to_json(row.errors.reference);
+  json["sliced"] = to_json(row.errors.sliced);
+  if (row.errors.gl) json["gl"] = to_json(*row.errors.gl);
+  json["paper"] = row.errors.paper;
+  return json;
+}
+
+Json to_json(const KernelShare& share) {
+  return {{"limit_per_second", to_json(share.limit_per_second)},
+          {"of_limit", to_json(share.of_limit)},
+          {"of_limit_with_pairs", to_json(share.of_limit_with_pairs)},
+          {"sum_of_limit", to_json(share.sum_of_limit)},
+          {"increments_per_pair", share.increments_per_pair},
+          {"used_lanes", share.used_lanes}};
+}
+
+Json to_json(const ErrorEstimate& error) {
+  return {{"rel_rmse", error.rel_rmse},
+          {"low", error.low},
+          {"high", error.high},
+          {"pixels", error.pixels}};
+}
+
+Json to_json(const std::vector<ComparedError>& rows) {
+  Json json = Json::array();
+  for (const ComparedError& row : rows) {
+    json.push_back({{"what", row.what}, {"error", to_json(row.error)}});
+    if (row.other) json.back()["other"] = to_json(*row.other);
+  }
+  return json;
+}
+
+Json to_json(const Measurement& m) {
+  Json json;
+  json["setting"] = m.setting;
+  json["frame_ms"] = to_json(m.milliseconds);
+  json["cpu_ms"] = to_json(m.cpu_milliseconds);
+  json["first_frame_ms"] = m.first_milliseconds;
+  json["first_frame_cpu_ms"] = m.first_cpu_milliseconds;
+  json["error"] = to_json(m.error);
+  json["view_pairs"] = m.pairs;
+  Json stages = Json::array();
+  for (const StageTime& stage : m.stages) {
+    stages.push_back({{"name", stage.name}, {"ms", stage.milliseconds}});
+  }
+  json["stages"] = std::move(stages);
+  return json;
+}
+
+Json to_json(const SceneReport& scene) {
+  Json json;
+  json["name"] = scene.name;
+  json["gaussians"] = scene.gaussians;
+  json["lights"] = scene.lights;
+  json["environment"] = scene.environment;
+  json["size"] = {scene.film.width, scene.film.height};
+  json["reference_cpu_ms"] = scene.reference_cpu_milliseconds;
+  Json settings = Json::array();
+  for (const Measurement& m : scene.settings) settings.push_back(to_json(m));
+  json["settings"] = std::move(settings);
+  Json on_gl = Json::array();
+  for (const Measurement& m : scene.on_gl) on_gl.push_back(to_json(m));
+  json["on_gl"] = std::move(on_gl);
+  Json peers = Json::array();
+  for (const OtherRendererRow& peer : scene.peers) {
+    peers.push_back({{"program", peer.program},
+                     {"setting", peer.setting},
+                     {"cpu_ms", peer.cpu_milliseconds},
+                     {"rel_rmse", peer.rel_rmse}});
+  }
+  json["peers"] = std::move(peers);
+  Json fastest = Json::array();
+  for (const double level : bench_error_levels) {
+    const auto best = cheapest_within(scene.settings, level);
+    fastest.push_back(
+        {{"max_error", level},
+         {"setting", best ? Json(scene.settings[*best].setting) : Json(nullptr)},
+         {"cpu_ms", best ? Json(scene.settings[*best].cpu_milliseconds.median) : Json(nullptr)}});
+  }
+  json["fastest"] = std::move(fastest);
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const BenchReport& report) {
+  Json json;
+  json["version"] = BRUME_VERSION;
+  json["device"] = device_name();
+  json["command"] = report.command;
+  json["backends"] = Json::array({"cpu"});
+  if (!report.gl_device.empty()) {
+    json["backends"].push_back("gl");
+    json["gl_device"] = report.gl_device;
+  }
+  json["threads"] = report.threads;
+  json["quick"] = report.quick;
+  Json scenes = Json::array();
+  for (const SceneReport& scene : report.scenes) scenes.push_back(to_json(scene));
+  json["scenes"] = std::move(scenes);
+  Json thickness = Json::array();
+  for (const ThicknessRow& row : report.thickness) {
+    thickness.push_back({{"factor", row.factor},
+                         {"max_depth", row.max_depth},
+                         {"paper", to_json(row.paper)},
+                         {"energy", to_json(row.energy)},
+                         {"sliced", to_json(row.sliced)}});
+  }
+  json["thickness"] = std::move(thickness);
+  Json skies = Json::array();
+  for (const SkyRow& row : report.skies) {
+    skies.push_back({{"gaussians", row.gaussians},
+                     {"depth", row.depth},
+                     {"anisotropy", row.anisotropy},
+                     {"even", to_json(row.even)},
+                     {"sunny", to_json(row.sunny)}});
+  }
+  json["skies"] = std::move(skies);
+  json["patches"] = to_json(report.patches);
+  Json glow = Json::array();
+  for (const InscatteringRow& row : report.glow) {
+    glow.push_back({{"depth", row.depth}, {"share", row.share}});
+  }
+  json["glow"] = std::move(glow);
+  Json scales = Json::array();
+  for (const ScaleRow& row : report.scales) {
+    scales.push_back({{"name", row.scene},
+                      {"scale", row.scale},
+                      {"computed", row.computed},
+                      {"change", row.change}});
+  }
+  json["airlight_scale"] = std::move(scales);
+  Json noise_depths = Json::array();
+  for (const NoiseDepthRow& row : report.noise_depths) {
+    noise_depths.push_back(
+        {{"cells", row.cells}, {"afar", to_json(row.afar)}, {"near", to_json(row.near)}});
+  }
+  json["noise_depths"] = std::move(noise_depths);
+  json["noise"] = to_json(report.noise);
+  json["lamp_light"] = to_json(report.lamp_light);
+  json["arriving_light"] = to_json(report.incident_light);
+  json["transfer"] = to_json(report.transfer);
+  Json curves = Json::array();
+  for (const CostCurve& curve : report.curves) {
+    Json points = Json::array();
+    for (const CostPoint& p : curve.points) {
+      points.push_back({{"size", p.size}, {"cpu_ms", p.cpu_milliseconds}});
+    }
+    curves.push_back({{"over", curve.over}, {"exponent", curve.exponent}, {"points", points}});
+  }
+  json["curves"] = std::move(curves);
+  Json threads = Json::array();
+  for (const ThreadRow& row : report.thread_rows) {
+    threads.push_back({{"threads", row.threads}, {"frame_ms", to_json(row.milliseconds)}});
+  }
+  json["thread_rows"] = std::move(threads);
+  Json savings = Json::array();
+  for (const PlanSaving& saving : report.savings) {
+    savings.push_back({{"stage", saving.stage},
+                       {"why", saving.why},
+                       {"left_out_cpu_ms", to_json(saving.left_out)},
+                       {"made_cpu_ms", to_json(saving.made)},
+                       {"change", saving.change}});
+  }
+  json["left_out"] = std::move(savings);
+  Json hard_cases = Json::array();
+  for (const HardCaseRow& row : report.hard_cases) hard_cases.push_back(to_json(row));
+  json["hard_cases"] = std::move(hard_cases);
+  Json rows = Json::array();
+  for (const TableOneRow& row : report.table_one) {
+    Json entry = to_json(row.measurement);
+    entry["name"] = row.name;
+    entry["fps"] = 1e3 / row.measurement.milliseconds.median;
+    entry["paper_fps"] = row.paper_fps;
+    entry["kernel"] = to_json(row.share);
+    rows.push_back(std::move(entry));
+  }
+  json["table_one"] = std::move(rows);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace brume

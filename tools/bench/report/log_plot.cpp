@@ -1,0 +1,88 @@
+#include "tools/bench/report/log_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/bench/measure/report_text.h"
+
+namespace brume {
+namespace {
+
+constexpr int height = 320;
+constexpr int left = 64, right = 620, top = 12, bottom = 272;
+
+LogPlot::Range decades(LogPlot::Range range) {
+  const double low = std::floor(std::log10(std::max(range.first, 1e-9)));
+  return {low, std::max(std::ceil(std::log10(std::max(range.second, 1e-9))), low + 1.0)};
+}
+
+double place(double value, LogPlot::Range axis) {
+  const double at = (std::log10(std::max(value, 1e-9)) - axis.first) / (axis.second - axis.first);
+  return std::clamp(at, 0.0, 1.0);
+}
+
+}  // namespace
+
+LogPlot::LogPlot(Range x, Range y, const char* x_title, const char* y_title)
+    : x_(decades(x)), y_(decades(y)) {
+  for (double d = x_.first; d <= x_.second; ++d) {
+    const double at = px(std::pow(10, d));
+    put(svg_, "<path stroke=\"#ddd\" d=\"M%.1f %d V%d\"/>", at, top, bottom);
+    put(svg_, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", at, bottom + 14,
+        std::pow(10, d));
+  }
+  for (double d = y_.first; d <= y_.second; ++d) {
+    const double at = py(std::pow(10, d));
+    put(svg_, "<path stroke=\"#ddd\" d=\"M%d %.1f H%d\"/>", left, at, right);
+    put(svg_, "<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", left - 4, at + 4,
+        std::pow(10, d));
+  }
+  put(svg_, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n", (left + right) / 2,
+      height - 8, x_title);
+  put(svg_, "<text transform=\"translate(12 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
+      (top + bottom) / 2, y_title);
+}
+
+void LogPlot::dot(double x, double y, const char* color, const std::string& title) {
+  put(svg_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"><title>%s</title></circle>\n",
+      px(x), py(y), color, escaped(title).c_str());
+}
+
+void LogPlot::legend(const std::vector<std::pair<std::string, std::string>>& names_and_colors) {
+  width_ += 170;
+  int y = top + 10;
+  for (const auto& [name, color] : names_and_colors) {
+    put(svg_,
+        "<circle cx=\"%d\" cy=\"%d\" r=\"4\" fill=\"%s\"/><text x=\"%d\" y=\"%d\">%s</text>\n",
+        right + 20, y - 4, color.c_str(), right + 30, y, escaped(name).c_str());
+    y += 16;
+  }
+}
+
+std::string LogPlot::svg() const {
+  std::string text;
+  put(text,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+      "font-family=\"sans-serif\" font-size=\"11\"><rect width=\"100%%\" height=\"100%%\" "
+      "fill=\"#fff\"/>\n",
+      width_, height, width_);
+  return text + svg_ + "</svg>\n";
+}
+
+void LogPlot::line(const std::vector<std::pair<double, double>>& points, const char* color) {
+  svg_ += "<path fill=\"none\" stroke=\"" + std::string(color) + "\" d=\"";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    put(svg_, "%c%.1f %.1f", i == 0 ? 'M' : 'L', px(points[i].first), py(points[i].second));
+  }
+  svg_ += "\"/>\n";
+}
+
+double LogPlot::px(double x) const {
+  return left + place(x, x_) * (right - left);
+}
+
+double LogPlot::py(double y) const {
+  return bottom - place(y, y_) * (bottom - top);
+}
+
+}  // namespace brume
