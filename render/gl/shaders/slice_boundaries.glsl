@@ -89,13 +89,13 @@ void cut_demand(vec2 core, int bins, int count) {
     depth += demand_rate[i] * width;
     sum += demand_curvature[i];
   }
-  const float uniform = sum > 0.0 ? 0.3 * sum / float(bins) : 1.0;
-  sum += uniform * float(bins);
+  const float base_demand = sum > 0.0 ? 0.3 * sum / float(bins) : 1.0;
+  sum += base_demand * float(bins);
   add_boundary(core.x);
   float reached = 0.0;
   int k = 1;
   for (int i = 0; i < bins && k < count; ++i) {
-    const float here = demand_curvature[i] + uniform;
+    const float here = demand_curvature[i] + base_demand;
     while (k < count && sum * float(k) / float(count) <= reached + here) {
       add_boundary(core.x +
                    width * (float(i) + (sum * float(k) / float(count) - reached) / here));
