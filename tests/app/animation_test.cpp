@@ -152,7 +152,7 @@ class AnimationTest : public QObject {
     freeze->trigger();
     const auto particles = particles_at(scene.emitters[0], 14 / 30.0);
     QCOMPARE(window->document().undo_stack().undoText(),
-             QString("Freeze %1 Gaussians").arg(particles.size()));
+             QString("Bake %1 Gaussians").arg(particles.size()));
     QVERIFY(window->document().medium().gaussian(5) == particles[0]);
   }
 

@@ -130,9 +130,9 @@ class QualityTest : public QObject {
       choose_bound(*window, bound);
       return window.settle() ? view.shown()->request.settings.slices : 0;
     };
-    const int loose = slices_for("10 % error");
+    const int loose = slices_for("10 %");
     QVERIFY(error_of(*window).high <= 0.1);
-    const int tight = slices_for("1 % error");
+    const int tight = slices_for("1 %");
     QVERIFY(error_of(*window).high <= 0.01);
     QVERIFY2(0 < loose && loose < tight, qPrintable(QString("%1 %2").arg(loose).arg(tight)));
     QCOMPARE(label(*window, "shown"), QString("sliced %1").arg(tight));
@@ -143,9 +143,9 @@ class QualityTest : public QObject {
   void the_plot_shows_measured_current_and_auto_settings() {
     TestWindow window(dense_cloud());
     const auto* plot = window->findChild<FrontierPlot*>("frontier");
-    choose_bound(*window, "10 % error");
+    choose_bound(*window, "10 %");
     QVERIFY(window.settle());
-    choose_bound(*window, "1 % error");
+    choose_bound(*window, "1 %");
     QVERIFY(window.settle());
     QVERIFY(plot->points().size() >= 2);
     const auto count = [&](auto what) { return std::ranges::count(plot->points(), true, what); };
@@ -177,8 +177,8 @@ class QualityTest : public QObject {
   void the_bound_is_remembered() {
     TestWindow window;
     QCOMPARE(window->viewport().quality().max_error(), 0.01);
-    QCOMPARE(window->findChild<QComboBox*>("max_error")->currentText(), QString("1 % error"));
-    choose_bound(*window, "2 % error");
+    QCOMPARE(window->findChild<QComboBox*>("max_error")->currentText(), QString("1 %"));
+    choose_bound(*window, "2 %");
   }
 
   void an_unreachable_bound_is_reported() {
@@ -256,7 +256,7 @@ class QualityTest : public QObject {
     }
     QVERIFY(stage(*window, "visibility")->text(1).contains("no surfaces"));
     QVERIFY(stage(*window, "visibility")->isDisabled());
-    QCOMPARE(label(*window, "gaussians_used"), QString("5 of 5 matter"));
+    QCOMPARE(label(*window, "gaussians_used"), QString("5 of 5 used"));
     const FrameStatistics& statistics = window->viewport().shown()->frame.statistics;
     QVERIFY(label(*window, "pairs").contains(count_text(statistics.view_pairs)));
     QCOMPARE(label(*window, "panel_error"), error_text(error_of(*window)));

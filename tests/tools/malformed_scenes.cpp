@@ -341,7 +341,7 @@ std::vector<MalformedCase> malformed_cases() {
        medium(R"("noise": {"keys": {"amplitude":
              [{"time": 1, "value": 1}, {"time": 0.5, "value": 1}]}})"),
        "medium.noise.keys.amplitude[1].time",
-       {"0.5 after 1", "grow"}},
+       {"0.5 after 1", "increase"}},
       {"two keys at one time",
        camera(R"("keys": {"vertical_fov": [{"time": 1, "value": 40}, {"time": 1, "value": 50}]})"),
        "camera.keys.vertical_fov[1].time",
