@@ -281,7 +281,7 @@ class QualityTest : public QObject {
     window->document().select({5});
     window.key(Qt::Key_Delete);
     QVERIFY(window.settle());
-    QCOMPARE(label(*window, "gaussians_used"), QString("4 of 4 matter"));
+    QCOMPARE(label(*window, "gaussians_used"), QString("4 of 4 used"));
   }
 
   void numbers_are_short() {

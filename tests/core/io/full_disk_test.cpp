@@ -140,7 +140,7 @@ TEST_F(FullDisk, GatherLeavesNothing) {
     const FileSizeLimit full(1000);
     gather_scene(scene, folder_ / "all", "scene");
   });
-  EXPECT_TRUE(contains(error, (folder_ / "all").string() + ": cannot be made")) << error;
+  EXPECT_TRUE(contains(error, (folder_ / "all").string() + ": cannot be created")) << error;
   EXPECT_EQ(folder_.entry_count(), 0u);
 }
 

@@ -88,7 +88,7 @@ TEST(HdrFile, RefusesWhatItIsNot) {
       {bad_header, "before the size"},
       {header(2, 1) + pixel, "row 0"},
       {header(1, 2) + pixel, "row 1"},
-      {header(1, 1) + pixel + "x", "1 bytes behind"},
+      {header(1, 1) + pixel + "x", "1 bytes after"},
       {header(2, 1) + bytes({1, 1, 1, 1}) + pixel, "without a pixel"},
       {header(2, 1) + pixel + bytes({1, 1, 1, 9}), "beyond"},
       {header(8, 1) + bytes({2, 2, 0, 9}), "width of 9"},

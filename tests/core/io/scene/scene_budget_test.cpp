@@ -81,7 +81,7 @@ TEST(SceneBudget, SequencesShareTheGaussiansOfTheScene) {
     EXPECT_TRUE(contains(error, part)) << part << " in " << error;
   }
   std::filesystem::rename(folder / "f_0.ply", folder / "f_0.csv");
-  EXPECT_TRUE(contains(error_of([&] { load("f_%d.csv", 3); }), "f_1.csv: line 3: found one"));
+  EXPECT_TRUE(contains(error_of([&] { load("f_%d.csv", 3); }), "f_1.csv: line 3: found too many Gaussians"));
 }
 
 // A mesh of 30,000 triangles, placed as often as surfaces may be.
