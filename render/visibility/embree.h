@@ -70,7 +70,8 @@ struct RayQuery : RTCRayQueryContext {
   }
 
  private:
-  auto* complete(auto& arguments) {
+  template <class Arguments>
+  Arguments* complete(Arguments& arguments) {
     arguments.flags = flags;
     arguments.context = this;
     arguments.filter = filter;
