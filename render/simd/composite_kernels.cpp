@@ -19,9 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// In [-pi, pi]; 0 where both are 0.
+// Of the point (x, y), in [-pi, pi]; 0 where both are 0. Highway 1.1 has an Atan2, 1.0 does not.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V Atan2(D d, V y, V x) {
+HWY_INLINE V Angle(D d, V y, V x) {
   const V across = hn::Max(hn::Abs(x), hn::Set(d, std::numeric_limits<float>::min()));
   const V acute = hn::Atan(d, hn::Div(hn::Abs(y), across));
   const V pi = hn::Set(d, std::numbers::pi_v<float>);
@@ -41,8 +41,8 @@ struct MapPositions {
     const hn::RebindToSigned<D> di;
     constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
     const auto width = static_cast<float>(map.width);
-    const V azimuth = Atan2(d, x, hn::Neg(z));
-    const V polar = Atan2(d, hn::Sqrt(hn::MulAdd(x, x, hn::Mul(z, z))), y);
+    const V azimuth = Angle(d, x, hn::Neg(z));
+    const V polar = Angle(d, hn::Sqrt(hn::MulAdd(x, x, hn::Mul(z, z))), y);
     const V across =
         hn::MulAdd(azimuth, hn::Set(d, 0.5f * inverse_pi * width), hn::Set(d, 0.5f * width - 0.5f));
     const V down = hn::MulAdd(polar, hn::Set(d, inverse_pi * static_cast<float>(map.height)),

@@ -1,7 +1,5 @@
 #include "render/visibility/ray_caster.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "render/geometry/edge_on.h"
 
 #include "render/simd/surface_kernels.h"
+#include "render/visibility/embree.h"
 
 namespace brume {
 namespace {
@@ -85,7 +84,7 @@ struct RayCaster::Impl {
     device = rtcNewDevice(nullptr);
     if (!device) throw std::bad_alloc();
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | scene_flag_filter);
     for (const Surface& surface : surfaces) add(surface);
     raster.pad();
     rtcCommitScene(scene);
@@ -172,26 +171,22 @@ struct RayCaster::Impl {
 namespace {
 
 // Rays that start at one point, and see no triangle edge-on.
-struct ViewContext {
-  RTCIntersectContext context;  // the first member: Embree hands out where it is
+struct ViewQuery : RayQuery {
   const std::vector<std::vector<Vertex>>& vertices;
   const std::vector<std::vector<glm::uvec3>>& triangles;
   glm::dvec3 eye;
   double height;
 
-  ViewContext(const auto& impl, const glm::dvec3& origin, RTCIntersectContextFlags flags)
-      : vertices(impl.vertices),
+  ViewQuery(const auto& impl, const glm::dvec3& origin, RayOrder order)
+      : RayQuery(order, refuse_edge_on),
+        vertices(impl.vertices),
         triangles(impl.triangles),
         eye(origin - impl.center),
-        height(edge_on_height(eye, impl.radius)) {
-    rtcInitIntersectContext(&context);
-    context.flags = flags;
-    context.filter = refuse_edge_on;
-  }
+        height(edge_on_height(eye, impl.radius)) {}
 
  private:
   static void refuse_edge_on(const RTCFilterFunctionNArguments* found) {
-    const auto& view = *reinterpret_cast<const ViewContext*>(found->context);
+    const auto& view = static_cast<const ViewQuery&>(*found->context);
     for (unsigned i = 0; i < found->N; ++i) {
       if (found->valid[i] == 0) continue;
       const unsigned surface = RTCHitN_geomID(found->hit, found->N, i);
@@ -211,13 +206,6 @@ SurfaceHit hit(const Part& part, float tfar, unsigned geometry, unsigned triangl
   if (geometry == RTC_INVALID_GEOMETRY_ID || !std::isfinite(tfar)) return {};
   return {part.skip + static_cast<double>(tfar), static_cast<std::int32_t>(geometry), triangle, u,
           v};
-}
-
-RTCIntersectContext context_of(RTCIntersectContextFlags flags) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = flags;
-  return context;
 }
 
 }  // namespace
@@ -282,8 +270,8 @@ SurfaceHit RayCaster::first_hit(const glm::dvec3& origin, const glm::dvec3& dire
   RTCRayHit query{};
   impl_->set(query.ray, 0, origin, direction, part);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  ViewContext view(*impl_, origin, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
-  rtcIntersect1(impl_->scene, &view.context, &query);
+  ViewQuery view(*impl_, origin, RayOrder::incoherent);
+  view.intersect(impl_->scene, query);
   return hit(part, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
 }
 
@@ -292,7 +280,7 @@ void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3>
   std::fill(hits.begin(), hits.end(), SurfaceHit{});
   if (empty()) return;
   const bool near = is_near(origin);
-  ViewContext view(*impl_, origin, RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  ViewQuery view(*impl_, origin, RayOrder::coherent);
   for (std::size_t first = 0; first < directions.size(); first += packet) {
     alignas(64) std::array<int, packet> valid{};
     std::array<Part, packet> parts;
@@ -306,7 +294,7 @@ void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3>
       query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
       valid[k] = -1;
     }
-    rtcIntersect16(valid.data(), impl_->scene, &view.context, &query);
+    view.intersect(impl_->scene, valid.data(), query);
     for (std::size_t k = 0; k < count; ++k) {
       hits[first + k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
                             query.hit.u[k], query.hit.v[k]);
@@ -426,7 +414,7 @@ void RayCaster::trace_shadow_rays(const SurfacePoints& points, const glm::vec3& 
 void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                                  std::span<const std::uint8_t> pending,
                                  LightAtPoints& light) const {
-  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+  RayQuery shadow(RayOrder::coherent);
   const auto margin = static_cast<float>(self_hit_margin);
   const float max_value = margin * 2.0f * static_cast<float>(impl_->radius);
   const std::size_t count = std::min(packet, pending.size());
@@ -453,7 +441,7 @@ void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& p
     query.flags[k] = 0u;
     valid[k] = k < count ? -1 : 0;
   }
-  rtcOccluded16(valid.data(), impl_->scene, &context, &query);
+  shadow.occluded(impl_->scene, valid.data(), query);
   for (std::size_t k = 0; k < count; ++k) {
     light.lit[pending[k]] = query.tfar[k] >= 0.0f ? 1.0f : 0.0f;
   }
@@ -465,10 +453,10 @@ bool RayCaster::occluded(const glm::dvec3& start, const glm::dvec3& end) const {
   if (empty() || !(distance > 0.0)) return false;
   const Part part = impl_->between(start, q / distance, distance);
   if (!(part.tnear < part.tfar)) return false;
-  RTCIntersectContext context = context_of(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+  RayQuery shadow(RayOrder::incoherent);
   RTCRay query;
   impl_->set(query, 0, start, q / distance, part);
-  rtcOccluded1(impl_->scene, &context, &query);
+  shadow.occluded(impl_->scene, query);
   return query.tfar < 0.0f;
 }
 

@@ -1,12 +1,12 @@
 #include "render/visibility/triangle_bvh.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
 #include <memory>
 #include <new>
+
+#include "render/visibility/embree.h"
 
 namespace brume {
 namespace {

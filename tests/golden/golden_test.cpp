@@ -273,7 +273,8 @@ std::map<std::string, Quantity<float>> kernels() {
          std::iota(indices.begin(), indices.end(), 0u);
          glm::vec3 airlight;
          double depth_to_end = 0.0;
-         paper_airlight(medium, indices, paper, {ray.v, std::array{ray.w}, std::array{ray.d}},
+         paper_airlight(medium, indices, paper,
+                        {ray.v, std::array{ray.w}, std::array{ray.d}, 0, {}},
                         Settings::Precision::simd_float,
                         {std::span(&airlight, 1), std::span(&depth_to_end, 1)});
          return R{airlight.x};

@@ -218,7 +218,8 @@ TEST_F(CommandLine, RendersWithOpenGl) {
     const ProgramResult result = run_brume(all);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const auto stats = Json::parse(content_of(folder_ / "s.json"));
-    EXPECT_EQ(read_exr(folder_ / "o.exr").metadata.at("brume:backend"), stats["backend"]);
+    EXPECT_EQ(read_exr(folder_ / "o.exr").metadata.at("brume:backend"),
+              stats["backend"].get<std::string>());
     return std::pair(result.err, stats);
   };
   const auto [silent, stats] = run({"--airlight", "sliced", "--backend", "gl"});

@@ -154,15 +154,15 @@ TEST(Settings, LightMapsOfManyLightsFitIntoMemory) {
   const Settings wanted = sliced_settings({}, 64);
   EXPECT_EQ(limit_light_map_memory(wanted, 30, true), wanted);
   EXPECT_EQ(limit_light_map_memory(wanted, 64, false), wanted);
-  for (const std::size_t lights : {std::size_t{65}, std::size_t{300}, std::size_t{1024}}) {
-    const Settings fitting = limit_light_map_memory(wanted, lights, true);
+  for (const std::size_t count : {std::size_t{65}, std::size_t{300}, std::size_t{1024}}) {
+    const Settings fitting = limit_light_map_memory(wanted, count, true);
     const auto directions = static_cast<std::size_t>(fitting.optical_depth_table.directions);
     const auto cells = static_cast<std::size_t>(fitting.shadow_cells);
     const std::size_t bytes =
         directions * directions * 2 * static_cast<std::size_t>(fitting.optical_depth_table.radii) +
         cells * cells * 12;
-    EXPECT_LE(lights * bytes, max_light_map_bytes) << lights;
-    EXPECT_GT(2 * lights * bytes, max_light_map_bytes / 2) << lights;  // no smaller than need be
+    EXPECT_LE(count * bytes, max_light_map_bytes) << count;
+    EXPECT_GT(2 * count * bytes, max_light_map_bytes / 2) << count;  // no smaller than need be
     EXPECT_GE(fitting.optical_depth_table.directions, 64);
   }
 }
