@@ -5,10 +5,9 @@ const uint compact_words = (gl_WorkGroupSize.x + 31u) / 32u;
 shared uint compact_bits[compact_words];
 
 // The number of this invocation, if it `stores`, and `found`, how many there are. Called by all
-// invocations together; what they have stored before has been read by all when it returns.
+// invocations together, with a barrier since the last call.
 uint compact_slot(bool stores, out uint found) {
   const uint id = gl_LocalInvocationID.x;
-  barrier();
   if (id < compact_words) compact_bits[id] = 0u;
   barrier();
   if (stores) atomicOr(compact_bits[id / 32u], 1u << (id % 32u));

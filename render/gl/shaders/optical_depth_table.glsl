@@ -59,6 +59,7 @@ void main() {
     for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
     for (int k = 0; k <= chunk; ++k) ends[k] = nearest[min(first + k, last)];
     for (uint base = 0u; base < count; base += 64u) {
+      barrier();  // what the group has found before is read below
       const uint i = base + id;
       vec4 shape = vec4(0.0);
       vec3 b = vec3(0.0);

@@ -71,6 +71,7 @@ void main() {
       ends[k + 1] = min(boundary, length_);
     }
     for (uint base = begin; base < end; base += group_size) {
+      barrier();  // what the group has found before is read below
       uint i = 0u;
       ivec4 range = ivec4(0);
       bool matters = base + id < end;

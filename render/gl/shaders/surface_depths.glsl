@@ -43,6 +43,7 @@ void main() {
   uint evaluated = 0u;
   const float end = uintBitsToFloat(longest);
   for (uint base = 0u; base < count && end > 0.0; base += 64u) {
+    barrier();  // what the group has found before is read below
     const uint i = base + id;
     vec4 shape = vec4(0.0);
     vec3 b = vec3(0.0);
