@@ -72,7 +72,8 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
   std::erase_if(depths_, [&](const auto& known) { return gone(known->light); });
   std::erase_if(tables_, [&](const auto& known) {
     return gone(known->table.light()) || !(known->size == settings.optical_depth_table) ||
-           (known->is_patched && !settings.patch_light_tables);
+           // Changes may be pending of a frame that was stopped.
+           (!settings.patch_light_tables && (known->is_patched || !known->changed.empty()));
   });
   std::erase_if(shadows_, [&](const auto& known) { return gone(known->light()); });
 }
