@@ -71,7 +71,7 @@ OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, cons
     usual = std::max(usual, glm::length(g.center - light) + g.cutoff_radius);
   }
   const double first = std::max(nearest, 0.0);
-  // Nor all of the light of a lamp in dense fog, which does not get far.
+  // Nor all of the light of a point light in dense fog, which does not get far.
   const double here = std::max(medium.density(light) - medium.homogeneous_density(), 1e-30);
   radii = TableRadii(size.radii, first, farthest,
                      std::min(usual - first, OpticalDepthTable::opaque / here));

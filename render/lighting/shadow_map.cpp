@@ -15,7 +15,7 @@ ShadowMap::ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const
     std::vector<glm::dvec3> directions;
     for (int x = 0; x < map.stride(); ++x) directions.push_back(map.direction(x - 1, y - 1));
     std::vector<SurfaceHit> hits(stride);
-    // A lamp on a ceiling shines.
+    // A light on a ceiling shines.
     ray_caster.first_hits(light, directions, hits, ray_caster.min_gap());
     float* const row = distances_.data() + static_cast<std::size_t>(y) * stride;
     for (std::size_t x = 0; x < stride; ++x) row[x] = static_cast<float>(hits[x].distance);

@@ -18,9 +18,9 @@ void add_equi_angular(const SlicedLight& light, const TileCone& rays, const RayR
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
   // what is near the light if the medium is endless.
   const double near = 16.0 * glm::length(light.position - (rays.eye + range.begin * rays.center));
-  const double min_value = 0.25 * std::min(range.end - range.begin, near) / count;
+  const double min_distance = 0.25 * std::min(range.end - range.begin, near) / count;
   PointLightRay<double> path(light.position, rays.eye, rays.center,
-                             std::max(light.h_min, min_value));
+                             std::max(light.h_min, min_distance));
   path.ts = rays.nearest_pass(light.position - rays.eye).t;
   const EquiAngular<double> angular(path, range.end);
   const double begin = angular.angle(range.begin);
@@ -164,30 +164,30 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
 
   // The Gaussians: slices over two radii or more to both sides, and one more for the tail at each
   // end.
-  RayRange cutoff_radius;
+  RayRange extent;
   RayRange core;
   for (const std::uint32_t i : gaussians) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
     const glm::dvec3 q = g.b - rays.eye;
     const double r = medium.cutoff_radii()[i];
-    cutoff_radius.add(glm::dot(q, w) - r, rays.nearest_pass(q).t + r);
+    extent.add(glm::dot(q, w) - r, rays.nearest_pass(q).t + r);
     const double t = passing(rays, q, g.a).t;
     const double half = std::min(core_radius(1.0 / g.a, g.c), r);
     core.add(t - half, t + half);
   }
-  cutoff_radius.clip(longest);
+  extent.clip(longest);
   core.clip(longest);
   const double b0 = medium.homogeneous_density();
-  RayRange whole = cutoff_radius;
+  RayRange whole = extent;
   if (b0 > 0.0) {
     whole.begin = 0.0;
-    whole.end = std::min(
-        longest, std::max(cutoff_radius.empty() ? 0.0 : cutoff_radius.end, opaque_fog_depth / b0));
+    whole.end =
+        std::min(longest, std::max(extent.empty() ? 0.0 : extent.end, opaque_fog_depth / b0));
   }
   if (whole.empty()) return;
   boundaries.push_back(whole.begin);
   boundaries.push_back(whole.end);
-  if (!cutoff_radius.empty()) {
+  if (!extent.empty()) {
     if (!core.empty()) {
       SliceDemand demand(core, 4 * slices);
       for (const std::uint32_t i : gaussians) {
@@ -200,8 +200,8 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
       }
       demand.cut(slices - 2, boundaries);
     }
-    boundaries.push_back(cutoff_radius.begin);
-    boundaries.push_back(cutoff_radius.end);
+    boundaries.push_back(extent.begin);
+    boundaries.push_back(extent.end);
   }
   const RayRange& lit = b0 > 0.0 ? whole : core;
   for (const SlicedLight& light : lights) {
@@ -222,12 +222,11 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   }
   std::sort(boundaries.begin(), boundaries.end());
   // Float tells no more apart.
-  const double min_value = 1e-9 * (whole.end - whole.begin);
-  boundaries.erase(std::unique(boundaries.begin(), boundaries.end(),
-                               [min_value](double a, double b) {
-                                 return b - a < std::max(min_value, 1e-6 * b);
-                               }),
-                   boundaries.end());
+  const double min_gap = 1e-9 * (whole.end - whole.begin);
+  boundaries.erase(
+      std::unique(boundaries.begin(), boundaries.end(),
+                  [min_gap](double a, double b) { return b - a < std::max(min_gap, 1e-6 * b); }),
+      boundaries.end());
 }
 
 }  // namespace brume

@@ -58,21 +58,22 @@ void add_direction(const ShVector<double>& direction, const glm::dvec3& irradian
 
 // light += light of a point light scattered by the medium; traced += its direct light.
 std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting& lighting,
-                               const SurfaceLight& lamp, const SurfacePoints& points,
+                               const SurfaceLight& surface_light, const SurfacePoints& points,
                                Settings::Precision precision, Light& light, Light& traced) {
   thread_local LightAtPoints at;
   thread_local std::array<PointArray, sh_max_bands> factors;
-  point_to_light(points, glm::vec3(lamp.light.position - points.origin), at);
-  const std::uint64_t pairs = find_depths(medium, lamp, points, precision, at);
+  point_to_light(points, glm::vec3(surface_light.light.position - points.origin), at);
+  const std::uint64_t pairs = find_depths(medium, surface_light, points, precision, at);
   if (lighting.point) {
     find_spread(at, points.padded_size(),
-                {lighting.point, lighting.distant, static_cast<float>(lamp.density)}, false,
-                factors);
+                {lighting.point, lighting.distant, static_cast<float>(surface_light.density)},
+                false, factors);
   }
   for (std::size_t k = 0; k < points.count; ++k) {
     const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
     const ShVector<double> direction = sh_basis(light[k].order(), wi);
-    const glm::dvec3 irradiance = static_cast<double>(at.inverse_square[k]) * lamp.light.intensity;
+    const glm::dvec3 irradiance =
+        static_cast<double>(at.inverse_square[k]) * surface_light.light.intensity;
     const float unscattered = std::exp(-at.depths[k]);
     add_direction(
         direction, irradiance, [&](int) { return unscattered; }, traced[k]);
@@ -112,8 +113,9 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
     const SurfacePoints points = places(surface, b * block);
     Light light(points.count, ShVector<glm::dvec3>(order_));
     Light traced = light;
-    for (const SurfaceLight& lamp : lighting.lights) {
-      pair_count += add_light_sphere(medium, lighting, lamp, points, precision, light, traced);
+    for (const SurfaceLight& surface_light : lighting.lights) {
+      pair_count +=
+          add_light_sphere(medium, lighting, surface_light, points, precision, light, traced);
     }
     if (lighting.environment) add_environment(lighting, shading.average_depth, points, light);
     for (std::size_t k = 0; k < points.count; ++k) {

@@ -460,10 +460,10 @@ void Raster::sort(const Job& job) {
 
 Raster::Winding Raster::nearer_winding(std::span<const WindingDepths> depths) {
   WindingDepths all;
-  for (const WindingDepths& of : depths) {
+  for (const WindingDepths& band : depths) {
     for (std::size_t k = 0; k < 2; ++k) {
-      all.sum[k] += of.sum[k];
-      all.count[k] += of.count[k];
+      all.sum[k] += band.sum[k];
+      all.count[k] += band.count[k];
     }
   }
   // Each mean times both counts.

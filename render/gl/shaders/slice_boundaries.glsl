@@ -114,8 +114,8 @@ void add_equi_angular(int l, CenterRay ray, vec2 range, int count) {
   const float ts = nearest_pass(ray, q).x;
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
   // what is near the light if the medium is endless.
-  const float min_value = 0.25 * min(range.y - range.x, 16.0 * length(q - range.x * w)) / float(count);
-  const float h = max(max(length(q - dot(q, w) * w), max(lights[l].position.w, min_value)),
+  const float min_distance = 0.25 * min(range.y - range.x, 16.0 * length(q - range.x * w)) / float(count);
+  const float h = max(max(length(q - dot(q, w) * w), max(lights[l].position.w, min_distance)),
                       max(1e-6 * abs(ts), 1e-30));
   // From the light's foot on the ray, where angles are well known in single precision.
   const float begin = atan((range.x - ts) / h);
@@ -126,7 +126,7 @@ void add_equi_angular(int l, CenterRay ray, vec2 range, int count) {
   }
 }
 
-void sort_boundaries(float min_value) {
+void sort_boundaries(float min_gap) {
   const int id = int(gl_LocalInvocationID.x);
   barrier();
   const int count = int(unsorted_count);
@@ -142,7 +142,7 @@ void sort_boundaries(float min_value) {
   if (id == 0) {
     int kept = min(count, 1);
     for (int i = 1; i < count; ++i) {
-      const float apart = max(min_value, 1e-6 * boundaries[i]);
+      const float apart = max(min_gap, 1e-6 * boundaries[i]);
       if (!(boundaries[i] - boundaries[kept - 1] < apart)) boundaries[kept++] = boundaries[i];
     }
     boundary_count = kept;
@@ -157,39 +157,39 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
     unsorted_count = 0u;
     boundary_count = 0;
   }
-  vec2 cutoff_radius = vec2(endless, 0.0);
-  vec2 core = cutoff_radius;
+  vec2 extent = vec2(endless, 0.0);
+  vec2 core = extent;
   for (uint k = begin + id; k < end; k += group_size) {
     const uint i = list[k];
     const vec4 g = seen[2 * i];
     const float t = passing(ray, g.xyz, g.w).x;
     const float r = seen[2 * i + 1].w;
     const float half_ = min(core_radii(2.0 * seen[2 * i + 1].x) / g.w, r);
-    cutoff_radius = vec2(min(cutoff_radius.x, dot(g.xyz, ray.w) - r),
-                 max(cutoff_radius.y, nearest_pass(ray, g.xyz).x + r));
+    extent = vec2(min(extent.x, dot(g.xyz, ray.w) - r),
+                 max(extent.y, nearest_pass(ray, g.xyz).x + r));
     core = vec2(min(core.x, t - half_), max(core.y, t + half_));
   }
   const vec2 ends = vec2(0.0, ray.longest);
-  cutoff_radius = clamp(vec2(reduce_min(cutoff_radius.x), reduce_max(cutoff_radius.y)), ends.xx, ends.yy);
+  extent = clamp(vec2(reduce_min(extent.x), reduce_max(extent.y)), ends.xx, ends.yy);
   core = clamp(vec2(reduce_min(core.x), reduce_max(core.y)), ends.xx, ends.yy);
-  vec2 whole = cutoff_radius;
+  vec2 whole = extent;
   if (b0 > 0.0) {
-    whole = vec2(0.0, min(ray.longest, max(cutoff_radius.x < cutoff_radius.y ? cutoff_radius.y : 0.0, opaque_fog_depth / b0)));
+    whole = vec2(0.0, min(ray.longest, max(extent.x < extent.y ? extent.y : 0.0, opaque_fog_depth / b0)));
   }
   if (!(whole.x < whole.y)) return;
   if (id == 0) {
     add_boundary(whole.x);
     add_boundary(whole.y);
   }
-  if (cutoff_radius.x < cutoff_radius.y) {
+  if (extent.x < extent.y) {
     if (core.x < core.y) {
       const int bins = 4 * slices;
       find_demand(ray, core, bins, begin, end);
       if (id == 0) cut_demand(core, bins, slices - 2);
     }
     if (id == 0) {
-      add_boundary(cutoff_radius.x);
-      add_boundary(cutoff_radius.y);
+      add_boundary(extent.x);
+      add_boundary(extent.y);
     }
   }
   barrier();

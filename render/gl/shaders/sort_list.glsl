@@ -5,7 +5,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 6) buffer Entries { uint list[]; };
+layout(std430, binding = 6) coherent buffer Entries { uint list[]; };
 layout(std430, binding = 7) readonly buffer Offsets { uint offsets[]; };  // one more than tiles
 
 uniform uint tiles;
