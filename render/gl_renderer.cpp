@@ -96,6 +96,7 @@ struct GlRenderer::Impl {
   DisplayStage display;
   std::vector<std::unique_ptr<Group>> groups;
 
+  ExtinctionMedia media;
   std::unique_ptr<Renderer> cpu;  // made when it is needed
 
   ~Impl() { release(true); }
@@ -248,7 +249,7 @@ std::optional<Frame> GlRenderer::Impl::try_render(const Scene& scene, const Came
   groups.resize(count);
   if (target.options) target.picture = pictures->acquire({film.width, film.height});
   return render_groups(
-      scene, job,
+      scene, media, job,
       [&](const Scene& group_scene, std::size_t which, double albedo, const Job& group_job) {
         FrameContext work(group_scene, camera, film, settings, *transfers, own_transfers.get(),
                           group_job, albedo, fog_extent);
@@ -263,7 +264,7 @@ void GlRenderer::Impl::find_hits(FrameContext& work, Group& group) {
     return;
   }
   const PreparedScene& prepared = group.stages.prepared();
-  group.mesh.update(prepared.ray_caster(), prepared.surface_revision());
+  group.mesh.update(prepared.ray_caster());
   clock.time("visibility",
              [&] { group.mesh.find_hits(programs, work.rays, work.frame.film, textures.depth); });
 }
@@ -280,7 +281,7 @@ void GlRenderer::Impl::find_airlight(FrameContext& work, Group& group, StageCloc
     return;
   }
   const PreparedScene& prepared = group.stages.prepared();
-  group.medium.update(prepared.medium(), prepared.medium_revision());
+  group.medium.update(prepared.medium());
   clock.time("lists", [&] {
     group.lists.build(programs, group.medium, prepared.medium(), work.rays, work.frame.film,
                       work.settings.airlight_scale, device.storage_bytes);

@@ -56,7 +56,7 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
   const std::size_t groups = albedo_groups(scene.optics.albedo).size();
   while (impls_.size() < groups) impls_.push_back(std::make_unique<Impl>());
   impls_.resize(groups);
-  return render_groups(scene, job, render_one);
+  return render_groups(scene, media_, job, render_one);
 }
 
 std::optional<Frame> Renderer::Impl::render(FrameContext& work) {

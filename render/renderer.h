@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/frame_renderer.h"
+#include "render/prepare/albedo.h"
 
 namespace brume {
 
@@ -32,6 +33,7 @@ class Renderer final : public FrameRenderer {
   std::shared_ptr<const TransferStore> transfers_;
   // One per albedo group; see albedo.h.
   std::vector<std::unique_ptr<Impl>> impls_;
+  ExtinctionMedia media_;
 };
 
 }  // namespace brume

@@ -41,10 +41,25 @@ std::shared_ptr<const Scene> Document::visible_snapshot() const {
   if (hidden_.empty()) return snapshot();
   if (!visible_) {
     auto scene = std::make_shared<Scene>(scene_);
-    MediumEdit::remove(scene->medium, hidden_).apply(scene->medium);
+    scene->medium = visible_medium();
     visible_ = std::move(scene);
   }
   return visible_;
+}
+
+// Follows edits of what is visible by the same edits, so that a renderer knows them.
+const Medium& Document::visible_medium() const {
+  const auto edit = medium().edit_since(visible_medium_of_);
+  const auto concerns = [&](GaussianId id) { return edit->concerns(id); };
+  if (edit && hidden_in_visible_medium_ == hidden_ && std::ranges::none_of(hidden_, concerns)) {
+    edit->apply(visible_medium_);
+  } else {
+    visible_medium_ = medium();
+    MediumEdit::remove(visible_medium_, hidden_).apply(visible_medium_);
+    hidden_in_visible_medium_ = hidden_;
+  }
+  visible_medium_of_ = medium().revision();
+  return visible_medium_;
 }
 
 void Document::scene_changed() {

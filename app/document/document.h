@@ -103,10 +103,15 @@ class Document : public QObject {
 
  private:
   void scene_changed();  // invalidates the snapshots
+  const Medium& visible_medium() const;
 
   Scene scene_;
   mutable std::shared_ptr<const Scene> snapshot_;
   mutable std::shared_ptr<const Scene> visible_;
+  // Cache of visible_medium(), and what it was made from.
+  mutable Medium visible_medium_;
+  mutable Revision visible_medium_of_ = 0;
+  mutable std::vector<GaussianId> hidden_in_visible_medium_;
   QUndoStack undo_stack_;
   std::filesystem::path file_;
   std::optional<FileVersion> file_version_;

@@ -1,8 +1,18 @@
 #include "core/medium/medium.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/medium/medium_edit.h"
 
 namespace brume {
+namespace {
+
+// Edits that a medium remembers: those between two frames of a slow renderer, at 125 mouse events a
+// second.
+constexpr std::size_t max_past_edits = 64;
+
+}  // namespace
 
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
   const auto at = std::lower_bound(ids_.begin(), ids_.end(), id);
@@ -15,6 +25,8 @@ GaussianId Medium::append(const Gaussian& gaussian) {
   radii_.push_back(gaussian.radius);
   densities_.push_back(gaussian.density);
   ids_.push_back(next_id_);
+  revision_ = new_revision();
+  past_.clear();
   return next_id_++;
 }
 
@@ -25,7 +37,50 @@ void Medium::reserve(std::size_t count) {
   ids_.reserve(count);
 }
 
+void Medium::set_homogeneous_density(double b0) {
+  MediumEdit::set_homogeneous_density(*this, b0).apply(*this);
+}
+
+Medium Medium::divided_by(double divisor) const {
+  Medium medium = *this;
+  for (double& density : medium.densities_) density /= divisor;
+  medium.homogeneous_density_ /= divisor;
+  medium.revision_ = new_revision();
+  medium.past_.clear();
+  return medium;
+}
+
+// Called with the edit already applied. Edits of more than a quarter of the Gaussians together are
+// forgotten: by then everything is computed anew, and the memory stays bounded.
+void Medium::record(const MediumEdit& edit) {
+  const Revision before = std::exchange(revision_, new_revision());
+  const std::size_t max_gaussians = size() / 4 + 16;
+  if (edit.size() > max_gaussians) {
+    past_.clear();
+    return;
+  }
+  past_.push_back({before, std::make_shared<const MediumEdit>(edit)});
+  std::size_t gaussians = 0;
+  std::size_t count = 0;
+  while (count < std::min(past_.size(), max_past_edits)) {
+    gaussians += past_[past_.size() - 1 - count].edit->size();
+    if (gaussians > max_gaussians) break;
+    ++count;
+  }
+  past_.erase(past_.begin(), past_.end() - static_cast<std::ptrdiff_t>(count));
+}
+
+std::optional<MediumEdit> Medium::edit_since(Revision revision) const {
+  if (revision == revision_) return MediumEdit();
+  auto past = std::ranges::find(past_, revision, &Past::revision);
+  if (past == past_.end()) return std::nullopt;
+  MediumEdit edit = *past->edit;
+  while (++past != past_.end()) edit.merge(*past->edit);
+  return edit;
+}
+
 bool Medium::operator==(const Medium& other) const {
+  if (revision_ == other.revision_) return true;
   return homogeneous_density_ == other.homogeneous_density_ && ids_ == other.ids_ &&
          centers_ == other.centers_ && radii_ == other.radii_ && densities_ == other.densities_;
 }

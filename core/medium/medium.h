@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/medium/gaussian.h"
+#include "core/revision.h"
 
 namespace brume {
 
@@ -35,18 +37,34 @@ class Medium {
 
   // b0, the homogeneous scattering coefficient [1/u], >= 0.
   [[nodiscard]] double homogeneous_density() const { return homogeneous_density_; }
-  void set_homogeneous_density(double b0) { homogeneous_density_ = b0; }
+  void set_homogeneous_density(double b0);
 
   // The id that the next appended Gaussian gets; an edit that adds n takes next_id() + 0..n-1.
   [[nodiscard]] GaussianId next_id() const { return next_id_; }
   GaussianId append(const Gaussian& gaussian);
   void reserve(std::size_t count);
 
+  // The same Gaussians and b0 with all densities divided by `divisor` > 0.
+  [[nodiscard]] Medium divided_by(double divisor) const;
+
+  // Media of equal revision are equal; copies share theirs. 0: empty from the beginning.
+  [[nodiscard]] Revision revision() const { return revision_; }
+  // What has changed since a revision, as one edit. nullopt: unknown, because it is not an ancestor
+  // of this medium, is too long ago, or more has changed than a renderer could make use of.
+  [[nodiscard]] std::optional<MediumEdit> edit_since(Revision revision) const;
+
   // Equal Gaussians, ids and b0; the next id does not matter.
   bool operator==(const Medium& other) const;
 
  private:
   friend class MediumEdit;
+  void record(const MediumEdit& edit);
+
+  // An edit and the revision it was applied to.
+  struct Past {
+    Revision revision;
+    std::shared_ptr<const MediumEdit> edit;
+  };
 
   std::vector<glm::dvec3> centers_;
   std::vector<double> radii_;
@@ -54,6 +72,8 @@ class Medium {
   std::vector<GaussianId> ids_;
   GaussianId next_id_ = 1;
   double homogeneous_density_ = 0.0;
+  Revision revision_ = 0;
+  std::vector<Past> past_;  // oldest first
 };
 
 }  // namespace brume

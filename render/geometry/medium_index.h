@@ -5,6 +5,7 @@
 
 #include "core/medium/medium.h"
 #include "core/medium/noise.h"
+#include "core/revision.h"
 #include "core/transport/optical_depth.h"
 #include "render/geometry/sphere_bvh.h"
 
@@ -17,6 +18,7 @@ class MediumIndex {
   // `tolerance`: optical depth below which a Gaussian may be culled from a path.
   MediumIndex(const Medium& medium, double tolerance, double anisotropy = 0.0);
 
+  [[nodiscard]] Revision revision() const { return revision_; }  // of all but its noise
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_; }
   [[nodiscard]] std::span<const double> cutoff_radii() const { return cutoff_radii_; }
@@ -46,6 +48,7 @@ class MediumIndex {
   [[nodiscard]] double depth(const RaySegment& segment) const;
 
  private:
+  Revision revision_ = new_revision();
   std::vector<GaussianTerm<double>> gaussians_;
   std::vector<double> cutoff_radii_;
   double max_radius_ = 0.0;

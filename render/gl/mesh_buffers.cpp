@@ -16,8 +16,8 @@ glm::ivec4 bits(const glm::vec3& v, std::int32_t w) {
 
 }  // namespace
 
-void MeshBuffers::update(const RayCaster& ray_caster, std::uint64_t revision) {
-  if (revision_ == revision) return;
+void MeshBuffers::update(const RayCaster& ray_caster) {
+  if (revision_ == ray_caster.revision()) return;
   revision_ = 0;
   const std::vector<WorldTriangle> triangles = ray_caster.triangles();
   const TriangleBvh bvh(triangles);
@@ -52,7 +52,7 @@ void MeshBuffers::update(const RayCaster& ray_caster, std::uint64_t revision) {
   center_ = ray_caster.center();
   radius_ = ray_caster.radius();
   min_gap_ = ray_caster.min_gap();
-  revision_ = revision;
+  revision_ = ray_caster.revision();
 }
 
 void MeshBuffers::bind(const Program& program) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/revision.h"
 #include "core/scene/camera.h"
 #include "render/gl/programs.h"
 #include "render/visibility/ray_caster.h"
@@ -12,10 +13,10 @@ namespace brume::gl {
 // The surfaces of a scene on the device, for ray tracing.
 class MeshBuffers {
  public:
-  // Uploads them if `revision` has changed.
-  void update(const RayCaster& ray_caster, std::uint64_t revision);
+  // Uploads them if they have changed.
+  void update(const RayCaster& ray_caster);
 
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  [[nodiscard]] Revision revision() const { return revision_; }
   // Binds storage blocks 4 and 5 and the uniforms of shaders/trace.glsl.
   void bind(const Program& program);
   // Origin of ray coordinates.
@@ -30,7 +31,7 @@ class MeshBuffers {
   Buffer& hits() { return hits_; }
 
  private:
-  std::uint64_t revision_ = 0;  // 0: none
+  Revision revision_ = 0;  // of the ray caster
   glm::dvec3 center_{0.0};
   double radius_ = 0.0;
   double min_gap_ = 0.0;

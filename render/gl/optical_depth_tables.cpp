@@ -57,10 +57,9 @@ void set_map(const Program& program, const MapUniforms& map) {
 }
 
 std::span<const DirectionMap> OpticalDepthTables::lay_out(const MediumIndex& medium,
-                                                          std::uint64_t revision,
                                                           std::span<const SlicedLight> lights,
                                                           const OpticalDepthTableSize& size) {
-  const bool same = revision == revision_ && size == size_;
+  const bool same = medium.revision() == revision_ && size == size_;
   if (!same) max_depth_ = max_depth(medium);
   tables_.resize(lights.size());
   maps_.resize(lights.size());
@@ -72,7 +71,7 @@ std::span<const DirectionMap> OpticalDepthTables::lay_out(const MediumIndex& med
     }
     maps_[l] = table.layout.map;
   }
-  revision_ = revision;
+  revision_ = medium.revision();
   size_ = size;
   return maps_;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/revision.h"
 #include "render/gl/tile_lists.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/sliced_light.h"
@@ -31,7 +32,7 @@ void set_map(const Program& program, const MapUniforms& map);
 class OpticalDepthTables {
  public:
   // Lays out the table of each light; returns the maps.
-  std::span<const DirectionMap> lay_out(const MediumIndex& medium, std::uint64_t revision,
+  std::span<const DirectionMap> lay_out(const MediumIndex& medium,
                                         std::span<const SlicedLight> lights,
                                         const OpticalDepthTableSize& size);
   // Builds missing tables. Returns the Gaussian x ray pairs evaluated; waits for the device if any
@@ -50,7 +51,7 @@ class OpticalDepthTables {
     OpticalDepthTableLayout layout;
     bool made = false;
   };
-  std::uint64_t revision_ = 0;
+  Revision revision_ = 0;
   OpticalDepthTableSize size_;
   float max_depth_ = 0.0f;  // maximum optical depth of a table
   std::vector<Table> tables_;

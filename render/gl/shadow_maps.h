@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/revision.h"
 #include "render/geometry/direction_map.h"
 #include "render/gl/mesh_buffers.h"
 #include "render/lighting/sliced_light.h"
@@ -32,8 +33,8 @@ class ShadowMaps {
     DirectionMap directions;
     bool made = false;
   };
-  std::uint64_t revision_ = 0;  // revision of the surfaces
-  std::size_t slot_ = 0;        // capacity per light in floats
+  Revision revision_ = 0;  // revision of the surfaces
+  std::size_t slot_ = 0;   // capacity per light in floats
   std::vector<Map> maps_;
   Buffer values_;
 };

@@ -21,8 +21,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   const MediumIndex& medium = stages.prepared().medium();
   const glm::dvec3& eye = work.rays.eye();
   const std::vector<SlicedLight> lights = FrameStages::lights_of(work);
-  const auto maps = lights_.lay_out(medium, stages.prepared().medium_revision(), lights,
-                                    work.settings.optical_depth_table);
+  const auto maps = lights_.lay_out(medium, lights, work.settings.optical_depth_table);
   work.frame.statistics.light_pairs += device.clock.time(
       "light_table", [&] { return lights_.build(device.programs, device.medium); });
   make_shadows(work, lights, maps, device);
@@ -67,7 +66,7 @@ void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec
   program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
   if (!source) return;
   const EnvironmentSource::WeightParts parts = source->weight_parts();
-  const bool is_new = source_revision_ != source->revision();
+  const bool is_new = source_revision_ != source->grid().revision();
   // As shaders/source.glsl has it; where things begin is known without the values.
   std::vector<glm::vec4> values;
   std::size_t at = 0;
@@ -109,7 +108,7 @@ void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec
   if (!is_new) return;
   source_revision_ = 0;
   source_.upload(std::span<const glm::vec4>(values));
-  source_revision_ = source->revision();
+  source_revision_ = source->grid().revision();
 }
 
 }  // namespace brume::gl

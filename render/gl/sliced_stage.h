@@ -2,6 +2,7 @@
 
 #include <tbb/task_arena.h>
 
+#include "core/revision.h"
 #include "render/gl/film_airlight.h"
 #include "render/gl/optical_depth_tables.h"
 #include "render/gl/shadow_maps.h"
@@ -42,7 +43,7 @@ class SlicedStage {
   SliceTexture slices_;
   FilmAirlight film_;
   Buffer source_;
-  std::uint64_t source_revision_ = 0;
+  Revision source_revision_ = 0;
 };
 
 // Sets the uniforms of shaders/noise.glsl.

@@ -200,8 +200,8 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& 
 void SurfaceStage::upload_light(const FrameStages& stages, const FrameContext& work,
                                 const SurfaceLighting& lighting, const glm::dvec3& center,
                                 const Program& program) {
-  const std::uint64_t source = lighting.incident ? stages.source_revision() : 0;
-  const std::uint64_t vertices = stages.shading().light_revision();
+  const Revision source = lighting.incident ? lighting.incident->revision() : 0;
+  const Revision vertices = stages.shading().light_revision();
   const std::vector<SurfaceShading>& shadings = stages.shading().surfaces();
   std::vector<std::shared_ptr<const MeasuredBrdf>> measured;
   for (const Surface& surface : work.scene.surfaces) {

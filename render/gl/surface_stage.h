@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/revision.h"
 #include "render/gl/sliced_stage.h"
 
 namespace brume::gl {
@@ -30,8 +31,8 @@ class SurfaceStage {
   Buffer depths_, totals_, values_, light_;
   // Content of light_: revisions of the environment's grid (0: none) and of vertex lighting, and
   // the offset of the latter.
-  std::uint64_t source_revision_ = 0;
-  std::uint64_t vertex_revision_ = 0;
+  Revision source_revision_ = 0;
+  Revision vertex_revision_ = 0;
   std::vector<SurfaceShading> shadings_;
   std::vector<std::shared_ptr<const MeasuredBrdf>> measured_;  // per surface; null: none
   // Offsets per surface: vertex lighting of front and back, average depths, measured material; < 0:

@@ -17,8 +17,8 @@ std::size_t groups_of(std::size_t count, std::size_t size) {
 
 }  // namespace
 
-void MediumBuffers::update(const MediumIndex& medium, std::uint64_t revision) {
-  if (revision_ == revision) return;
+void MediumBuffers::update(const MediumIndex& medium) {
+  if (revision_ == medium.revision()) return;
   revision_ = 0;
   std::vector<std::uint32_t> all(medium.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -34,7 +34,7 @@ void MediumBuffers::update(const MediumIndex& medium, std::uint64_t revision) {
   centers_.upload(std::span<const glm::dvec3>(centers));
   shapes_.upload(std::span<const glm::vec4>(shapes));
   count_ = all.size();
-  revision_ = revision;
+  revision_ = medium.revision();
 }
 
 void MediumBuffers::bind() {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/revision.h"
 #include "core/scene/camera.h"
 #include "render/geometry/medium_index.h"
 #include "render/gl/programs.h"
@@ -11,15 +12,15 @@ namespace brume::gl {
 // The Gaussians of a medium on the device.
 class MediumBuffers {
  public:
-  // Uploads the medium if `revision` has changed.
-  void update(const MediumIndex& medium, std::uint64_t revision);
+  // Uploads the medium if it has changed.
+  void update(const MediumIndex& medium);
 
   [[nodiscard]] std::size_t count() const { return count_; }
   // As storage blocks 0 and 1.
   void bind();
 
  private:
-  std::uint64_t revision_ = 0;  // 0: none
+  Revision revision_ = 0;  // of the index
   std::size_t count_ = 0;
   Buffer centers_;  // x y z per Gaussian, double
   Buffer shapes_;   // a, scale, cutoff, cutoff radius per Gaussian

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/math/spherical_harmonics.h"
+#include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/lighting/source_lookup.h"
 #include "render/simd/scatter_table.h"
@@ -17,6 +18,7 @@ class EnvironmentLight {
   // The map must be loaded. `scattering` outlives this.
   EnvironmentLight(const Environment& environment, const ScatterTable& scattering);
 
+  [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] bool shows(const Environment& environment, const ScatterTable& scattering) const {
     return environment_ == environment && scattering_ == &scattering;
   }
@@ -50,6 +52,7 @@ class EnvironmentLight {
   static const ScatterTable::Bands& cosine_factors();
 
  private:
+  Revision revision_ = new_revision();
   // Mean incident light relative to that without medium, R G B 0.
   [[nodiscard]] glm::vec3 dimming(const NodeRadiance& light) const;
 

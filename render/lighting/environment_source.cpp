@@ -88,12 +88,12 @@ bool EnvironmentSource::update(const Input& input, const Job& job) {
   const bool same_light = grid_ && environment_.map == environment.map &&
                           anisotropy_ == input.anisotropy && size_ == input.size;
   const bool same = same_light && environment_.rotation == environment.rotation &&
-                    has_same(input.receivers) && medium_ == input.medium;
+                    has_same(input.receivers) && medium_ == input.medium.revision();
   environment_ = environment;
   attenuation_ = std::exp(-input.fog_depth);
   if (same) return true;
   if (!same_light) read_map(*environment.map, input.anisotropy, input.size.directions, job);
-  medium_ = input.medium;
+  medium_ = input.medium.revision();
   anisotropy_ = input.anisotropy;
   receivers_ = input.receivers;
   size_ = input.size;
@@ -103,11 +103,12 @@ bool EnvironmentSource::update(const Input& input, const Job& job) {
     light.light.direction = environment_rotation(environment) * light.light.direction;
   }
   std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
-  const bool has_fog = medium_.homogeneous_density() > 0.0;
+  for (std::size_t i = 0; i < input.medium.size(); ++i) {
+    gaussians.emplace_back(input.medium.gaussian(i));
+  }
+  const bool has_fog = input.medium.homogeneous_density() > 0.0;
   grid_.emplace(gaussians, lights, SourceGrid::Content{phase_.count(), has_fog, receivers_},
                 input.size, job);
-  ++revision_;
   if (job.stop.stop_requested()) grid_.reset();
   return grid_.has_value();
 }

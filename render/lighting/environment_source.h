@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/lighting/distant_lights.h"
 #include "render/lighting/source_grid.h"
@@ -42,8 +43,6 @@ class EnvironmentSource {
 
   // The results of the last update().
   [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
-  // Changes whenever grid() does.
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
   [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
   // Forward-lobe scattering of the light along a view ray, per unit of SliceShares::along_rays.
@@ -70,7 +69,7 @@ class EnvironmentSource {
 
   // Inputs of the cached grid and lights.
   Environment environment_;
-  Medium medium_;
+  Revision medium_ = 0;
   double anisotropy_ = 0.0;
   std::optional<SourceGrid::Receivers> receivers_;
   SourceGridSize size_;
@@ -83,7 +82,6 @@ class EnvironmentSource {
   std::array<bool, source_clusters> is_narrow_{};
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
-  std::uint64_t revision_ = 0;
 };
 
 }  // namespace brume

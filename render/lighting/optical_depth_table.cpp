@@ -107,6 +107,7 @@ OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3
 
 bool OpticalDepthTable::update(const MediumIndex& medium, std::span<const TableGaussian> changed) {
   pairs = 0;
+  revision_ = new_revision();
   for (const TableGaussian& g : changed) {
     if (!(g.cutoff_radius > 0.0)) continue;
     const double distance = glm::length(g.center - light_);

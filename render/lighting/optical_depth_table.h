@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/revision.h"
 #include "render/geometry/direction_map.h"
 #include "render/geometry/medium_index.h"
 #include "render/settings.h"
@@ -69,6 +70,7 @@ class OpticalDepthTable {
   // outside its range or too dense; the table is then invalid.
   bool update(const MediumIndex& medium, std::span<const TableGaussian> changed);
 
+  [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] const glm::dvec3& light() const { return light_; }
   [[nodiscard]] const DirectionMap& map() const { return layout_.map; }
   // No Gaussian reaches anything.
@@ -88,6 +90,7 @@ class OpticalDepthTable {
   std::uint64_t pairs = 0;  // Gaussian x ray pairs evaluated by the last build or update
 
  private:
+  Revision revision_ = new_revision();
   // Neighbouring directions that share a list of Gaussians.
   struct Block {
     std::vector<glm::dvec3> ends;

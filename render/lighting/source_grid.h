@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
+#include "core/revision.h"
 #include "core/transport/optical_depth.h"
 #include "render/geometry/box.h"
 #include "render/lighting/distant_lights.h"
@@ -79,6 +80,7 @@ class SourceGrid {
   SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const SourceLight> lights,
              const Content& content, const SourceGridSize& size, const Job& job);
 
+  [[nodiscard]] Revision revision() const { return revision_; }
   // Data for SourceLookup. A node holds R G B 0 per basis function; J also has the transmittance
   // per cluster if there is more than one band.
   struct Level {
@@ -98,6 +100,7 @@ class SourceGrid {
   [[nodiscard]] bool holds(const Box& box) const;
 
  private:
+  Revision revision_ = new_revision();
   int bands_;
   Box core_;  // bounds of the fine grid; empty without Gaussians
   std::vector<Level> levels_;

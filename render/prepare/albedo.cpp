@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/medium/medium_edit.h"
+
 namespace brume {
 
 std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo) {
@@ -21,16 +23,20 @@ std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo) {
 }
 
 Medium extinction_medium(const Medium& scattering, double albedo) {
-  if (albedo == 1.0) return scattering;
-  Medium medium;
-  medium.reserve(scattering.size());
-  medium.set_homogeneous_density(scattering.homogeneous_density() / albedo);
-  for (std::size_t i = 0; i < scattering.size(); ++i) {
-    Gaussian g = scattering.gaussian(i);
-    g.density /= albedo;
-    medium.append(g);
+  return albedo == 1.0 ? scattering : scattering.divided_by(albedo);
+}
+
+const Medium& ExtinctionMedia::update(std::size_t group, const Medium& scattering, double albedo) {
+  if (entries_.size() <= group) entries_.resize(group + 1);
+  Entry& entry = entries_[group];
+  const auto edit = entry.albedo == albedo ? scattering.edit_since(entry.scattering) : std::nullopt;
+  if (edit) {
+    edit->divided_by(albedo).apply(entry.medium);
+    entry.scattering = scattering.revision();
+  } else {
+    entry = {scattering.revision(), albedo, extinction_medium(scattering, albedo)};
   }
-  return medium;
+  return entry.medium;
 }
 
 void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& frame) {
@@ -46,13 +52,14 @@ void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& fr
   }
 }
 
-std::optional<Frame> render_groups(const Scene& scene, const Job& job, const RenderGroup& render) {
+std::optional<Frame> render_groups(const Scene& scene, ExtinctionMedia& media, const Job& job,
+                                   const RenderGroup& render) {
   const std::vector<AlbedoGroup> groups = albedo_groups(scene.optics.albedo);
   if (groups.size() == 1 && groups[0].albedo == 1.0) return render(scene, 0, 1.0, job);
   std::optional<Frame> frame;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Scene absorbing = scene;
-    absorbing.medium = extinction_medium(scene.medium, groups[i].albedo);
+    absorbing.medium = media.update(i, scene.medium, groups[i].albedo);
     const auto share = [&](std::size_t n) {
       return static_cast<double>(n) / static_cast<double>(groups.size());
     };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/util/job.h"
@@ -25,6 +26,22 @@ std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo);
 // Densities divided by the albedo: the extinction coefficient.
 Medium extinction_medium(const Medium& scattering, double albedo);
 
+// The extinction media of a renderer's groups, cached: they change by the edits of the scattering
+// medium, as it does.
+class ExtinctionMedia {
+ public:
+  // Valid until the next call for this group.
+  const Medium& update(std::size_t group, const Medium& scattering, double albedo);
+
+ private:
+  struct Entry {
+    Revision scattering = 0;
+    double albedo = 1.0;
+    Medium medium;
+  };
+  std::vector<Entry> entries_;  // by group
+};
+
 // Copies the channels of a group from its frame, rendered in extinction_medium(), to `frame`.
 void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& frame);
 
@@ -32,7 +49,8 @@ void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& fr
 // extinction_medium(), the index of the group and its albedo; nullopt from it ends the frame.
 using RenderGroup = std::function<std::optional<Frame>(const Scene& scene, std::size_t which,
                                                        double albedo, const Job& job)>;
-std::optional<Frame> render_groups(const Scene& scene, const Job& job, const RenderGroup& render);
+std::optional<Frame> render_groups(const Scene& scene, ExtinctionMedia& media, const Job& job,
+                                   const RenderGroup& render);
 
 // Adds the costs of a group's frame to the total.
 void add_cost(const FrameStatistics& group_frame, FrameStatistics& sum);

@@ -254,7 +254,7 @@ SurfaceLighting FrameStages::tabled_lighting(FrameContext& work) {
 
 void FrameStages::update_vertex_lighting(FrameContext& work) {
   shading_.update_vertex_lighting(work.scene, prepared_.medium(), tabled_lighting(work),
-                                  work.settings, arithmetic_of(work.settings), work.job,
+                                  arithmetic_of(work.settings), work.job,
                                   work.frame.statistics.light_pairs);
 }
 

@@ -108,8 +108,6 @@ class FrameStages {
 
   // Lighting of surfaces, without optical depth tables.
   [[nodiscard]] SurfaceLighting surface_lighting(const FrameContext& work) const;
-  // Changes whenever the grid of SurfaceLighting::arriving does.
-  [[nodiscard]] std::uint64_t source_revision() const { return source_.revision(); }
   // Updates the vertex lighting of surfaces with radiance transfer; see PreparedShading.
   void update_vertex_lighting(FrameContext& work);
   // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.

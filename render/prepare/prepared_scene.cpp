@@ -2,57 +2,76 @@
 
 #include <algorithm>
 
+#include "core/medium/medium_edit.h"
+
 namespace brume {
 namespace {
 
 // See Settings::depth_error.
 constexpr double reference_depth_error = 1e-8;
 
-// The Gaussians in which two mediums differ: as they are in the one and as they are in the other.
-std::vector<TableGaussian> changed_gaussians(const Medium& a, const MediumIndex& index_a,
-                                             const Medium& b, const MediumIndex& index_b) {
-  std::vector<TableGaussian> changed;
-  std::size_t i = 0;
-  std::size_t k = 0;
-  while (i < a.size() || k < b.size()) {
-    const bool in_a = i < a.size() && (k == b.size() || a.ids()[i] <= b.ids()[k]);
-    const bool in_b = k < b.size() && (i == a.size() || b.ids()[k] <= a.ids()[i]);
-    const bool same = in_a && in_b && a.gaussian(i) == b.gaussian(k);
-    if (in_a && !same) changed.emplace_back(index_a, i);
-    if (in_b && !same) changed.emplace_back(index_b, k);
-    i += in_a ? 1 : 0;
-    k += in_b ? 1 : 0;
+// A medium's index, and the ids of its Gaussians.
+struct IndexedIds {
+  const MediumIndex& index;
+  std::span<const GaussianId> ids;
+
+  [[nodiscard]] TableGaussian gaussian(GaussianId id) const {
+    const auto at = std::ranges::lower_bound(ids, id);
+    return {index, static_cast<std::size_t>(at - ids.begin())};
   }
-  return changed;
+};
+
+// The Gaussians of an edit, before and after it.
+std::vector<TableGaussian> table_gaussians(const MediumEdit& edit, const IndexedIds& before,
+                                           const IndexedIds& after) {
+  std::vector<TableGaussian> gaussians;
+  for (const auto& entry : edit.removed()) gaussians.push_back(before.gaussian(entry.id));
+  for (const auto& entry : edit.added()) gaussians.push_back(after.gaussian(entry.id));
+  for (const auto& change : edit.changed()) {
+    gaussians.push_back(before.gaussian(change.id));
+    gaussians.push_back(after.gaussian(change.id));
+  }
+  return gaussians;
 }
 
 }  // namespace
+
+// Adds the edits since the last medium to what is pending, or drops the tables that they change too
+// much.
+void PreparedScene::update_tables(const Medium& medium, const MediumIndex& index,
+                                  const IndexInputs& inputs) {
+  const auto edit = medium.edit_since(index_inputs_.medium);
+  if (!index_ || !edit || inputs.depth_error != index_inputs_.depth_error) {
+    tables_.clear();
+    return;
+  }
+  const std::vector<TableGaussian> changed =
+      table_gaussians(*edit, {*index_, ids_}, {index, medium.ids()});
+  for (const auto& known : tables_) {
+    known->changed.insert(known->changed.end(), changed.begin(), changed.end());
+  }
+  // Where much has changed, a new table is soon made.
+  std::erase_if(tables_,
+                [&](const auto& known) { return known->changed.size() > medium.size() / 4 + 2; });
+}
 
 void PreparedScene::update(const Scene& scene, std::span<const PointLight> lights,
                            const Settings& settings) {
   const bool is_reference = settings.airlight == AirlightMethod::reference;
   const double depth_error = is_reference ? reference_depth_error : settings.depth_error;
-  if (!index_ || depth_error_ != depth_error || index_->anisotropy() != scene.optics.anisotropy ||
-      !(medium_ == scene.medium)) {
+  const IndexInputs inputs{scene.medium.revision(), depth_error, scene.optics.anisotropy};
+  if (!index_ || inputs != index_inputs_) {
     depths_.clear();
-    if (depth_error_ != depth_error) tables_.clear();
     auto index = std::make_unique<MediumIndex>(
-        scene.medium, depth_tolerance(scene.medium, depth_error), scene.optics.anisotropy);
-    if (!settings.patch_light_tables) tables_.clear();
-    const std::vector<TableGaussian> changed =
-        tables_.empty() ? std::vector<TableGaussian>{}
-                        : changed_gaussians(medium_, *index_, scene.medium, *index);
-    for (const auto& known : tables_) {
-      known->changed.insert(known->changed.end(), changed.begin(), changed.end());
+        scene.medium, depth_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
+    if (settings.patch_light_tables) {
+      update_tables(scene.medium, *index, inputs);
+    } else {
+      tables_.clear();
     }
-    // Where much has changed, a new table is soon made.
-    std::erase_if(tables_, [&](const auto& known) {
-      return known->changed.size() > scene.medium.size() / 4 + 2;
-    });
+    ids_.assign(scene.medium.ids().begin(), scene.medium.ids().end());
     index_ = std::move(index);
-    ++medium_revision_;
-    medium_ = scene.medium;
-    depth_error_ = depth_error;
+    index_inputs_ = inputs;
   }
   index_->set_noise(RayNoise(scene.optics.noise, settings.time));
   if (!ray_caster_ || !ray_caster_->shows(scene.surfaces)) {
@@ -60,7 +79,6 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     exact_occlusion_.reset();
     shadows_.clear();
     ray_caster_ = std::make_unique<RayCaster>(scene.surfaces);
-    ++surface_revision_;
   }
   if (!exact_occlusion_ && is_reference)
     exact_occlusion_ = std::make_unique<ExactOcclusion>(scene.surfaces);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/optical_depth_table.h"
@@ -17,9 +18,9 @@
 
 namespace brume {
 
-// Acceleration structures and per-light caches of a scene. Updates by comparing values: a camera
-// move rebuilds nothing, a moved light only its own data, an edited Gaussian the part of each table
-// that it is visible in.
+// Acceleration structures and per-light caches of a scene. A camera move rebuilds nothing, a moved
+// light only its own data; an edit of the medium reaches the tables as the MediumEdit it is: the
+// directions in which its Gaussians are seen.
 class PreparedScene {
  public:
   // Brings medium and surfaces up to date and drops the caches of lights that are not in `lights`.
@@ -28,11 +29,7 @@ class PreparedScene {
 
   // State after the last update().
   [[nodiscard]] const MediumIndex& medium() const { return *index_; }
-  // Changes whenever medium() does, except for its noise.
-  [[nodiscard]] std::uint64_t medium_revision() const { return medium_revision_; }
   [[nodiscard]] const RayCaster& ray_caster() const { return *ray_caster_; }
-  // Changes whenever visibility() does.
-  [[nodiscard]] std::uint64_t surface_revision() const { return surface_revision_; }
   [[nodiscard]] const ExactOcclusion& exact_occlusion() const {
     return *exact_occlusion_;
   }  // used by the reference only
@@ -47,14 +44,21 @@ class PreparedScene {
   const ShadowMap& shadow_map(const glm::dvec3& light, const DirectionMap& map);
 
  private:
+  // What index_ is made from.
+  struct IndexInputs {
+    Revision medium = 0;
+    double depth_error = 0.0;
+    double anisotropy = 0.0;
+
+    bool operator==(const IndexInputs&) const = default;
+  };
+  void update_tables(const Medium& medium, const MediumIndex& index, const IndexInputs& inputs);
+
   std::unique_ptr<MediumIndex> index_;
-  std::uint64_t medium_revision_ = 0;
-  // Inputs of index_.
-  Medium medium_;
-  double depth_error_ = 0.0;
+  IndexInputs index_inputs_;
+  std::vector<GaussianId> ids_;  // of the Gaussians of index_
 
   std::unique_ptr<RayCaster> ray_caster_;
-  std::uint64_t surface_revision_ = 0;
   std::unique_ptr<ExactOcclusion> exact_occlusion_;
 
   struct Depths {
@@ -65,7 +69,7 @@ class PreparedScene {
   struct Table {
     OpticalDepthTableSize size;
     OpticalDepthTable table;
-    std::vector<TableGaussian> changed = {};  // since the table was built
+    std::vector<TableGaussian> changed = {};  // before and after, since the table was computed
     bool is_patched = false;
   };
   // Pointers, to keep references valid when a vector grows.

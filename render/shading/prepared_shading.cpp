@@ -49,8 +49,8 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
   // Other methods know what arrives at a point.
   const bool needs_average =
       plan.environment && plan.gaussians && settings.airlight == AirlightMethod::paper;
-  const Medium medium = needs_average ? scene.medium : Medium();
-  if (!(medium_ == medium)) {
+  const Revision medium = needs_average ? scene.medium.revision() : 0;
+  if (medium_ != medium) {
     depths_.clear();
     medium_ = medium;
   }
@@ -74,7 +74,7 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
       shading_[i].material = &sh_material_of(surface.material);
     }
     if (needs_average) {
-      shading_[i].average_depth = &average_depth_of(surface);
+      shading_[i].average_depth = &average_depth_of(surface, scene.medium);
     }
     if (const auto transfer = transfer_of(surface)) {
       shading_[i].transfer = transfer.get();
@@ -87,37 +87,15 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
   }
 }
 
-PreparedShading::LightingState PreparedShading::make_lighting_state(const Scene& scene,
-                                                                    const SurfaceLighting& lighting,
-                                                                    const Settings& settings,
-                                                                    Settings::Precision precision) {
-  LightingState state{scene.medium,
-                      scene.lights,
-                      scene.environment,
-                      scene.optics.anisotropy,
-                      lighting.fog_depth,
-                      lighting.albedo,
-                      {}};
-  state.settings.airlight = settings.airlight;
-  state.settings.optical_depth_table = settings.optical_depth_table;
-  state.settings.source_grid = settings.source_grid;
-  state.settings.depth_error = settings.depth_error;
-  state.settings.paper_spread = settings.paper_spread;
-  state.settings.precision = precision;
-  state.settings.patch_light_tables = settings.patch_light_tables;
-  return state;
-}
-
 void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumIndex& medium,
                                              const SurfaceLighting& lighting,
-                                             const Settings& settings,
                                              Settings::Precision precision, const Job& job,
                                              std::uint64_t& pairs) {
   if (vertex_lights_.empty()) return;
-  LightingState state = make_lighting_state(scene, lighting, settings, precision);
-  if (!(state == lighting_state_)) {
+  VertexLightingInputs inputs(medium, lighting, precision);
+  if (inputs != vertex_inputs_) {
     for (VertexLight& known : vertex_lights_) known.light.reset();
-    lighting_state_ = std::move(state);
+    vertex_inputs_ = std::move(inputs);
   }
   for (std::size_t i = 0; i < shading_.size(); ++i) {
     if (!shading_[i].transfer) continue;
@@ -128,7 +106,7 @@ void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumInd
                                                           precision, job, pairs);
       if (job.stop.stop_requested()) return;
       light = std::move(taken);
-      ++light_revision_;
+      light_revision_ = new_revision();
     }
     shading_[i].transferred = light.get();
   }
@@ -143,13 +121,14 @@ const ShMaterial& PreparedShading::sh_material_of(const Material& material) {
   return reflections_.back()->sh;
 }
 
-const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface) {
+const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface,
+                                                          const Medium& medium) {
   for (const auto& known : depths_) {
     if (known->matches(surface)) return known->grid;
   }
   std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < medium_.size(); ++i) gaussians.emplace_back(medium_.gaussian(i));
-  ++light_revision_;
+  for (std::size_t i = 0; i < medium.size(); ++i) gaussians.emplace_back(medium.gaussian(i));
+  light_revision_ = new_revision();
   depths_.push_back(std::make_unique<Depths>(Depths{surface.mesh, surface.translate, surface.rotate,
                                                     surface.scale,
                                                     AverageDepthGrid(gaussians, bounds(surface))}));

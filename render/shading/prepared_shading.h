@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/average_depth_grid.h"
@@ -26,7 +27,7 @@ struct SurfaceShading {
   const VertexLighting* transferred = nullptr;  // set by update_vertex_lighting()
 };
 
-// Caches for shading surfaces, updated by comparing values.
+// Caches for shading surfaces.
 class PreparedShading {
  public:
   void update(const Scene& scene, const RenderPlan& plan, const Settings& settings,
@@ -35,13 +36,13 @@ class PreparedShading {
   // Updates the vertex lighting of surfaces with transfer under `lighting`, for the scene of the
   // last update(). `pairs` += Gaussian x path pairs evaluated.
   void update_vertex_lighting(const Scene& scene, const MediumIndex& medium,
-                              const SurfaceLighting& lighting, const Settings& settings,
-                              Settings::Precision precision, const Job& job, std::uint64_t& pairs);
+                              const SurfaceLighting& lighting, Settings::Precision precision,
+                              const Job& job, std::uint64_t& pairs);
 
   // State after the last update(), one entry per surface of the scene.
   [[nodiscard]] const std::vector<SurfaceShading>& surfaces() const { return shading_; }
-  // Changes whenever vertex lighting or average depths do.
-  [[nodiscard]] std::uint64_t light_revision() const { return light_revision_; }
+  // Of vertex lighting and average depths.
+  [[nodiscard]] Revision light_revision() const { return light_revision_; }
   // Null: no environment.
   [[nodiscard]] const EnvironmentLight* environment() const {
     return environment_ ? &*environment_ : nullptr;
@@ -61,35 +62,21 @@ class PreparedShading {
 
     [[nodiscard]] bool matches(const Surface& surface) const;
   };
-  // Everything that incident light at vertices depends on.
-  struct LightingState {
-    Medium medium;
-    std::vector<PointLight> lights;
-    std::optional<Environment> environment;
-    double anisotropy = 0.0;
-    double fog_depth = 0.0;
-    double albedo = 1.0;
-    Settings settings;
-
-    bool operator==(const LightingState&) const = default;
-  };
-  static LightingState make_lighting_state(const Scene& scene, const SurfaceLighting& lighting,
-                                           const Settings& settings, Settings::Precision precision);
-  std::uint64_t light_revision_ = 0;
+  Revision light_revision_ = 0;
   struct VertexLight {
     Surface surface;
     std::shared_ptr<const RadianceTransfer> transfer;
     std::unique_ptr<const VertexLighting> light;  // null: not computed yet
   };
   const ShMaterial& sh_material_of(const Material& material);
-  const AverageDepthGrid& average_depth_of(const Surface& surface);
+  const AverageDepthGrid& average_depth_of(const Surface& surface, const Medium& medium);
 
   std::optional<EnvironmentLight> environment_;
-  Medium medium_;  // medium of depths_
+  Revision medium_ = 0;  // of depths_; 0: there are none
   // Pointers, to keep references valid when a vector grows.
   std::vector<std::unique_ptr<Reflection>> reflections_;
   std::vector<std::unique_ptr<Depths>> depths_;
-  LightingState lighting_state_;  // lighting of vertex_lights_
+  VertexLightingInputs vertex_inputs_;  // of vertex_lights_
   std::vector<VertexLight> vertex_lights_;
   std::vector<SurfaceShading> shading_;
 };

@@ -95,6 +95,23 @@ void add_environment(const SurfaceLighting& lighting, const AverageDepthGrid* av
 
 }  // namespace
 
+VertexLightingInputs::VertexLightingInputs(const MediumIndex& index,
+                                           const SurfaceLighting& lighting,
+                                           Settings::Precision arithmetic)
+    : medium(index.revision()),
+      point(lighting.point),
+      distant(lighting.distant),
+      environment(lighting.environment ? lighting.environment->revision() : 0),
+      incident(lighting.incident ? lighting.incident->revision() : 0),
+      fog_depth(lighting.fog_depth),
+      albedo(lighting.albedo),
+      precision(arithmetic) {
+  for (const SurfaceLight& at : lighting.lights) {
+    lights.push_back(
+        {at.light.position, at.light.intensity, at.density, at.table ? at.table->revision() : 0});
+  }
+}
+
 VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting& lighting,
                                const Surface& surface, const SurfaceShading& shading,
                                Settings::Precision precision, const Job& job, std::uint64_t& pairs)

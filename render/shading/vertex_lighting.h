@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/settings.h"
@@ -20,6 +21,33 @@ namespace brume {
 
 struct SurfaceLighting;
 struct SurfaceShading;
+class ScatterTable;
+
+// What vertex lighting is computed from besides its surface: with equal inputs it is equal.
+struct VertexLightingInputs {
+  struct Light {
+    glm::dvec3 position{0.0};
+    glm::dvec3 intensity{0.0};
+    double density = 0.0;
+    Revision table = 0;  // 0: exact sums
+
+    bool operator==(const Light&) const = default;
+  };
+  Revision medium = 0;
+  std::vector<Light> lights;
+  const ScatterTable* point = nullptr;  // these outlive every renderer
+  const ScatterTable* distant = nullptr;
+  Revision environment = 0;  // 0: none
+  Revision incident = 0;     // 0: average optical depth
+  double fog_depth = 0.0;
+  double albedo = 1.0;
+  Settings::Precision precision = Settings::Precision::simd_float;
+
+  VertexLightingInputs() = default;
+  VertexLightingInputs(const MediumIndex& index, const SurfaceLighting& lighting,
+                       Settings::Precision arithmetic);
+  bool operator==(const VertexLightingInputs&) const = default;
+};
 
 // Vertex lighting of a surface with radiance transfer, without direct light of point lights:
 // environment light and light scattered by the medium (eqs. 25 and 27), self-shadowed and, with

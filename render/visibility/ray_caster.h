@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/geometry/box.h"
 #include "render/simd/surface_points.h"
@@ -56,6 +57,7 @@ class RayCaster {
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
 
+  [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] bool empty() const;
   [[nodiscard]] std::size_t size() const;  // triangles
   // Bounds of all surfaces.
@@ -113,6 +115,7 @@ class RayCaster {
   [[nodiscard]] bool occluded(const glm::dvec3& start, const glm::dvec3& end) const;
 
  private:
+  Revision revision_ = new_revision();
   void cast_shadow_rays(const SurfacePoints& points, const glm::vec3& position,
                         std::span<const std::uint8_t> pending, LightAtPoints& light) const;
 

@@ -78,8 +78,13 @@ void choose(const fs::path& file, SeenDialog* seen = nullptr) {
       choose(file, seen);
       return;
     }
-    if (seen) *seen = {dialog->directory().canonicalPath(), dialog->windowTitle()};
     dialog->findChild<QLineEdit*>("fileNameEdit")->setText(to_qstring(file));
+    // While the dialog still reads the folder, it may go back to the file it was opened with.
+    if (dialog->selectedFiles() != QStringList(to_qstring(file))) {
+      choose(file, seen);
+      return;
+    }
+    if (seen) *seen = {dialog->directory().canonicalPath(), dialog->windowTitle()};
     QMetaObject::invokeMethod(dialog, "accept");
   });
 }

@@ -16,6 +16,7 @@
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
 #include "core/io/scene/scene_file.h"
+#include "core/medium/medium_edit.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -236,6 +237,27 @@ class HistoryTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void visible_medium_follows_any_edit() {
+    int known = 0;
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+      QGuiApplication::clipboard()->clear();
+      Document document;
+      document.open(starting_scene(), {});
+      RandomHands hands(document, seed);
+      Revision revision = 0;
+      for (int k = 0; k < 50; ++k) {
+        hands.act();
+        Medium expected = document.medium();
+        MediumEdit::remove(expected, document.hidden()).apply(expected);
+        const Medium& visible = document.visible_snapshot()->medium;
+        QVERIFY2(visible == expected, qPrintable(QString::number(seed)));
+        if (!document.hidden().empty() && visible.edit_since(revision)) ++known;
+        revision = visible.revision();
+      }
+    }
+    QVERIFY2(known > 200, qPrintable(QString::number(known)));
+  }
+
   void any_edit_can_be_undone_and_redone() {
     constexpr unsigned sequences = 2000;
     constexpr int acts = 50;

@@ -191,9 +191,13 @@ TEST(Renderer, ManyLightsTakeBoundedMemory) {
   EXPECT_LT(difference(sliced.airlight, render_frame(scene, exact).airlight).relative_rmse, 1e-3);
 }
 
-// As in a view that is being edited; the renderer detects by itself what was edited.
-TEST(Renderer, EditingOneGaussianUpdatesPartOfTheTable) {
+class EditedMedium : public testing::TestWithParam<double> {};  // by albedo
+
+// As in a view that is being edited: the medium tells what the edits were, also to a renderer that
+// derives another medium from it.
+TEST_P(EditedMedium, UpdatesPartOfTheTable) {
   Scene scene = cloud_scene(300, 2.0);
+  scene.optics.albedo = glm::dvec3(GetParam());
   Settings settings = sliced_settings({}, 24);
   settings.patch_light_tables = true;
   Renderer renderer;
@@ -208,8 +212,8 @@ TEST(Renderer, EditingOneGaussianUpdatesPartOfTheTable) {
   };
   change(10, 0.5);
   change(20, 0.0);
-  const std::array gone{scene.medium.ids()[30]};
-  MediumEdit::remove(scene.medium, gone).apply(scene.medium);
+  const std::array removed{scene.medium.ids()[30]};
+  MediumEdit::remove(scene.medium, removed).apply(scene.medium);
   const Frame edited = render();
   EXPECT_GT(edited.statistics.light_pairs, 0u);
   EXPECT_LT(edited.statistics.light_pairs, all);
@@ -219,6 +223,8 @@ TEST(Renderer, EditingOneGaussianUpdatesPartOfTheTable) {
   scene.medium.set_homogeneous_density(0.01);
   EXPECT_EQ(render().statistics.light_pairs, 0u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Albedo, EditedMedium, testing::Values(1.0, 0.5));
 
 }  // namespace
 }  // namespace brume
