@@ -5,9 +5,6 @@
 namespace brume {
 namespace {
 
-// See Settings::depth_error.
-constexpr double reference_depth_error = 1e-8;
-
 // The Gaussians in which two mediums differ: as they are in the one and as they are in the other.
 std::vector<TableGaussian> changed_gaussians(const Medium& a, const MediumIndex& index_a,
                                              const Medium& b, const MediumIndex& index_b) {
@@ -28,10 +25,9 @@ std::vector<TableGaussian> changed_gaussians(const Medium& a, const MediumIndex&
 
 }  // namespace
 
-void PreparedScene::update(const Scene& scene, std::span<const PointLight> lights,
-                           const Settings& settings) {
-  const bool is_reference = settings.airlight == AirlightMethod::reference;
-  const double depth_error = is_reference ? reference_depth_error : settings.depth_error;
+void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
+  const Settings& settings = plan.settings;
+  const double depth_error = plan.depth_error;
   if (!index_ || depth_error_ != depth_error || index_->anisotropy() != scene.optics.anisotropy ||
       !(medium_ == scene.medium)) {
     depths_.clear();
@@ -62,12 +58,11 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     ray_caster_ = std::make_unique<RayCaster>(scene.surfaces);
     ++surface_revision_;
   }
-  if (!exact_occlusion_ && is_reference)
+  if (!exact_occlusion_ && plan.has_exact_occlusion)
     exact_occlusion_ = std::make_unique<ExactOcclusion>(scene.surfaces);
 
   const auto gone = [&](const glm::dvec3& position) {
-    return std::none_of(lights.begin(), lights.end(),
-                        [&](const PointLight& light) { return light.position == position; });
+    return std::ranges::find(plan.lights, position, &PointLight::position) == plan.lights.end();
   };
   std::erase_if(depths_, [&](const auto& known) { return gone(known->light); });
   std::erase_if(tables_, [&](const auto& known) {

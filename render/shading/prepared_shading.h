@@ -29,14 +29,13 @@ struct SurfaceShading {
 // Caches for shading surfaces, updated by comparing values.
 class PreparedShading {
  public:
-  void update(const Scene& scene, const RenderPlan& plan, const Settings& settings,
-              const TransferStore& transfers);
+  void update(const Scene& scene, const RenderPlan& plan, const TransferStore& transfers);
 
   // Updates the vertex lighting of surfaces with transfer under `lighting`, for the scene of the
   // last update(). `pairs` += Gaussian x path pairs evaluated.
   void update_vertex_lighting(const Scene& scene, const MediumIndex& medium,
-                              const SurfaceLighting& lighting, const Settings& settings,
-                              Settings::Precision precision, const Job& job, std::uint64_t& pairs);
+                              const SurfaceLighting& lighting, const RenderPlan& plan,
+                              const Job& job, std::uint64_t& pairs);
 
   // State after the last update(), one entry per surface of the scene.
   [[nodiscard]] const std::vector<SurfaceShading>& surfaces() const { return shading_; }
@@ -74,7 +73,7 @@ class PreparedShading {
     bool operator==(const LightingState&) const = default;
   };
   static LightingState make_lighting_state(const Scene& scene, const SurfaceLighting& lighting,
-                                           const Settings& settings, Settings::Precision precision);
+                                           const RenderPlan& plan);
   std::uint64_t light_revision_ = 0;
   struct VertexLight {
     Surface surface;
