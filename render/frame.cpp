@@ -32,6 +32,15 @@ std::uint8_t srgb_byte(float x) {
 
 }  // namespace
 
+void add_time(std::vector<StageTime>& stages, Stage stage, double milliseconds) {
+  const auto known = std::ranges::find(stages, stage, &StageTime::stage);
+  if (known == stages.end()) {
+    stages.push_back({stage, milliseconds});
+  } else {
+    known->milliseconds += milliseconds;
+  }
+}
+
 ImageLayers to_layers(const Frame& frame) {
   ImageLayers image;
   image.width = frame.film.width;

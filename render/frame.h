@@ -10,17 +10,21 @@
 
 #include "core/io/image/image_file.h"
 #include "core/scene/camera.h"
+#include "render/stage.h"
 
 namespace brume {
 
 struct StageTime {
-  std::string name;
+  Stage stage = Stage::frame;
   double milliseconds = 0.0;
 };
 
+// Adds to the time of the stage; a new one goes to the end.
+void add_time(std::vector<StageTime>& stages, Stage stage, double milliseconds);
+
 struct SkippedStage {
-  std::string stage;
-  std::string why;
+  Stage stage = Stage::frame;
+  std::string why;  // the words of a Reason, or of an error
 };
 
 // Costs of a frame, and the stages it skipped.
@@ -28,7 +32,7 @@ struct FrameStatistics {
   std::string backend = "cpu";  // or gl
   std::string device;           // name of the OpenGL device; empty: the CPU
   double frame_milliseconds = 0.0;
-  std::vector<StageTime> stages;      // in the order they ran
+  std::vector<StageTime> stages;      // in the order they first ran
   std::vector<SkippedStage> skipped;  // not needed by the scene, with the reason
   // With the backend gl: stages that ran on the CPU, with the reason.
   std::vector<SkippedStage> on_cpu;

@@ -32,7 +32,7 @@ void read_depth(const FilmTextures& textures, Frame& frame) {
   }
 }
 
-void read_back(const FilmTextures& textures, Frame& frame) {
+void read_layers(const FilmTextures& textures, Frame& frame) {
   const std::size_t pixels = frame.depth.size();
   std::vector<float> values(4 * pixels);
   textures.airlight.download(values);
@@ -110,13 +110,17 @@ struct GlRenderer::Impl {
   };
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
                               const Settings& settings, const Job& job, Target& target);
-  std::optional<Frame> try_render(const Scene& scene, const Camera& camera, const Film& film,
-                                  const Settings& settings, const Job& job, Target& target);
+  std::optional<Frame> try_render(const RenderPlan& plan, const Scene& scene, const Camera& camera,
+                                  const Film& film, const Job& job, Target& target);
   std::optional<Frame> render(FrameContext& work, tbb::task_arena& arena, std::size_t which,
                               const Target& target);
+  // The stages of a frame, in this order. Those that may take long are false if the job was
+  // stopped.
   void find_hits(FrameContext& work, Group& group);
-  void find_airlight(FrameContext& work, Group& group, StageClock& clock, DeviceFrame& frame);
+  void integrate_medium(FrameContext& work, Group& group, StageClock& clock, DeviceFrame& frame);
+  bool shade_surfaces(FrameContext& work, Group& group, StageClock& clock, DeviceFrame& frame);
   void show(FrameContext& work, std::size_t which, const Target& target, StageClock& clock);
+  void read_back(FrameContext& work, StageClock& clock);
 };
 
 std::unique_ptr<FrameRenderer> make_renderer(Backend backend,
@@ -210,22 +214,20 @@ std::optional<GlRenderer::DisplayFrame> GlRenderer::show(const Scene& scene, con
 std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& camera,
                                               const Film& film, const Settings& settings,
                                               const Job& job, Target& target) {
-  GlPlan plan(settings, RenderPlan(scene, settings.airlight));
-  std::string refusal = failure.empty() ? plan.refusal : failure;
-  if (refusal.empty()) {
+  RenderPlan plan(scene, film, settings, own_transfers ? nullptr : transfers.get());
+  std::string why = failure;
+  if (const std::optional<Reason> reason = refusal(plan); why.empty() && reason) {
+    why = to_string(*reason);
+  }
+  if (why.empty()) {
     try {
-      std::optional<Frame> frame = try_render(scene, camera, film, settings, job, target);
-      if (!frame) return std::nullopt;
-      frame->statistics.backend = "gl";
-      frame->statistics.device = device.name;
-      frame->statistics.on_cpu = std::move(plan.on_cpu);
-      return frame;
+      return try_render(device_plan(plan, target.options), scene, camera, film, job, target);
     } catch (const OutOfMemory& error) {
-      refusal = error.what();
+      why = error.what();
       target.picture.reset();
       release(false);
     } catch (const Error& error) {
-      refusal = failure = error.what();
+      why = failure = error.what();
       target.picture.reset();
       release(true);
     }
@@ -233,15 +235,15 @@ std::optional<Frame> GlRenderer::Impl::render(const Scene& scene, const Camera& 
   if (!cpu) {
     cpu = own_transfers ? std::make_unique<Renderer>() : std::make_unique<Renderer>(transfers);
   }
-  std::optional<Frame> frame = cpu->render(scene, camera, film, settings, job.stop, job.progress);
-  if (frame) frame->statistics.on_cpu = {{"frame", refusal}};
-  return frame;
+  plan.on_cpu = {{Stage::frame, why}};
+  return cpu->render(plan, scene, camera, film, job);
 }
 
-std::optional<Frame> GlRenderer::Impl::try_render(const Scene& scene, const Camera& camera,
-                                                  const Film& film, const Settings& settings,
+std::optional<Frame> GlRenderer::Impl::try_render(const RenderPlan& plan, const Scene& scene,
+                                                  const Camera& camera, const Film& film,
                                                   const Job& job, Target& target) {
-  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  const int threads = plan.settings.threads;
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   const FogExtent fog_extent(scene);
   const std::size_t count = albedo_groups(scene.optics.albedo).size();
   const Current current(*context);
@@ -251,27 +253,30 @@ std::optional<Frame> GlRenderer::Impl::try_render(const Scene& scene, const Came
   return render_groups(
       scene, media, job,
       [&](const Scene& group_scene, std::size_t which, double albedo, const Job& group_job) {
-        FrameContext work(group_scene, camera, film, settings, *transfers, own_transfers.get(),
+        FrameContext work(plan, group_scene, camera, film, *transfers, own_transfers.get(),
                           group_job, albedo, fog_extent);
+        work.frame.statistics.backend = "gl";
+        work.frame.statistics.device = device.name;
         return render(work, arena, which, target);
       });
 }
 
 // Where view rays end: the depth texture, and the hits of the mesh.
 void GlRenderer::Impl::find_hits(FrameContext& work, Group& group) {
-  if (!work.plan.surfaces) {
+  if (!work.plan.runs(Stage::visibility)) {
     textures.depth.fill(-1.0f);
     return;
   }
   const PreparedScene& prepared = group.stages.prepared();
   group.mesh.update(prepared.ray_caster());
-  clock.time("visibility",
+  clock.time(Stage::visibility,
              [&] { group.mesh.find_hits(programs, work.rays, work.frame.film, textures.depth); });
 }
 
-void GlRenderer::Impl::find_airlight(FrameContext& work, Group& group, StageClock& cpu_clock,
-                                     DeviceFrame& frame) {
-  if (!work.plan.gaussians && !work.plan.homogeneous) {
+// Airlight and transmittance of the view rays.
+void GlRenderer::Impl::integrate_medium(FrameContext& work, Group& group, StageClock& cpu_clock,
+                                        DeviceFrame& frame) {
+  if (!work.plan.has_medium()) {
     const glm::ivec2& size = textures.airlight.size();
     const std::vector<glm::vec4> clear(
         static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
@@ -282,7 +287,7 @@ void GlRenderer::Impl::find_airlight(FrameContext& work, Group& group, StageCloc
   }
   const PreparedScene& prepared = group.stages.prepared();
   group.medium.update(prepared.medium());
-  clock.time("lists", [&] {
+  clock.time(Stage::lists, [&] {
     group.lists.build(programs, group.medium, prepared.medium(), work.rays, work.frame.film,
                       work.settings.airlight_scale, device.storage_bytes);
   });
@@ -291,34 +296,56 @@ void GlRenderer::Impl::find_airlight(FrameContext& work, Group& group, StageCloc
                                 ? group.paper.run(group.stages, work, cpu_clock, frame)
                                 : group.sliced.run(group.stages, work, frame);
   statistics.gaussians_used = group.lists.used();
-  cpu_clock.finish("submit");
+  cpu_clock.finish(Stage::submit);
+}
+
+// Their outgoing radiance.
+bool GlRenderer::Impl::shade_surfaces(FrameContext& work, Group& group, StageClock& cpu_clock,
+                                      DeviceFrame& frame) {
+  if (!work.plan.runs(Stage::surfaces)) {
+    textures.behind.clear();
+    return !work.job.stop.stop_requested();
+  }
+  if (work.plan.runs(Stage::vertex_light)) {
+    frame.arena.execute([&] { group.stages.update_vertex_lighting(work); });
+    if (work.job.stop.stop_requested()) return false;
+    cpu_clock.finish(Stage::vertex_light);
+  }
+  work.frame.statistics.light_pairs += clock.time(Stage::surfaces, [&] {
+    return group.surfaces.run(group.stages, work, group.sliced.tables(), frame);
+  });
+  return !work.job.stop.stop_requested();
 }
 
 // After the last group the picture is complete on return, for all contexts.
 void GlRenderer::Impl::show(FrameContext& work, std::size_t which, const Target& target,
                             StageClock& cpu_clock) {
-  clock.time("display", [&] {
+  clock.time(Stage::display, [&] {
     display.run(programs, textures, *target.options, albedo_groups(work.scene.optics.albedo), which,
                 target.picture->texture());
   });
-  cpu_clock.finish("submit");
+  cpu_clock.finish(Stage::submit);
   work.frame.statistics.view_pairs += display.sum_pairs(programs, textures);
   finish();
-  cpu_clock.finish("wait");
-  if (which == 0 && target.options->depth && work.plan.surfaces) {
+  cpu_clock.finish(Stage::wait);
+  if (which == 0 && work.plan.runs(Stage::read_depth)) {
     read_depth(textures, work.frame);
-    cpu_clock.finish("read_depth");
+    cpu_clock.finish(Stage::read_depth);
   }
+}
+
+void GlRenderer::Impl::read_back(FrameContext& work, StageClock& cpu_clock) {
+  cpu_clock.finish(Stage::submit);
+  work.make_layers();
+  read_layers(textures, work.frame);
+  cpu_clock.finish(Stage::read_back);
 }
 
 std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_arena& arena,
                                               std::size_t which, const Target& target) {
   Group& group = *groups[which];
   const auto start = std::chrono::steady_clock::now();
-  FrameStatistics& statistics = work.frame.statistics;
-  statistics.skipped = work.plan.skipped;
-  statistics.gaussians_total = work.scene.medium.size();
-  StageClock cpu_clock(statistics.stages);
+  StageClock cpu_clock(work.frame.statistics.stages);
   clock.restart();
   if (!arena.execute([&] { return group.stages.begin(work, cpu_clock); })) return std::nullopt;
   textures.reserve(work.frame.film);
@@ -326,45 +353,27 @@ std::optional<Frame> GlRenderer::Impl::render(FrameContext& work, tbb::task_aren
   if (!arena.execute([&] { return group.stages.prepare_source(work, cpu_clock); })) {
     return std::nullopt;
   }
-  DeviceFrame frame{
-      programs,
-      clock,
-      group.medium,
-      group.mesh,
-      group.lists,
-      textures,
-      {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays.eye()),
-       group.stages.prepared().medium().homogeneous_density(), work.settings, work.plan.lights},
-      arena};
-  find_airlight(work, group, cpu_clock, frame);
-  if (work.plan.lit_surfaces) {
-    if (!work.plan.transfers.empty()) {
-      arena.execute([&] { group.stages.update_vertex_lighting(work); });
-      if (work.job.stop.stop_requested()) return std::nullopt;
-      cpu_clock.finish("vertex_light");
-    }
-    const bool has_tables = work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians;
-    clock.time("surfaces", [&] {
-      statistics.light_pairs += group.surfaces.run(
-          group.stages, work, has_tables ? &group.sliced.tables() : nullptr, frame);
-    });
-  } else {
-    textures.behind.clear();
-  }
-  if (work.job.stop.stop_requested()) return std::nullopt;
-  clock.time("composite", [&] { composite.run(programs, work, textures); });
+  DeviceFrame frame{programs,
+                    clock,
+                    group.medium,
+                    group.mesh,
+                    group.lists,
+                    textures,
+                    {work.frame.film, work.rays, work.fog_extent.ray_distance(work.rays.eye()),
+                     group.stages.prepared().medium().homogeneous_density(), work.plan},
+                    arena};
+  integrate_medium(work, group, cpu_clock, frame);
+  if (!shade_surfaces(work, group, cpu_clock, frame)) return std::nullopt;
+  clock.time(Stage::composite, [&] { composite.run(programs, work, textures); });
   if (target.picture) {
     show(work, which, target, cpu_clock);
   } else {
-    cpu_clock.finish("submit");
-    work.make_layers();
-    read_back(textures, work.frame);
-    cpu_clock.finish("read_back");
+    read_back(work, cpu_clock);
   }
   check("finishing a frame");
-  clock.collect(statistics.stages);
+  clock.collect(work.frame.statistics.stages);
   if (work.job.progress) work.job.progress(1.0);
-  statistics.frame_milliseconds =
+  work.frame.statistics.frame_milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return std::move(work.frame);
 }

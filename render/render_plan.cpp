@@ -2,85 +2,201 @@
 
 #include <algorithm>
 
+#include "core/scene/mesh.h"
+
 namespace brume {
+namespace {
 
-RenderPlan::RenderPlan(const Scene& scene, AirlightMethod method) {
-  const auto skip = [this](const char* stage, const std::string& why) {
-    skipped.push_back({stage, why});
-  };
-  std::size_t off = 0;
-  std::size_t black = 0;
-  for (const PointLight& light : scene.lights) {
-    if (!light.on) {
-      ++off;
-    } else if (light.intensity == glm::dvec3(0.0)) {
-      ++black;
-    } else {
-      lights.push_back(light);
+// What there is to render in a scene.
+struct Content {
+  std::vector<PointLight> lights;  // that are on and not black
+  std::size_t lights_off = 0;
+  std::size_t black_lights = 0;
+  bool surfaces, environment, gaussians, homogeneous, noise;
+
+  explicit Content(const Scene& scene)
+      : surfaces(!scene.surfaces.empty()),
+        environment(scene.environment && scene.environment->intensity > 0.0),
+        gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
+        homogeneous(scene.medium.homogeneous_density() > 0.0),
+        noise(gaussians && scene.optics.noise.amplitude > 0.0) {
+    for (const PointLight& light : scene.lights) {
+      if (!light.on) {
+        ++lights_off;
+      } else if (light.intensity == glm::dvec3(0.0)) {
+        ++black_lights;
+      } else {
+        lights.push_back(light);
+      }
     }
   }
-  surfaces = !scene.surfaces.empty();
-  environment = scene.environment && scene.environment->intensity > 0.0;
-  lit_surfaces = surfaces && (environment || !lights.empty());
-  const auto densities = scene.medium.densities();
-  gaussians = std::any_of(densities.begin(), densities.end(), [](double c) { return c > 0.0; });
-  homogeneous = scene.medium.homogeneous_density() > 0.0;
-  noise = gaussians && scene.optics.noise.amplitude > 0.0;
-  const bool medium = gaussians || homogeneous;
-  airlight = medium && (environment || !lights.empty());
-  scattered_on_surfaces = medium && surfaces && !lights.empty();
 
-  if (!surfaces) skip("visibility", "the scene has no surfaces");
-  if (surfaces && !lit_surfaces) skip("surfaces", "nothing emits light");
-  bool is_asked_for = false;
-  for (const Surface& surface : scene.surfaces) {
-    is_asked_for |= surface.transfer != Surface::Transfer::none;
-    if (!needs_transfer(surface)) continue;
-    const TransferRequest request = transfer_request(surface);
-    if (std::ranges::find(transfers, request) == transfers.end()) transfers.push_back(request);
-  }
-  if (transfers.empty()) {
-    skip("transfer", !is_asked_for   ? "no surface requests it"
-                     : !lit_surfaces ? "nothing emits light"
-                                     : "all light is direct");
-  }
-  if (lit_surfaces && !medium) skip("surface_scattering", "the medium is empty");
-  if (!environment) {
-    skip("environment", scene.environment ? "its intensity is 0" : "the scene has none");
-  }
-  // What goes before the airlight is the method's own.
-  const char* const no_lights = "nothing emits light";
-  const char* const no_medium = "the medium is empty";
-  const char* const no_gaussians = lights.empty() ? no_lights : "the medium has no Gaussians";
-  if (!gaussians || lights.empty()) {
-    if (method == AirlightMethod::paper) {
-      skip("light_depth", no_gaussians);
-      skip("eye_depth", no_gaussians);
-    } else if (method == AirlightMethod::sliced) {
-      skip("light_table", no_gaussians);
+  [[nodiscard]] bool medium() const { return gaussians || homogeneous; }
+  [[nodiscard]] bool point_light() const { return !lights.empty(); }
+  [[nodiscard]] bool light() const { return environment || point_light(); }
+  // From all directions: of an environment, or scattered by the medium.
+  [[nodiscard]] bool indirect_light() const { return environment || (medium() && point_light()); }
+
+  // Direct light of point lights uses shadow rays.
+  [[nodiscard]] bool needs_transfer(const Surface& surface) const {
+    switch (surface.transfer) {
+      case Surface::Transfer::none:
+        return false;
+      case Surface::Transfer::shadow:
+        return indirect_light();
+      case Surface::Transfer::interreflection:
+        return light();
     }
+    return false;
   }
-  if (method == AirlightMethod::sliced && !scattered_on_surfaces) {
-    skip("shadow_map", !surfaces        ? "the scene has no surfaces"
-                       : lights.empty() ? no_lights
-                                        : no_medium);
+
+  [[nodiscard]] std::vector<TransferRequest> transfers(const Scene& scene) const {
+    std::vector<TransferRequest> requests;
+    for (const Surface& surface : scene.surfaces) {
+      if (!needs_transfer(surface)) continue;
+      const TransferRequest request = transfer_request(surface);
+      if (std::ranges::find(requests, request) == requests.end()) requests.push_back(request);
+    }
+    return requests;
   }
-  if (!homogeneous) skip("homogeneous", "the medium's homogeneous density is 0");
-  if (!noise) {
-    skip("noise", gaussians ? "its amplitude is 0" : "the medium has no Gaussians");
-  }
-  if (!airlight) {
-    skip("airlight", medium ? no_lights : no_medium);
-  }
-  if (off > 0) skip("lights", "switched off: " + std::to_string(off));
-  if (black > 0) skip("lights", std::to_string(black) + " lights of intensity 0");
+};
+
+std::size_t triangle_count(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Surface& surface : scene.surfaces) count += surface.mesh->n_faces();
+  return count;
 }
 
-// Direct light of point lights uses shadow rays.
+StageSet planned_stages(const Content& content, AirlightMethod method, bool has_transfers) {
+  const bool paper = method == AirlightMethod::paper;
+  const bool sliced = method == AirlightMethod::sliced;
+  const bool lit_gaussians = content.gaussians && content.point_light();
+  // Of airlight and of light at surfaces. `paper` has average optical depths, and the integral of
+  // the reference is its own.
+  const bool needs_grid = sliced || method == AirlightMethod::march || (content.surfaces && !paper);
+  StageSet stages{Stage::prepare, Stage::composite};
+  stages.add(Stage::transfer, has_transfers);
+  stages.add(Stage::visibility, content.surfaces);
+  stages.add(Stage::environment, content.environment && content.medium() && needs_grid);
+  stages.add(Stage::light_depth, paper && lit_gaussians);
+  stages.add(Stage::eye_depth, paper && lit_gaussians);
+  stages.add(Stage::light_table, sliced && lit_gaussians);
+  stages.add(Stage::shadow_map,
+             sliced && content.surfaces && content.medium() && content.point_light());
+  stages.add(content.light() ? Stage::airlight : Stage::transmittance, content.medium());
+  stages.add(Stage::surfaces, content.surfaces && content.light());
+  return stages;
+}
+
+StageSet planned_parts(const Content& content, const Settings& settings, bool has_transfers) {
+  const bool paper = settings.airlight == AirlightMethod::paper;
+  StageSet parts;
+  parts.add(Stage::homogeneous, content.homogeneous);
+  parts.add(Stage::noise, content.noise);
+  parts.add(Stage::upsample, content.medium() && settings.airlight_scale > 1);
+  parts.add(Stage::average_depth,
+            paper && content.surfaces && content.environment && content.gaussians);
+  parts.add(Stage::surface_scattering, content.surfaces && content.medium() && content.light());
+  // Of what is known already if the rest is still to come.
+  parts.add(Stage::vertex_light, has_transfers);
+  return parts;
+}
+
+RenderPlan::SurfaceDepths planned_surface_depths(const Content& content, AirlightMethod method) {
+  using enum RenderPlan::SurfaceDepths;
+  if (!content.surfaces || !content.gaussians || !content.point_light()) return none;
+  return method == AirlightMethod::sliced ? tables : exact;
+}
+
+// Stages whose absence says something of the scene.
+std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& content,
+                                         AirlightMethod method, const RenderPlan& plan) {
+  std::vector<SkippedStage> skipped;
+  const auto skip = [&](Stage stage, Reason why, std::size_t count = 0) {
+    skipped.push_back({stage, to_string(why, count)});
+  };
+  const bool requests_transfer = std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
+    return surface.transfer != Surface::Transfer::none;
+  });
+  if (!content.surfaces) skip(Stage::visibility, Reason::no_surfaces);
+  if (content.surfaces && !content.light()) skip(Stage::surfaces, Reason::no_light);
+  if (plan.transfers.empty()) {
+    skip(Stage::transfer, !requests_transfer ? Reason::no_transfer_requested
+                          : !content.light() ? Reason::no_light
+                                             : Reason::only_direct_light);
+  }
+  if (content.surfaces && content.light() && !content.medium()) {
+    skip(Stage::surface_scattering, Reason::no_medium);
+  }
+  if (!content.environment) {
+    skip(Stage::environment,
+         scene.environment ? Reason::black_environment : Reason::no_environment);
+  }
+  // What goes before the airlight is the method's own.
+  if (!content.gaussians || !content.point_light()) {
+    const Reason why = content.point_light() ? Reason::no_gaussians : Reason::no_light;
+    if (method == AirlightMethod::paper) {
+      skip(Stage::light_depth, why);
+      skip(Stage::eye_depth, why);
+    } else if (method == AirlightMethod::sliced) {
+      skip(Stage::light_table, why);
+    }
+  }
+  if (method == AirlightMethod::sliced && !plan.runs(Stage::shadow_map)) {
+    skip(Stage::shadow_map, !content.surfaces        ? Reason::no_surfaces
+                            : !content.point_light() ? Reason::no_light
+                                                     : Reason::no_medium);
+  }
+  if (!content.homogeneous) skip(Stage::homogeneous, Reason::no_homogeneous_density);
+  if (!content.noise) {
+    skip(Stage::noise, content.gaussians ? Reason::no_noise : Reason::no_gaussians);
+  }
+  if (!plan.runs(Stage::airlight)) {
+    skip(Stage::airlight, content.medium() ? Reason::no_light : Reason::no_medium);
+  }
+  if (content.lights_off > 0) skip(Stage::lights, Reason::lights_off, content.lights_off);
+  if (content.black_lights > 0) skip(Stage::lights, Reason::black_lights, content.black_lights);
+  if (!plan.transfers.empty() && !plan.runs(Stage::transfer)) {
+    skip(Stage::transfer, Reason::transfer_pending);
+  }
+  return skipped;
+}
+
+}  // namespace
+
+RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
+                       const TransferStore* shared) {
+  const Content content(scene);
+  const AirlightMethod method = requested.airlight;
+  const bool is_reference = method == AirlightMethod::reference;
+  settings = limit_light_map_memory(requested, content.lights.size(), content.surfaces);
+  lights = content.lights;
+  transfers = content.transfers(scene);
+
+  stages =
+      planned_stages(content, method, !transfers.empty() && (!shared || shared->has(transfers)));
+  parts = planned_parts(content, settings, !transfers.empty());
+  skipped = skipped_stages(scene, content, method, *this);
+
+  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+  rasterizes = content.surfaces && triangle_count(scene) <= pixels;
+  has_environment = content.environment;
+  has_environment_in_medium = content.environment && content.medium();
+  has_receivers = runs(Stage::environment) && content.surfaces;
+  has_indirect_light = content.indirect_light();
+  surface_depths = planned_surface_depths(content, method);
+  has_exact_occlusion = is_reference;
+  precision = is_reference ? Settings::Precision::plain_double : settings.precision;
+  depth_error = is_reference ? reference_depth_error : settings.depth_error;
+}
+
 bool RenderPlan::needs_transfer(const Surface& surface) const {
-  if (surface.transfer == Surface::Transfer::none || !lit_surfaces) return false;
-  return environment || scattered_on_surfaces ||
-         surface.transfer == Surface::Transfer::interreflection;
+  return surface.transfer != Surface::Transfer::none &&
+         std::ranges::find(transfers, transfer_request(surface)) != transfers.end();
+}
+
+std::vector<TransferRequest> needed_transfers(const Scene& scene) {
+  return Content(scene).transfers(scene);
 }
 
 }  // namespace brume

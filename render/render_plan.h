@@ -5,28 +5,63 @@
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/settings.h"
+#include "render/stage.h"
 #include "render/transfer/transfer_store.h"
 
 namespace brume {
 
-// The stages a scene needs, and why the others are skipped: the single place that decides.
-struct RenderPlan {
-  bool surfaces = false;                   // visible, and casting shadows
-  bool lit_surfaces = false;               // surfaces, and lights or an environment
-  bool gaussians = false;                  // with non-zero extinction
-  bool homogeneous = false;                // b0 > 0
-  bool noise = false;                      // Gaussians, and noise that displaces view rays
-  bool environment = false;                // with non-zero radiance
-  bool airlight = false;                   // a medium, and lights or an environment
-  bool scattered_on_surfaces = false;      // surfaces, lights and a scattering medium between them
-  std::vector<PointLight> lights;          // lights that are on
-  std::vector<TransferRequest> transfers;  // without duplicates
-  std::vector<SkippedStage> skipped;
+// What the reference leaves out of a ray's optical depth.
+inline constexpr double reference_depth_error = 1e-8;
 
-  RenderPlan(const Scene& scene, AirlightMethod method);
+// What a frame computes and how: the single place that decides. Made once a frame, before the scene
+// is split into albedo groups, which share it. The backend gl moves it to the device (gl/gl_plan).
+struct RenderPlan {
+  // `shared`: transfer that others compute; null: the frame computes what is missing.
+  RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
+             const TransferStore* shared = nullptr);
+
+  Settings settings;                       // as requested, with light maps limited to memory
+  std::vector<PointLight> lights;          // that are on and not black
+  std::vector<TransferRequest> transfers;  // without duplicates
+
+  StageSet stages;  // whose times are in the statistics
+  StageSet parts;   // of those, without times of their own
+  std::vector<SkippedStage> skipped;
+  std::vector<SkippedStage> on_cpu;  // although gl was requested
+
+  // Whether a stage, or a part of one, runs.
+  [[nodiscard]] bool runs(Stage stage) const { return stages.has(stage) || parts.has(stage); }
+
+  // The stage that finds what the medium does to view rays.
+  [[nodiscard]] Stage medium_stage() const {
+    return runs(Stage::airlight) ? Stage::airlight : Stage::transmittance;
+  }
+  [[nodiscard]] bool has_medium() const { return runs(medium_stage()); }
+
+  // An environment with non-zero radiance: behind the scene, and lighting it.
+  bool has_environment = false;
+  // Environment light enters the medium; Stage::environment runs only if the method wants a grid.
+  bool has_environment_in_medium = false;
+  // First hits are rasterized where float is precise enough, faster than rays unless triangles
+  // outnumber pixels.
+  bool rasterizes = false;
+  // Surfaces take environment light from the grid instead of average optical depths.
+  bool has_receivers = false;
+  // Surfaces that are not diffuse reflect light from all directions.
+  bool has_indirect_light = false;
+  // Of point lights at surfaces: from the optical depth tables, or summed exactly. Neither: zero.
+  enum class SurfaceDepths { none, tables, exact };
+  SurfaceDepths surface_depths = SurfaceDepths::none;
+  // Shadows on the other side of closed meshes and behind slivers, for the reference.
+  bool has_exact_occlusion = false;
+  Settings::Precision precision = Settings::Precision::simd_float;
+  double depth_error = 0.0;  // see Settings
 
   // Whether the transfer requested by a surface is used by any light.
   [[nodiscard]] bool needs_transfer(const Surface& surface) const;
 };
+
+// RenderPlan::transfers, which do not depend on settings.
+std::vector<TransferRequest> needed_transfers(const Scene& scene);
 
 }  // namespace brume

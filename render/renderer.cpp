@@ -24,6 +24,7 @@ struct Renderer::Impl {
   FilmSlices film_slices;
 
   std::optional<Frame> render(FrameContext& work);
+  void integrate_medium(FrameContext& work, StageClock& clock);
   AirlightIntegrator airlight_method(FrameContext& work, StageClock& clock);
   AirlightIntegrator paper(FrameContext& work, StageClock& clock);
   AirlightIntegrator sliced(FrameContext& work, StageClock& clock);
@@ -43,13 +44,19 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, const Film& film,
                                       const Settings& settings, std::stop_token stop,
                                       const std::function<void(double)>& progress) {
-  const Job job{std::move(stop), progress};
-  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  const RenderPlan plan(scene, film, settings, own_transfers_ ? nullptr : transfers_.get());
+  return render(plan, scene, camera, film, {std::move(stop), progress});
+}
+
+std::optional<Frame> Renderer::render(const RenderPlan& plan, const Scene& scene,
+                                      const Camera& camera, const Film& film, const Job& job) {
+  tbb::task_arena arena(plan.settings.threads > 0 ? plan.settings.threads
+                                                  : tbb::task_arena::automatic);
   const FogExtent fog_extent(scene);
   const auto render_one = [&](const Scene& group_scene, std::size_t which, double albedo,
                               const Job& group_job) {
-    FrameContext work(group_scene, camera, film, settings, *transfers_, own_transfers_.get(),
-                      group_job, albedo, fog_extent);
+    FrameContext work(plan, group_scene, camera, film, *transfers_, own_transfers_.get(), group_job,
+                      albedo, fog_extent);
     return arena.execute([&] { return impls_[which]->render(work); });
   };
 
@@ -61,32 +68,33 @@ std::optional<Frame> Renderer::render(const Scene& scene, const Camera& camera, 
 
 std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   const auto start = std::chrono::steady_clock::now();
-  FrameStatistics& statistics = work.frame.statistics;
-  statistics.skipped = work.plan.skipped;
-  statistics.gaussians_total = work.scene.medium.size();
-  StageClock clock(statistics.stages);
+  StageClock clock(work.frame.statistics.stages);
   work.make_layers();
   if (!stages.begin(work, clock)) return std::nullopt;
   stages.find_hits(work, clock);
   if (!stages.prepare_source(work, clock)) return std::nullopt;
-  if (work.plan.gaussians || work.plan.homogeneous) {
-    const AirlightIntegrator method = airlight_method(work, clock);
-    const FilmAirlight film =
-        film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.settings,
-                      method, stages.ray_ends(work), work.job, work.frame);
-    statistics.gaussians_used = film.gaussians_used;
-    statistics.exact_pixels = film.exact_pixels;
-    statistics.view_pairs += film.pairs;
-    // Without light there is still what the medium takes away.
-    clock.finish(work.plan.airlight ? "airlight" : "transmittance");
-  }
+  integrate_medium(work, clock);
   const std::span<const glm::vec3> surfaces = stages.shade_surfaces(work, clock);
   if (work.job.stop.stop_requested()) return std::nullopt;
   composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
-  clock.finish("composite");
-  statistics.frame_milliseconds =
+  clock.finish(Stage::composite);
+  work.frame.statistics.frame_milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return std::move(work.frame);
+}
+
+// Airlight and transmittance of the view rays.
+void Renderer::Impl::integrate_medium(FrameContext& work, StageClock& clock) {
+  if (!work.plan.has_medium()) return;
+  const AirlightIntegrator method = airlight_method(work, clock);
+  const FilmAirlight film =
+      film_airlight(stages.prepared().medium(), work.plan.lights, work.rays, work.settings, method,
+                    stages.ray_ends(work), work.job, work.frame);
+  FrameStatistics& statistics = work.frame.statistics;
+  statistics.gaussians_used = film.gaussians_used;
+  statistics.exact_pixels = film.exact_pixels;
+  statistics.view_pairs += film.pairs;
+  clock.finish(work.plan.medium_stage());
 }
 
 AirlightIntegrator Renderer::Impl::airlight_method(FrameContext& work, StageClock& clock) {
@@ -107,7 +115,7 @@ AirlightIntegrator Renderer::Impl::paper(FrameContext& work, StageClock& clock) 
   return {[this, &work, lights = stages.paper_lights(work, clock)](
               auto gaussians, const TileRays& rays, const TileAirlight& out) {
             const std::uint64_t pairs = paper_airlight(stages.prepared().medium(), gaussians,
-                                                       lights, rays, work.settings.precision, out);
+                                                       lights, rays, work.plan.precision, out);
             if (const EnvironmentLight* environment = stages.shading().environment()) {
               for (std::size_t k = 0; k < rays.directions.size(); ++k) {
                 out.airlight[k] += environment->environment_inscattering(
@@ -156,7 +164,7 @@ AirlightIntegrator Renderer::Impl::reference(FrameContext& work) const {
                       min_light_distance(work.rays, work.camera, light.position)});
   }
   std::optional<ReferenceEnvironment> environment;
-  if (work.plan.environment) {
+  if (work.plan.has_environment) {
     environment.emplace(*work.scene.environment, work.scene.optics.anisotropy,
                         stages.fog_depth(work), work.settings.reference_tolerance);
   }

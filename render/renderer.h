@@ -5,9 +5,11 @@
 
 #include "render/frame_renderer.h"
 #include "render/prepare/albedo.h"
+#include "render/util/job.h"
 
 namespace brume {
 
+struct RenderPlan;
 class TransferStore;
 
 // The CPU renderer. Caches acceleration structures and optical depths of lights between frames, so
@@ -26,6 +28,9 @@ class Renderer final : public FrameRenderer {
   std::optional<Frame> render(const Scene& scene, const Camera& camera, const Film& film,
                               const Settings& settings, std::stop_token stop = {},
                               const std::function<void(double)>& progress = {}) override;
+  // The same by a plan of that scene and film that is already made.
+  std::optional<Frame> render(const RenderPlan& plan, const Scene& scene, const Camera& camera,
+                              const Film& film, const Job& job);
 
  private:
   struct Impl;

@@ -27,7 +27,7 @@ refuse "a relative path" '\.\./' core render app tools
 
 # Within a floor: files, and what else of the floor they may include beside their own folder. Each
 # row names only rows above it, so there are no circles.
-values='render/frame.h render/settings.h render/view_transform.h'
+values='render/frame.h render/settings.h render/stage.h render/view_transform.h'
 surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
 while IFS=: read -r files allowed; do
   [[ $files ]] || continue
@@ -44,7 +44,8 @@ while IFS=: read -r files allowed; do
 done <<ROWS
 render/util/*.[hc]*:
 render/geometry/*.[hc]*:
-render/frame.*:render/view_transform.h
+render/stage.*:
+render/frame.*:render/stage.h render/view_transform.h
 render/settings.*:render/frame.h
 render/simd/*.[hc]*:$values render/geometry/
 render/visibility/*.[hc]*:render/util/ render/geometry/ render/simd/

@@ -15,7 +15,7 @@ TransferJob::TransferJob(QWidget* parent) : JobBar(parent) {
 TransferJob::~TransferJob() = default;
 
 void TransferJob::follow(const Scene& scene) {
-  std::vector<TransferRequest> needed = RenderPlan(scene, AirlightMethod::sliced).transfers;
+  std::vector<TransferRequest> needed = needed_transfers(scene);
   if (needed == needed_) return;
   needed_ = std::move(needed);
   cancelled_ = false;

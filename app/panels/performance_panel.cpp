@@ -153,13 +153,13 @@ void PerformancePanel::update_frame() {
   QList<QTreeWidgetItem*> rows;
   for (const StageTime& stage : statistics.stages) {
     rows << new QTreeWidgetItem(
-        {QString::fromStdString(stage.name), QString::number(stage.milliseconds, 'f', 1)});
+        {to_string(stage.stage), QString::number(stage.milliseconds, 'f', 1)});
   }
   rows << new QTreeWidgetItem({tr("frame"), QString::number(frame->milliseconds, 'f', 1)});
   const auto add_notes = [&rows](const std::vector<SkippedStage>& stages, const QString& text) {
     for (const SkippedStage& stage : stages) {
       const QString why = text.arg(QString::fromStdString(stage.why));
-      auto* row = new QTreeWidgetItem({QString::fromStdString(stage.stage), why});
+      auto* row = new QTreeWidgetItem({to_string(stage.stage), why});
       row->setToolTip(1, plain_tool_tip(why));
       row->setDisabled(true);
       rows << row;

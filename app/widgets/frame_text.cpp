@@ -40,7 +40,7 @@ QString backend_text(const FrameStatistics& statistics) {
 }
 
 QString fallback_text(const FrameStatistics& statistics) {
-  const auto frame = std::ranges::find(statistics.on_cpu, "frame", &SkippedStage::stage);
+  const auto frame = std::ranges::find(statistics.on_cpu, Stage::frame, &SkippedStage::stage);
   return frame == statistics.on_cpu.end() ? QString() : QString::fromStdString(frame->why);
 }
 

@@ -11,7 +11,7 @@ void CompositeStage::run(Programs& programs, const FrameContext& work, FilmTextu
   const Program& program = programs["composite"];
   set_rays(program, work.rays);
   program.set("sky_size", glm::ivec2(0));
-  if (work.plan.environment) {
+  if (work.plan.has_environment) {
     const Environment& environment = *work.scene.environment;
     const RadianceMap& map = *environment.map;
     if (map_ != environment.map) {

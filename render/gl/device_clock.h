@@ -14,10 +14,10 @@ class DeviceClock {
   void restart() { used_ = 0; }
   // Runs `work`, which submits the commands of a stage.
   template <class Work>
-  auto time(const char* stage, Work work) {
+  auto time(Stage stage, Work work) {
     if (used_ == timers_.size()) timers_.emplace_back();
-    Stage& now = timers_[used_++];
-    now.name = stage;
+    TimedStage& now = timers_[used_++];
+    now.stage = stage;
     now.timer.begin();
     struct End {
       Timer& timer;
@@ -26,15 +26,15 @@ class DeviceClock {
     return work();
   }
 
-  // Appends the stages since the last call, merging those of one name. Waits for the device.
+  // Adds the times of the stages since the last call. Waits for the device.
   void collect(std::vector<StageTime>& stages);
 
  private:
-  struct Stage {
-    const char* name = "";
+  struct TimedStage {
+    Stage stage = Stage::frame;
     Timer timer;
   };
-  std::vector<Stage> timers_;
+  std::vector<TimedStage> timers_;
   std::size_t used_ = 0;
 };
 

@@ -36,7 +36,7 @@ void set_rays(const Program& program, const CameraRays& rays) {
 std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Program& method,
                               const std::function<void()>& bind, TileLists& lists,
                               const FilmView& view, FilmTextures& textures) {
-  const int scale = view.settings.airlight_scale;
+  const int scale = view.plan.settings.airlight_scale;
   const glm::ivec2 tiles = lists.tiles();
   const auto tile_count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
   const glm::ivec2 sample_film = lists.sample_film();
@@ -68,8 +68,8 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     textures.pairs.bind_image(3);
     method.dispatch_linear(groups);
   };
-  clock.time("airlight", [&] { run_method(false, tile_count); });
-  if (scale == 1) return sample_count;
+  clock.time(view.plan.medium_stage(), [&] { run_method(false, tile_count); });
+  if (!view.plan.runs(Stage::upsample)) return sample_count;
 
   // A batch is at least one pixel that was asked for.
   const std::size_t batches = tile_count * ((capacity + Tiles::pixels - 1) / Tiles::pixels);
@@ -77,11 +77,11 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   totals_.reserve(3 * sizeof(std::uint32_t));
   totals_.clear();
   const TilePixels near_lights =
-      sort_into_tiles(light_pixels(view.lights, view.rays, view.film, light_block),
+      sort_into_tiles(light_pixels(view.plan.lights, view.rays, view.film, light_block),
                       {sample_film.x, sample_film.y}, scale);
   light_offsets_.upload(std::span<const std::uint32_t>(near_lights.offsets));
   light_pixels_.upload(std::span<const glm::ivec2>(near_lights.pixels));
-  clock.time("upsample", [&] {
+  clock.time(Stage::upsample, [&] {
     samples_.bind_image(1);
     totals_.bind(4);
     programs["rms"].dispatch(1);
@@ -91,7 +91,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     interpolate.set("tiles", tiles);
     interpolate.set("scale", scale);
     interpolate.set("b0", static_cast<float>(view.b0));
-    interpolate.set("tolerance", static_cast<float>(view.settings.upsampling_tolerance));
+    interpolate.set("tolerance", static_cast<float>(view.plan.settings.upsampling_tolerance));
     interpolate.set("capacity", static_cast<int>(capacity));
     interpolate.set("batches_at", batches_at);
     textures.depth.bind_image(0);
@@ -106,7 +106,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   });
   std::array<std::uint32_t, 2> requests{};
   totals_.download(std::span<std::uint32_t>(requests));
-  clock.time("airlight", [&] { run_method(true, requests[0]); });
+  clock.time(view.plan.medium_stage(), [&] { run_method(true, requests[0]); });
   return sample_count + requests[1];
 }
 

@@ -2,14 +2,13 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "render/gl/device_clock.h"
 #include "render/gl/programs.h"
 #include "render/gl/tile_lists.h"
-#include "render/settings.h"
+#include "render/render_plan.h"
 
 namespace brume::gl {
 
@@ -30,8 +29,7 @@ struct FilmView {
   const CameraRays& rays;
   double ray_end;  // length of rays that hit nothing [u]; may be +inf
   double b0;
-  const Settings& settings;
-  std::span<const PointLight> lights;  // whose pixels are not interpolated
+  const RenderPlan& plan;
 };
 
 // Runs an airlight method over the pixels of a film; device counterpart of film_airlight()

@@ -5,43 +5,54 @@
 namespace brume::gl {
 namespace {
 
-std::string refusal_of(const Settings& settings) {
-  if (settings.precision == Settings::Precision::plain_double)
-    return "double precision was requested";
-  const AirlightMethod method = settings.airlight;
-  if (method == AirlightMethod::march || method == AirlightMethod::reference) {
-    return std::string("airlight ") + to_string(method) + " runs only on the CPU";
-  }
-  if (method == AirlightMethod::paper) return {};
-  if (settings.slices > max_slices) {
-    return "more slices than fit into a work group";
-  }
-  if (settings.optical_depth_table.radii > 1024) {
-    return "optical-depth tables have more radii than fit into a work group";
-  }
-  return {};
-}
+// Stages that also a frame of the device runs on the CPU.
+struct CpuStage {
+  Stage stage;
+  Reason why;
+};
+constexpr CpuStage cpu_stages[] = {
+    {Stage::light_depth, Reason::center_depths_on_cpu},
+    {Stage::eye_depth, Reason::center_depths_on_cpu},
+    {Stage::vertex_light, Reason::vertex_light_on_cpu},
+    {Stage::environment, Reason::environment_on_cpu},
+    {Stage::average_depth, Reason::average_depth_on_cpu},
+};
 
 }  // namespace
 
-GlPlan::GlPlan(const Settings& settings, const RenderPlan& plan) : refusal(refusal_of(settings)) {
-  if (!refusal.empty()) {
-    on_cpu.push_back({"frame", refusal});
-    return;
+std::optional<Reason> refusal(const RenderPlan& plan) {
+  const Settings& settings = plan.settings;
+  if (settings.precision == Settings::Precision::plain_double) return Reason::double_precision;
+  switch (settings.airlight) {
+    case AirlightMethod::paper:
+      return std::nullopt;
+    case AirlightMethod::march:
+      return Reason::march_on_cpu;
+    case AirlightMethod::reference:
+      return Reason::reference_on_cpu;
+    case AirlightMethod::sliced:
+      break;
   }
-  if (settings.airlight == AirlightMethod::paper && plan.gaussians && !plan.lights.empty()) {
-    on_cpu.push_back({"light_depth", "optical depths at the centres are computed on the CPU"});
-    on_cpu.push_back({"eye_depth", "optical depths at the centres are computed on the CPU"});
+  if (settings.slices > max_slices) return Reason::too_many_slices;
+  if (settings.optical_depth_table.radii > 1024) return Reason::too_many_radii;
+  return std::nullopt;
+}
+
+RenderPlan device_plan(RenderPlan plan, const DisplayOptions* display) {
+  for (const Stage timed : {Stage::upsample, Stage::vertex_light}) {
+    plan.stages.add(timed, plan.parts.has(timed));
+    plan.parts.remove(timed);
   }
-  if (!plan.transfers.empty()) {
-    on_cpu.push_back({"vertex_light", "vertex lighting is computed on the CPU"});
+  plan.stages.add(Stage::lists, plan.has_medium());
+  plan.stages.add(Stage::submit);
+  plan.stages.add(Stage::read_back, !display);
+  plan.stages.add(Stage::display, display);
+  plan.stages.add(Stage::wait, display);
+  plan.stages.add(Stage::read_depth, display && display->depth && plan.runs(Stage::visibility));
+  for (const CpuStage& known : cpu_stages) {
+    if (plan.runs(known.stage)) plan.on_cpu.push_back({known.stage, to_string(known.why)});
   }
-  if (!plan.environment || !plan.airlight) return;
-  if (settings.airlight != AirlightMethod::paper) {
-    on_cpu.push_back({"environment", "its grid is computed on the CPU"});
-  } else if (plan.surfaces && plan.gaussians) {
-    on_cpu.push_back({"average_depth", "the grids around surfaces are computed on the CPU"});
-  }
+  return plan;
 }
 
 }  // namespace brume::gl

@@ -1,20 +1,17 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <optional>
 
-#include "render/frame.h"
+#include "render/gl/display_options.h"
 #include "render/render_plan.h"
-#include "render/settings.h"
 
 namespace brume::gl {
 
-// Decides which stages run on the device and which on the CPU, with reasons. Needs no device.
-struct GlPlan {
-  std::string refusal;               // why the whole frame runs on the CPU; empty: it does not
-  std::vector<SkippedStage> on_cpu;  // stages that run on the CPU nevertheless
+// Why a frame cannot be rendered on any device; nullopt: it can. Needs no device.
+std::optional<Reason> refusal(const RenderPlan& plan);
 
-  GlPlan(const Settings& settings, const RenderPlan& plan);
-};
+// The plan moved to the device, with the stages that only a device has; on_cpu says what stays.
+// `display`: where the picture goes; null: the frame is read back.
+RenderPlan device_plan(RenderPlan plan, const DisplayOptions* display);
 
 }  // namespace brume::gl

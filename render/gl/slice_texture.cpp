@@ -21,12 +21,12 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
   if (rows > node_texture_width) throw OutOfMemory("the slices do not fit into device memory");
   nodes_.reserve(Texture::Format::r32f, glm::ivec2(node_texture_width, static_cast<int>(rows)));
 
-  clock.time("airlight", [&] {
+  clock.time(view.plan.medium_stage(), [&] {
     const Program& choose = programs["choose_slices"];
     set_rays(choose, view.rays);
     choose.set("film", glm::ivec2(view.film.width, view.film.height));
     choose.set("tiles", tiles);
-    choose.set("scale", view.settings.airlight_scale);
+    choose.set("scale", view.plan.settings.airlight_scale);
     choose.set("ray_end", static_cast<float>(std::min(view.ray_end, 1e30)));
     choose.set("light_count", static_cast<int>(light_count));
     choose.set("slices", slices);

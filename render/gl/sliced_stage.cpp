@@ -22,8 +22,10 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   const glm::dvec3& eye = work.rays.eye();
   const std::vector<SlicedLight> lights = FrameStages::lights_of(work);
   const auto maps = lights_.lay_out(medium, lights, work.settings.optical_depth_table);
-  work.frame.statistics.light_pairs += device.clock.time(
-      "light_table", [&] { return lights_.build(device.programs, device.medium); });
+  if (work.plan.runs(Stage::light_table)) {
+    work.frame.statistics.light_pairs += device.clock.time(
+        Stage::light_table, [&] { return lights_.build(device.programs, device.medium); });
+  }
   make_shadows(work, lights, maps, device);
   lights_.upload(lights, &shadows_, eye);
 
@@ -35,7 +37,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("anisotropy", static_cast<float>(medium.anisotropy()));
   program.set("negligible", static_cast<float>(medium.negligible_depth()));
-  upload_source(work.plan.airlight ? stages.scattered_environment(work) : nullptr, eye, program);
+  upload_source(stages.scattered_environment(work), eye, program);
   return film_.run(
       device.programs, device.clock, program,
       [&] {
@@ -49,7 +51,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
 
 void SlicedStage::make_shadows(const FrameContext& work, std::span<const SlicedLight> lights,
                                std::span<const DirectionMap> tables, DeviceFrame& device) {
-  if (!work.plan.surfaces || lights.empty()) {
+  if (!work.plan.runs(Stage::shadow_map)) {
     shadows_.clear();
     return;
   }
@@ -57,7 +59,7 @@ void SlicedStage::make_shadows(const FrameContext& work, std::span<const SlicedL
   for (const DirectionMap& table : tables) {
     directions.push_back(FrameStages::shadow_directions(work, table));
   }
-  device.clock.time("shadow_map",
+  device.clock.time(Stage::shadow_map,
                     [&] { shadows_.make(device.programs, device.mesh, lights, directions); });
 }
 

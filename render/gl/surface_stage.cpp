@@ -73,13 +73,14 @@ void append_tables(std::span<const std::shared_ptr<const MeasuredBrdf>> measured
 }  // namespace
 
 std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& work,
-                                OpticalDepthTables* tables, DeviceFrame& device) {
+                                OpticalDepthTables& tables, DeviceFrame& device) {
   const MediumIndex& medium = stages.prepared().medium();
   const SurfaceLighting lighting = stages.surface_lighting(work);
-  const bool sums = !tables && work.plan.gaussians && !lighting.lights.empty();
+  using SurfaceDepths = RenderPlan::SurfaceDepths;
+  const bool sums = work.plan.surface_depths == SurfaceDepths::exact;
   const std::uint64_t pairs = sums ? sum_depths(lighting, device) : 0;
 
-  OpticalDepthTables& lights = tables ? *tables : lights_;
+  OpticalDepthTables& lights = work.plan.surface_depths == SurfaceDepths::tables ? tables : lights_;
   lights.upload(FrameStages::lights_of(work), nullptr, device.mesh.center());
   const bool is_glossy = std::ranges::any_of(
       stages.shading().surfaces(),

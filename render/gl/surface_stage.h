@@ -13,9 +13,9 @@ namespace brume::gl {
 // Shading of surfaces on the device.
 class SurfaceStage {
  public:
-  // Fills `behind` from the mesh's hits. `tables`: optical depth tables of the lights; null: exact
-  // sums. Returns the Gaussian x path pairs evaluated.
-  std::uint64_t run(const FrameStages& stages, const FrameContext& work, OpticalDepthTables* tables,
+  // Fills `behind` from the mesh's hits. `tables`: optical depth tables of the lights, used if the
+  // plan says so. Returns the Gaussian x path pairs evaluated.
+  std::uint64_t run(const FrameStages& stages, const FrameContext& work, OpticalDepthTables& tables,
                     DeviceFrame& device);
 
  private:

@@ -90,8 +90,8 @@ void add_cost(const FrameStatistics& group_frame, FrameStatistics& sum) {
   for (std::size_t i = 0; i < group_frame.pixel_pairs.size(); ++i) {
     sum.pixel_pairs[i] += group_frame.pixel_pairs[i];
   }
-  for (std::size_t i = 0; i < std::min(group_frame.stages.size(), sum.stages.size()); ++i) {
-    sum.stages[i].milliseconds += group_frame.stages[i].milliseconds;
+  for (const StageTime& stage : group_frame.stages) {
+    add_time(sum.stages, stage.stage, stage.milliseconds);
   }
 }
 

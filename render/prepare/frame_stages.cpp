@@ -11,14 +11,6 @@
 #include "render/shading/film_surfaces.h"
 
 namespace brume {
-namespace {
-
-Settings::Precision arithmetic_of(const Settings& settings) {
-  return settings.airlight == AirlightMethod::reference ? Settings::Precision::plain_double
-                                                        : settings.precision;
-}
-
-}  // namespace
 
 void FrameContext::make_layers() {
   const auto pixels =
@@ -29,29 +21,25 @@ void FrameContext::make_layers() {
       [&] { frame.transmittance.assign(3 * pixels, 1.0f); },
       [&] { frame.depth.assign(pixels, std::numeric_limits<float>::infinity()); },
       [&] {
-        if (plan.gaussians || plan.homogeneous) frame.statistics.pixel_pairs.resize(pixels);
+        if (plan.has_medium()) frame.statistics.pixel_pairs.resize(pixels);
       }};
   Job().each(layers.size(), [&](std::size_t i) { layers[i](); });
 }
 
 bool FrameStages::begin(FrameContext& work, StageClock& clock) {
-  if (!work.plan.transfers.empty()) {
-    if (!find_transfers(work)) return false;
-    clock.finish("transfer");
+  if (work.plan.runs(Stage::transfer)) {
+    if (!make_transfers(work)) return false;
+    clock.finish(Stage::transfer);
   }
-  prepared_.update(work.scene, work.plan.lights, work.settings);
-  shading_.update(work.scene, work.plan, work.settings, work.transfers);
-  clock.finish("prepare");
+  prepared_.update(work.scene, work.plan);
+  shading_.update(work.scene, work.plan, work.transfers);
+  clock.finish(Stage::prepare);
   return true;
 }
 
 // False if stopped.
-bool FrameStages::find_transfers(FrameContext& work) {
-  if (work.transfers.has(work.plan.transfers)) return true;
-  if (!work.own_transfers) {
-    work.frame.statistics.skipped.push_back({"transfer", "it is not computed yet"});
-    return true;
-  }
+bool FrameStages::make_transfers(FrameContext& work) {
+  if (!work.own_transfers || work.transfers.has(work.plan.transfers)) return true;
   const Job job = std::exchange(work.job, work.job.part(0.5, 1.0));
   return work.own_transfers->make(work.plan.transfers, {}, job.part(0.0, 0.5));
 }
@@ -81,14 +69,14 @@ void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep
 
 void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
   distances_.clear();
-  if (!work.plan.surfaces) return;
+  if (!work.plan.runs(Stage::visibility)) return;
   hits_.resize(work.frame.depth.size());  // all are set
   const auto width = static_cast<std::size_t>(work.frame.film.width);
   const auto index = [&](int x, int y) {
     return static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
   };
   const RayCaster& ray_caster = prepared_.ray_caster();
-  if (ray_caster.can_rasterize(work.rays, work.frame.film)) {
+  if (work.plan.rasterizes && ray_caster.can_rasterize(work.rays)) {
     const Raster raster = ray_caster.raster(work.rays, work.frame.film, work.job);
     work.job.each(raster.bands(),
                   [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
@@ -101,28 +89,22 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
       work.frame.depth[i] = hits_[i].distance;
     });
   }
-  clock.finish("visibility");
+  clock.finish(Stage::visibility);
 }
 
 bool FrameStages::prepare_source(const FrameContext& work, StageClock& clock) {
-  const AirlightMethod method = work.settings.airlight;
-  const bool airlight =
-      work.plan.airlight && (method == AirlightMethod::sliced || method == AirlightMethod::march);
-  const bool receivers = work.plan.surfaces && method != AirlightMethod::paper;
-  if (!work.plan.environment || !work.plan.airlight) {
-    source_.clear();
-    return true;
-  }
-  if (!airlight && !receivers) return true;
+  if (!work.plan.has_environment_in_medium) source_.clear();
+  if (!work.plan.runs(Stage::environment)) return true;
   EnvironmentSource::Input input{*work.scene.environment,
                                  work.scene.medium,
                                  work.scene.optics.anisotropy,
                                  fog_depth(work),
                                  {},
                                  work.settings.source_grid};
-  if (receivers) input.receivers = {prepared_.ray_caster().bounds(), incident_optics(work)};
+  if (work.plan.has_receivers)
+    input.receivers = {prepared_.ray_caster().bounds(), incident_optics(work)};
   const bool made = source_.update(input, work.job);
-  clock.finish("environment");
+  clock.finish(Stage::environment);
   return made;
 }
 
@@ -140,7 +122,7 @@ IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
 
 PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
   const MediumIndex& medium = prepared_.medium();
-  const Settings::Precision precision = work.settings.precision;
+  const Settings::Precision precision = work.plan.precision;
   const glm::dvec3& eye = work.rays.eye();
   PaperLights paper;
   paper.at_mean = work.settings.paper.at_mean;
@@ -150,7 +132,7 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
     l.intensity = light.intensity;
     l.h_min = min_light_distance(work.rays, work.camera, light.position);
   }
-  if (!paper.lights.empty() && work.plan.gaussians) {
+  if (work.plan.runs(Stage::light_depth)) {
     const bool conserve_energy =
         work.settings.paper.conserve_energy && !is_in_dense_gaussian(medium, eye);
     for (PaperLight& light : paper.lights) {
@@ -160,12 +142,12 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
       light.frozen = from_light.depths;
       const glm::dvec3 q = eye - light.position;
       const double distance = glm::length(q);
-      if (work.plan.homogeneous && distance > 0.0) {
+      if (work.plan.runs(Stage::homogeneous) && distance > 0.0) {
         light.depth_to_eye = medium.depth({light.position, q / distance, distance}) -
                              medium.homogeneous_density() * distance;
       }
     }
-    clock.finish("light_depth");
+    clock.finish(Stage::light_depth);
 
     CenterDepths from_eye = center_depths(medium, eye, precision);
     work.frame.statistics.view_pairs += from_eye.pairs;
@@ -178,7 +160,7 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
             paper.from_eye[i] + b0 * (glm::length(b - light.position) + glm::length(b - eye));
       }
     }
-    clock.finish("eye_depth");
+    clock.finish(Stage::eye_depth);
   }
   return paper;
 }
@@ -195,20 +177,20 @@ std::vector<SlicedLight> FrameStages::lights_of(const FrameContext& work) {
 std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClock& clock) {
   std::vector<SlicedLight> lights = lights_of(work);
   std::vector<DirectionMap> maps(lights.size());
-  if (work.plan.gaussians) {
+  if (work.plan.runs(Stage::light_table)) {
     for (std::size_t l = 0; l < lights.size(); ++l) {
       lights[l].table = &prepared_.optical_depth_table(
           lights[l].position, work.settings.optical_depth_table, work.frame.statistics.light_pairs);
       maps[l] = lights[l].table->map();
     }
-    if (!lights.empty()) clock.finish("light_table");
+    clock.finish(Stage::light_table);
   }
-  if (work.plan.surfaces && !lights.empty()) {
+  if (work.plan.runs(Stage::shadow_map)) {
     for (std::size_t l = 0; l < lights.size(); ++l) {
       lights[l].shadows =
           &prepared_.shadow_map(lights[l].position, shadow_directions(work, maps[l]));
     }
-    clock.finish("shadow_map");
+    clock.finish(Stage::shadow_map);
   }
   return lights;
 }
@@ -216,7 +198,8 @@ std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClo
 // Fog scatters in every direction, Gaussians only where they are.
 DirectionMap FrameStages::shadow_directions(const FrameContext& work, const DirectionMap& table) {
   const int cells = work.settings.shadow_cells;
-  return work.plan.homogeneous ? DirectionMap::full_sphere(cells) : table.resized(cells);
+  return work.plan.runs(Stage::homogeneous) ? DirectionMap::full_sphere(cells)
+                                            : table.resized(cells);
 }
 
 SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
@@ -225,11 +208,9 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
   lighting.albedo = work.albedo;
   if (lighting.environment) {
     lighting.fog_depth = fog_depth(work);
-    if (source_.has_receivers() && work.settings.airlight != AirlightMethod::paper) {
-      lighting.incident = &source_.grid();
-    }
+    if (work.plan.has_receivers) lighting.incident = &source_.grid();
   }
-  if (work.plan.scattered_on_surfaces) {
+  if (work.plan.runs(Stage::surface_scattering)) {
     const bool paper = work.settings.paper_spread;
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
     lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();
@@ -242,7 +223,7 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
 
 SurfaceLighting FrameStages::tabled_lighting(FrameContext& work) {
   SurfaceLighting lighting = surface_lighting(work);
-  if (work.settings.airlight == AirlightMethod::sliced && work.plan.gaussians) {
+  if (work.plan.surface_depths == RenderPlan::SurfaceDepths::tables) {
     for (SurfaceLight& light : lighting.lights) {
       light.table =
           &prepared_.optical_depth_table(light.light.position, work.settings.optical_depth_table,
@@ -253,21 +234,21 @@ SurfaceLighting FrameStages::tabled_lighting(FrameContext& work) {
 }
 
 void FrameStages::update_vertex_lighting(FrameContext& work) {
-  shading_.update_vertex_lighting(work.scene, prepared_.medium(), tabled_lighting(work),
-                                  arithmetic_of(work.settings), work.job,
-                                  work.frame.statistics.light_pairs);
+  if (!work.plan.runs(Stage::vertex_light)) return;
+  shading_.update_vertex_lighting(work.scene, prepared_.medium(), tabled_lighting(work), work.plan,
+                                  work.job, work.frame.statistics.light_pairs);
 }
 
 std::span<const glm::vec3> FrameStages::shade_surfaces(FrameContext& work, StageClock& clock) {
-  if (!work.plan.lit_surfaces) return {};
+  if (!work.plan.runs(Stage::surfaces)) return {};
   surface_radiance_.resize(hits_.size());
   update_vertex_lighting(work);
   const SurfaceLighting lighting = tabled_lighting(work);
   const FilmSurfaces film{
-      work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(),      shading_, lighting,
-      work.rays,           work.frame.film,    arithmetic_of(work.settings)};
+      work.scene.surfaces, prepared_.medium(), prepared_.ray_caster(), shading_, lighting,
+      work.rays,           work.frame.film,    work.plan.precision};
   work.frame.statistics.light_pairs += film.shade(hits_, work.job, surface_radiance_);
-  clock.finish("surfaces");
+  clock.finish(Stage::surfaces);
   return surface_radiance_;
 }
 

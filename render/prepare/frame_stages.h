@@ -26,9 +26,9 @@ namespace brume {
 class StageClock {
  public:
   explicit StageClock(std::vector<StageTime>& stages) : stages_(stages) {}
-  void finish(const char* name) {
+  void finish(Stage stage) {
     const auto now = std::chrono::steady_clock::now();
-    stages_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
+    add_time(stages_, stage, std::chrono::duration<double, std::milli>(now - last_).count());
     last_ = now;
   }
 
@@ -39,40 +39,43 @@ class StageClock {
 
 // State of one frame of one albedo group while it is rendered.
 struct FrameContext {
-  const Scene& scene;
+  const RenderPlan& plan;
+  const Settings& settings;  // the plan's
+  const Scene& scene;        // the group's
   const Camera& camera;
   const TransferStore& transfers;
   TransferStore* own_transfers;  // where missing transfer is computed; null: it is not
   Job job;
   double albedo;  // of the group's channels
   FogExtent fog_extent;
-  RenderPlan plan;
-  Settings settings;  // as requested, with light maps limited to the memory
   CameraRays rays;
   Frame frame;
 
-  FrameContext(const Scene& frame_scene, const Camera& frame_camera, const Film& film,
-               const Settings& requested_settings, const TransferStore& known_transfers,
-               TransferStore* new_transfers, Job frame_job, double group_albedo,
-               const FogExtent& extent)
-      : scene(frame_scene),
+  FrameContext(const RenderPlan& frame_plan, const Scene& group_scene, const Camera& frame_camera,
+               const Film& film, const TransferStore& known_transfers, TransferStore* new_transfers,
+               Job frame_job, double group_albedo, const FogExtent& extent)
+      : plan(frame_plan),
+        settings(frame_plan.settings),
+        scene(group_scene),
         camera(frame_camera),
         transfers(known_transfers),
         own_transfers(new_transfers),
         job(std::move(frame_job)),
         albedo(group_albedo),
         fog_extent(extent),
-        plan(frame_scene, requested_settings.airlight),
-        settings(limit_light_map_memory(requested_settings, plan.lights.size(), plan.surfaces)),
         rays(frame_camera, film) {
     frame.film = film;
-    frame.time = requested_settings.time;
+    frame.time = settings.time;
+    frame.statistics.skipped = plan.skipped;
+    frame.statistics.on_cpu = plan.on_cpu;
+    frame.statistics.gaussians_total = scene.medium.size();
   }
   // Allocates all layers of the frame.
   void make_layers();
 };
 
-// The stages before and after the airlight, shared by both backends, and their caches.
+// The stages before and after the airlight, shared by both backends, and their caches. Each does
+// nothing where the plan does without it.
 class FrameStages {
  public:
   // The stages before the airlight, in this order. First the view-independent ones; false if the
@@ -92,7 +95,7 @@ class FrameStages {
   }
   // In-scattered environment light; null: none.
   [[nodiscard]] const EnvironmentSource* scattered_environment(const FrameContext& work) const {
-    return work.plan.environment ? &source_ : nullptr;
+    return work.plan.runs(Stage::environment) ? &source_ : nullptr;
   }
   // Optical depth of b0 from any point to the end of the fog.
   [[nodiscard]] double fog_depth(const FrameContext& work) const {
@@ -114,7 +117,7 @@ class FrameStages {
   std::span<const glm::vec3> shade_surfaces(FrameContext& work, StageClock& clock);
 
  private:
-  static bool find_transfers(FrameContext& work);
+  static bool make_transfers(FrameContext& work);
   SurfaceLighting tabled_lighting(FrameContext& work);
   [[nodiscard]] IncidentOptics incident_optics(const FrameContext& work) const;
 

@@ -7,9 +7,6 @@
 namespace brume {
 namespace {
 
-// See Settings::depth_error.
-constexpr double reference_depth_error = 1e-8;
-
 // A medium's index, and the ids of its Gaussians.
 struct IndexedIds {
   const MediumIndex& index;
@@ -55,11 +52,9 @@ void PreparedScene::update_tables(const Medium& medium, const MediumIndex& index
                 [&](const auto& known) { return known->changed.size() > medium.size() / 4 + 2; });
 }
 
-void PreparedScene::update(const Scene& scene, std::span<const PointLight> lights,
-                           const Settings& settings) {
-  const bool is_reference = settings.airlight == AirlightMethod::reference;
-  const double depth_error = is_reference ? reference_depth_error : settings.depth_error;
-  const IndexInputs inputs{scene.medium.revision(), depth_error, scene.optics.anisotropy};
+void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
+  const Settings& settings = plan.settings;
+  const IndexInputs inputs{scene.medium.revision(), plan.depth_error, scene.optics.anisotropy};
   if (!index_ || inputs != index_inputs_) {
     depths_.clear();
     auto index = std::make_unique<MediumIndex>(
@@ -80,12 +75,11 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     shadows_.clear();
     ray_caster_ = std::make_unique<RayCaster>(scene.surfaces);
   }
-  if (!exact_occlusion_ && is_reference)
+  if (!exact_occlusion_ && plan.has_exact_occlusion)
     exact_occlusion_ = std::make_unique<ExactOcclusion>(scene.surfaces);
 
   const auto gone = [&](const glm::dvec3& position) {
-    return std::none_of(lights.begin(), lights.end(),
-                        [&](const PointLight& light) { return light.position == position; });
+    return std::ranges::find(plan.lights, position, &PointLight::position) == plan.lights.end();
   };
   std::erase_if(depths_, [&](const auto& known) { return gone(known->light); });
   std::erase_if(tables_, [&](const auto& known) {

@@ -12,6 +12,7 @@
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/path_depths.h"
 #include "render/lighting/shadow_map.h"
+#include "render/render_plan.h"
 #include "render/settings.h"
 #include "render/visibility/exact_occlusion.h"
 #include "render/visibility/ray_caster.h"
@@ -23,9 +24,9 @@ namespace brume {
 // directions in which its Gaussians are seen.
 class PreparedScene {
  public:
-  // Brings medium and surfaces up to date and drops the caches of lights that are not in `lights`.
+  // Brings medium and surfaces up to date and drops the caches of lights that are not the plan's.
   // If memory runs out, stale data is dropped as well.
-  void update(const Scene& scene, std::span<const PointLight> lights, const Settings& settings);
+  void update(const Scene& scene, const RenderPlan& plan);
 
   // State after the last update().
   [[nodiscard]] const MediumIndex& medium() const { return *index_; }

@@ -8,12 +8,6 @@
 #include "render/util/job.h"
 
 namespace brume {
-namespace {
-
-// What the reference leaves out of a ray's optical depth.
-constexpr double depth_error = 1e-8;
-
-}  // namespace
 
 ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const Film& film,
                                  double time, double tolerance)
@@ -22,7 +16,9 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
       tolerance_(tolerance),
       ray_caster_(scene.surfaces),
       exact_occlusion_(scene.surfaces) {
-  const RenderPlan plan(scene, AirlightMethod::reference);
+  Settings settings;
+  settings.airlight = AirlightMethod::reference;
+  const RenderPlan plan(scene, film, settings);
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_.eye());
   for (const PointLight& light : plan.lights) {
@@ -31,11 +27,11 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   }
   for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
-    MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
+    MediumIndex medium(extinction, depth_tolerance(extinction, plan.depth_error),
                        scene.optics.anisotropy);
     medium.set_noise(RayNoise(scene.optics.noise, time));
     std::optional<ReferenceEnvironment> environment;
-    if (plan.environment) {
+    if (plan.has_environment) {
       environment.emplace(*scene.environment, scene.optics.anisotropy,
                           fog_extent.surface_optical_depth(medium.homogeneous_density()),
                           tolerance);

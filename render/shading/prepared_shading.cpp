@@ -30,11 +30,11 @@ bool PreparedShading::Depths::matches(const Surface& surface) const {
          scale == surface.scale;
 }
 
-void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const Settings& settings,
+void PreparedShading::update(const Scene& scene, const RenderPlan& plan,
                              const TransferStore& transfers) {
   const ScatterTable& scattering =
-      settings.paper_spread ? ScatterTable::paper() : ScatterTable::distant();
-  if (!plan.environment) {
+      plan.settings.paper_spread ? ScatterTable::paper() : ScatterTable::distant();
+  if (!plan.has_environment) {
     environment_.reset();
   } else if (!environment_ || !environment_->shows(*scene.environment, scattering)) {
     environment_.emplace(*scene.environment, scattering);
@@ -46,9 +46,7 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
   std::erase_if(reflections_, [&](const auto& known) {
     return unused([&](const Surface& s) { return s.material == known->material; });
   });
-  // Other methods know what arrives at a point.
-  const bool needs_average =
-      plan.environment && plan.gaussians && settings.airlight == AirlightMethod::paper;
+  const bool needs_average = plan.runs(Stage::average_depth);
   const Revision medium = needs_average ? scene.medium.revision() : 0;
   if (medium_ != medium) {
     depths_.clear();
@@ -69,8 +67,7 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
   shading_.assign(scene.surfaces.size(), {});
   for (std::size_t i = 0; i < shading_.size(); ++i) {
     const Surface& surface = scene.surfaces[i];
-    if (surface.material.type != Material::Type::diffuse &&
-        (plan.scattered_on_surfaces || plan.environment)) {
+    if (surface.material.type != Material::Type::diffuse && plan.has_indirect_light) {
       shading_[i].material = &sh_material_of(surface.material);
     }
     if (needs_average) {
@@ -89,10 +86,10 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan, const S
 
 void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumIndex& medium,
                                              const SurfaceLighting& lighting,
-                                             Settings::Precision precision, const Job& job,
+                                             const RenderPlan& plan, const Job& job,
                                              std::uint64_t& pairs) {
   if (vertex_lights_.empty()) return;
-  VertexLightingInputs inputs(medium, lighting, precision);
+  VertexLightingInputs inputs(medium, lighting, plan.precision);
   if (inputs != vertex_inputs_) {
     for (VertexLight& known : vertex_lights_) known.light.reset();
     vertex_inputs_ = std::move(inputs);
@@ -103,7 +100,7 @@ void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumInd
     auto& light = std::ranges::find(vertex_lights_, surface, &VertexLight::surface)->light;
     if (!light) {
       auto taken = std::make_unique<const VertexLighting>(medium, lighting, surface, shading_[i],
-                                                          precision, job, pairs);
+                                                          plan.precision, job, pairs);
       if (job.stop.stop_requested()) return;
       light = std::move(taken);
       light_revision_ = new_revision();

@@ -30,13 +30,12 @@ struct SurfaceShading {
 // Caches for shading surfaces.
 class PreparedShading {
  public:
-  void update(const Scene& scene, const RenderPlan& plan, const Settings& settings,
-              const TransferStore& transfers);
+  void update(const Scene& scene, const RenderPlan& plan, const TransferStore& transfers);
 
   // Updates the vertex lighting of surfaces with transfer under `lighting`, for the scene of the
   // last update(). `pairs` += Gaussian x path pairs evaluated.
   void update_vertex_lighting(const Scene& scene, const MediumIndex& medium,
-                              const SurfaceLighting& lighting, Settings::Precision precision,
+                              const SurfaceLighting& lighting, const RenderPlan& plan,
                               const Job& job, std::uint64_t& pairs);
 
   // State after the last update(), one entry per surface of the scene.

@@ -302,10 +302,9 @@ void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3>
   }
 }
 
-bool RayCaster::can_rasterize(const CameraRays& rays, const Film& film) const {
-  const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
+bool RayCaster::can_rasterize(const CameraRays& rays) const {
   // Products of three lengths must stay in the range of float, small triangles' too.
-  return size() <= pixels && is_near(rays.eye()) && impl_->radius > 1e-6 && impl_->radius < 1e6;
+  return is_near(rays.eye()) && impl_->radius > 1e-6 && impl_->radius < 1e6;
 }
 
 Raster RayCaster::raster(const CameraRays& rays, const Film& film, const Job& job) const {

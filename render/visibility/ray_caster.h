@@ -90,9 +90,9 @@ class RayCaster {
   // Hits nearer than this to a ray's origin are ambiguous: a few float roundings [u].
   [[nodiscard]] double min_gap() const;
 
-  // Rasterization of a film's first hits: faster than rays unless pixels are far fewer than
-  // triangles, and precise enough unless the eye is far away. Keeps a reference to this.
-  [[nodiscard]] bool can_rasterize(const CameraRays& rays, const Film& film) const;
+  // Rasterization of a film's first hits: precise enough unless the eye is far away. Keeps a
+  // reference to this.
+  [[nodiscard]] bool can_rasterize(const CameraRays& rays) const;
   [[nodiscard]] Raster raster(const CameraRays& rays, const Film& film, const Job& job) const;
   [[nodiscard]] SurfaceHit hit_of(const RasterPixel& pixel) const;
   [[nodiscard]] RasterPixel pixel_of(const SurfaceHit& hit) const;

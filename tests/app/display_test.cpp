@@ -32,9 +32,9 @@ Scene scene_with_floor(const std::filesystem::path& mesh) {
   return scene;
 }
 
-bool has_stage(const RenderedFrame& frame, const char* name) {
+bool has_stage(const RenderedFrame& frame, Stage stage) {
   return std::ranges::any_of(frame.frame.statistics.stages,
-                             [&](const StageTime& stage) { return stage.name == name; });
+                             [&](const StageTime& ran) { return ran.stage == stage; });
 }
 
 int furthest(const QImage& a, const QImage& b) {
@@ -106,14 +106,14 @@ class DisplayTest : public QObject {
       QVERIFY(frame.on_device && frame.picture.isNull());
       QVERIFY(frame.frame.beauty.empty());
       QVERIFY(frame.frame.statistics.view_pairs > 0);
-      QVERIFY(has_stage(frame, "display") && !has_stage(frame, "read_back"));
+      QVERIFY(has_stage(frame, Stage::display) && !has_stage(frame, Stage::read_back));
       QVERIFY(stages->findItems("display", Qt::MatchExactly).size() == 1);
       QVERIFY(stages->findItems("read_back", Qt::MatchExactly).isEmpty());
     }));
     QVERIFY(window.settle());
     const RenderedFrame& rest = *window.view().shown();
     QVERIFY(!rest.on_device && !rest.picture.isNull());
-    QVERIFY(has_stage(rest, "read_back"));
+    QVERIFY(has_stage(rest, Stage::read_back));
     QVERIFY(!rest.frame.beauty.empty());
   }
 
@@ -166,7 +166,7 @@ class DisplayTest : public QObject {
       QVERIFY(frame.on_device);
       const Film film = frame.frame.film;
       QCOMPARE(frame.frame.depth.size(), std::size_t(film.width) * std::size_t(film.height));
-      QVERIFY(has_stage(frame, "read_depth") && !has_stage(frame, "read_back"));
+      QVERIFY(has_stage(frame, Stage::read_depth) && !has_stage(frame, Stage::read_back));
       QVERIFY(std::ranges::any_of(frame.frame.depth, [](float z) { return std::isfinite(z); }));
     }));
     QVERIFY(window.settle());
@@ -177,7 +177,7 @@ class DisplayTest : public QObject {
     }
     QVERIFY(window.see_motion([&](const RenderedFrame& frame) {
       QVERIFY(frame.on_device && frame.frame.depth.empty());
-      QVERIFY(!has_stage(frame, "read_depth"));
+      QVERIFY(!has_stage(frame, Stage::read_depth));
     }));
     QVERIFY(window.settle());
     tools.activate(0);

@@ -78,7 +78,7 @@ bool has_opengl() {
 
 bool misses_transfer(const Frame& frame) {
   return std::ranges::any_of(frame.statistics.skipped,
-                             [](const SkippedStage& s) { return s.stage == "transfer"; });
+                             [](const SkippedStage& s) { return s.stage == Stage::transfer; });
 }
 
 }  // namespace

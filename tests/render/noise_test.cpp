@@ -186,7 +186,7 @@ TEST(Noise, ZeroAmplitudeIsSkipped) {
   EXPECT_EQ(with.beauty, without.beauty);
   const auto skips_noise = [](const Frame& frame) {
     return std::any_of(frame.statistics.skipped.begin(), frame.statistics.skipped.end(),
-                       [](const SkippedStage& s) { return s.stage == "noise"; });
+                       [](const SkippedStage& s) { return s.stage == Stage::noise; });
   };
   EXPECT_TRUE(skips_noise(with));
   EXPECT_FALSE(skips_noise(render_frame(noisy(scene, 0.1), sliced_settings({}, 16))));

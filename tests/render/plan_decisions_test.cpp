@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "render/render_plan.h"
 
 namespace brume {
@@ -34,18 +32,22 @@ TEST_P(PlanDecisions, LeaveOutNothingThatIsSeen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlanDecisions, testing::ValuesIn(plan_decisions()),
-                         [](const auto& instance) { return instance.param.stage; });
+                         [](const auto& instance) {
+                           return std::string(to_string(instance.param.stage));
+                         });
 
 // No decision is missing here: all that plans of empty and of dark scenes leave out has its own.
 TEST(PlanDecision, EachHasItsScenes) {
-  std::set<std::string> known;
-  for (const PlanDecision& decision : plan_decisions()) known.insert(decision.stage);
+  StageSet known;
+  for (const PlanDecision& decision : plan_decisions()) known.add(decision.stage);
   for (const PlanDecision& decision : plan_decisions()) {
     for (const Scene* scene : {&decision.left_out, &decision.made, &decision.needed}) {
       for (const AirlightMethod method : {AirlightMethod::paper, AirlightMethod::sliced,
                                           AirlightMethod::march, AirlightMethod::reference}) {
-        for (const SkippedStage& skipped : RenderPlan(*scene, method).skipped) {
-          EXPECT_TRUE(known.contains(skipped.stage)) << skipped.stage;
+        Settings settings;
+        settings.airlight = method;
+        for (const SkippedStage& skipped : RenderPlan(*scene, scene->film, settings).skipped) {
+          EXPECT_TRUE(known.has(skipped.stage)) << to_string(skipped.stage);
         }
       }
     }

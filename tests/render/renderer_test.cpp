@@ -156,7 +156,7 @@ TEST(Renderer, ReportsSkippedStages) {
   const Frame frame = render_frame(scene, {});
   bool found = false;
   for (const SkippedStage& s : frame.statistics.skipped) {
-    found = found || (s.stage == "airlight" && s.why == "nothing emits light");
+    found = found || (s.stage == Stage::airlight && s.why == "nothing emits light");
   }
   EXPECT_TRUE(found);
   for (const float x : frame.airlight) EXPECT_EQ(x, 0.0f);
@@ -175,7 +175,7 @@ TEST(Renderer, LightsSwitchedOffAreAsIfNotThere) {
   EXPECT_EQ(frame.beauty, render_frame(one, {}).beauty);
   bool found = false;
   for (const SkippedStage& s : frame.statistics.skipped) {
-    found = found || (s.stage == "lights" && s.why == "switched off: 1");
+    found = found || (s.stage == Stage::lights && s.why == "switched off: 1");
   }
   EXPECT_TRUE(found);
   scene.lights[1].on = true;
@@ -202,7 +202,7 @@ TEST(Renderer, NoStageIsBothRunAndSkipped) {
       const FrameStatistics statistics = render_frame(scene, settings).statistics;
       for (const StageTime& ran : statistics.stages) {
         for (const SkippedStage& skipped : statistics.skipped) {
-          EXPECT_NE(ran.name, skipped.stage) << to_string(method);
+          EXPECT_NE(ran.stage, skipped.stage) << to_string(method);
         }
       }
     }

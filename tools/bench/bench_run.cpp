@@ -27,7 +27,7 @@ constexpr Film frontier_film{200, 150};
 TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options) {
   const Scene scene = kind.make();
   const auto transfers = std::make_shared<TransferStore>();
-  transfers->make(RenderPlan(scene, AirlightMethod::sliced).transfers, {});
+  transfers->make(needed_transfers(scene), {});
   Renderer chooser(transfers);
   Settings settings = fewest_slices(chooser, scene);
   settings.threads = options.threads;

@@ -143,7 +143,7 @@ class RenderCommand final : public Command {
     const Scene scene = evaluate_at(read_scene(scene_file_, files), time_);
     const Film film = size_.empty() ? scene.film : wanted;
     const auto transfers = std::make_shared<TransferStore>();
-    const double transfer_milliseconds = make_transfers(scene, settings, *transfers);
+    const double transfer_milliseconds = make_transfers(scene, *transfers);
     std::string problem;
     const std::unique_ptr<FrameRenderer> made = make_renderer(backend, transfers, problem);
     FrameRenderer& renderer = *made;
@@ -224,15 +224,14 @@ class RenderCommand final : public Command {
   }
 
   // Radiance transfer of the scene, from the disk cache or computed. Returns the time [ms].
-  static double make_transfers(const Scene& scene, const Settings& settings,
-                               TransferStore& transfers) {
+  static double make_transfers(const Scene& scene, TransferStore& transfers) {
     const Clock::time_point start = Clock::now();
-    const RenderPlan plan(scene, settings.airlight);
-    if (plan.transfers.empty()) return 0.0;
+    const std::vector<TransferRequest> needed = needed_transfers(scene);
+    if (needed.empty()) return 0.0;
     std::vector<std::string> warnings;
     {
       const ProgressLine line("radiance transfer");
-      transfers.make(plan.transfers, cache_folder(), line.job(), &warnings);
+      transfers.make(needed, cache_folder(), line.job(), &warnings);
       check_interrupted();
     }
     print_warnings(warnings);

@@ -14,26 +14,26 @@ using Json = nlohmann::ordered_json;
 
 // Each stage's median, in the order in which stages first ran.
 Json stage_medians(std::span<const FrameStatistics> frames) {
-  std::vector<std::string> names;
+  std::vector<Stage> names;
   for (const FrameStatistics& frame : frames) {
     for (const StageTime& stage : frame.stages) {
-      if (std::find(names.begin(), names.end(), stage.name) == names.end()) {
-        names.push_back(stage.name);
+      if (std::find(names.begin(), names.end(), stage.stage) == names.end()) {
+        names.push_back(stage.stage);
       }
     }
   }
   Json stages = Json::array();
-  for (const std::string& name : names) {
+  for (const Stage name : names) {
     std::vector<double> times;
     for (const FrameStatistics& frame : frames) {
       double time = 0.0;  // a frame that did not need the stage spent nothing on it
       for (const StageTime& stage : frame.stages) {
-        if (stage.name == name) time += stage.milliseconds;
+        if (stage.stage == name) time += stage.milliseconds;
       }
       times.push_back(time);
     }
     Json stage;
-    stage["name"] = name;
+    stage["name"] = to_string(name);
     stage["ms"] = spread_of(std::move(times)).median;
     stages.push_back(std::move(stage));
   }
@@ -43,7 +43,7 @@ Json stage_medians(std::span<const FrameStatistics> frames) {
 Json reasons(std::span<const SkippedStage> stages) {
   Json list = Json::array();
   for (const SkippedStage& stage : stages) {
-    list.push_back(Json{{"stage", stage.stage}, {"why", stage.why}});
+    list.push_back(Json{{"stage", to_string(stage.stage)}, {"why", stage.why}});
   }
   return list;
 }

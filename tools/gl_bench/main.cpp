@@ -42,10 +42,11 @@ double median(std::vector<double> values) {
 }
 
 // The stages that a frame's device runs; the others are the processor's.
-bool is_on_device(const std::string& stage) {
-  constexpr const char* names[] = {"visibility", "lists",    "light_table", "shadow_map",
-                                   "airlight",   "upsample", "surfaces",    "composite"};
-  return std::ranges::find(names, stage) != std::end(names);
+bool is_on_device(Stage stage) {
+  static const StageSet stages{Stage::visibility, Stage::lists,    Stage::light_table,
+                               Stage::shadow_map, Stage::airlight, Stage::upsample,
+                               Stage::surfaces,   Stage::composite};
+  return stages.has(stage);
 }
 
 // One scene with one film and scale: the first frame makes everything, the others move the camera.
@@ -64,7 +65,7 @@ Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int sca
     return row;
   }
   row["first_frame_ms"] = first.statistics.frame_milliseconds;
-  std::vector<std::string> names;
+  std::vector<Stage> ran;
   std::vector<std::vector<double>> times;
   std::vector<double> frame_times;
   std::vector<double> shown_times;
@@ -79,14 +80,14 @@ Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int sca
         renderer.show(scene, camera, film, settings, {})->frame.statistics.frame_milliseconds);
     double device = 0.0;
     for (const StageTime& stage : statistics.stages) {
-      const auto known = std::ranges::find(names, stage.name);
-      const auto at = static_cast<std::size_t>(known - names.begin());
-      if (known == names.end()) {
-        names.push_back(stage.name);
+      const auto known = std::ranges::find(ran, stage.stage);
+      const auto at = static_cast<std::size_t>(known - ran.begin());
+      if (known == ran.end()) {
+        ran.push_back(stage.stage);
         times.emplace_back();
       }
       times[at].push_back(stage.milliseconds);
-      if (is_on_device(stage.name)) device += stage.milliseconds;
+      if (is_on_device(stage.stage)) device += stage.milliseconds;
     }
     device_times.push_back(device);
     pairs = static_cast<double>(statistics.view_pairs);
@@ -99,10 +100,10 @@ Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int sca
   row["shown_ms"] = median(shown_times);
   row["frame_ms"] = median(frame_times);
   Json stages;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < ran.size(); ++i) {
     const double time = median(times[i]);
-    stages[names[i]] = time;
-    if (names[i] == "airlight" && time > 0.0) {
+    stages[to_string(ran[i])] = time;
+    if (ran[i] == Stage::airlight && time > 0.0) {
       row["pairs_per_second"] = 1e3 * pairs / time;
       row["share_of_limit"] = 1e3 * pairs / time / max_pairs;
     }

@@ -21,11 +21,10 @@ namespace {
 
 // What the method itself costs: everything but casting rays at surfaces and writing the frame.
 double airlight_milliseconds(const Frame& frame) {
+  const StageSet of_method{Stage::light_depth, Stage::eye_depth, Stage::airlight};
   double sum = 0.0;
   for (const StageTime& stage : frame.statistics.stages) {
-    if (stage.name == "light_depth" || stage.name == "eye_depth" || stage.name == "airlight") {
-      sum += stage.milliseconds;
-    }
+    if (of_method.has(stage.stage)) sum += stage.milliseconds;
   }
   return sum;
 }

@@ -68,7 +68,7 @@ void table_one(benchmark::State& state, const TableOneScene& kind) {
   check_counts(kind, scene);
   const auto transfers = std::make_shared<TransferStore>();
   const auto transfer_begin = std::chrono::steady_clock::now();
-  transfers->make(RenderPlan(scene, AirlightMethod::sliced).transfers, {});
+  transfers->make(needed_transfers(scene), {});
   state.counters["transfer_s"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - transfer_begin).count();
   Renderer renderer(transfers);
@@ -76,7 +76,7 @@ void table_one(benchmark::State& state, const TableOneScene& kind) {
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
 
   std::vector<double> seconds;
-  std::map<std::string, std::vector<double>> stages;
+  std::map<Stage, std::vector<double>> stages;
   Frame frame;
   Camera camera;
   double cpu = 0.0;
@@ -91,7 +91,7 @@ void table_one(benchmark::State& state, const TableOneScene& kind) {
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
       cpu += cpu_seconds() - cpu_begin;
       for (const StageTime& stage : frame.statistics.stages) {
-        stages[stage.name].push_back(stage.milliseconds);
+        stages[stage.stage].push_back(stage.milliseconds);
       }
     }
     state.SetIterationTime(median(seconds));
@@ -117,8 +117,10 @@ void table_one(benchmark::State& state, const TableOneScene& kind) {
   state.counters["slices"] = settings.slices;
   state.counters["exact_share"] = static_cast<double>(frame.statistics.exact_pixels) /
                                   (static_cast<double>(scene.film.width) * scene.film.height);
-  for (const auto& [name, times] : stages) state.counters["ms_" + name] = median(times);
-  state.counters["surfaces_share"] = median(stages["surfaces"]) / (1e3 * median(seconds));
+  for (const auto& [stage, times] : stages) {
+    state.counters[std::string("ms_") + to_string(stage)] = median(times);
+  }
+  state.counters["surfaces_share"] = median(stages[Stage::surfaces]) / (1e3 * median(seconds));
 }
 
 [[maybe_unused]] const bool registered = [] {

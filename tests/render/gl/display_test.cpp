@@ -88,9 +88,9 @@ Settings quick() {
   return settings;
 }
 
-bool has_stage(const Frame& frame, const char* name) {
+bool has_stage(const Frame& frame, Stage stage) {
   return std::ranges::any_of(frame.statistics.stages,
-                             [&](const StageTime& stage) { return stage.name == name; });
+                             [&](const StageTime& ran) { return ran.stage == stage; });
 }
 
 // The texels of a film of 1 x n, shown.
@@ -146,18 +146,18 @@ TEST_F(Display, MatchesTheDownloadedFrame) {
 TEST_F(Display, DownloadsOnlyRequestedLayers) {
   const Scene scene = scene_with_wall();
   const Frame whole = *gl_->render(scene, scene.camera, scene.film, quick());
-  EXPECT_TRUE(has_stage(whole, "read_back"));
+  EXPECT_TRUE(has_stage(whole, Stage::read_back));
   const Frame shown = show(scene, quick(), {}).frame;
-  EXPECT_FALSE(has_stage(shown, "read_back"));
-  EXPECT_FALSE(has_stage(shown, "read_depth"));
-  EXPECT_TRUE(has_stage(shown, "display"));
+  EXPECT_FALSE(has_stage(shown, Stage::read_back));
+  EXPECT_FALSE(has_stage(shown, Stage::read_depth));
+  EXPECT_TRUE(has_stage(shown, Stage::display));
   EXPECT_TRUE(shown.beauty.empty() && shown.airlight.empty() && shown.transmittance.empty());
   EXPECT_TRUE(shown.depth.empty() && shown.statistics.pixel_pairs.empty());
   EXPECT_EQ(shown.film, whole.film);
   EXPECT_EQ(shown.statistics.view_pairs, whole.statistics.view_pairs);
   EXPECT_EQ(shown.statistics.gaussians_used, whole.statistics.gaussians_used);
   const Frame with_depth = show(scene, quick(), {.depth = true}).frame;
-  EXPECT_TRUE(has_stage(with_depth, "read_depth"));
+  EXPECT_TRUE(has_stage(with_depth, Stage::read_depth));
   EXPECT_EQ(with_depth.depth, whole.depth);
   Scene bare = scene;
   bare.surfaces.clear();

@@ -55,7 +55,7 @@ Frame GlFrames::render_on_device(const Scene& scene, const Settings& settings,
   Frame frame = render(scene, settings);
   EXPECT_EQ(frame.statistics.backend, "gl") << what;
   for (const SkippedStage& stage : frame.statistics.on_cpu) {
-    EXPECT_NE(stage.stage, "frame") << what << ": " << stage.why;
+    EXPECT_NE(stage.stage, Stage::frame) << what << ": " << stage.why;
   }
   return frame;
 }

@@ -11,57 +11,87 @@
 namespace brume::gl {
 namespace {
 
-GlPlan plan_of(const Scene& scene, const Settings& settings) {
-  return {settings, RenderPlan(scene, settings.airlight)};
+RenderPlan plan_of(const Scene& scene, const Settings& settings,
+                   const DisplayOptions* display = nullptr) {
+  return device_plan(RenderPlan(scene, scene.film, settings), display);
 }
 
-bool has(const GlPlan& plan, const char* stage) {
-  return std::ranges::any_of(plan.on_cpu,
-                             [&](const SkippedStage& known) { return known.stage == stage; });
+std::optional<Reason> refusal_of(const Scene& scene, const Settings& settings) {
+  return refusal(RenderPlan(scene, scene.film, settings));
+}
+
+bool is_on_cpu(const RenderPlan& plan, Stage stage) {
+  return std::ranges::find(plan.on_cpu, stage, &SkippedStage::stage) != plan.on_cpu.end();
 }
 
 TEST(GlPlan, LeavesTheCpuWhatOnlyItCan) {
   const Scene scene = cloud_scene(3, 1.0);
   Settings settings = sliced_settings({}, 24);
-  EXPECT_EQ(plan_of(scene, settings).refusal, "");
+  EXPECT_EQ(refusal_of(scene, settings), std::nullopt);
   EXPECT_TRUE(plan_of(scene, settings).on_cpu.empty());
   settings.airlight = AirlightMethod::paper;
-  EXPECT_EQ(plan_of(scene, settings).refusal, "");
-  EXPECT_TRUE(has(plan_of(scene, settings), "eye_depth"));
+  EXPECT_EQ(refusal_of(scene, settings), std::nullopt);
+  EXPECT_TRUE(is_on_cpu(plan_of(scene, settings), Stage::eye_depth));
   settings.precision = Settings::Precision::plain_double;
-  EXPECT_NE(plan_of(scene, settings).refusal, "");
+  EXPECT_EQ(refusal_of(scene, settings), Reason::double_precision);
   for (const AirlightMethod method : {AirlightMethod::march, AirlightMethod::reference}) {
     settings = {};
     settings.airlight = method;
-    EXPECT_NE(plan_of(scene, settings).refusal.find(to_string(method)), std::string::npos);
-    EXPECT_TRUE(has(plan_of(scene, settings), "frame"));
+    const std::optional<Reason> reason = refusal_of(scene, settings);
+    ASSERT_TRUE(reason);
+    EXPECT_NE(to_string(*reason).find(to_string(method)), std::string::npos);
   }
 }
 
 TEST(GlPlan, RefusesTooManySlices) {
   Scene scene = cloud_scene(3, 1.0);
-  EXPECT_EQ(plan_of(scene, sliced_settings({}, 256)).refusal, "");
-  EXPECT_NE(plan_of(scene, sliced_settings({}, 257)).refusal, "");
+  EXPECT_EQ(refusal_of(scene, sliced_settings({}, 256)), std::nullopt);
+  EXPECT_EQ(refusal_of(scene, sliced_settings({}, 257)), Reason::too_many_slices);
   // Many lights share what room there is.
   scene.lights.resize(100, scene.lights[0]);
-  EXPECT_EQ(plan_of(scene, sliced_settings({}, 96)).refusal, "");
+  EXPECT_EQ(refusal_of(scene, sliced_settings({}, 96)), std::nullopt);
+}
+
+TEST(GlPlan, RefusesTooManyRadii) {
+  const Scene scene = cloud_scene(3, 1.0);
+  Settings settings = sliced_settings({}, 24);
+  settings.optical_depth_table.radii = 1024;
+  EXPECT_EQ(refusal_of(scene, settings), std::nullopt);
+  settings.optical_depth_table.radii = 1025;
+  EXPECT_EQ(refusal_of(scene, settings), Reason::too_many_radii);
+  settings.airlight = AirlightMethod::paper;
+  EXPECT_EQ(refusal_of(scene, settings), std::nullopt);
 }
 
 TEST(GlPlan, ListsWhatSurfacesAndEnvironmentsNeed) {
   Scene scene = cloud_scene(3, 1.0);
   scene.surfaces.push_back(wall(-1.0, 1.0));
-  const GlPlan plan = plan_of(scene, sliced_settings({}, 12));
-  EXPECT_FALSE(has(plan, "visibility"));
-  EXPECT_FALSE(has(plan, "shadow_map"));
-  EXPECT_FALSE(has(plan, "surfaces"));
-  EXPECT_FALSE(has(plan, "environment"));
+  EXPECT_TRUE(plan_of(scene, sliced_settings({}, 12)).on_cpu.empty());
   scene.surfaces[0].transfer = Surface::Transfer::shadow;
-  EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "vertex_light"));
+  EXPECT_TRUE(is_on_cpu(plan_of(scene, sliced_settings({}, 12)), Stage::vertex_light));
   scene.environment.emplace();
   scene.environment->map = constant_sky(1.0f);
-  EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "environment"));
-  EXPECT_FALSE(has(plan_of(scene, {}), "environment"));
-  EXPECT_TRUE(has(plan_of(scene, {}), "average_depth"));
+  EXPECT_TRUE(is_on_cpu(plan_of(scene, sliced_settings({}, 12)), Stage::environment));
+  EXPECT_FALSE(is_on_cpu(plan_of(scene, {}), Stage::environment));
+  EXPECT_TRUE(is_on_cpu(plan_of(scene, {}), Stage::average_depth));
+}
+
+// Only what a frame is for leaves the device.
+TEST(GlPlan, ReadsBackWhatIsNotDisplayed) {
+  Scene scene = cloud_scene(3, 1.0);
+  const DisplayOptions picture;
+  const DisplayOptions with_depth{.depth = true};
+  const auto stages = [&](const DisplayOptions* display) {
+    return plan_of(scene, sliced_settings({}, 12), display).stages;
+  };
+  EXPECT_TRUE(stages(nullptr).has(Stage::read_back));
+  EXPECT_FALSE(stages(nullptr).has(Stage::display));
+  EXPECT_FALSE(stages(&picture).has(Stage::read_back));
+  EXPECT_TRUE(stages(&picture).has(Stage::display));
+  EXPECT_FALSE(stages(&with_depth).has(Stage::read_depth)) << "there are no surfaces";
+  scene.surfaces.push_back(wall(-1.0, 1.0));
+  EXPECT_TRUE(stages(&with_depth).has(Stage::read_depth));
+  EXPECT_FALSE(stages(&picture).has(Stage::read_depth));
 }
 
 }  // namespace

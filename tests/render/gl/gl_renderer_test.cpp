@@ -68,7 +68,7 @@ TEST_F(GlFrames, SampleScenes) {
     scene.film = {61, 40};
     // Made once: it takes longer than all frames.
     const auto transfers = std::make_shared<TransferStore>();
-    transfers->make(RenderPlan(scene, AirlightMethod::paper).transfers, {});
+    transfers->make(needed_transfers(scene), {});
     for (const Settings& settings : {Settings{}, paper, quick_slices(), scaled}) {
       const std::string name = entry.path().filename().string() + ", " + airlight_name(settings) +
                                ", scale " + std::to_string(settings.airlight_scale);
@@ -193,7 +193,7 @@ class GlSurfaces : public GlFrames {
     const std::string name = what + ", " + airlight_name(settings);
     const Frame gl = render_on_device(scene_, settings, name);
     for (const SkippedStage& stage : gl.statistics.on_cpu) {
-      EXPECT_NE(stage.stage, "surfaces") << name << ": " << stage.why;
+      EXPECT_NE(stage.stage, Stage::surfaces) << name << ": " << stage.why;
     }
     const Frame cpu = on_cpu(scene_, settings);
     expect_within({gl, cpu}, bound, name);

@@ -290,26 +290,21 @@ TEST(Environment, UpdatesWhenItsInputsChange) {
 
 TEST(Environment, CostsNothingWhenAbsent) {
   const auto skipped = [](const Scene& scene) {
-    std::vector<std::string> stages;
-    for (const SkippedStage& s : render_frame(scene, {}).statistics.skipped) {
-      stages.push_back(s.stage);
-    }
+    StageSet stages;
+    for (const SkippedStage& s : render_frame(scene, {}).statistics.skipped) stages.add(s.stage);
     return stages;
-  };
-  const auto has = [](const std::vector<std::string>& all, const char* stage) {
-    return std::find(all.begin(), all.end(), stage) != all.end();
   };
   Scene scene;
   scene.film = {4, 4};
   scene.surfaces = {ball(1.0)};
-  EXPECT_TRUE(has(skipped(scene), "environment"));
-  EXPECT_TRUE(has(skipped(scene), "surfaces"));
+  EXPECT_TRUE(skipped(scene).has(Stage::environment));
+  EXPECT_TRUE(skipped(scene).has(Stage::surfaces));
   scene.environment.emplace().map = constant_sky(1.0f);
-  EXPECT_FALSE(has(skipped(scene), "environment"));
-  EXPECT_FALSE(has(skipped(scene), "surfaces"));
-  EXPECT_TRUE(has(skipped(scene), "surface_scattering"));
+  EXPECT_FALSE(skipped(scene).has(Stage::environment));
+  EXPECT_FALSE(skipped(scene).has(Stage::surfaces));
+  EXPECT_TRUE(skipped(scene).has(Stage::surface_scattering));
   scene.medium.set_homogeneous_density(0.1);
-  EXPECT_FALSE(has(skipped(scene), "surface_scattering"));
+  EXPECT_FALSE(skipped(scene).has(Stage::surface_scattering));
 }
 
 }  // namespace

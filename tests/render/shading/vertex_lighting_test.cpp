@@ -206,7 +206,7 @@ TEST(VertexLighting, UsesOnlyAvailableTransfer) {
   const auto render = [&] { return *renderer.render(scene, scene.camera, scene.film, {}); };
   const auto why_skipped = [](const Frame& frame) {
     for (const SkippedStage& s : frame.statistics.skipped) {
-      if (s.stage == "transfer") return s.why;
+      if (s.stage == Stage::transfer) return s.why;
     }
     return std::string();
   };
@@ -214,29 +214,29 @@ TEST(VertexLighting, UsesOnlyAvailableTransfer) {
   EXPECT_EQ(why_skipped(without), "it is not computed yet");
   EXPECT_EQ(without.beauty, with(scene, none).beauty);
 
-  const RenderPlan plan(scene, AirlightMethod::paper);
-  ASSERT_EQ(plan.transfers.size(), 1u);
-  EXPECT_FALSE(transfers->has(plan.transfers));
+  const std::vector<TransferRequest> needed = needed_transfers(scene);
+  ASSERT_EQ(needed.size(), 1u);
+  EXPECT_FALSE(transfers->has(needed));
   std::stop_source stop;
-  EXPECT_FALSE(transfers->make(plan.transfers, {},
-                               {stop.get_token(), [&](double) { stop.request_stop(); }}));
-  EXPECT_FALSE(transfers->has(plan.transfers));
-  EXPECT_TRUE(transfers->make(plan.transfers, {}));
-  EXPECT_TRUE(transfers->has(plan.transfers));
+  EXPECT_FALSE(
+      transfers->make(needed, {}, {stop.get_token(), [&](double) { stop.request_stop(); }}));
+  EXPECT_FALSE(transfers->has(needed));
+  EXPECT_TRUE(transfers->make(needed, {}));
+  EXPECT_TRUE(transfers->has(needed));
   const Frame shadowed = render();
   EXPECT_EQ(why_skipped(shadowed), "");
   EXPECT_EQ(shadowed.beauty, render_frame(scene, {}).beauty);
   EXPECT_NE(shadowed.beauty, without.beauty);
 
   EXPECT_TRUE(transfers->make({}, {}));
-  EXPECT_FALSE(transfers->has(plan.transfers)) << "nobody asks for it";
+  EXPECT_FALSE(transfers->has(needed)) << "nobody asks for it";
   EXPECT_EQ(render().beauty, without.beauty);
 }
 
 TEST(VertexLighting, IsComputedOnlyWithLight) {
   const auto why = [](const Scene& scene) {
-    for (const SkippedStage& s : RenderPlan(scene, AirlightMethod::paper).skipped) {
-      if (s.stage == "transfer") return s.why;
+    for (const SkippedStage& s : RenderPlan(scene, scene.film, {}).skipped) {
+      if (s.stage == Stage::transfer) return s.why;
     }
     return std::string();
   };
@@ -255,9 +255,9 @@ TEST(VertexLighting, IsComputedOnlyWithLight) {
   scene.environment.emplace().map = constant_sky(1.0f);
   EXPECT_EQ(why(scene), "");
   scene.surfaces.push_back(scene.surfaces[0]);
-  EXPECT_EQ(RenderPlan(scene, AirlightMethod::paper).transfers.size(), 1u) << "made once";
+  EXPECT_EQ(needed_transfers(scene).size(), 1u) << "made once";
   const Frame frame = render_frame(scene, {});
-  EXPECT_EQ(frame.statistics.stages.at(0).name, "transfer");
+  EXPECT_EQ(frame.statistics.stages.at(0).stage, Stage::transfer);
 }
 
 // At any point of its work, without harm to what comes next.

@@ -9,6 +9,7 @@
 #include "render/lighting/slice_boundaries.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/prepare/prepared_scene.h"
+#include "render/render_plan.h"
 #include "render/renderer.h"
 #include "render/util/flush_denormals.h"
 #include "tools/bench/measure/view_work.h"
@@ -75,7 +76,7 @@ void add_tile(View& view, const Scene& scene, const CameraRays& rays, int slices
 }
 
 void make_view(const Scene& scene, const Settings& settings, View& view) {
-  view.prepared.update(scene, scene.lights, settings);
+  view.prepared.update(scene, RenderPlan(scene, scene.film, settings));
   view.light_count = scene.lights.size();
   view.lights =
       slice_lights(view.prepared, scene, settings.optical_depth_table, settings.shadow_cells);
@@ -138,7 +139,7 @@ KernelShare measure_kernel_share(const Scene& scene, const Settings& settings, i
   View view;
   make_view(scene, settings, view);
   PreparedScene small;
-  small.update(scene, scene.lights, settings);
+  small.update(scene, RenderPlan(scene, scene.film, settings));
   view.small_lights = slice_lights(small, scene, {8, 16}, 32);
 
   ViewWork in_vectors;

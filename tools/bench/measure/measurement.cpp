@@ -61,8 +61,8 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
   constexpr int max_value = 15;
   std::vector<double> times;
   std::vector<double> cpu_times;
-  std::map<std::string, std::vector<double>> stages;
-  std::vector<std::string> order;
+  std::map<Stage, std::vector<double>> stages;
+  std::vector<Stage> order;
   const Clock::time_point begin = Clock::now();
   for (int i = 1; i <= std::max(min_value, max_value); ++i) {
     if (i > min_value && milliseconds_since(begin) > 1e3 * seconds) break;
@@ -74,13 +74,13 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
     cpu_times.push_back(1e3 * (cpu_seconds() - cpu_start));
     times.push_back(milliseconds_since(start));
     for (const StageTime& stage : frame.statistics.stages) {
-      if (!stages.contains(stage.name)) order.push_back(stage.name);
-      stages[stage.name].push_back(stage.milliseconds);
+      if (!stages.contains(stage.stage)) order.push_back(stage.stage);
+      stages[stage.stage].push_back(stage.milliseconds);
     }
   }
   MovedFrames result{spread_of(times), spread_of(cpu_times), {}};
-  for (const std::string& name : order) {
-    result.stages.push_back({name, spread_of(stages[name]).median});
+  for (const Stage stage : order) {
+    result.stages.push_back({stage, spread_of(stages[stage]).median});
   }
   return result;
 }

@@ -54,9 +54,9 @@ Medium homogeneous(double density) {
   return medium;
 }
 
-std::shared_ptr<const TransferStore> transfers_of(const Scene& scene, AirlightMethod method) {
+std::shared_ptr<const TransferStore> transfers_of(const Scene& scene) {
   auto transfers = std::make_shared<TransferStore>();
-  transfers->make(RenderPlan(scene, method).transfers, {});
+  transfers->make(needed_transfers(scene), {});
   return transfers;
 }
 
@@ -115,37 +115,38 @@ std::vector<PlanDecision> plan_decisions() {
   const auto surface = [](const Surface& added) {
     return [added](Scene& s) { s.surfaces.push_back(added); };
   };
-  const auto decision = [](const char* stage, const char* why, Method method, const Scene& scene,
+  const auto decision = [](Stage stage, Reason why, Method method, const Scene& scene,
                            const auto& made, const auto& needed) {
-    return PlanDecision{stage, why, method, scene, with(scene, made), with(scene, needed)};
+    return PlanDecision{stage, to_string(why, 1), method,
+                        scene, with(scene, made), with(scene, needed)};
   };
 
   constexpr double little = next_to_nothing;
   std::vector<PlanDecision> all;
-  for (const char* stage : {"visibility", "shadow_map"}) {
-    all.push_back(decision(stage, "the scene has no surfaces", Method::sliced, fog,
-                           surface(far_triangle()), surface(ball_and_wall())));
+  for (const Stage stage : {Stage::visibility, Stage::shadow_map}) {
+    all.push_back(decision(stage, Reason::no_surfaces, Method::sliced, fog, surface(far_triangle()),
+                           surface(ball_and_wall())));
   }
-  all.push_back(decision("surfaces", "nothing emits light", Method::sliced, dark, light(little),
+  all.push_back(decision(Stage::surfaces, Reason::no_light, Method::sliced, dark, light(little),
                          light(10.0)));
-  all.push_back(decision("transfer", "all light is direct", Method::sliced, shadowed,
+  all.push_back(decision(Stage::transfer, Reason::only_direct_light, Method::sliced, shadowed,
                          homogeneous_fog(little), sky(1.0)));
-  all.push_back(decision("surface_scattering", "the medium is empty", Method::sliced, clear,
+  all.push_back(decision(Stage::surface_scattering, Reason::no_medium, Method::sliced, clear,
+                         homogeneous_fog(little), homogeneous_fog(0.2)));
+  all.push_back(decision(Stage::environment, Reason::no_environment, Method::sliced, solid,
+                         sky(little), sky(1.0)));
+  for (const Stage stage : {Stage::light_depth, Stage::eye_depth}) {
+    all.push_back(decision(stage, Reason::no_gaussians, Method::paper, haze, gaussian(little),
+                           gaussian(1.0)));
+  }
+  all.push_back(decision(Stage::light_table, Reason::no_gaussians, Method::sliced, haze,
+                         gaussian(little), gaussian(1.0)));
+  all.push_back(decision(Stage::homogeneous, Reason::no_homogeneous_density, Method::sliced, walled,
                          homogeneous_fog(little), homogeneous_fog(0.2)));
   all.push_back(
-      decision("environment", "the scene has none", Method::sliced, solid, sky(little), sky(1.0)));
-  for (const char* stage : {"light_depth", "eye_depth"}) {
-    all.push_back(decision(stage, "the medium has no Gaussians", Method::paper, haze,
-                           gaussian(little), gaussian(1.0)));
-  }
-  all.push_back(decision("light_table", "the medium has no Gaussians", Method::sliced, haze,
+      decision(Stage::noise, Reason::no_noise, Method::sliced, fog, noise(little), noise(0.5)));
+  all.push_back(decision(Stage::airlight, Reason::no_medium, Method::sliced, clear,
                          gaussian(little), gaussian(1.0)));
-  all.push_back(decision("homogeneous", "the medium's homogeneous density is 0", Method::sliced,
-                         walled, homogeneous_fog(little), homogeneous_fog(0.2)));
-  all.push_back(
-      decision("noise", "its amplitude is 0", Method::sliced, fog, noise(little), noise(0.5)));
-  all.push_back(decision("airlight", "the medium is empty", Method::sliced, clear, gaussian(little),
-                         gaussian(1.0)));
   const Scene off = with(with(solid, light(10.0)), [](Scene& s) { s.lights.back().on = false; });
   const auto switched_on = [](double intensity) {
     return [intensity](Scene& s) {
@@ -153,13 +154,13 @@ std::vector<PlanDecision> plan_decisions() {
       s.lights.back().intensity = glm::dvec3(intensity);
     };
   };
-  all.push_back(decision("lights", "switched off: 1", Method::sliced, off, switched_on(little),
-                         switched_on(10.0)));
+  all.push_back(decision(Stage::lights, Reason::lights_off, Method::sliced, off,
+                         switched_on(little), switched_on(10.0)));
   return all;
 }
 
 Frame render_planned(const Scene& scene, AirlightMethod method) {
-  Renderer renderer(transfers_of(scene, method));
+  Renderer renderer(transfers_of(scene));
   return *renderer.render(scene, scene.camera, scene.film, settings_of(method));
 }
 
@@ -187,7 +188,7 @@ double max_change(const Frame& a, const Frame& b, const Frame& scale) {
 PlanSaving measure_saving(const PlanDecision& decision, int frames) {
   const Settings settings = settings_of(decision.method);
   const auto cost = [&](const Scene& scene) {
-    Renderer renderer(transfers_of(scene, decision.method));
+    Renderer renderer(transfers_of(scene));
     static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
     return moved_frames(renderer, scene, settings, frames).cpu_milliseconds;
   };

@@ -6,6 +6,7 @@
 
 #include "core/scene/scene.h"
 #include "render/settings.h"
+#include "render/stage.h"
 #include "tools/bench/measure/measurement.h"
 
 namespace brume {
@@ -14,7 +15,7 @@ namespace brume {
 // out, the same with as good as nothing for it to do (a density, light or amplitude of about 1e-9),
 // so that it runs, and one that needs it.
 struct PlanDecision {
-  std::string stage;  // as of SkippedStage
+  Stage stage;
   std::string why;
   AirlightMethod method = AirlightMethod::sliced;
   Scene left_out, made, needed;
@@ -34,7 +35,8 @@ double max_change(const Frame& a, const Frame& b, const Frame& scale);
 
 // What leaving the stage out saves: CPU milliseconds of a frame with a moved camera.
 struct PlanSaving {
-  std::string stage, why;
+  Stage stage;
+  std::string why;
   Spread left_out, made;
   double change = 0.0;  // of the picture: max_change()
 };

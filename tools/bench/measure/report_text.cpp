@@ -72,7 +72,7 @@ std::string stage_times(const Measurement& measurement) {
   std::string times;
   for (const StageTime& stage : measurement.stages) {
     if (stage.milliseconds < 0.05) continue;
-    put(times, "%s%s %.1f", times.empty() ? "" : " ", stage.name.c_str(), stage.milliseconds);
+    put(times, "%s%s %.1f", times.empty() ? "" : " ", to_string(stage.stage), stage.milliseconds);
   }
   return times;
 }

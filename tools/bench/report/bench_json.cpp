@@ -66,7 +66,7 @@ Json to_json(const Measurement& m) {
   json["view_pairs"] = m.pairs;
   Json stages = Json::array();
   for (const StageTime& stage : m.stages) {
-    stages.push_back({{"name", stage.name}, {"ms", stage.milliseconds}});
+    stages.push_back({{"name", to_string(stage.stage)}, {"ms", stage.milliseconds}});
   }
   json["stages"] = std::move(stages);
   return json;
@@ -181,7 +181,7 @@ std::string to_json(const BenchReport& report) {
   json["thread_rows"] = std::move(threads);
   Json savings = Json::array();
   for (const PlanSaving& saving : report.savings) {
-    savings.push_back({{"stage", saving.stage},
+    savings.push_back({{"stage", to_string(saving.stage)},
                        {"why", saving.why},
                        {"left_out_cpu_ms", to_json(saving.left_out)},
                        {"made_cpu_ms", to_json(saving.made)},

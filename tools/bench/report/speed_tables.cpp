@@ -182,7 +182,7 @@ ReportTable saving_table(const std::vector<PlanSaving>& savings) {
       {},
       ""};
   for (const PlanSaving& saving : savings) {
-    table.rows.push_back({saving.stage, saving.why, with_spread(saving.left_out, 2),
+    table.rows.push_back({to_string(saving.stage), saving.why, with_spread(saving.left_out, 2),
                           with_spread(saving.made, 2), formatted("%.0g", saving.change)});
   }
   return table;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/settings.h"
+
+namespace brume {
+
+// A small scene of some parts, and a method: what a plan decides by.
+struct PlanCase {
+  // `idle`: there, but without effect, as a light that is off.
+  enum class Part { none, idle, active };
+  Part lights = Part::none;
+  Part sky = Part::none;
+  Part gaussians = Part::none;
+  bool fog = false;
+  bool noise = false;
+  bool surfaces = false;
+  Surface::Transfer transfer = Surface::Transfer::none;  // requested by the surfaces
+  AirlightMethod method = AirlightMethod::paper;
+  int scale = 1;
+
+  [[nodiscard]] bool has_lights() const { return lights == Part::active; }
+  [[nodiscard]] bool has_sky() const { return sky == Part::active; }
+  [[nodiscard]] bool has_gaussians() const { return gaussians == Part::active; }
+  [[nodiscard]] bool has_medium() const { return has_gaussians() || fog; }
+  [[nodiscard]] bool has_any_light() const { return has_lights() || has_sky(); }
+  [[nodiscard]] bool is(AirlightMethod wanted) const { return method == wanted; }
+
+  [[nodiscard]] Scene scene() const;
+  // With grids and tables of few cells.
+  [[nodiscard]] Settings settings() const;
+  [[nodiscard]] std::string name() const;
+};
+
+// All combinations.
+std::vector<PlanCase> all_plan_cases();
+
+// Enough of them to be rendered: no idle parts, no noise, one scale.
+std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods);
+
+}  // namespace brume
