@@ -270,7 +270,8 @@ class Cells {
       ++count_;
       above_[count_] = cell.distances[1];
       below_[count_] = cell.distances[3];
-      if (cell.x1 - cell.x0 == 4) wide_ = count_;
+      // The last cell of a film may be as wide between samples that are nearer.
+      if (cell.x1 - cell.x0 == 4 && samples.x(column + 1) - cell.x0 == 4) wide_ = count_;
     }
     in_vectors_ = {std::span(kinds_).first(wide_), &samples.value(begin, row),
                    &samples.value(begin, std::min(row + 1, samples.film().height - 1)),
