@@ -26,7 +26,9 @@ std::array<float, 3> compress_highlights(std::array<float, 3> c) {
 
 std::uint8_t srgb_byte(float x) {
   x = std::clamp(x, 0.0f, 1.0f);
-  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+  const float encoded = x <= srgb::knee
+                            ? srgb::slope * x
+                            : srgb::gain * std::pow(x, 1.0f / srgb::exponent) - srgb::offset;
   return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
 }
 
@@ -70,7 +72,7 @@ float exposure_gain(double stops) {
 
 std::vector<std::uint8_t> to_display(const Frame& frame, double exposure) {
   // sRGB bytes of even steps of [0, 1], finer than a byte even in the darkest values, whose slope
-  // is 12.92.
+  // is srgb::slope.
   static const auto table = [] {
     std::array<std::uint8_t, 8193> bytes{};
     for (std::size_t i = 0; i < bytes.size(); ++i) {

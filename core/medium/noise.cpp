@@ -18,7 +18,10 @@ double wrapped(double x) {
 
 // The gradient of w . A at a place in the lattice, per cell.
 glm::dvec3 potential_gradient(const glm::dvec3& cell, const glm::dvec3& w, std::uint32_t key) {
-  // Weights of the two nodes along each axis, Perlin's fifth-order fade, and their derivatives.
+  constexpr double fade[] = {noise_lattice::fade[0], noise_lattice::fade[1],
+                             noise_lattice::fade[2]};
+  constexpr double slope_factor = noise_lattice::fade_slope;
+  // Weights of the two nodes along each axis and their derivatives.
   double weight[3][2];
   double slope[3][2];
   double offset[3];
@@ -28,9 +31,9 @@ glm::dvec3 potential_gradient(const glm::dvec3& cell, const glm::dvec3& w, std::
     const double f = cell[j] - floor;
     first[j] = static_cast<std::uint32_t>(floor);
     offset[j] = f;
-    weight[j][1] = f * f * f * (f * (6.0 * f - 15.0) + 10.0);
+    weight[j][1] = f * f * f * (f * (fade[0] * f + fade[1]) + fade[2]);
     weight[j][0] = 1.0 - weight[j][1];
-    slope[j][1] = 30.0 * f * f * (f - 1.0) * (f - 1.0);
+    slope[j][1] = slope_factor * f * f * (f - 1.0) * (f - 1.0);
     slope[j][0] = -slope[j][1];
   }
   constexpr std::uint32_t last = RayNoise::period - 1;

@@ -70,15 +70,22 @@ constexpr double rms = 1.2202;
 
 // Hash of a lattice node; the nine highest bits are the signs of its three gradients, whose
 // coordinates are all +-1: bit 31 - 3 k - j is coordinate j of channel k. (lowbias32 of C. Wellons'
-// hash prospector.) Identical in the SIMD kernels.
+// hash prospector.) Identical in the SIMD kernels and the shaders.
+inline constexpr std::uint32_t hash_factors[] = {0x7feb352dU, 0x846ca68bU};
+inline constexpr int hash_shifts[] = {16, 15, 16};
 constexpr std::uint32_t hash(std::uint32_t x) {
-  x ^= x >> 16;
-  x *= 0x7feb352dU;
-  x ^= x >> 15;
-  x *= 0x846ca68bU;
-  x ^= x >> 16;
+  x ^= x >> hash_shifts[0];
+  x *= hash_factors[0];
+  x ^= x >> hash_shifts[1];
+  x *= hash_factors[1];
+  x ^= x >> hash_shifts[2];
   return x;
 }
+
+// Weight of the farther node at f in [0, 1]: f^3 P(f), highest coefficient first (Perlin's fifth
+// order). Its derivative is fade_slope f^2 (1 - f)^2.
+inline constexpr float fade[] = {6.0f, -15.0f, 10.0f};
+inline constexpr float fade_slope = 30.0f;
 
 // Index of a node; coordinates in [0, RayNoise::period).
 constexpr std::uint32_t node(std::uint32_t x, std::uint32_t y, std::uint32_t z) {

@@ -65,10 +65,10 @@ CameraRays::PixelRectangle CameraRays::bounds(const glm::dvec3& point, double ra
   if (!(u[0] < u[1]) || !(v[0] < v[1])) return {};
   // Pixels whose centre lies inside, with a little room for rounding.
   const auto first = [](double s, double size) {
-    return static_cast<int>(std::ceil(0.5 * (s + 1.0) * size - 0.5 - 1e-6));
+    return static_cast<int>(std::ceil(0.5 * (s + 1.0) * size - 0.5 - pixel_rounding));
   };
   const auto last = [](double s, double size) {
-    return static_cast<int>(std::floor(0.5 * (s + 1.0) * size - 0.5 + 1e-6)) + 1;
+    return static_cast<int>(std::floor(0.5 * (s + 1.0) * size - 0.5 + pixel_rounding)) + 1;
   };
   return {std::max(first(u[0], size_.x), 0), std::max(first(v[0], size_.y), 0),
           std::min(last(u[1], size_.x), static_cast<int>(size_.x)),

@@ -30,6 +30,9 @@ class CameraRays {
  public:
   CameraRays(const Camera& camera, const Film& film);
 
+  // Pixels this close to the border of what bounds() finds belong to it.
+  static constexpr double pixel_rounding = 1e-6;
+
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
 

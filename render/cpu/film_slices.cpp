@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "render/geometry/ray_range.h"
 #include "render/lighting/slice_boundaries.h"
 
 namespace brume {
@@ -44,10 +45,9 @@ void FilmSlices::choose(const FilmTiles& film, const MediumIndex& medium,
     choose_slices(medium, film.lists.gaussians_of(tile), lights, film.cone(tile), slices,
                   boundaries);
     counts_[tile] = boundaries.size() < 2 ? 0 : boundaries.size();
-    // Beyond that float has no room to compute in.
     std::ranges::transform(std::span(boundaries).first(counts_[tile]),
                            chosen_.begin() + tile * stride_,
-                           [](double t) { return static_cast<float>(std::min(t, 1e30)); });
+                           [](double t) { return static_cast<float>(std::min(t, endless)); });
   });
   const auto node_columns = static_cast<std::size_t>(2 * columns_ + 1);
   const std::size_t nodes = node_columns * static_cast<std::size_t>(2 * rows_ + 1);

@@ -15,7 +15,7 @@ namespace {
 
 // Whether two distances may belong to one surface.
 bool continuous(float a, float b) {
-  return a == b || std::abs(a - b) < 0.05f * std::min(a, b);
+  return a == b || std::abs(a - b) < continuous_share * std::min(a, b);
 }
 
 }  // namespace
@@ -39,8 +39,7 @@ void AirlightSamples::measure_curvatures(double tolerance, const Job& job) {
   job.each(static_cast<std::size_t>(film_.height), [&](std::size_t at) {
     const int row = static_cast<int>(at);
     for (int column = 0; column < film_.width; ++column) {
-      // With fewer than three in a row nothing tells.
-      float curvature = film_.width < 3 || film_.height < 3 ? 2.0f : 0.0f;
+      float curvature = film_.width < 3 || film_.height < 3 ? unknown_curvature : 0.0f;
       if (column > 0 && column + 1 < film_.width) {
         curvature = std::max(curvature, curvature_along(column, row, 1, 0));
       }
@@ -51,10 +50,9 @@ void AirlightSamples::measure_curvatures(double tolerance, const Job& job) {
   });
 }
 
-// An eighth of the second difference.
 float AirlightSamples::curvature_of(const glm::vec4& a, const glm::vec4& b,
                                     const glm::vec4& c) const {
-  const glm::vec4 d = glm::abs(a + c - 2.0f * b) * tolerated_ * 0.125f;
+  const glm::vec4 d = glm::abs(a + c - 2.0f * b) * tolerated_ * middle_per_second_difference;
   return std::max({d.x, d.y, d.z, d.w});
 }
 
@@ -272,7 +270,8 @@ class Cells {
       ++count_;
       above_[count_] = cell.distances[1];
       below_[count_] = cell.distances[3];
-      if (cell.x1 - cell.x0 == 4) wide_ = count_;
+      // The last cell of a film may be as wide between samples that are nearer.
+      if (cell.x1 - cell.x0 == 4 && samples.x(column + 1) - cell.x0 == 4) wide_ = count_;
     }
     in_vectors_ = {std::span(kinds_).first(wide_), &samples.value(begin, row),
                    &samples.value(begin, std::min(row + 1, samples.film().height - 1)),
@@ -312,7 +311,7 @@ class Cells {
  private:
   const AirlightSamples& samples_;
   std::size_t count_ = 0;
-  std::size_t wide_ = 0;  // so many are four pixels wide, all but the last of a film
+  std::size_t wide_ = 0;  // so many are four pixels wide between samples four apart
   std::array<Cell, Tiles::width> cells_;
   std::array<CellRow::Kind, Tiles::width> kinds_;
   std::array<float, Tiles::width + 1> above_, below_;

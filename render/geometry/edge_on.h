@@ -10,10 +10,13 @@ namespace brume {
 // Triangles seen edge-on: in single precision it is arbitrary whether rays hit them, so they are
 // invisible to all methods.
 
-// Maximum distance of the eye from the plane of such a triangle: a few float roundings [u]. `eye`
+// A few float roundings, relative.
+constexpr double edge_on_rounding = 1e-6;
+
+// Maximum distance of the eye from the plane of such a triangle [u]. `eye`
 // is relative to the center of all surfaces, which lie within `radius` of it.
 inline double edge_on_height(const glm::dvec3& eye, double radius) {
-  return 1e-6 * std::max(glm::length(eye), radius);
+  return edge_on_rounding * std::max(glm::length(eye), radius);
 }
 
 // Whether a triangle is seen edge-on; always true for degenerate ones.

@@ -8,6 +8,9 @@ namespace brume {
 // Homogeneous fog beyond this optical depth is ignored: exp(-12) = 6e-6.
 constexpr double opaque_fog_depth = 12.0;
 
+// Distances beyond this are clamped to it where float computes with them [u].
+constexpr double endless = 1e30;
+
 // An interval of a ray [u], initially empty.
 struct RayRange {
   double begin = std::numeric_limits<double>::infinity();

@@ -12,8 +12,8 @@ namespace {
 double rate(const Program& program, Buffer& results, int kind, double operations,
             double milliseconds) {
   constexpr std::size_t max_groups = 8192;
-  constexpr int group = 128;
-  results.reserve(max_groups * group * sizeof(float));
+  const int group = program.group_size().x;
+  results.reserve(max_groups * static_cast<std::size_t>(group) * sizeof(float));
   results.bind(0);
   program.set("kind", kind);
   program.set("seed", 1e-4f);
@@ -49,7 +49,7 @@ ArithmeticPeak measure_peak(Context& context, double milliseconds) {
   {
     Programs programs;
     Buffer results;
-    const Program& program = programs["forward_lobe"];
+    const Program& program = programs["arithmetic_peak"];
     peak.multiply_adds = rate(program, results, 0, 8.0, milliseconds);
     peak.exponentials = rate(program, results, 1, 8.0, milliseconds);
     peak.pairs = rate(program, results, 2, 1.0, milliseconds);

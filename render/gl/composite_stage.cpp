@@ -32,10 +32,7 @@ void CompositeStage::run(Programs& programs, const FrameContext& work, FilmTextu
   textures.airlight.bind_image(0);
   textures.beauty.bind_image(1);
   textures.depth.bind_image(2);
-  const auto group_count = [](int pixels, int size) {
-    return static_cast<std::size_t>((pixels + size - 1) / size);
-  };
-  program.dispatch(group_count(work.frame.film.width, 16), group_count(work.frame.film.height, 8));
+  program.dispatch_over({work.frame.film.width, work.frame.film.height});
 }
 
 }  // namespace brume::gl

@@ -23,10 +23,7 @@ void DisplayStage::run(Programs& programs, const FilmTextures& film, const Displ
   film.beauty.bind_image(1);
   channels_.bind_image(2);
   picture.bind_image(3);
-  const auto group_count = [](int pixels, int size) {
-    return static_cast<std::size_t>((pixels + size - 1) / size);
-  };
-  program.dispatch(group_count(picture.size().x, 16), group_count(picture.size().y, 8));
+  program.dispatch_over(picture.size());
 }
 
 std::uint64_t DisplayStage::sum_pairs(Programs& programs, const FilmTextures& film) {

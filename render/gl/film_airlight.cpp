@@ -1,9 +1,10 @@
 #include "render/gl/film_airlight.h"
 
 #include <algorithm>
-#include <array>
 
+#include "render/geometry/ray_range.h"
 #include "render/geometry/tiles.h"
+#include "render/gl/shader_structs.h"
 #include "render/prepare/light_pixels.h"
 
 namespace brume::gl {
@@ -53,7 +54,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     method.set("sample_film", sample_film);
     method.set("tiles", tiles);
     method.set("scale", scale);
-    method.set("ray_end", static_cast<float>(std::min(view.ray_end, 1e30)));
+    method.set("ray_end", static_cast<float>(std::min(view.ray_end, endless)));
     method.set("again", again ? 1 : 0);
     method.set("groups", static_cast<int>(groups));
     method.set("batches_at", batches_at);
@@ -73,8 +74,8 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
 
   // A batch is at least one pixel that was asked for.
   const std::size_t batches = tile_count * ((capacity + Tiles::pixels - 1) / Tiles::pixels);
-  requests_.reserve((tile_count * capacity + 3 * batches) * sizeof(std::uint32_t));
-  totals_.reserve(3 * sizeof(std::uint32_t));
+  requests_.reserve(tile_count * capacity * sizeof(std::uint32_t) + batches * sizeof(PixelBatch));
+  totals_.reserve(sizeof(UpsamplingTotals));
   totals_.clear();
   const TilePixels near_lights =
       sort_into_tiles(light_pixels(view.plan.lights, view.rays, view.film, light_block),
@@ -104,10 +105,10 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
     lists.entries().bind(6);
     interpolate.dispatch_linear(tile_count);
   });
-  std::array<std::uint32_t, 2> requests{};
-  totals_.download(std::span<std::uint32_t>(requests));
-  clock.time(view.plan.medium_stage(), [&] { run_method(true, requests[0]); });
-  return sample_count + requests[1];
+  UpsamplingTotals totals;
+  totals_.download(std::span(&totals, 1));
+  clock.time(view.plan.medium_stage(), [&] { run_method(true, totals.batches); });
+  return sample_count + totals.asked_pixels;
 }
 
 }  // namespace brume::gl

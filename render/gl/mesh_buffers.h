@@ -27,7 +27,7 @@ class MeshBuffers {
   void find_hits(Programs& programs, const CameraRays& rays, const Film& film, Texture& depth);
   // Downloads the hits of the last find_hits(), one per pixel.
   [[nodiscard]] std::vector<SurfaceHit> download_hits() const;
-  // Hits per pixel; see shaders/visibility.glsl.
+  // A PixelHit per pixel.
   Buffer& hits() { return hits_; }
 
  private:

@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "render/gl/shader_constants.h"
 #include "render/gl/shadow_maps.h"
 
 namespace brume::gl {
 namespace {
-
-// As `Light` of shaders/lights.glsl.
-struct LightUniforms {
-  glm::vec4 position{0.0f};
-  glm::vec4 intensity{0.0f};
-  glm::vec4 radii{0.0f};
-  glm::vec4 depths{0.0f};
-  glm::ivec4 has{0};
-  MapUniforms table;
-  MapUniforms shadows;
-};
-static_assert(sizeof(LightUniforms) == 15 * sizeof(glm::vec4));
 
 // Maximum words of a table, a fixed slot per light, so that moving a light leaves the others'
 // tables in place: a DirectionMap has about size^2 cells and sides up to four times as long.
@@ -41,24 +31,29 @@ float max_depth(const MediumIndex& medium) {
 
 }  // namespace
 
-MapUniforms::MapUniforms(const DirectionMap& map, std::size_t first)
-    : right(map.right, map.scale.x),
-      up(map.up, map.scale.y),
-      axis(map.axis, map.octahedral ? 1.0f : 0.0f),
-      offset(map.offset, 0.0f, 0.0f),
-      cells(map.columns, map.rows, static_cast<int>(first), 0) {}
+MapData map_data(const DirectionMap& map, std::size_t first) {
+  return {glm::vec4(map.right, map.scale.x), glm::vec4(map.up, map.scale.y),
+          glm::vec4(map.axis, map.octahedral ? 1.0f : 0.0f), glm::vec4(map.offset, 0.0f, 0.0f),
+          glm::ivec4(map.columns, map.rows, static_cast<int>(first), 0)};
+}
 
-void set_map(const Program& program, const MapUniforms& map) {
-  program.set("map_right", map.right);
-  program.set("map_up", map.up);
-  program.set("map_axis", map.axis);
-  program.set("map_offset", map.offset);
-  program.set("map_cells", map.cells);
+void set_map(const Program& program, const MapData& map) {
+  program.set("map.right", map.right);
+  program.set("map.up", map.up);
+  program.set("map.axis", map.axis);
+  program.set("map.offset", map.offset);
+  program.set("map.cells", map.cells);
+}
+
+void dispatch_bundles(const Program& program, const glm::ivec2& rays) {
+  const glm::ivec2 groups = (rays + (bundle_side - 1)) / bundle_side;
+  program.dispatch(static_cast<std::size_t>(groups.x), static_cast<std::size_t>(groups.y));
 }
 
 std::span<const DirectionMap> OpticalDepthTables::lay_out(const MediumIndex& medium,
                                                           std::span<const SlicedLight> lights,
                                                           const OpticalDepthTableSize& size) {
+  assert(size.radii <= max_table_radii);
   const bool same = medium.revision() == revision_ && size == size_;
   if (!same) max_depth_ = max_depth(medium);
   tables_.resize(lights.size());
@@ -92,7 +87,7 @@ std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& mediu
     }
     any = true;
     const Program& program = programs["optical_depth_table"];
-    set_map(program, MapUniforms(table.layout.map, l * max_words(size_)));
+    set_map(program, map_data(table.layout.map, l * max_words(size_)));
     program.set("count", static_cast<unsigned>(medium.count()));
     program.set("light", table.light);
     program.set("max_depth", max_depth_);
@@ -103,8 +98,7 @@ std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& mediu
     medium.bind();
     values_.bind(2);
     pairs_.bind(4);
-    const auto blocks = [](int cells) { return static_cast<std::size_t>((cells + 2 + 7) / 8); };
-    program.dispatch(blocks(table.layout.map.columns), blocks(table.layout.map.rows));
+    dispatch_bundles(program, {table.layout.map.columns + 2, table.layout.map.rows + 2});
     table.made = true;
   }
   if (!any) return 0;
@@ -115,27 +109,30 @@ std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& mediu
 
 void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
                                 const glm::dvec3& origin) {
-  std::vector<LightUniforms> uniforms(lights.size());
+  std::vector<LightData> data(lights.size());
   for (std::size_t l = 0; l < lights.size(); ++l) {
     const SlicedLight& light = lights[l];
-    LightUniforms& u = uniforms[l];
-    u.position = glm::vec4(glm::vec3(light.position - origin), static_cast<float>(light.h_min));
-    u.intensity = glm::vec4(glm::vec3(light.intensity), 0.0f);
+    LightData& u = data[l];
+    u.position = glm::vec3(light.position - origin);
+    u.h_min = static_cast<float>(light.h_min);
+    u.intensity = glm::vec3(light.intensity);
     if (l < tables_.size() && !tables_[l].layout.empty()) {
       const OpticalDepthTableLayout& layout = tables_[l].layout;
-      u.has.x = 1;
-      u.table = MapUniforms(layout.map, l * max_words(size_));
-      u.radii = glm::vec4(layout.radii.first, layout.radii.per_unit, layout.radii.count,
-                          layout.radii.curvature);
-      u.depths.x = max_depth_;
+      u.has_table = 1;
+      u.table = map_data(layout.map, l * max_words(size_));
+      u.first_radius = static_cast<float>(layout.radii.first);
+      u.radii_per_unit = static_cast<float>(layout.radii.per_unit);
+      u.curvature = static_cast<float>(layout.radii.curvature);
+      u.radii = layout.radii.count;
+      u.max_depth = max_depth_;
     }
     if (shadows && !shadows->empty()) {
-      u.has.y = 1;
-      u.shadows = MapUniforms(shadows->map(l), shadows->first(l));
-      u.intensity.w = 1.0f - 2.0f * static_cast<float>(shadows->map(l).cell_angle());
+      u.has_shadows = 1;
+      u.shadows = map_data(shadows->map(l), shadows->first(l));
+      u.shadow_share = 1.0f - 2.0f * static_cast<float>(shadows->map(l).cell_angle());
     }
   }
-  lights_.upload(std::span<const LightUniforms>(uniforms));
+  lights_.upload(std::span<const LightData>(data));
 }
 
 void OpticalDepthTables::bind() {

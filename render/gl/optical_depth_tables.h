@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
 #include "core/revision.h"
+#include "render/gl/shader_structs.h"
 #include "render/gl/tile_lists.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/sliced_light.h"
@@ -14,18 +14,14 @@ namespace brume::gl {
 
 class ShadowMaps;
 
-// A DirectionMap in the layout of shaders/direction_map.glsl.
-struct MapUniforms {
-  glm::vec4 right{0.0f}, up{0.0f}, axis{0.0f}, offset{0.0f};
-  glm::ivec4 cells{0};
+// A map whose first value has this index.
+MapData map_data(const DirectionMap& map, std::size_t first);
 
-  MapUniforms() = default;
-  // `first`: index of its first value.
-  MapUniforms(const DirectionMap& map, std::size_t first);
-};
+// Sets the uniform `map` of a program that builds one.
+void set_map(const Program& program, const MapData& map);
 
-// Sets the uniforms of a program that builds one map.
-void set_map(const Program& program, const MapUniforms& map);
+// Dispatches a program whose work groups take `bundle_side`^2 rays from one point each.
+void dispatch_bundles(const Program& program, const glm::ivec2& rays);
 
 // Lights and their optical depth tables on the device. A table is cached while its light and the
 // medium are unchanged.

@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/geometry/ray_range.h"
+#include "render/gl/shader_structs.h"
+
 namespace brume::gl {
-namespace {
-
-// As `PaperLight` of shaders/paper.glsl.
-struct LightUniforms {
-  glm::vec4 position{0.0f};
-  glm::vec4 intensity{0.0f};
-  glm::ivec4 options{0};
-};
-
-}  // namespace
-
 std::size_t PaperStage::run(FrameStages& stages, FrameContext& work, StageClock& clock,
                             DeviceFrame& device) {
   const MediumIndex& medium = stages.prepared().medium();
@@ -44,22 +36,24 @@ std::size_t PaperStage::run(FrameStages& stages, FrameContext& work, StageClock&
 
 void PaperStage::upload_lights(const PaperLights& paper, std::size_t gaussians,
                                const glm::dvec3& eye) {
-  std::vector<LightUniforms> uniforms;
+  std::vector<PaperLightData> data;
   std::vector<float> frozen;
   frozen.reserve((paper.lights.size() + 1) * gaussians);
   const auto append = [&](const std::vector<double>& depths) {
-    for (const double depth : depths) frozen.push_back(static_cast<float>(std::min(depth, 1e30)));
+    for (const double depth : depths)
+      frozen.push_back(static_cast<float>(std::min(depth, endless)));
   };
   for (const PaperLight& light : paper.lights) {
-    LightUniforms& u = uniforms.emplace_back();
-    u.position = glm::vec4(glm::vec3(light.position - eye), static_cast<float>(light.h_min));
-    u.intensity =
-        glm::vec4(glm::vec3(light.intensity), static_cast<float>(std::exp(-light.depth_to_eye)));
-    u.options.x = light.conserve_energy ? 1 : 0;
+    PaperLightData& u = data.emplace_back();
+    u.position = glm::vec3(light.position - eye);
+    u.h_min = static_cast<float>(light.h_min);
+    u.intensity = glm::vec3(light.intensity);
+    u.transmittance = static_cast<float>(std::exp(-light.depth_to_eye));
+    u.conserves_energy = light.conserve_energy ? 1 : 0;
     append(light.frozen);
   }
   append(paper.from_eye);
-  lights_.upload(std::span<const LightUniforms>(uniforms));
+  lights_.upload(std::span<const PaperLightData>(data));
   frozen_.upload(std::span<const float>(frozen));
 }
 

@@ -159,8 +159,10 @@ void Texture::bind_image(unsigned unit) const {
   glBindImageTexture(unit, name(), 0, GL_FALSE, 0, GL_READ_WRITE, names_of(format_).internal);
 }
 
-Program::Program(const std::string& name) {
-  const std::string text = failures().shader ? "broken" : shader_source(name);
+Program::Program(const std::string& name) : Program(name, shader_source(name)) {}
+
+Program::Program(const std::string& name, const std::string& complete) {
+  const std::string text = failures().shader ? "broken" : complete;
   const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
   const char* const source = text.c_str();
   glShaderSource(shader, 1, &source, nullptr);
@@ -181,7 +183,12 @@ Program::Program(const std::string& name) {
   if (!compiled) throw Error("the driver rejects shader " + name + ": " + compiler);
   GLint linked = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return;
+  if (linked) {
+    std::array<GLint, 3> size{};
+    glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, size.data());
+    group_size_ = {size[0], size[1]};
+    return;
+  }
   glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
   throw Error("the driver rejects shader " + name + ": " +
               log_of(length, [&](auto size, auto written, auto to) {
@@ -241,6 +248,16 @@ void Program::set(const char* uniform, const glm::ivec4& value) const {
 void Program::dispatch_linear(std::size_t groups) const {
   constexpr std::size_t across = 32768;
   dispatch(std::min(groups, across), (groups + across - 1) / across);
+}
+
+void Program::dispatch_over(const glm::ivec2& invocations) const {
+  const glm::ivec2 groups = (invocations + group_size_ - 1) / group_size_;
+  dispatch(static_cast<std::size_t>(groups.x), static_cast<std::size_t>(groups.y));
+}
+
+void Program::dispatch_linear_over(std::size_t invocations) const {
+  const auto size = static_cast<std::size_t>(group_size_.x);
+  dispatch_linear((invocations + size - 1) / size);
 }
 
 void Program::dispatch(std::size_t x, std::size_t y) const {

@@ -127,6 +127,8 @@ class Program {
   Program() = default;
   // See shader_source().
   explicit Program(const std::string& name);
+  // A complete shader, named in messages.
+  Program(const std::string& name, const std::string& complete);
 
   void set(const char* uniform, int value) const;
   void set(const char* uniform, unsigned value) const;
@@ -143,11 +145,17 @@ class Program {
   void dispatch(std::size_t x, std::size_t y = 1) const;
   // Dispatches at least that many work groups in a linear order; see shaders/linear.glsl.
   void dispatch_linear(std::size_t groups) const;
+  // The same for at least that many invocations.
+  void dispatch_over(const glm::ivec2& invocations) const;
+  void dispatch_linear_over(std::size_t invocations) const;
+  // Invocations of a work group along each axis.
+  [[nodiscard]] const glm::ivec2& group_size() const { return group_size_; }
 
  private:
   [[nodiscard]] int location(const char* uniform) const;
 
   Object object_;
+  glm::ivec2 group_size_{1};
 };
 
 // GPU time between begin() and end(), available asynchronously.

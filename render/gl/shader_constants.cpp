@@ -1,5 +1,6 @@
 #include "render/gl/shader_constants.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <limits>
 #include <numbers>
@@ -9,7 +10,11 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "core/medium/noise.h"
+#include "core/scene/camera.h"
 #include "core/scene/measured_brdf.h"
+#include "render/frame.h"
+#include "render/geometry/direction_map.h"
+#include "render/geometry/edge_on.h"
 #include "render/geometry/ray_range.h"
 #include "render/geometry/tiles.h"
 #include "render/gl/arithmetic_peak.h"
@@ -29,21 +34,39 @@ namespace {
 
 class Constants {
  public:
-  Constants() {
-    out_ << std::scientific << std::setprecision(std::numeric_limits<float>::max_digits10 - 1);
-  }
-  void add(const char* name, float value) {
-    out_ << "const float " << name << " = " << value << ";\n";
-  }
-  void add(const char* name, int value) { out_ << "const int " << name << " = " << value << ";\n"; }
-  void add(const char* name, std::span<const float> values) {
-    out_ << "const float " << name << "[" << values.size() << "] = float[](";
-    for (std::size_t i = 0; i < values.size(); ++i) out_ << (i > 0 ? ", " : "") << values[i];
-    out_ << ");\n";
-  }
+  Constants() { out_ << std::scientific; }
+  void add(const char* name, float value) { add(name, "float", value, ""); }
+  void add(const char* name, int value) { add(name, "int", value, ""); }
+  void add(const char* name, unsigned value) { add(name, "uint", value, "u"); }
+  // Single precision, unless add_double().
+  void add(const char* name, double value) { add(name, static_cast<float>(value)); }
+  void add_double(const char* name, double value) { add(name, "double", value, "LF"); }
+  void add(const char* name, std::span<const float> values) { add(name, "float", values, ""); }
+  void add(const char* name, std::span<const int> values) { add(name, "int", values, ""); }
+  void add(const char* name, std::span<const unsigned> values) { add(name, "uint", values, "u"); }
   [[nodiscard]] std::string text() const { return out_.str(); }
 
  private:
+  template <class T>
+  void add(const char* name, const char* type, T value, const char* suffix) {
+    set_precision<T>();
+    out_ << "const " << type << " " << name << " = " << value << suffix << ";\n";
+  }
+  template <class T>
+  void add(const char* name, const char* type, std::span<const T> values, const char* suffix) {
+    set_precision<T>();
+    out_ << "const " << type << " " << name << "[" << values.size() << "] = " << type << "[](";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      out_ << (i > 0 ? ", " : "") << values[i] << suffix;
+    }
+    out_ << ");\n";
+  }
+  // Digits that tell all values apart.
+  template <class T>
+  void set_precision() {
+    out_ << std::setprecision(std::max(std::numeric_limits<T>::max_digits10 - 1, 0));
+  }
+
   std::ostringstream out_;
 };
 
@@ -56,20 +79,48 @@ std::vector<float> floats(std::span<const ShRecurrence::Row> rows) {
   return values;
 }
 
-}  // namespace
-
-std::string shader_constants() {
-  Constants constants;
+// Of the kernels of render/simd and render/lighting.
+void add_kernels(Constants& constants) {
+  constants.add("pi", std::numbers::pi);
+  constants.add("inv_sqrt_pi", std::numbers::inv_sqrtpi);
+  constants.add("sqrt_pi", coefficient::sqrt_pi);
+  constants.add("phase", 0.25 * std::numbers::inv_pi);
+  constants.add("float_epsilon", std::numeric_limits<float>::epsilon());
+  constants.add("tiny", coefficient::tiny);
+  constants.add("tiny_square", coefficient::tiny_square);
+  constants.add("tiny_sine_square", coefficient::tiny_sine_square);
   constants.add("erfcx_coefficients", coefficient::erfcx);
   constants.add("erf_small_coefficients", coefficient::erf_small);
   constants.add("erf_fast_coefficients", coefficient::erf_fast);
   constants.add("erf_fast_end", coefficient::erf_fast_end);
   constants.add("atan_small_coefficients", coefficient::atan_small);
+  constants.add("atan_small_end", coefficient::atan_small_end);
   constants.add("exact_above", exact_above);
   constants.add("gauss_nodes", coefficient::gauss_nodes);
   constants.add("gauss_weights", coefficient::gauss_weights);
   constants.add("fog_nodes", coefficient::fog_rule.nodes);
   constants.add("fog_weights", coefficient::fog_rule.weights);
+  constants.add("fog_panel", coefficient::fog_panel);
+  constants.add("fog_detour_depth", coefficient::fog_detour_depth);
+  constants.add("light_rounding", coefficient::light_rounding);
+  constants.add("min_light_gap", coefficient::min_light_gap);
+  constants.add("mean_shift", coefficient::mean_shift);
+  constants.add("small_increment", coefficient::small_increment);
+  constants.add("small_exponent", coefficient::small_exponent);
+  constants.add("visible_depth", coefficient::visible_depth);
+  constants.add("table_end", coefficient::table_end);
+  constants.add("min_map_cosine", DirectionMap::min_cosine);
+  constants.add("map_border_share", DirectionMap::border_share);
+  constants.add("noise_period", RayNoise::period);
+  constants.add("noise_fade", noise_lattice::fade);
+  constants.add("noise_fade_slope", noise_lattice::fade_slope);
+  constants.add("hash_factors", noise_lattice::hash_factors);
+  constants.add("hash_shifts", noise_lattice::hash_shifts);
+  constants.add("max_lattice_distance", coefficient::max_lattice_distance);
+}
+
+// Of light given as spherical harmonics, and of materials.
+void add_reflection(Constants& constants) {
   constants.add("source_clusters", source_clusters);
   constants.add("sh_bands", sh_max_bands);
   constants.add("sh_count", sh_max_bands * sh_max_bands);
@@ -79,6 +130,9 @@ std::string shader_constants() {
   constants.add("sh_down", floats(recurrence.down));
   constants.add("grid_functions", static_cast<int>(sh_size(grid_bands)));
   constants.add("cosine_factors", EnvironmentLight::cosine_factors());
+  constants.add("irradiance_bands", coefficient::irradiance_bands);
+  constants.add("legendre_2", coefficient::legendre_2);
+  constants.add("legendre_4", coefficient::legendre_4);
   constants.add("theta_h_cells", MeasuredBrdf::theta_h_cells);
   constants.add("theta_d_cells", MeasuredBrdf::theta_d_cells);
   constants.add("phi_d_cells", MeasuredBrdf::phi_d_cells);
@@ -87,30 +141,81 @@ std::string shader_constants() {
   constants.add("scatter_terms", ScatterTable::degree + 1);
   constants.add("scatter_opaque", ScatterTable::opaque);
   constants.add("scatter_scale", ScatterTable::scale);
-  constants.add("bin_room", static_cast<float>(bin_room));
-  constants.add("slice_opaque", static_cast<float>(slice_opaque));
-  constants.add("opaque_fog_depth", static_cast<float>(opaque_fog_depth));
-  constants.add("phase", static_cast<float>(0.25 * std::numbers::inv_pi));
-  constants.add("noise_period", RayNoise::period);
+}
+
+void add_slices(Constants& constants) {
+  constants.add("bin_room", bin_room);
+  constants.add("slice_opaque", slice_opaque);
+  constants.add("opaque_fog_depth", opaque_fog_depth);
+  constants.add("bins_per_slice", slice_demand::bins_per_slice);
+  constants.add("box_radii", slice_demand::box_radii);
+  constants.add("box_share", slice_demand::box_share);
+  constants.add("tail_step", slice_demand::tail_step);
+  constants.add("inverse_tail_depth", 1.0 / slice_demand::tail_depth);
+  constants.add("core_radii_of_thin", slice_demand::core_radii);
+  constants.add("max_front_depth", slice_demand::max_front_depth);
+  constants.add("uniform_share", slice_demand::uniform_share);
+  constants.add("near_light_share", near_light_share);
+  constants.add("light_slice_share", light_slice_share);
+  constants.add("light_distances", light_distances);
+  constants.add("min_gap_of_range", min_gap_of_range);
+  constants.add("min_gap_of_distance", min_gap_of_distance);
+  constants.add("max_bins", slice_demand::bins_per_slice * max_slices);
+  constants.add("max_boundaries", static_cast<int>(max_slice_boundaries));
+  constants.add("node_texture_width", node_texture_width);
+  constants.add("chunk", slice_chunk);
+  constants.add("max_table_radii", max_table_radii);
+}
+
+// Of rays, tiles and upsampling.
+void add_film(Constants& constants) {
+  constants.add("endless", endless);
+  constants.add("max_radiance", max_radiance);
   constants.add("tile_width", Tiles::width);
   constants.add("tile_height", Tiles::height);
   constants.add("group_size", Tiles::pixels);
-  constants.add("chunk", slice_chunk);
-  constants.add("max_bins", 4 * max_slices);
-  constants.add("max_boundaries", static_cast<int>(max_slice_boundaries));
-  constants.add("node_texture_width", node_texture_width);
+  constants.add("bundle_side", bundle_side);
+  constants.add("bundle_size", bundle_side * bundle_side);
+  constants.add("coarse_entries", coarse_entries);
+  constants.add("invocations_per_gaussian", invocations_per_gaussian);
+  constants.add_double("pixel_rounding", CameraRays::pixel_rounding);
+  constants.add("continuous_share", continuous_share);
+  constants.add("middle_per_second_difference", middle_per_second_difference);
+  constants.add("unknown_curvature", unknown_curvature);
   constants.add("max_curvature_of_surroundings", max_curvature_of_surroundings);
   constants.add("min_surface_share", min_surface_share);
   constants.add("radii_per_tolerance", radii_per_tolerance);
   constants.add("free_paths_per_tolerance", free_paths_per_tolerance);
   constants.add("max_levels", TriangleBvh::max_levels);
+  constants.add_double("near_radii", RayCaster::near_radii);
+  constants.add_double("start_radii", RayCaster::start_radii);
+  constants.add_double("edge_on_rounding", edge_on_rounding);
   constants.add("peak_slices", peak_slices);
+}
+
+void add_display(Constants& constants) {
   constants.add("highlight_start", highlight::start);
   constants.add("highlight_desaturation", highlight::desaturation);
   constants.add("highlight_offset", highlight::offset);
   constants.add("highlight_knee", highlight::knee);
   constants.add("highlight_slope", highlight::slope);
+  constants.add("srgb_knee", srgb::knee);
+  constants.add("srgb_slope", srgb::slope);
+  constants.add("srgb_gain", srgb::gain);
+  constants.add("srgb_offset", srgb::offset);
+  constants.add("srgb_exponent", srgb::exponent);
   constants.add("brightest_shown", brightest_shown);
+}
+
+}  // namespace
+
+std::string shader_constants() {
+  Constants constants;
+  add_kernels(constants);
+  add_reflection(constants);
+  add_slices(constants);
+  add_film(constants);
+  add_display(constants);
   return constants.text();
 }
 

@@ -5,9 +5,12 @@
 
 #include "render/gl/resources.h"
 #include "render/gl/shader_constants.h"
+#include "render/gl/shader_structs.h"
 
 namespace brume::gl {
 namespace {
+
+void append_text(const std::string& text, std::set<std::string>& seen, std::ostream& out);
 
 void append(const std::string& name, std::set<std::string>& seen, std::ostream& out) {
   if (!seen.insert(name).second) return;
@@ -15,8 +18,16 @@ void append(const std::string& name, std::set<std::string>& seen, std::ostream& 
     out << shader_constants();
     return;
   }
+  if (name == "structs.glsl") {
+    out << shader_structs();
+    return;
+  }
   const char* text = embedded_shader(name);
   if (!text) throw Error("there is no shader " + name);
+  append_text(text, seen, out);
+}
+
+void append_text(const std::string& text, std::set<std::string>& seen, std::ostream& out) {
   constexpr std::string_view include = "#include \"";
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -31,10 +42,14 @@ void append(const std::string& name, std::set<std::string>& seen, std::ostream& 
 }  // namespace
 
 std::string shader_source(const std::string& name) {
+  return complete_shader("#include \"" + name + "\"\n");
+}
+
+std::string complete_shader(const std::string& text) {
   std::ostringstream out;
   out << "#version 450 core\n";
   std::set<std::string> seen;
-  append(name, seen, out);
+  append_text(text, seen, out);
   return out.str();
 }
 

@@ -21,13 +21,12 @@ void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const Sli
     if (map.made && map.light == lights[l].position && map.directions == directions[l]) continue;
     map = {lights[l].position, directions[l], true};
     const Program& program = programs["shadow_map"];
-    set_map(program, MapUniforms(map.directions, first(l)));
+    set_map(program, map_data(map.directions, first(l)));
     program.set("light", map.light - mesh.center());
     program.set("nearest", static_cast<float>(mesh.min_gap()));
     mesh.bind(program);
     values_.bind(2);
-    const auto blocks = [](int cells) { return static_cast<std::size_t>((cells + 2 + 7) / 8); };
-    program.dispatch(blocks(map.directions.columns), blocks(map.directions.rows));
+    program.dispatch_over({map.directions.columns + 2, map.directions.rows + 2});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/geometry/ray_range.h"
 #include "render/gl/shader_constants.h"
 #include "render/lighting/slice_boundaries.h"
 
@@ -11,6 +12,7 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
                           std::size_t light_count, int slices, TileLists& lists,
                           const FilmView& view, const FilmTextures& textures) {
   const glm::ivec2 tiles = lists.tiles();
+  tiles_ = tiles;
   const auto tile_count = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
   const auto node_count =
       static_cast<std::size_t>(2 * tiles.x + 1) * static_cast<std::size_t>(2 * tiles.y + 1);
@@ -27,7 +29,7 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
     choose.set("film", glm::ivec2(view.film.width, view.film.height));
     choose.set("tiles", tiles);
     choose.set("scale", view.plan.settings.airlight_scale);
-    choose.set("ray_end", static_cast<float>(std::min(view.ray_end, 1e30)));
+    choose.set("ray_end", static_cast<float>(std::min(view.ray_end, endless)));
     choose.set("light_count", static_cast<int>(light_count));
     choose.set("slices", slices);
     choose.set("per_light", slices_per_light(slices, light_count));
@@ -53,6 +55,34 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
 void SliceTexture::bind(const Program& program) const {
   program.set("stride", stride_);
   nodes_.bind_image(4);
+}
+
+std::vector<std::vector<float>> SliceTexture::download_tiles() const {
+  const std::size_t record = stride() + 1;
+  std::vector<std::vector<float>> tiles(static_cast<std::size_t>(tiles_.x * tiles_.y));
+  std::vector<float> values(tiles.size() * record);
+  chosen_.download(std::span(values));
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(i * record);
+    tiles[i].assign(first + 1, first + 1 + static_cast<std::ptrdiff_t>(*first));
+  }
+  return tiles;
+}
+
+std::vector<std::vector<float>> SliceTexture::download_nodes() const {
+  const std::size_t record = stride() + 1;
+  std::vector<std::vector<float>> nodes(
+      static_cast<std::size_t>((2 * tiles_.x + 1) * (2 * tiles_.y + 1)));
+  std::vector<float> values(static_cast<std::size_t>(nodes_.size().x) *
+                            static_cast<std::size_t>(nodes_.size().y));
+  nodes_.download(std::span(values));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(i * record);
+    if (*first > 0.0f) {
+      nodes[i].assign(first + 1, first + static_cast<std::ptrdiff_t>(record));
+    }
+  }
+  return nodes;
 }
 
 }  // namespace brume::gl

@@ -6,13 +6,14 @@
 
 #include "core/medium/noise.h"
 #include "core/scene/radiance_map.h"
+#include "render/geometry/ray_range.h"
 
 namespace brume::gl {
 
 void set_noise(const Program& program, const RayNoise& noise, const glm::dvec3& eye) {
   const double amplitude = noise.on() ? noise.amplitude() / noise_lattice::rms : 0.0;
   program.set("noise_amplitude", static_cast<float>(amplitude));
-  program.set("noise_frequency", static_cast<float>(std::min(noise.frequency(), 1e30)));
+  program.set("noise_frequency", static_cast<float>(std::min(noise.frequency(), endless)));
   program.set("noise_cell", glm::vec3(noise.cell(eye)));
   program.set("noise_key", noise.key());
 }

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "core/scene/measured_brdf.h"
+#include "render/gl/shader_structs.h"
 #include "render/shading/vertex_lighting.h"
 #include "render/simd/reflection_kernels.h"
 
 namespace brume::gl {
 namespace {
-
-std::size_t blocks(int pixels) {
-  return static_cast<std::size_t>((pixels + 7) / 8);
-}
 
 void append(std::vector<float>& values, const glm::vec3& v, float w) {
   values.insert(values.end(), {v.x, v.y, v.z, w});
@@ -102,7 +100,7 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
   device.textures.behind.bind(3);
   light_.bind(6);
   values_.bind(7);
-  program.dispatch(blocks(work.frame.film.width), blocks(work.frame.film.height));
+  program.dispatch_over({work.frame.film.width, work.frame.film.height});
   return pairs;
 }
 
@@ -126,7 +124,7 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
     device.mesh.hits().bind(2);
     depths_.bind(3);
     totals_.bind(6);
-    program.dispatch(blocks(film.width), blocks(film.height));
+    dispatch_bundles(program, {film.width, film.height});
   }
   std::array<std::uint32_t, 1> pairs{};
   totals_.download(std::span<std::uint32_t>(pairs));
@@ -142,37 +140,43 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& 
     program.set(place, static_cast<int>(values.size()));
   };
   const auto& shadings = stages.shading().surfaces();
-  std::vector<std::size_t> materials;
+  std::vector<SurfaceRecord> records(shadings.size());
+  values.resize(records.size() * sizeof(SurfaceRecord) / sizeof(float));
   for (std::size_t i = 0; i < shadings.size(); ++i) {
-    const Material& material = work.scene.surfaces[i].material;
-    const PointLightShading reflected = point_light_shading(material, {});
-    materials.push_back(values.size());
-    append(values, reflected.diffuse, reflected.exponent);
-    append(values, reflected.highlight, 0.0f);
-    const VertexLighting* transferred = shadings[i].transferred;
+    SurfaceRecord& record = records[i];
+    const PointLightShading reflected = point_light_shading(work.scene.surfaces[i].material, {});
+    record.diffuse = reflected.diffuse;
+    record.exponent = reflected.exponent;
+    record.highlight = reflected.highlight;
     const bool is_glossy = shadings[i].material && !shadings[i].material->is_diffuse();
-    values.insert(values.end(),
-                  {transferred ? 1.0f : 0.0f,
-                   static_cast<float>(transferred && is_glossy ? sh_size(transferred->order()) : 0),
-                   static_cast<float>(begins_[i][0]), static_cast<float>(begins_[i][1])});
-    const AverageDepthGrid* grid = shadings[i].average_depth;
-    append(values, grid ? glm::vec3(grid->low() - center) : glm::vec3(0.0f),
-           static_cast<float>(begins_[i][2]));
-    append(values, grid ? glm::vec3(grid->cells_per_unit()) : glm::vec3(0.0f),
-           static_cast<float>(begins_[i][3]));
-    append(values, grid ? glm::vec3(grid->nodes()) : glm::vec3(0.0f), 0.0f);
-  }
-  for (std::size_t i = 0; i < shadings.size(); ++i) {
-    if (!shadings[i].material || shadings[i].material->is_diffuse()) continue;
-    values[materials[i] + 7] = static_cast<float>(values.size());
+    if (const VertexLighting* transferred = shadings[i].transferred) {
+      record.has_transfer = 1.0f;
+      record.transferred_functions =
+          is_glossy ? static_cast<float>(sh_size(transferred->order())) : 0.0f;
+    }
+    record.front_at = static_cast<float>(begins_[i][0]);
+    record.back_at = static_cast<float>(begins_[i][1]);
+    record.average_depths_at = static_cast<float>(begins_[i][2]);
+    record.measured_at = static_cast<float>(begins_[i][3]);
+    if (const AverageDepthGrid* grid = shadings[i].average_depth) {
+      record.grid_corner = glm::vec3(grid->low() - center);
+      record.cells_per_unit = glm::vec3(grid->cells_per_unit());
+      record.grid_nodes = glm::vec3(grid->nodes());
+    }
+    if (!is_glossy) continue;
+    record.reflection_at = static_cast<float>(values.size());
     const float* rows = shadings[i].material->table().rows();
     values.insert(values.end(), rows,
                   rows + (ReflectionTable::intervals + 1) * ReflectionTable::row_size);
   }
+  if (!records.empty()) {
+    std::memcpy(values.data(), records.data(), std::span(records).size_bytes());
+  }
   begin("turn_at");
   for (const ShElement& e : sh_quarter_turn()) {
-    values.insert(values.end(), {static_cast<float>(e.to), static_cast<float>(e.from),
-                                 static_cast<float>(e.value)});
+    const TurnElement element{static_cast<float>(e.to), static_cast<float>(e.from),
+                              static_cast<float>(e.value)};
+    values.insert(values.end(), {element.to, element.from, element.value});
   }
   program.set("turn_count", static_cast<int>(sh_quarter_turn().size()));
   program.set("scatters", lighting.point ? 1 : 0);

@@ -1,22 +1,15 @@
 #include "render/gl/tile_lists.h"
 
-#include <array>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <vector>
 
 #include "render/geometry/tiles.h"
+#include "render/gl/shader_constants.h"
+#include "render/gl/shader_structs.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume::gl {
-namespace {
-
-std::size_t groups_of(std::size_t count, std::size_t size) {
-  return (count + size - 1) / size;
-}
-
-}  // namespace
-
 void MediumBuffers::update(const MediumIndex& medium) {
   if (revision_ == medium.revision()) return;
   revision_ = 0;
@@ -25,14 +18,14 @@ void MediumBuffers::update(const MediumIndex& medium) {
   GaussianBatch batch;
   batch.assign(medium, glm::dvec3(0.0), all);
   std::vector<glm::dvec3> centers(all.size());
-  std::vector<glm::vec4> shapes(all.size());
+  std::vector<GaussianShape> shapes(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     centers[i] = medium.gaussians()[i].b;
     shapes[i] = {batch.a[i], batch.scale[i], batch.cutoff[i],
                  static_cast<float>(medium.cutoff_radii()[i])};
   }
   centers_.upload(std::span<const glm::dvec3>(centers));
-  shapes_.upload(std::span<const glm::vec4>(shapes));
+  shapes_.upload(std::span<const GaussianShape>(shapes));
   count_ = all.size();
   revision_ = medium.revision();
 }
@@ -50,9 +43,9 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
            glm::ivec2(Tiles::width, Tiles::height);
   const auto tile_count = static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y);
   const std::size_t count = medium.count();
-  seen_.reserve(count * 2 * sizeof(glm::vec4));
+  seen_.reserve(count * sizeof(SeenGaussian));
   rectangles_.reserve(count * sizeof(glm::uvec2));
-  totals_.reserve(3 * sizeof(std::uint32_t));
+  totals_.reserve(sizeof(TileTotals));
   totals_.clear();
   cursors_.reserve(tile_count * sizeof(std::uint32_t));
   cursors_.clear();
@@ -80,32 +73,32 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   const RayNoise& noise = index.noise();
   project.set("farther",
               noise.on() ? static_cast<float>(RayNoise::max_shift * noise.amplitude()) : 0.0f);
-  project.dispatch_linear(groups_of(count, 64));
+  project.dispatch_linear_over(count);
 
-  // Every Gaussian counts at least one part of 256 entries.
+  // Every Gaussian counts at least one part of `coarse_entries`.
   const auto max_coarse =
-      static_cast<std::uint64_t>(max_bytes) / sizeof(std::uint32_t) / 256 + count;
+      static_cast<std::uint64_t>(max_bytes) / sizeof(std::uint32_t) / coarse_entries + count;
   const Program& list = programs["list"];
   list.set("count", static_cast<unsigned>(count));
   list.set("columns", tiles_.x);
   list.set("max_coarse", static_cast<unsigned>(std::min<std::uint64_t>(max_coarse, ~0u)));
   list.set("fill", 0);
-  list.dispatch_linear(groups_of(8 * count, 64));
+  list.dispatch_linear_over(invocations_per_gaussian * count);
   const Program& scan = programs["scan"];
   scan.set("tiles", static_cast<int>(tile_count));
   scan.dispatch(1);
 
-  std::array<std::uint32_t, 3> totals{};
-  totals_.download(std::span<std::uint32_t>(totals));
-  used_ = totals[0];
-  const std::uint64_t bytes = std::uint64_t{totals[1]} * sizeof(std::uint32_t);
-  if (totals[2] > max_coarse || bytes > static_cast<std::uint64_t>(max_bytes)) {
+  TileTotals totals;
+  totals_.download(std::span(&totals, 1));
+  used_ = totals.used;
+  const std::uint64_t bytes = std::uint64_t{totals.entries} * sizeof(std::uint32_t);
+  if (totals.coarse > max_coarse || bytes > static_cast<std::uint64_t>(max_bytes)) {
     throw OutOfMemory("the Gaussians of all tiles do not fit into device memory");
   }
   entries_.reserve(bytes);
   entries_.bind(6);
   list.set("fill", 1);
-  list.dispatch_linear(groups_of(8 * count, 64));
+  list.dispatch_linear_over(invocations_per_gaussian * count);
   const Program& sort = programs["sort_list"];
   sort.set("tiles", static_cast<unsigned>(tile_count));
   sort.dispatch_linear(tile_count);

@@ -23,7 +23,7 @@ class MediumBuffers {
   Revision revision_ = 0;  // of the index
   std::size_t count_ = 0;
   Buffer centers_;  // x y z per Gaussian, double
-  Buffer shapes_;   // a, scale, cutoff, cutoff radius per Gaussian
+  Buffer shapes_;   // GaussianShape
 };
 
 // Tile binning on the device: for every tile the Gaussians that its rays may meet; Tiles::Lists in
@@ -38,7 +38,7 @@ class TileLists {
   [[nodiscard]] std::size_t used() const { return used_; }  // Gaussians in any list
   [[nodiscard]] const glm::ivec2& tiles() const { return tiles_; }
   [[nodiscard]] const glm::ivec2& sample_film() const { return sample_film_; }
-  Buffer& seen() { return seen_; }        // Gaussians relative to the eye; see project.glsl
+  Buffer& seen() { return seen_; }        // SeenGaussian per Gaussian
   Buffer& offsets() { return offsets_; }  // start of each list
   Buffer& entries() { return entries_; }
 

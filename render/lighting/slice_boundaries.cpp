@@ -17,8 +17,9 @@ void add_equi_angular(const SlicedLight& light, const TileCone& rays, const RayR
                       int count, std::vector<double>& boundaries) {
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
   // what is near the light if the medium is endless.
-  const double near = 16.0 * glm::length(light.position - (rays.eye + range.begin * rays.center));
-  const double min_distance = 0.25 * std::min(range.end - range.begin, near) / count;
+  const double near =
+      light_distances * glm::length(light.position - (rays.eye + range.begin * rays.center));
+  const double min_distance = light_slice_share * std::min(range.end - range.begin, near) / count;
   PointLightRay<double> path(light.position, rays.eye, rays.center,
                              std::max(light.h_min, min_distance));
   path.ts = rays.nearest_pass(light.position - rays.eye).t;
@@ -35,12 +36,10 @@ double line_depth(double peak, double r) {
   return std::sqrt(std::numbers::pi) * peak * r;
 }
 
-// Opaque Gaussians need slices out to where the tail has this optical depth.
-constexpr double tail_depth = 0.02;
-
 // Distance from the center up to which a Gaussian of radius r and density c needs slices.
 double core_radius(double r, double c) {
-  return line_depth(c, r) < slice_opaque ? 2.0 * r : cutoff_radius(r, c, tail_depth);
+  return line_depth(c, r) < slice_opaque ? slice_demand::core_radii * r
+                                         : cutoff_radius(r, c, slice_demand::tail_depth);
 }
 
 // How a tile's rays pass a Gaussian of exponent g.a^2 at q relative to the eye, and where it needs
@@ -72,13 +71,14 @@ class SliceDemand {
 
   // A Gaussian of radius r whose density is `peak` where the ray passes it at t.
   void add(double t, double r, double peak) {
-    add_box(t, 1.5 * r, 0.59 * peak, peak / (r * r));  // with the Gaussian's integral
+    using namespace slice_demand;
+    add_box(t, box_radii * r, box_share * peak, peak / (r * r));
     if (line_depth(peak, r) < slice_opaque) return;
     const double last = cutoff_radius(r, peak, tail_depth) / r;
-    for (double k = 1.5; k < last; k += 0.5) {
-      const double middle = k + 0.25;
+    for (double k = box_radii; k < last; k += tail_step) {
+      const double middle = k + 0.5 * tail_step;
       const double density = peak * std::exp(-middle * middle);
-      add_box(t, (k + 0.5) * r, density, 4.0 * middle * middle * density / (r * r));
+      add_box(t, (k + tail_step) * r, density, 4.0 * middle * middle * density / (r * r));
     }
   }
 
@@ -94,13 +94,15 @@ class SliceDemand {
     for (std::size_t i = 0; i < bins; ++i) {
       rate += rate_[i];
       curvature += curvature_[i];
-      demand[i] = std::cbrt(std::max(curvature, 0.0) / (1.0 + std::clamp(depth, 0.0, 4.0)));
+      demand[i] = std::cbrt(std::max(curvature, 0.0) /
+                            (1.0 + std::clamp(depth, 0.0, slice_demand::max_front_depth)));
       // Behind that much only rays are seen that pass beside it.
       if (depth > slice_opaque) demand[i] *= slice_opaque / depth;
       depth += rate * width_;
       sum += demand[i];
     }
-    const double uniform = sum > 0.0 ? 0.3 * sum / static_cast<double>(bins) : 1.0;
+    const double uniform =
+        sum > 0.0 ? slice_demand::uniform_share * sum / static_cast<double>(bins) : 1.0;
     sum += uniform * static_cast<double>(bins);
     boundaries.push_back(begin_);
     double reached = 0.0;
@@ -189,7 +191,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
   boundaries.push_back(whole.end);
   if (!extent.empty()) {
     if (!core.empty()) {
-      SliceDemand demand(core, 4 * slices);
+      SliceDemand demand(core, slice_demand::bins_per_slice * slices);
       for (const std::uint32_t i : gaussians) {
         const GaussianTerm<double>& g = medium.gaussians()[i];
         const glm::dvec3 q = g.b - rays.eye;
@@ -210,7 +212,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const double ts = glm::dot(q, w);
     const double h = glm::length(q - ts * w);
     const double gap = std::max({lit.begin - ts, ts - lit.end, 0.0});
-    if (lit.empty() || std::hypot(gap, h) > 0.5 * (lit.end - lit.begin)) continue;
+    if (lit.empty() || std::hypot(gap, h) > near_light_share * (lit.end - lit.begin)) continue;
     add_equi_angular(light, rays, lit, slices_per_light(slices, lights.size()), boundaries);
   }
   if (b0 > 0.0) {
@@ -221,12 +223,12 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     }
   }
   std::sort(boundaries.begin(), boundaries.end());
-  // Float tells no more apart.
-  const double min_gap = 1e-9 * (whole.end - whole.begin);
-  boundaries.erase(
-      std::unique(boundaries.begin(), boundaries.end(),
-                  [min_gap](double a, double b) { return b - a < std::max(min_gap, 1e-6 * b); }),
-      boundaries.end());
+  const double min_gap = min_gap_of_range * (whole.end - whole.begin);
+  boundaries.erase(std::unique(boundaries.begin(), boundaries.end(),
+                               [min_gap](double a, double b) {
+                                 return b - a < std::max(min_gap, min_gap_of_distance * b);
+                               }),
+                   boundaries.end());
 }
 
 }  // namespace brume

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -105,7 +106,7 @@ struct MapPosition {
     V v;
     if (map.octahedral) {
       const V sum = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
-      const V inverse = hn::Div(one, hn::Max(sum, set(1e-30f)));
+      const V inverse = hn::Div(one, hn::Max(sum, set(coefficient::tiny)));
       const V x = hn::Mul(q.x, inverse);
       const V y = hn::Mul(q.y, inverse);
       const auto below = hn::Lt(q.z, hn::Zero(d));
@@ -116,8 +117,8 @@ struct MapPosition {
         return dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)});
       };
       // Behind the light there is nothing of interest; the border of the map answers.
-      const V depth = hn::Max(along(map.axis), hn::Mul(set(1e-3f), distance));
-      const V inverse = hn::Div(one, hn::Max(depth, set(1e-30f)));
+      const V depth = hn::Max(along(map.axis), hn::Mul(set(DirectionMap::min_cosine), distance));
+      const V inverse = hn::Div(one, hn::Max(depth, set(coefficient::tiny)));
       u = hn::MulAdd(hn::Mul(along(map.right), inverse), set(map.scale.x), set(map.offset.x));
       v = hn::MulAdd(hn::Mul(along(map.up), inverse), set(map.scale.y), set(map.offset.y));
     }
@@ -125,7 +126,7 @@ struct MapPosition {
     const auto in_cells = [&](V along, int count) HWY_ATTR {
       const auto cells = static_cast<float>(count);
       const V x = hn::MulAdd(along, set(0.5f * cells), set(0.5f * cells + 0.5f));
-      return hn::Min(hn::Max(x, hn::Zero(d)), set(cells + 0.999f));
+      return hn::Min(hn::Max(x, hn::Zero(d)), set(cells + DirectionMap::border_share));
     };
     const V x = in_cells(u, map.columns);
     const V y = in_cells(v, map.rows);
@@ -153,7 +154,7 @@ HWY_INLINE V Lookup(const OpticalDepthTable::View& table, const Vector& q, V dis
   const V beyond = hn::Max(hn::Sub(distance, set(table.first_radius)), hn::Zero(d));
   V r = hn::Mul(beyond, set(table.radii_per_unit));
   if (table.curvature > 0.0f) r = hn::Div(r, hn::MulAdd(set(table.curvature), beyond, set(1.0f)));
-  r = hn::Min(r, set(static_cast<float>(table.radii) - 1.001f));
+  r = hn::Min(r, set(static_cast<float>(table.radii) - coefficient::table_end));
   const auto ri = hn::ConvertTo(di, r);
   const V fr = hn::Sub(r, hn::ConvertTo(d, ri));
   const auto first = hn::Add(hn::Mul(position.cell, hn::Set(di, table.radii)), ri);
@@ -213,14 +214,15 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
   const V h = hn::Sqrt(h2);
   const V crosses = hn::Mul(h, width);
   const V ratio = hn::Div(crosses, dots);
-  const auto small = hn::And(hn::Gt(dots, hn::Zero(d)), hn::Lt(ratio, set(0.4f)));
+  const auto small =
+      hn::And(hn::Gt(dots, hn::Zero(d)), hn::Lt(ratio, set(coefficient::atan_small_end)));
   const V near_one = Horner(d, hn::Mul(ratio, ratio), coefficient::atan_small);
-  const V direct = hn::Div(near_one, hn::Max(dots, set(1e-30f)));
+  const V direct = hn::Div(near_one, hn::Max(dots, set(coefficient::tiny)));
   if (hn::AllTrue(d, small)) return direct;
-  const V acute = hn::Atan(d, hn::Div(crosses, hn::Max(hn::Abs(dots), set(1e-30f))));
-  const V angle =
-      hn::IfThenElse(hn::Ge(dots, hn::Zero(d)), acute, hn::Sub(set(3.14159265f), acute));
-  const V wide = hn::Div(angle, hn::Max(crosses, set(1e-30f)));
+  const V acute = hn::Atan(d, hn::Div(crosses, hn::Max(hn::Abs(dots), set(coefficient::tiny))));
+  const V angle = hn::IfThenElse(hn::Ge(dots, hn::Zero(d)), acute,
+                                 hn::Sub(set(std::numbers::pi_v<float>), acute));
+  const V wide = hn::Div(angle, hn::Max(crosses, set(coefficient::tiny)));
   return hn::IfThenElse(small, direct, wide);
 }
 
@@ -242,9 +244,10 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
       const V exponent = hn::MulAdd(per_depth, gaussians, fog);
       const V left = hn::Mul(passes, hn::Exp(d, hn::Neg(exponent)));
       // The mean of exp(-exponent x) over x in [0, 1], times what passes.
-      const V mean = hn::IfThenElse(hn::Lt(exponent, set(1e-2f)),
-                                    hn::NegMulAdd(hn::Mul(set(0.5f), exponent), passes, passes),
-                                    hn::Div(hn::Sub(passes, left), hn::Max(exponent, set(1e-30f))));
+      const V mean =
+          hn::IfThenElse(hn::Lt(exponent, set(coefficient::small_exponent)),
+                         hn::NegMulAdd(hn::Mul(set(0.5f), exponent), passes, passes),
+                         hn::Div(hn::Sub(passes, left), hn::Max(exponent, set(coefficient::tiny))));
       sum = hn::MulAdd(mean, hn::Add(gaussians, fog), sum);
       passes = left;
       begin = end;
@@ -278,7 +281,8 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
                      set(lights[l].position.z)};
       ts[l] = dot(s, w);
       const Vector gap = minus(s, ts[l], w);
-      h2[l] = hn::Max(dot(gap, gap), set(std::max(lights[l].h_min * lights[l].h_min, 1e-30f)));
+      h2[l] = hn::Max(dot(gap, gap),
+                      set(std::max(lights[l].h_min * lights[l].h_min, coefficient::tiny)));
       sum[l] = zero;
     }
     V depth = zero;
@@ -289,13 +293,14 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), zero);
       const V increment = hn::MulAdd(set(b0), width, gaussians);
       const V next_depth = hn::Add(depth, increment);
-      const auto matters = hn::And(hn::Gt(increment, set(negligible)), hn::Lt(depth, set(20.0f)));
+      const auto matters = hn::And(hn::Gt(increment, set(negligible)),
+                                   hn::Lt(depth, set(coefficient::visible_depth)));
       if (shares.of_slices) hn::StoreU(zero, d, shares.of_slices + k * stride + i);
       if (!hn::AllFalse(d, matters)) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
         const V lost = hn::Mul(
             hn::Exp(d, hn::Neg(depth)),
-            hn::IfThenElse(hn::Lt(increment, set(1e-3f)),
+            hn::IfThenElse(hn::Lt(increment, set(coefficient::small_increment)),
                            hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
                            hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
         if (shares.of_slices) {

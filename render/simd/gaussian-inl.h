@@ -11,6 +11,8 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <numbers>
+
 #include "render/simd/coefficients.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -119,7 +121,7 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
                              pair(0.6612093864662645137, 0.3607615730481386076)),
                      pair(0.9324695142031520278, 0.1713244923791703450));
     }
-    const V value = hn::Mul(hn::Set(d, T(0.56418958354775628695)), hn::Mul(k, mean));
+    const V value = hn::Mul(hn::Set(d, T(std::numbers::inv_sqrtpi)), hn::Mul(k, mean));
     sum = hn::IfThenElse(is_short, value, sum);
   }
   return sum;
@@ -129,7 +131,7 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
 // light on the ray and `distance` from it.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V CosTheta(D d, V along, V distance) {
-  const V min_value = hn::Set(d, hn::TFromD<D>(1e-30));
+  const V min_value = hn::Set(d, hn::TFromD<D>(coefficient::tiny));
   return hn::Neg(hn::Div(along, hn::Max(distance, min_value)));
 }
 
@@ -167,7 +169,8 @@ struct Crossing {
     const V k = hn::Mul(a, length);
     const V first = hn::Exp(d, hn::Neg(hn::MulAdd(u0, u0, e)));
     const V second = hn::Exp(d, hn::Neg(hn::MulAdd(u1, u1, e)));
-    const V mass = hn::Max(hn::Mul(hn::Set(d, 1.77245385f), depth), hn::Set(d, 1e-37f));
+    const V mass = hn::Max(hn::Mul(hn::Set(d, static_cast<float>(coefficient::sqrt_pi)), depth),
+                           hn::Set(d, coefficient::tiny_square));
     const V mean = hn::Add(t0, hn::Div(hn::Div(hn::Sub(first, second), mass), a));
     // That cancels on a short segment: from its middle, by the density's slope there.
     const V m = hn::Mul(hn::Set(d, 0.5f), hn::Add(u0, u1));
@@ -175,7 +178,8 @@ struct Crossing {
     const V k2 = hn::Mul(k, k);
     const V bend = hn::MulAdd(hn::Mul(m, m), k2, k2);
     const V shift = hn::Mul(hn::Mul(m, hn::Mul(k, length)),
-                            hn::NegMulAdd(bend, hn::Set(d, 1.0f / 90.0f), hn::Set(d, 1.0f / 6.0f)));
+                            hn::NegMulAdd(bend, hn::Set(d, coefficient::mean_shift[1]),
+                                          hn::Set(d, coefficient::mean_shift[0])));
     const V near_center = hn::Sub(hn::Mul(hn::Set(d, 0.5f), length), shift);
     const auto is_short = hn::Lt(hn::Mul(k, reach), hn::Set(d, 1.0f));
     // Where all underflows the quotient says nothing; half a Gaussian's mean is within 1 / a.

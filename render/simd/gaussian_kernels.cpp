@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "render/geometry/ray_range.h"
+
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/simd/gaussian_kernels.cpp"
@@ -133,7 +135,8 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
         // The path is as long as it is; only the falloff has a least distance (PointLightRay).
         const V h2 = hn::Max(gap2[l], set(lights.h_min[l] * lights.h_min[l]));
         const V distance2 = hn::MulAdd(along, along, h2);
-        const V distance = hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2[l]), set(1e-30f)));
+        const V distance =
+            hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2[l]), set(coefficient::tiny)));
         const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
         const Vector to_light = minus(s, t, w);
         const V inverse = hn::Div(set(1.0f), distance);
@@ -197,25 +200,25 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
   const V zero = hn::Zero(d);
   const Vector s{set(light.x), set(light.y), set(light.z)};
   const V minus_b0 = set(-b0);
-  // The angle that the rule takes at once next to the phase function's peak.
-  const float first_panel = 4.0f * (1.0f - std::abs(anisotropy));
+  const float first_panel = coefficient::fog_panel * (1.0f - std::abs(anisotropy));
   const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(pi / first_panel))));
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
     const Vector w = LoadDirection(rays, k);
     const V ts = dot(s, w);
     const Vector gap = minus(s, ts, w);
     // A light on the ray needs some distance from it; see PointLightRay.
-    const V floor = hn::Max(hn::Mul(hn::Abs(ts), set(1e-6f)), set(1e-15f));
+    const V floor = hn::Max(hn::Mul(hn::Abs(ts), set(coefficient::light_rounding)),
+                            set(coefficient::min_light_gap));
     const V h = hn::Max(hn::Max(hn::Sqrt(dot(gap, gap)), set(h_min)), floor);
     const V start2 = hn::MulAdd(ts, ts, hn::Mul(h, h));
     // Light travels the true distance; only its falloff has a least one.
     const V gap2 = dot(gap, gap);
     const V start = hn::Sqrt(hn::MulAdd(ts, ts, gap2));
-    // Past this point the path is longer than the shortest one by a depth of 10.
-    const V longer = set(10.0f / b0);
+    // Past this point the path is longer than the shortest one by too much.
+    const V longer = set(coefficient::fog_detour_depth / b0);
     const V longest = hn::Add(start, longer);
     // start - ts, which cancels for a light straight ahead.
-    const V ahead = hn::Max(hn::Add(start, ts), set(1e-30f));
+    const V ahead = hn::Max(hn::Add(start, ts), set(coefficient::tiny));
     const V detour = hn::IfThenElse(hn::Gt(ts, zero), hn::Div(gap2, ahead), hn::Sub(start, ts));
     const V cutoff_radius = hn::Div(hn::Mul(longer, hn::Add(longest, start)),
                                     hn::Mul(set(2.0f), hn::Add(longer, detour)));
@@ -223,7 +226,8 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     // The angle at the light between start and end.
     const V opposite = hn::Mul(h, end);
     const V adjacent = hn::NegMulAdd(ts, end, start2);
-    const V acute = hn::Atan(d, hn::Div(opposite, hn::Max(hn::Abs(adjacent), set(1e-30f))));
+    const V acute =
+        hn::Atan(d, hn::Div(opposite, hn::Max(hn::Abs(adjacent), set(coefficient::tiny))));
     const V span = hn::IfThenElse(hn::Ge(adjacent, zero), acute, hn::Sub(set(pi), acute));
     // A forward peak of the phase function lies at angle 0 between light and view, a backward one
     // at pi: panels double from there.
@@ -232,7 +236,8 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     V mean = zero;
     for (int panel = 0; panel < panels; ++panel) {
       const auto until = [&](int count) HWY_ATTR {
-        const V angle = count == panels ? set(4.0f) : set(std::ldexp(first_panel, count - 1));
+        const V angle =
+            count == panels ? set(coefficient::fog_panel) : set(std::ldexp(first_panel, count - 1));
         return hn::Min(hn::Max(hn::Sub(angle, before), zero), span);
       };
       const V from = panel == 0 ? zero : until(panel);
@@ -244,7 +249,7 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
         const V phi = anisotropy < 0.0f ? hn::Sub(span, angle) : angle;
         const V sine = hn::Sin(d, phi);
         const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
-        const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(1e-30f)));
+        const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(coefficient::tiny)));
         const V along = hn::Sub(t, ts);
         const V distance = hn::Sqrt(hn::MulAdd(along, along, gap2));
         V value = hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance)));
@@ -301,7 +306,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     z[k] = b.z;
     a[k] = static_cast<float>(g.a);
     // Deeper than this is opaque all the same, and float has room for its sums and products.
-    scale[k] = static_cast<float>(std::min(g.c / g.a * 0.886226925452758, 1e20));
+    scale[k] = static_cast<float>(std::min(g.c / g.a * (0.5 * coefficient::sqrt_pi), 1e20));
     cutoff[k] = static_cast<float>(cutoff_radius * cutoff_radius);
     index[k] = static_cast<std::int32_t>(indices[k]);
   }
@@ -314,7 +319,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
   }
   const glm::vec3 cell(bend.cell(origin));
   noise = {static_cast<float>(bend.amplitude() / noise_lattice::rms),
-           static_cast<float>(std::min(bend.frequency(), 1e30)),
+           static_cast<float>(std::min(bend.frequency(), endless)),
            cell.x,
            cell.y,
            cell.z,

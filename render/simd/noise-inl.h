@@ -35,12 +35,12 @@ struct LatticeAxis {
     node[0] = hn::ShiftLeft<kShift>(hn::And(number, last));
     node[1] = hn::ShiftLeft<kShift>(hn::And(hn::Add(number, hn::Set(du, 1)), last));
     const V square = hn::Mul(f, f);
-    constexpr float fade[] = {6.0f, -15.0f, 10.0f};
-    weight[1] = hn::Mul(hn::Mul(square, f), Horner(d, f, fade));
+    weight[1] = hn::Mul(hn::Mul(square, f), Horner(d, f, noise_lattice::fade));
     weight[0] = hn::Sub(one, weight[1]);
     offset[0] = f;
     offset[1] = hn::Sub(f, one);
-    slope[1] = hn::Mul(hn::Mul(hn::Set(d, 30.0f), square), hn::Mul(offset[1], offset[1]));
+    slope[1] = hn::Mul(hn::Mul(hn::Set(d, noise_lattice::fade_slope), square),
+                       hn::Mul(offset[1], offset[1]));
     slope[0] = hn::Neg(slope[1]);
   }
 };
@@ -48,9 +48,10 @@ struct LatticeAxis {
 // noise_lattice::hash().
 template <class DU, class VU = hn::Vec<DU>>
 HWY_INLINE VU LatticeHash(DU du, VU x) {
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), hn::Set(du, 0x7feb352dU));
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), hn::Set(du, 0x846ca68bU));
-  return hn::Xor(x, hn::ShiftRight<16>(x));
+  using noise_lattice::hash_factors, noise_lattice::hash_shifts;
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<hash_shifts[0]>(x)), hn::Set(du, hash_factors[0]));
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<hash_shifts[1]>(x)), hn::Set(du, hash_factors[1]));
+  return hn::Xor(x, hn::ShiftRight<hash_shifts[2]>(x));
 }
 
 // The gradient of w . A at the point t w, per cell.
@@ -59,7 +60,7 @@ HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w,
   const hn::RebindToUnsigned<D> du;
   constexpr int bits_per_axis = std::countr_zero(static_cast<unsigned>(RayNoise::period));
   // Beyond this float tells no cells apart, and more would not fit the nodes' numbers.
-  const V max_value = hn::Set(d, 1e9f);
+  const V max_value = hn::Set(d, coefficient::max_lattice_distance);
   const V along =
       hn::Max(hn::Min(hn::Mul(hn::Set(d, noise.frequency), t), max_value), hn::Neg(max_value));
   const LatticeAxis<0, D> x(d, hn::MulAdd(along, w.x, hn::Set(d, noise.x)));

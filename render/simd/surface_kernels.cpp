@@ -53,8 +53,8 @@ HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
 // Unit, or 0 where `v` is too short to tell.
 HWY_INLINE Vector normalized(const Vector& v) {
   const V square = dot(v, v);
-  const V inverse = hn::Div(set(1.0f), hn::Sqrt(hn::Max(square, set(1e-37f))));
-  return times(hn::IfThenElseZero(hn::Gt(square, set(1e-37f)), inverse), v);
+  const V inverse = hn::Div(set(1.0f), hn::Sqrt(hn::Max(square, set(coefficient::tiny_square))));
+  return times(hn::IfThenElseZero(hn::Gt(square, set(coefficient::tiny_square)), inverse), v);
 }
 HWY_INLINE Vector choose(hn::Mask<D> mask, const Vector& yes, const Vector& no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
@@ -115,7 +115,7 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position, LightA
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
     const Vector q = minus(load(points.position, i), set(position));
     const V square = dot(q, q);
-    const auto apart = hn::Gt(square, set(1e-30f));
+    const auto apart = hn::Gt(square, set(coefficient::tiny));
     const V inverse = hn::IfThenElseZero(apart, hn::Div(set(1.0f), hn::Sqrt(square)));
     const Vector from_light = times(inverse, q);
     hn::StoreU(from_light.x, d, light.paths.x.data() + i);
@@ -153,8 +153,9 @@ void AddDirectLight(const SurfacePoints& points, const LightAtPoints& light,
     // w mirrored at the normal, times the direction to the eye.
     const V r =
         hn::MulAdd(hn::Add(cosine, cosine), dot(load(points.normal, i), to_eye), dot(w, to_eye));
-    const V lobe = hn::Exp(
-        d, hn::Mul(set(shading.exponent), hn::Log(d, hn::Min(hn::Max(r, set(1e-30f)), set(1.0f)))));
+    const V lobe =
+        hn::Exp(d, hn::Mul(set(shading.exponent),
+                           hn::Log(d, hn::Min(hn::Max(r, set(coefficient::tiny)), set(1.0f)))));
     add(hn::IfThenElseZero(hn::Gt(r, zero), hn::Mul(incoming, lobe)),
         shading.highlight * shading.intensity, radiance, i);
   }
@@ -200,12 +201,13 @@ void AddScatteredLight(const SurfacePoints& points, const LightAtPoints& light,
     // sh_convolve() of the light's bands with clamped_cosine_sh(), written out.
     const V x = load(light.cosine, i);
     const V x2 = hn::Mul(x, x);
-    const V p2 = hn::MulAdd(set(1.5f), x2, set(-0.5f));
-    const V p4 = hn::MulAdd(hn::MulAdd(set(4.375f), x2, set(-3.75f)), x2, set(0.375f));
-    V irradiance = hn::Mul(set(0.25f), load(factors[0], i));
-    irradiance = hn::MulAdd(hn::Mul(set(0.5f), x), load(factors[1], i), irradiance);
-    irradiance = hn::MulAdd(hn::Mul(set(0.3125f), p2), load(factors[2], i), irradiance);
-    irradiance = hn::MulAdd(hn::Mul(set(-0.09375f), p4), load(factors[4], i), irradiance);
+    const V p2 = Horner(d, x2, coefficient::legendre_2);
+    const V p4 = Horner(d, x2, coefficient::legendre_4);
+    using coefficient::irradiance_bands;
+    V irradiance = hn::Mul(set(irradiance_bands[0]), load(factors[0], i));
+    irradiance = hn::MulAdd(hn::Mul(set(irradiance_bands[1]), x), load(factors[1], i), irradiance);
+    irradiance = hn::MulAdd(hn::Mul(set(irradiance_bands[2]), p2), load(factors[2], i), irradiance);
+    irradiance = hn::MulAdd(hn::Mul(set(irradiance_bands[3]), p4), load(factors[4], i), irradiance);
     add(hn::Mul(hn::Max(irradiance, hn::Zero(d)), load(light.inverse_square, i)),
         shading.diffuse * shading.intensity, radiance, i);
   }

@@ -130,14 +130,14 @@ struct RayCaster::Impl {
 
   // A ray from far away starts at the ball around the surfaces, where float has digits for it.
   [[nodiscard]] Part to_first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
-    return {std::max(0.0, glm::dot(center - origin, direction) - 1.01 * radius)};
+    return {std::max(0.0, glm::dot(center - origin, direction) - RayCaster::start_radii * radius)};
   }
 
   // Of the way between two points, ends excluded.
   [[nodiscard]] Part between(const glm::dvec3& start, const glm::dvec3& direction,
                              double distance) const {
     const double along = glm::dot(center - start, direction);
-    const double skip = std::clamp(along - 1.01 * radius, 0.0, distance);
+    const double skip = std::clamp(along - RayCaster::start_radii * radius, 0.0, distance);
     const double margin = self_hit_margin * std::min(distance, 2.0 * radius);
     return {skip, skip > 0.0 ? 0.0 : margin, distance - skip - margin};
   }
@@ -224,7 +224,7 @@ double RayCaster::radius() const {
   return impl_->radius;
 }
 bool RayCaster::is_near(const glm::dvec3& origin) const {
-  return glm::length(origin - impl_->center) < 8.0 * impl_->radius;
+  return glm::length(origin - impl_->center) < near_radii * impl_->radius;
 }
 
 std::vector<WorldTriangle> RayCaster::triangles() const {

@@ -72,6 +72,9 @@ class RayCaster {
   // Whether rays may start here: close enough that rounding the direction moves a hit by a few
   // float roundings only. Rays from farther away start near the ball.
   [[nodiscard]] bool is_near(const glm::dvec3& origin) const;
+  // Those within so many radii of the ball, and where others start, in its radii.
+  static constexpr double near_radii = 8.0;
+  static constexpr double start_radii = 1.01;
   // Relative length by which shadow rays keep away from both ends: a few float roundings.
   static constexpr double self_hit_margin = 1e-5;
 

@@ -1,5 +1,6 @@
 // Compositing, eq. 29: airlight + transmittance * background. Background: outgoing radiance of
 // surfaces, or the environment; see behind_medium() of render/cpu/composite.
+#include "constants.glsl"
 #include "radiance_map.glsl"
 #include "rays.glsl"
 
@@ -31,7 +32,7 @@ void main() {
   vec3 radiance = on_surface ? behind[pixel.y * film.x + pixel.x].rgb : vec3(0.0);
   if (!on_surface && sky_size.x > 0) radiance = sky_radiance(ray_direction(pixel));
   // No brighter than a float may be, or black fog would make NaN of it.
-  radiance = medium.rgb + medium.a * min(radiance, vec3(1e30));
+  radiance = medium.rgb + medium.a * min(radiance, vec3(max_radiance));
   imageStore(beauty, pixel,
-             vec4(clamp(radiance, vec3(0.0), vec3(1e30)), on_surface ? 1.0 : 1.0 - medium.a));
+             vec4(clamp(radiance, vec3(0.0), vec3(max_radiance)), on_surface ? 1.0 : 1.0 - medium.a));
 }

@@ -1,11 +1,7 @@
-// Tables over directions: see DirectionMap and MapPosition in render/cpu.
-struct DirectionMap {
-  vec4 right;   // w: scale.x
-  vec4 up;      // w: scale.y
-  vec4 axis;    // w: 1 if octahedral
-  vec4 offset;  // x, y
-  ivec4 cells;  // columns, rows without the border; where its values begin
-};
+// Tables over directions: DirectionMap of render/geometry, and MapPosition of
+// render/lighting/slice_kernels.cpp.
+#include "constants.glsl"
+#include "structs.glsl"
 
 int map_stride(DirectionMap map) { return map.cells.x + 2; }
 
@@ -20,17 +16,17 @@ vec2 sign_of(vec2 p) { return vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.
 MapPosition map_position(DirectionMap map, vec3 q, float distance_) {
   vec2 uv;
   if (map.axis.w > 0.5) {
-    const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), 1e-30);
+    const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), tiny);
     uv = q.z < 0.0 ? (1.0 - abs(p.yx)) * sign_of(p.xy) : p.xy;
   } else {
     // Behind the light there is nothing of interest; the border of the map answers.
-    const float depth = max(max(dot(q, map.axis.xyz), 1e-3 * distance_), 1e-30);
+    const float depth = max(max(dot(q, map.axis.xyz), min_map_cosine * distance_), tiny);
     uv = vec2(dot(q, map.right.xyz), dot(q, map.up.xyz)) / depth *
              vec2(map.right.w, map.up.w) +
          map.offset.xy;
   }
   const vec2 cells = vec2(map.cells.xy);
-  const vec2 at = clamp(0.5 * cells * uv + 0.5 * cells + 0.5, vec2(0.0), cells + 0.999);
+  const vec2 at = clamp(0.5 * cells * uv + 0.5 * cells + 0.5, vec2(0.0), cells + map_border_share);
   const ivec2 low = ivec2(at);
   return MapPosition(low.y * map_stride(map) + low.x, at - vec2(low));
 }

@@ -30,7 +30,8 @@ vec3 compress_highlights(vec3 c) {
 
 vec3 srgb(vec3 c) {
   c = clamp(c, 0.0, 1.0);
-  return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
+  return mix(srgb_gain * pow(c, vec3(1.0 / srgb_exponent)) - srgb_offset, srgb_slope * c,
+             lessThanEqual(c, vec3(srgb_knee)));
 }
 
 void main() {

@@ -1,12 +1,13 @@
 // The pixels that the work groups of an airlight method take, and where their results go.
 #include "linear.glsl"
 #include "rays.glsl"
+#include "structs.glsl"
 
 layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; < 0: none
 layout(rgba32f, binding = 1) writeonly uniform image2D samples;   // one for scale x scale pixels
 layout(rgba32f, binding = 2) writeonly uniform image2D airlight_image;  // RGB, transmittance
 layout(r32f, binding = 3) writeonly uniform image2D pairs_image;
-// Requested exact pixels: per work group tile, first pixel and count; x + y << 16.
+// Requested exact pixels, x + y << 16, and their batches: PixelBatch.
 layout(std430, binding = 5) readonly buffer Requests { uint requests[]; };
 
 uniform ivec2 film;
@@ -30,10 +31,10 @@ PixelOfGroup pixel_of_group() {
   const uint group = linear_group();
   PixelOfGroup pixel;
   if (again != 0) {
-    const uint batch = batches_at + 3 * min(group, uint(groups - 1));
-    pixel.tile = int(requests[batch]);
-    pixel.live = group < uint(groups) && id < requests[batch + 2];
-    const uint bits = requests[requests[batch + 1] + (pixel.live ? id : 0u)];
+    const uint batch = batches_at + batch_size * min(group, uint(groups - 1));
+    pixel.tile = int(requests[batch + batch_tile]);
+    pixel.live = group < uint(groups) && id < requests[batch + batch_count];
+    const uint bits = requests[requests[batch + batch_first] + (pixel.live ? id : 0u)];
     pixel.at = ivec2(bits & 0xffffu, bits >> 16);
     pixel.sample_at = ivec2(0);
     return pixel;
@@ -51,7 +52,7 @@ float ray_length(ivec2 pixel) {
   return depth >= 0.0 ? depth : ray_end;
 }
 
-float finite(float x) { return isnan(x) ? 0.0 : clamp(x, 0.0, 1e30); }
+float finite(float x) { return isnan(x) ? 0.0 : clamp(x, 0.0, max_radiance); }
 
 void store_pixel(PixelOfGroup pixel, vec3 airlight, float depth, uint pairs) {
   if (!pixel.live) return;

@@ -2,7 +2,8 @@
 // nowhere are `endless`, so that no infinity enters a sum.
 #include "constants.glsl"
 
-const float endless = 1e30;
+// Nothing is left of erfc beyond this, where squares are still floats.
+const float erfc_end = 1e4;
 
 float erfcx_positive(float x) {
   const float t = 1.0 / (0.5 * x + 1.0);
@@ -26,9 +27,9 @@ float erf_fast(float x) {
   return z * p;
 }
 
-// exp(-e) erfc(|u|). Nothing is left of it beyond |u| = 1e4, where squares are still floats.
+// exp(-e) erfc(|u|).
 float scaled_erfc(float e, float u) {
-  const float x = min(abs(u), 1e4);
+  const float x = min(abs(u), erfc_end);
   return exp(-(x * x + e)) * erfcx_positive(x);
 }
 
@@ -44,7 +45,7 @@ float segment_integral(float e, float u0, float u1, float k) {
       const float high = m + s;
       mean += gauss_weights[i] * (exp(-(low * low + e)) + exp(-(high * high + e)));
     }
-    return 0.56418958354775628695 * k * mean;
+    return inv_sqrt_pi * k * mean;
   }
   const float first = scaled_erfc(e, u0);
   const float second = scaled_erfc(e, u1);
@@ -77,4 +78,4 @@ float henyey_greenstein(float cos_theta, float g) {
   return (1.0 - g * g) / (s * sqrt(s));
 }
 
-float cos_theta(float along, float distance_) { return -along / max(distance_, 1e-30); }
+float cos_theta(float along, float distance_) { return -along / max(distance_, tiny); }

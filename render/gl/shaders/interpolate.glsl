@@ -2,8 +2,9 @@
 // the pixels that this is not good enough for, in batches for the method to take again.
 #include "constants.glsl"
 #include "linear.glsl"
+#include "structs.glsl"
 
-layout(local_size_x = 128) in;
+layout(local_size_x = group_size) in;
 
 layout(r32f, binding = 0) readonly uniform image2D depths;  // to the surface; < 0: none
 layout(rgba32f, binding = 1) readonly uniform image2D samples;
@@ -12,13 +13,9 @@ layout(rgba32f, binding = 2) writeonly uniform image2D airlight_image;
 // The pixels nearest to lights, and where those of each tile begin: TilePixels.
 layout(std430, binding = 0) readonly buffer LightOffsets { uint light_offsets[]; };
 layout(std430, binding = 1) readonly buffer LightPixels { ivec2 light_pixels[]; };
-layout(std430, binding = 2) readonly buffer Seen { vec4 seen[]; };
+layout(std430, binding = 2) readonly buffer Seen { SeenGaussian seen[]; };
 layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
-layout(std430, binding = 4) buffer Totals {
-  uint batches;
-  uint asked_pixels;
-  float mean_square;
-};
+layout(std430, binding = 4) buffer Totals { UpsamplingTotals totals; };
 layout(std430, binding = 5) writeonly buffer Requests { uint requests[]; };
 layout(std430, binding = 6) readonly buffer Entries { uint list[]; };
 
@@ -31,8 +28,7 @@ uniform float tolerance;
 uniform int capacity;    // pixels that a tile may ask for
 uniform int batches_at;  // where batches begin in `requests`
 
-const float endless = 1e30;
-shared uint sums[128];
+shared uint sums[group_size];
 shared uint first_batch;
 
 float distance_at(ivec2 pixel) {
@@ -43,16 +39,16 @@ float distance_at(ivec2 pixel) {
 float sample_distance(ivec2 at) { return distance_at(min(at * scale, film - 1)); }
 
 // Whether two distances may belong to one surface.
-bool continuous(float a, float b) { return a == b || abs(a - b) < 0.05 * min(a, b); }
+bool continuous(float a, float b) { return a == b || abs(a - b) < continuous_share * min(a, b); }
 
 vec4 tolerated() {  // 1 / what is tolerated
-  return vec4(vec3(1.0 / max(tolerance * sqrt(mean_square), 1e-30)), 1.0 / tolerance);
+  return vec4(vec3(1.0 / max(tolerance * sqrt(totals.mean_square), tiny)), 1.0 / tolerance);
 }
 
-// How far the middle between two samples is from the line between them, from three in a row: an
-// eighth of the second difference; in units of what is tolerated.
+// How far the middle between two samples is from the line between them, from three in a row, in
+// units of what is tolerated.
 float curvature_of(vec4 a, vec4 b, vec4 c) {
-  const vec4 d = abs(a + c - 2.0 * b) * tolerated() * 0.125;
+  const vec4 d = abs(a + c - 2.0 * b) * tolerated() * middle_per_second_difference;
   return max(max(d.x, d.y), max(d.z, d.w));
 }
 
@@ -68,8 +64,7 @@ float curvature_along(ivec2 at, ivec2 step_) {
 
 // Error of linear interpolation beside a sample.
 float curvature(ivec2 at) {
-  // With fewer than three in a row nothing tells.
-  float max_value = sample_film.x < 3 || sample_film.y < 3 ? 2.0 : 0.0;
+  float max_value = sample_film.x < 3 || sample_film.y < 3 ? unknown_curvature : 0.0;
   if (at.x > 0 && at.x + 1 < sample_film.x) max_value = max(max_value, curvature_along(at, ivec2(1, 0)));
   if (at.y > 0 && at.y + 1 < sample_film.y) max_value = max(max_value, curvature_along(at, ivec2(0, 1)));
   return max_value;
@@ -144,7 +139,7 @@ vec4 value_at(Surroundings s, ivec2 pixel) {
 float depth_tolerance(int tile) {
   float min_value = b0 > 0.0 ? free_paths_per_tolerance * tolerance / b0 : endless;
   for (uint k = offsets[tile]; k < offsets[tile + 1]; ++k) {
-    min_value = min(min_value, radii_per_tolerance * tolerance / seen[2 * list[k]].w);
+    min_value = min(min_value, radii_per_tolerance * tolerance / seen[list[k]].a);
   }
   return min_value;
 }
@@ -277,14 +272,14 @@ void main() {
   const uint own = uint(bitCount(left));
   // Pixels are listed cell by cell, so that neighbours share their slices.
   sums[id] = own;
-  for (int step_ = 1; step_ < 128; step_ *= 2) {
+  for (int step_ = 1; step_ < group_size; step_ *= 2) {
     barrier();
     const uint before = id >= step_ ? sums[id - step_] : 0u;
     barrier();
     sums[id] += before;
   }
   barrier();
-  const uint all_ = sums[127];
+  const uint all_ = sums[group_size - 1];
   const uint begin = uint(tile * capacity);
   uint place = begin + sums[id] - own;
   const int columns = cell.end.x - cell.begin.x;
@@ -293,16 +288,17 @@ void main() {
     const ivec2 pixel = cell.begin + ivec2(k % columns, k / columns);
     requests[place++] = uint(pixel.x | pixel.y << 16);
   }
-  const uint groups = (all_ + 127u) / 128u;
+  const uint group = uint(group_size);
+  const uint groups = (all_ + group - 1u) / group;
   if (id == 0 && all_ > 0u) {
-    first_batch = atomicAdd(batches, groups);
-    atomicAdd(asked_pixels, all_);
+    first_batch = atomicAdd(totals.batches, groups);
+    atomicAdd(totals.asked_pixels, all_);
   }
   barrier();
-  for (uint k = uint(id); k < groups; k += 128u) {
-    const uint batch = uint(batches_at) + 3u * (first_batch + k);
-    requests[batch] = uint(tile);
-    requests[batch + 1u] = begin + 128u * k;
-    requests[batch + 2u] = min(all_ - 128u * k, 128u);
+  for (uint k = uint(id); k < groups; k += group) {
+    const uint batch = uint(batches_at) + uint(batch_size) * (first_batch + k);
+    requests[batch + batch_tile] = uint(tile);
+    requests[batch + batch_first] = begin + group * k;
+    requests[batch + batch_count] = min(all_ - group * k, group);
   }
 }

@@ -2,16 +2,6 @@
 #include "direction_map.glsl"
 #include "gaussian.glsl"
 
-struct Light {
-  vec4 position;   // relative to the eye, or the middle of the surfaces; h_min
-  vec4 intensity;  // RGB; how much nearer than a shadow's caster still is lit, as a share
-  vec4 radii;      // of the table: first, per unit, number, bend; see TableRadii
-  vec4 depths;     // the greatest of the table
-  ivec4 has;       // a table, a shadow map
-  DirectionMap table;
-  DirectionMap shadows;
-};
-
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
 
@@ -20,12 +10,12 @@ uniform int light_count;
 // The depth of a light's table at a point relative to it, `distance_` from it.
 float table_depth(int l, vec3 q, float distance_) {
   const MapPosition at = map_position(lights[l].table, q, distance_);
-  const vec4 radii = lights[l].radii;
-  const float beyond = max(distance_ - radii.x, 0.0);
-  const float r = min(beyond * radii.y / (1.0 + radii.w * beyond), radii.z - 1.001);
+  const int size = lights[l].radii;
+  const float beyond = max(distance_ - lights[l].first_radius, 0.0);
+  const float r = min(beyond * lights[l].radii_per_unit / (1.0 + lights[l].curvature * beyond),
+                      float(size) - table_end);
   const int low = int(r);
   const float f = r - float(low);
-  const int size = int(radii.z);
   const int row = map_stride(lights[l].table) * size;
   const int first = lights[l].table.cells.z + at.cell * size + low;
   const vec2 a = unpackUnorm2x16(tables[first]);
@@ -33,7 +23,7 @@ float table_depth(int l, vec3 q, float distance_) {
   const vec2 c = unpackUnorm2x16(tables[first + row]);
   const vec2 d = unpackUnorm2x16(tables[first + row + size]);
   const vec2 both = mix(mix(a, b, at.f.x), mix(c, d, at.f.x), at.f.y);
-  return lights[l].depths.x * mix(both.x, both.y, f);
+  return lights[l].max_depth * mix(both.x, both.y, f);
 }
 
 // The mean of 1 / r^2 over t in [ts + a, ts + b] for a light at distance sqrt(h2) from the ray.
@@ -41,13 +31,13 @@ float mean_inverse_square(float a, float b, float h2) {
   const float dots = a * b + h2;
   const float crosses = sqrt(h2) * (b - a);
   const float ratio = crosses / dots;
-  if (dots > 0.0 && ratio < 0.4) {
+  if (dots > 0.0 && ratio < atan_small_end) {
     const float y = ratio * ratio;
     float p = atan_small_coefficients[0];
     for (int i = 1; i < atan_small_coefficients.length(); ++i) {
       p = p * y + atan_small_coefficients[i];
     }
-    return p / max(dots, 1e-30);
+    return p / max(dots, tiny);
   }
-  return atan(crosses, dots) / max(crosses, 1e-30);
+  return atan(crosses, dots) / max(crosses, tiny);
 }

@@ -4,7 +4,7 @@
 #include "linear.glsl"
 #include "slice_nodes.glsl"
 
-layout(local_size_x = 128) in;
+layout(local_size_x = group_size) in;
 
 layout(r32f, binding = 4) writeonly uniform image2D slice_nodes;
 layout(std430, binding = 5) readonly buffer Chosen { float chosen[]; };  // see choose_slices.glsl
@@ -53,7 +53,7 @@ void main() {
     }
   }
   for (int j = 0; j < lists; ++j) {
-    for (int i = id; i < counts[j]; i += 128) {
+    for (int i = id; i < counts[j]; i += group_size) {
       const float value = chosen[firsts[j] + i];
       int rank = i;
       for (int other = 0; other < lists; ++other) {
@@ -66,7 +66,7 @@ void main() {
   const int count = lists > 0 ? (total + lists - 1) / lists : 0;
   const int place = node * (stride + 1);
   if (id == 0) imageStore(slice_nodes, node_texel(place), vec4(float(count)));
-  for (int k = id; k < stride && lists > 0; k += 128) {
+  for (int k = id; k < stride && lists > 0; k += group_size) {
     float value = 0.0;
     for (int j = 0; j < lists; ++j) value += merged[min(lists * k + j, total - 1)];
     value /= float(lists);

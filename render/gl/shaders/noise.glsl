@@ -7,9 +7,9 @@ uniform vec3 noise_cell;        // of the eye
 uniform uint noise_key;
 
 uint lattice_hash(uint x) {
-  x = (x ^ (x >> 16)) * 0x7feb352du;
-  x = (x ^ (x >> 15)) * 0x846ca68bu;
-  return x ^ (x >> 16);
+  x = (x ^ (x >> hash_shifts[0])) * hash_factors[0];
+  x = (x ^ (x >> hash_shifts[1])) * hash_factors[1];
+  return x ^ (x >> hash_shifts[2]);
 }
 
 float signed_by(float value, uint bits, int shift) {
@@ -18,13 +18,14 @@ float signed_by(float value, uint bits, int shift) {
 
 // The gradient of w . A at the point t w, per cell.
 vec3 potential_gradient(vec3 w, float t) {
-  const float along = clamp(noise_frequency * t, -1e9, 1e9);
+  const float along = clamp(noise_frequency * t, -max_lattice_distance,
+                           max_lattice_distance);
   const vec3 cell = along * w + noise_cell;
   const vec3 low = floor(cell);
   const vec3 f = cell - low;
   const uvec3 node = uvec3(ivec3(low));
-  const vec3 fade = f * f * f * ((6.0 * f - 15.0) * f + 10.0);
-  const vec3 rise = 30.0 * f * f * (f - 1.0) * (f - 1.0);
+  const vec3 fade = f * f * f * ((noise_fade[0] * f + noise_fade[1]) * f + noise_fade[2]);
+  const vec3 rise = noise_fade_slope * f * f * (f - 1.0) * (f - 1.0);
   const uint last = uint(noise_period - 1);
   vec3 sum = vec3(0.0);
   for (int corner_ = 0; corner_ < 8; ++corner_) {

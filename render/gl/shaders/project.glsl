@@ -1,21 +1,17 @@
-// Every Gaussian as the eye sees it, and the tiles that its reach may touch: CameraRays::bounds()
+// Every Gaussian as the eye sees it, and the tiles that its cutoff sphere may touch: CameraRays::bounds()
 // and Tiles::lists().
 #include "linear.glsl"
 #include "constants.glsl"
+#include "structs.glsl"
 
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Centers { double centers[]; };  // x y z of each
-layout(std430, binding = 1) readonly buffer Shapes { vec4 shapes[]; };  // a, scale, cutoff, reach
-// Two vectors per Gaussian: b - eye, a; scale, cutoff, cutoff before displacement, cutoff radius.
-layout(std430, binding = 2) writeonly buffer Seen { vec4 seen[]; };
+layout(std430, binding = 1) readonly buffer Shapes { GaussianShape shapes[]; };
+layout(std430, binding = 2) writeonly buffer Seen { SeenGaussian seen[]; };
 // [x0, x1) x [y0, y1) in tiles: x0 + y0 << 16, x1 + y1 << 16.
 layout(std430, binding = 3) writeonly buffer Rectangles { uvec2 rectangles[]; };
-layout(std430, binding = 4) buffer Totals {
-  uint used;     // Gaussians in any list
-  uint entries;  // of all lists
-  uint coarse;   // entries / 256 of each, rounded up
-};
+layout(std430, binding = 4) buffer Totals { TileTotals totals; };
 
 uniform uint count;
 uniform dvec3 eye;
@@ -46,25 +42,25 @@ dvec2 covered(double x, double z, double radius, double half_size) {
 }
 
 int first_pixel(double s, int size) {
-  return int(ceil(0.5LF * (s + 1.0LF) * double(size) - 0.5LF - 1e-6LF));
+  return int(ceil(0.5LF * (s + 1.0LF) * double(size) - 0.5LF - pixel_rounding));
 }
 
 int end_pixel(double s, int size) {
-  return int(floor(0.5LF * (s + 1.0LF) * double(size) - 0.5LF + 1e-6LF)) + 1;
+  return int(floor(0.5LF * (s + 1.0LF) * double(size) - 0.5LF + pixel_rounding)) + 1;
 }
 
 void main() {
   const uint i = linear_group() * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
   if (i >= count) return;
   const dvec3 q = dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - eye;
-  const vec4 shape = shapes[i];
-  const float displaced = sqrt(shape.z) + farther;
-  seen[2 * i] = vec4(vec3(q), shape.x);
-  seen[2 * i + 1] = vec4(shape.y, shape.z, displaced * displaced, shape.w);
+  const GaussianShape shape = shapes[i];
+  const float displaced = sqrt(shape.cutoff) + farther;
+  seen[i] = SeenGaussian(vec3(q), shape.a, shape.scale, shape.cutoff, displaced * displaced,
+                         shape.cutoff_radius);
   rectangles[i] = uvec2(0u);
-  if (!(shape.w > 0.0)) return;
+  if (!(shape.cutoff_radius > 0.0)) return;
 
-  const double radius = double(shape.w) + double(farther) / double(shape.x);
+  const double radius = double(shape.cutoff_radius) + double(farther) / double(shape.a);
   const double z = dot(q, forward);
   const dvec2 u = covered(dot(q, right), z, radius, half_width);
   const dvec2 v = covered(-dot(q, up), z, radius, half_height);
@@ -78,6 +74,6 @@ void main() {
   const ivec2 end = min((high + scale - 2) / scale / tile + 1, tiles);
   rectangles[i] = uvec2(begin.x | begin.y << 16, end.x | end.y << 16);
   const uint area = uint((end.x - begin.x) * (end.y - begin.y));
-  atomicAdd(used, 1u);
-  atomicAdd(coarse, (area + 255u) / 256u);
+  atomicAdd(totals.used, 1u);
+  atomicAdd(totals.coarse, (area + coarse_entries - 1u) / coarse_entries);
 }

@@ -1,10 +1,10 @@
 // Where a direction lies in an equirectangular map: radiance_of() in core/scene/radiance_map.cpp.
+#include "constants.glsl"
+
 struct MapTexels {
   ivec4 index;  // upper left, upper right, lower left, lower right
   vec2 f;       // how far to the right and down
 };
-
-const float pi = 3.14159265358979;
 
 MapTexels map_texels(ivec2 size, vec3 d) {
   const float polar = atan(length(d.xz), d.y);

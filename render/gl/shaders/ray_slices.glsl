@@ -1,4 +1,4 @@
-// The slices of rays between the nodes of their tile: RaySlices of render/cpu.
+// The slices of rays between the nodes of their tile: RaySlices of render/lighting.
 #include "slice_nodes.glsl"
 
 layout(r32f, binding = 4) readonly uniform image2D slice_nodes;

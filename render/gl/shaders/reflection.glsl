@@ -7,7 +7,7 @@ uniform int turn_at, turn_count;
 // none.
 vec2 angle_of(float x, float y) {
   const float square = x * x + y * y;
-  return square > 1e-14 ? vec2(x, y) / sqrt(square) : vec2(1.0, 0.0);
+  return square > tiny_sine_square ? vec2(x, y) / sqrt(square) : vec2(1.0, 0.0);
 }
 
 // A turn of all coefficients about z by the angle.
@@ -27,10 +27,10 @@ void turn_about_z(vec2 angle, inout vec3 f[sh_count]) {
 // A quarter turn about x, or the inverse, which is the transpose.
 void quarter_turn(bool inverse_, vec3 f[sh_count], out vec3 result[sh_count]) {
   for (int i = 0; i < sh_count; ++i) result[i] = vec3(0.0);
-  for (int e = turn_at; e < turn_at + 3 * turn_count; e += 3) {
-    const int a = int(values[e]);
-    const int b = int(values[e + 1]);
-    result[inverse_ ? b : a] += values[e + 2] * f[inverse_ ? a : b];
+  for (int e = turn_at; e < turn_at + turn_size * turn_count; e += turn_size) {
+    const int a = int(values[e + turn_to]);
+    const int b = int(values[e + turn_from]);
+    result[inverse_ ? b : a] += values[e + turn_value] * f[inverse_ ? a : b];
   }
 }
 

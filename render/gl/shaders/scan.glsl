@@ -1,23 +1,26 @@
 // Where the list of each tile begins: the running sum of what list.glsl has counted.
+#include "structs.glsl"
+
 layout(local_size_x = 1024) in;
 
-layout(std430, binding = 4) buffer Totals { uint used, entries, coarse; };
+layout(std430, binding = 4) buffer Totals { TileTotals totals; };
 layout(std430, binding = 5) buffer Cursors { uint cursors[]; };
 layout(std430, binding = 7) writeonly buffer Offsets { uint offsets[]; };  // one more than tiles
 
 uniform int tiles;
 
-shared uint sums[1024];
+shared uint sums[gl_WorkGroupSize.x];
 
 void main() {
   const int id = int(gl_LocalInvocationID.x);
-  const int each = (tiles + 1023) / 1024;
+  const int size = int(gl_WorkGroupSize.x);
+  const int each = (tiles + size - 1) / size;
   const int begin = min(id * each, tiles);
   const int end = min(begin + each, tiles);
   uint sum = 0u;
   for (int i = begin; i < end; ++i) sum += cursors[i];
   sums[id] = sum;
-  for (int step_ = 1; step_ < 1024; step_ *= 2) {
+  for (int step_ = 1; step_ < size; step_ *= 2) {
     barrier();
     const uint before = id >= step_ ? sums[id - step_] : 0u;
     barrier();
@@ -30,8 +33,8 @@ void main() {
     cursors[i] = at;
     at += own;
   }
-  if (id == 1023) {
+  if (id == size - 1) {
     offsets[tiles] = sums[id];
-    entries = sums[id];
+    totals.entries = sums[id];
   }
 }

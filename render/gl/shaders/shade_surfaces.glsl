@@ -1,4 +1,4 @@
-// Surface shading: surface_radiance() and VertexLighting of render/cpu. The including file
+// Surface shading: surface_radiance() and VertexLighting of render/shading. The including file
 // defines whether any surface is `glossy` (not diffuse).
 #include "lights.glsl"
 #include "rays.glsl"
@@ -14,22 +14,18 @@ layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // light still to be reflected. Then average depths around surfaces, four per vector, and the tables
 // of measured materials.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 incident_values[]; };
-// Per surface: reflectance / pi and Phong's exponent; his highlight, and where the ReflectionTable
-// is (0: diffuse); whether it has transfer, the functions that it still reflects, and where the
-// light at its front and back begins (< 0: there is none); the corner of its grid of average depths
-// and where that begins (< 0: there is none); its cells per unit, and where the table of a measured
-// material begins (< 0: it is not one); its nodes. From the places named below on the
-// elements of a quarter turn, the polynomials of point and distant ScatterTable, the environment's
+// A SurfaceRecord per surface. From the places named below on the elements of a quarter turn
+// (TurnElement), the polynomials of point and distant ScatterTable, the environment's
 // coefficients R G B 0 and the polynomials of its ScatterTable, and for each light the density of the medium there.
 layout(std430, binding = 7) readonly buffer Values { float values[]; };
 
 uniform float b0;
 uniform float albedo;
-uniform float margin;  // Visibility::self_hit_margin
+uniform float margin;  // RayCaster::self_hit_margin
 uniform ivec2 film;
 // 1: instead of tables, the optical depth of Gaussians per light and pixel.
 uniform int has_depths;
-uniform int scatters;  // whether the medium sends light of lamps around
+uniform int scatters;  // whether the medium sends light of point lights around
 uniform int scatter_at, environment_at, densities_at;
 uniform int has_environment;
 uniform float environment_intensity;
@@ -37,8 +33,6 @@ uniform float fog_depth;         // b0's part of the average depth
 uniform int incident_levels;                 // 0: there is none
 uniform vec4 incident_first[2];              // as source.glsl has them
 uniform ivec4 incident_count[2];
-
-const int surface_size = 24;
 
 vec3 values_rgb(int at) { return vec3(values[at], values[at + 1], values[at + 2]); }
 
@@ -57,9 +51,9 @@ struct LightAtPoint {
 
 LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   LightAtPoint at;
-  const vec3 q = point.position - lights[l].position.xyz;
+  const vec3 q = point.position - lights[l].position;
   const float square = dot(q, q);
-  const float inverse = square > 1e-30 ? 1.0 / sqrt(square) : 0.0;
+  const float inverse = square > tiny ? 1.0 / sqrt(square) : 0.0;
   at.w = inverse * q;
   at.length_ = square * inverse;
   at.cosine = -dot(at.w, point.normal);
@@ -67,7 +61,7 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   at.depth = b0 * at.length_;
   if (has_depths != 0) {
     at.depth += uintBitsToFloat(tables[l * pixels + pixel]);
-  } else if (lights[l].has.x != 0) {
+  } else if (lights[l].has_table != 0) {
     at.depth += table_depth(l, q, at.length_);
   }
   return at;
@@ -76,25 +70,25 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
 bool is_lit(int l, SurfacePoint point, float length_) {
   const float away = min(margin, margin * 2.0 * float(surfaces_radius) / length_);
   // The whole way is 1.
-  const vec3 way = lights[l].position.xyz - point.shadow_origin;
+  const vec3 way = lights[l].position - point.shadow_origin;
   return trace(point.shadow_origin, way, away, 1.0 - away, true).triangle < 0;
 }
 
 vec3 direct_light(int l, SurfacePoint point, LightAtPoint at, vec3 to_eye) {
   if (!(at.cosine > 0.0) || !is_lit(l, point, at.length_)) return vec3(0.0);
   const int material = surface_size * point.surface;
-  const vec3 intensity = lights[l].intensity.rgb;
+  const vec3 intensity = lights[l].intensity;
   const float incoming = at.cosine * at.inverse_square * exp(-at.depth);
-  const int measured = int(values[material + 19]);
+  const int measured = int(values[material + surface_measured_at]);
   if (measured >= 0) {
     return measured_brdf(measured, -at.w, to_eye, point.normal) * intensity * incoming;
   }
-  const vec3 radiance = incoming * (values_rgb(material) * intensity);
-  const vec3 highlight = values_rgb(material + 4);
+  const vec3 radiance = incoming * (values_rgb(material + surface_diffuse) * intensity);
+  const vec3 highlight = values_rgb(material + surface_highlight);
   // w mirrored at the normal, times the direction to the eye.
   const float r = 2.0 * at.cosine * dot(point.normal, to_eye) + dot(at.w, to_eye);
   if (highlight == vec3(0.0) || !(r > 0.0)) return radiance;
-  const float lobe = exp(values[material + 3] * log(clamp(r, 1e-30, 1.0)));
+  const float lobe = exp(values[material + surface_exponent] * log(clamp(r, tiny, 1.0)));
   return radiance + incoming * lobe * (highlight * intensity);
 }
 
@@ -124,11 +118,13 @@ void find_spread(int l, LightAtPoint at, out float factors[sh_bands]) {
 vec3 scattered_light(int l, SurfacePoint point, LightAtPoint at, float factors[sh_bands]) {
   const float c = at.cosine;
   const float c2 = c * c;
-  const float irradiance = 0.25 * factors[0] + 0.5 * c * factors[1] +
-                           0.3125 * (1.5 * c2 - 0.5) * factors[2] -
-                           0.09375 * ((4.375 * c2 - 3.75) * c2 + 0.375) * factors[4];
+  const float p2 = legendre_2[0] * c2 + legendre_2[1];
+  const float p4 = (legendre_4[0] * c2 + legendre_4[1]) * c2 + legendre_4[2];
+  const float irradiance = irradiance_bands[0] * factors[0] + irradiance_bands[1] * c * factors[1] +
+                           irradiance_bands[2] * p2 * factors[2] +
+                           irradiance_bands[3] * p4 * factors[4];
   return max(irradiance, 0.0) * at.inverse_square *
-         (values_rgb(surface_size * point.surface) * lights[l].intensity.rgb * albedo);
+         (values_rgb(surface_size * point.surface + surface_diffuse) * lights[l].intensity * albedo);
 }
 
 // light += that, for surfaces that are not diffuse.
@@ -136,7 +132,7 @@ void add_scattered(int l, LightAtPoint at, float factors[sh_bands], inout vec3 l
   float y[sh_count];
   sh_basis(-at.w, y);
   for (int k = 0; k < sh_bands; ++k) {
-    const vec3 band = at.inverse_square * factors[k] * (lights[l].intensity.rgb * albedo);
+    const vec3 band = at.inverse_square * factors[k] * (lights[l].intensity * albedo);
     for (int i = k * k; i < (k + 1) * (k + 1); ++i) light[i] += y[i] * band;
   }
 }
@@ -168,13 +164,13 @@ void find_incident(vec3 p, out vec3 light[grid_functions]) {
   }
 }
 
-// AverageDepthGrid of render/cpu.
+// AverageDepthGrid of render/lighting.
 float average_depth(SurfacePoint point) {
   const int surface = surface_size * point.surface;
-  const int first = int(values[surface + 15]);
+  const int first = int(values[surface + surface_average_depths_at]);
   if (first < 0) return 0.0;
-  const ivec3 nodes_ = ivec3(values_rgb(surface + 20));
-  const vec3 at = clamp((point.position - values_rgb(surface + 12)) * values_rgb(surface + 16),
+  const ivec3 nodes_ = ivec3(values_rgb(surface + surface_grid_nodes));
+  const vec3 at = clamp((point.position - values_rgb(surface + surface_grid_corner)) * values_rgb(surface + surface_cells_per_unit),
                         vec3(0.0), vec3(nodes_ - 1));
   const ivec3 cell = min(ivec3(at), max(nodes_ - 2, 0));
   const vec3 f = at - vec3(cell);
@@ -189,7 +185,7 @@ float average_depth(SurfacePoint point) {
   return sum;
 }
 
-// EnvironmentLight::arriving(): per-band fractions, without a grid.
+// EnvironmentLight::incident(): per-band fractions, without a grid.
 void find_shares(SurfacePoint point, out float shares[sh_bands]) {
   const float depth = fog_depth + average_depth(point);
   const float unscattered = exp(-depth);
@@ -206,7 +202,7 @@ void find_shares(SurfacePoint point, out float shares[sh_bands]) {
 // Mean incident light relative to that without medium.
 vec3 dimming(vec3 mean) {
   const vec3 all = values_rgb(environment_at);
-  return mix(vec3(0.0), environment_intensity * mean / max(all, vec3(1e-37)),
+  return mix(vec3(0.0), environment_intensity * mean / max(all, vec3(tiny_square)),
              greaterThan(all, vec3(0.0)));
 }
 
@@ -263,35 +259,33 @@ void add_environment(SurfacePoint point, inout vec3 light[sh_count]) {
 }
 
 // VertexLighting::add(): what radiance transfer has made of light at the vertices.
-vec3 transferred_light(SurfacePoint point, ivec4 hit, vec3 to_eye) {
+vec3 transferred_light(SurfacePoint point, PixelHit hit, vec3 to_eye) {
   const int surface = surface_size * point.surface;
-  const int first = int(values[surface + (point.on_back ? 11 : 10)]);
+  const int first = int(values[surface + (point.on_back ? surface_back_at : surface_front_at)]);
   if (first < 0) return vec3(0.0);
-  const float u = intBitsToFloat(hit.y);
-  const float v = intBitsToFloat(hit.z);
-  const float weights[3] = float[](1.0 - u - v, u, v);
-  const int functions = int(values[surface + 9]);
+  const float weights[3] = float[](1.0 - hit.u - hit.v, hit.u, hit.v);
+  const int functions = int(values[surface + surface_transferred_functions]);
   vec3 sent = vec3(0.0);
   vec3 light[sh_count];
   if (glossy) {
     for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
   }
   for (int k = 0; k < 3; ++k) {
-    const int at = first + (1 + functions) * vertex_of(hit.w, k);
+    const int at = first + (1 + functions) * vertex_of(hit.triangle, k);
     sent += weights[k] * incident_values[at].rgb;
     if (!glossy) continue;
     for (int i = 0; i < functions; ++i) light[i] += weights[k] * incident_values[at + 1 + i].rgb;
   }
   if (glossy && functions > 0) {
-    sent += reflected(int(values[surface + 7]), point.normal, to_eye, light);
+    sent += reflected(int(values[surface + surface_reflection_at]), point.normal, to_eye, light);
   }
   return max(sent, vec3(0.0));
 }
 
-vec3 surface_light(SurfacePoint point, ivec4 hit, vec3 to_eye, int index, int pixels) {
+vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int pixels) {
   const int surface = surface_size * point.surface;
-  const bool transferred = values[surface + 8] > 0.0;
-  const bool is_diffuse = !glossy || values[surface + 7] == 0.0;
+  const bool transferred = values[surface + surface_has_transfer] > 0.0;
+  const bool is_diffuse = !glossy || values[surface + surface_reflection_at] == 0.0;
   const bool is_scattered = scatters != 0 && !transferred;
   vec3 light[sh_count];
   if (glossy) {
@@ -314,19 +308,19 @@ vec3 surface_light(SurfacePoint point, ivec4 hit, vec3 to_eye, int index, int pi
   if (is_diffuse) {
     return has_environment == 0
                ? radiance  // values has reflectance / pi
-               : radiance + pi * values_rgb(surface) * environment_light(point);
+               : radiance + pi * values_rgb(surface + surface_diffuse) * environment_light(point);
   }
   if (has_environment != 0) add_environment(point, light);
-  return radiance + max(reflected(int(values[surface + 7]), point.normal, to_eye, light), vec3(0.0));
+  return radiance + max(reflected(int(values[surface + surface_reflection_at]), point.normal, to_eye, light), vec3(0.0));
 }
 
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, film))) return;
   const int index = pixel.y * film.x + pixel.x;
-  const ivec4 hit = hits[index];
+  const PixelHit hit = hits[index];
   vec3 radiance = vec3(0.0);
-  if (hit.w >= 0) {
+  if (hit.triangle >= 0) {
     const vec3 to_eye = -ray_direction(pixel);
     const SurfacePoint point = point_of(hit, to_eye, margin * float(surfaces_radius));
     radiance = surface_light(point, hit, to_eye, index, film.x * film.y);

@@ -4,7 +4,7 @@ layout(std430, binding = 6) readonly buffer Shadows { float shadows[]; };
 // The share of the light that no surface stops, mixed over four cells.
 float lit(int l, vec3 q, float distance_) {
   const MapPosition at = map_position(lights[l].shadows, q, distance_);
-  const float near = distance_ * lights[l].intensity.w;
+  const float near = distance_ * lights[l].shadow_share;
   const int row = map_stride(lights[l].shadows);
   const int first = lights[l].shadows.cells.z + at.cell;
   const vec4 free = vec4(greaterThanEqual(

@@ -12,8 +12,8 @@ shared vec4 demand_of[group_size];  // a Gaussian: place on the ray, radius, pea
 
 void add_boundary(float t) { unsorted[atomicAdd(unsorted_count, 1u)] = t; }
 
-// See core_radii() of render/lighting/slice_boundaries.cpp.
-float core_radii(float depth) { return depth < slice_opaque ? 2.0 : sqrt(log(50.0 * depth)); }
+// See core_radius() of render/lighting/slice_boundaries.cpp.
+float core_radii(float depth) { return depth < slice_opaque ? core_radii_of_thin : sqrt(log(inverse_tail_depth * depth)); }
 
 // What a box of a Gaussian demands of a bin: rate and curvature.
 vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float width, int bins) {
@@ -42,15 +42,15 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
     demand_of[id] = vec4(0.0);
     if (base + id < end) {
       const uint i = list[base + id];
-      const vec4 g = seen[2 * i];
-      const vec2 pass = passing(ray, g.xyz, g.w);
+      const SeenGaussian g = seen[i];
+      const vec2 pass = passing(ray, g.center, g.a);
       const float t = pass.x;
-      const float half_ = core_radii(2.0 * seen[2 * i + 1].x) / g.w;
+      const float half_ = core_radii(2.0 * g.scale) / g.a;
       if (t + half_ >= core.x && t - half_ <= core.y) {
-        const float peak = seen[2 * i + 1].x * g.w / 0.886226925 * exp(-pass.y * pass.y);
-        const float depth = 1.77245385 * peak / g.w;
+        const float peak = g.scale * g.a / (0.5 * sqrt_pi) * exp(-pass.y * pass.y);
+        const float depth = sqrt_pi * peak / g.a;
         demand_of[id] =
-            vec4(t, 1.0 / g.w, peak, depth < slice_opaque ? 1.5 : core_radii(depth));
+            vec4(t, 1.0 / g.a, peak, depth < slice_opaque ? box_radii : core_radii(depth));
       }
     }
     barrier();
@@ -61,11 +61,11 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
         const vec4 g = demand_of[j];
         if (g.w == 0.0) continue;
         const float bend = 1.0 / (g.y * g.y);
-        vec2 demand = box_demand(at, g.x, 1.5 * g.y, g.z * vec2(0.59, bend), core.x, width, bins);
-        for (float k = 1.5; k < g.w; k += 0.5) {
-          const float middle = k + 0.25;
+        vec2 demand = box_demand(at, g.x, box_radii * g.y, g.z * vec2(box_share, bend), core.x, width, bins);
+        for (float k = box_radii; k < g.w; k += tail_step) {
+          const float middle = k + 0.5 * tail_step;
           const float density = g.z * exp(-middle * middle);
-          demand += box_demand(at, g.x, (k + 0.5) * g.y,
+          demand += box_demand(at, g.x, (k + tail_step) * g.y,
                                density * vec2(1.0, 4.0 * middle * middle * bend), core.x, width,
                                bins);
         }
@@ -83,13 +83,13 @@ void cut_demand(vec2 core, int bins, int count) {
   float depth = 0.0;
   float sum = 0.0;
   for (int i = 0; i < bins; ++i) {
-    const float own = demand_curvature[i] / (1.0 + clamp(depth, 0.0, 4.0));
+    const float own = demand_curvature[i] / (1.0 + clamp(depth, 0.0, max_front_depth));
     demand_curvature[i] = own > 0.0 ? pow(own, 1.0 / 3.0) : 0.0;
     if (depth > slice_opaque) demand_curvature[i] *= slice_opaque / depth;
     depth += demand_rate[i] * width;
     sum += demand_curvature[i];
   }
-  const float base_demand = sum > 0.0 ? 0.3 * sum / float(bins) : 1.0;
+  const float base_demand = sum > 0.0 ? uniform_share * sum / float(bins) : 1.0;
   sum += base_demand * float(bins);
   add_boundary(core.x);
   float reached = 0.0;
@@ -109,14 +109,15 @@ void cut_demand(vec2 core, int bins, int count) {
 // Where light falls off within a medium, slices of equal angle as seen from the light.
 void add_equi_angular(int l, CenterRay ray, vec2 range, int count) {
   const int k = int(gl_LocalInvocationID.x) + 1;
-  const vec3 q = lights[l].position.xyz;
+  const vec3 q = lights[l].position;
   const vec3 w = ray.w;
   const float ts = nearest_pass(ray, q).x;
   // A light almost on the ray would put all slices at one point: half a slice is fine enough, of
   // what is near the light if the medium is endless.
-  const float min_distance = 0.25 * min(range.y - range.x, 16.0 * length(q - range.x * w)) / float(count);
-  const float h = max(max(length(q - dot(q, w) * w), max(lights[l].position.w, min_distance)),
-                      max(1e-6 * abs(ts), 1e-30));
+  const float min_distance = light_slice_share *
+                             min(range.y - range.x, light_distances * length(q - range.x * w)) / float(count);
+  const float h = max(max(length(q - dot(q, w) * w), max(lights[l].h_min, min_distance)),
+                      max(light_rounding * abs(ts), tiny));
   // From the light's foot on the ray, where angles are well known in single precision.
   const float begin = atan((range.x - ts) / h);
   const float span = atan((range.y - ts) / h) - begin;
@@ -142,7 +143,7 @@ void sort_boundaries(float min_gap) {
   if (id == 0) {
     int kept = min(count, 1);
     for (int i = 1; i < count; ++i) {
-      const float apart = max(min_gap, 1e-6 * boundaries[i]);
+      const float apart = max(min_gap, min_gap_of_distance * boundaries[i]);
       if (!(boundaries[i] - boundaries[kept - 1] < apart)) boundaries[kept++] = boundaries[i];
     }
     boundary_count = kept;
@@ -161,12 +162,12 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   vec2 core = extent;
   for (uint k = begin + id; k < end; k += group_size) {
     const uint i = list[k];
-    const vec4 g = seen[2 * i];
-    const float t = passing(ray, g.xyz, g.w).x;
-    const float r = seen[2 * i + 1].w;
-    const float half_ = min(core_radii(2.0 * seen[2 * i + 1].x) / g.w, r);
-    extent = vec2(min(extent.x, dot(g.xyz, ray.w) - r),
-                 max(extent.y, nearest_pass(ray, g.xyz).x + r));
+    const SeenGaussian g = seen[i];
+    const float t = passing(ray, g.center, g.a).x;
+    const float r = g.cutoff_radius;
+    const float half_ = min(core_radii(2.0 * g.scale) / g.a, r);
+    extent = vec2(min(extent.x, dot(g.center, ray.w) - r),
+                 max(extent.y, nearest_pass(ray, g.center).x + r));
     core = vec2(min(core.x, t - half_), max(core.y, t + half_));
   }
   const vec2 ends = vec2(0.0, ray.longest);
@@ -183,7 +184,7 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   }
   if (extent.x < extent.y) {
     if (core.x < core.y) {
-      const int bins = 4 * slices;
+      const int bins = bins_per_slice * slices;
       find_demand(ray, core, bins, begin, end);
       if (id == 0) cut_demand(core, bins, slices - 2);
     }
@@ -196,11 +197,11 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   const vec2 bright = b0 > 0.0 ? whole : core;
   for (int l = 0; l < light_count; ++l) {
     // A light in or near the medium; far ones are smooth along the ray.
-    const vec3 q = lights[l].position.xyz;
+    const vec3 q = lights[l].position;
     const float ts = dot(q, ray.w);
     const float h = length(q - ts * ray.w);
     const float gap = max(max(bright.x - ts, ts - bright.y), 0.0);
-    if (!(bright.x < bright.y) || length(vec2(gap, h)) > 0.5 * (bright.y - bright.x)) continue;
+    if (!(bright.x < bright.y) || length(vec2(gap, h)) > near_light_share * (bright.y - bright.x)) continue;
     add_equi_angular(l, ray, bright, per_light);
   }
   if (b0 > 0.0) {
@@ -210,5 +211,5 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
       add_boundary(-log(1.0 - lost * float(k) / float(slices)) / b0);
     }
   }
-  sort_boundaries(1e-9 * (whole.y - whole.x));
+  sort_boundaries(min_gap_of_range * (whole.y - whole.x));
 }

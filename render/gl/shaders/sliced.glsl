@@ -1,4 +1,5 @@
-// The sliced airlight: sliced_airlight() and sum_slices() of render/cpu. One work group per tile,
+// The sliced airlight: sliced_airlight() of render/cpu and sum_slices() of
+// render/lighting. One work group per tile,
 // or per batch of exact pixels.
 #include "constants.glsl"
 #include "tile_list.glsl"
@@ -17,20 +18,22 @@ uniform float b0;
 uniform float anisotropy;
 uniform float negligible;
 
-shared vec4 batch_position[group_size];
-shared vec4 batch_shape[group_size];
+// The length of a ray without an end, whose products with exponents are still floats.
+const float endless_line = 1e18;
+
+shared SeenGaussian batch[group_size];
 shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
 shared float spilled[chunk * group_size];
 shared float spilled_ends[chunk * group_size];
 
 // The slices of the chunk at `first` that any ray of the group may meet Gaussian i in.
 ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
-  const vec4 g = seen[2 * i];
+  const SeenGaussian g = seen[i];
   // A ray that is off the middle one by d meets it at most |d| h + |d|^2 t / 2 before or after.
-  const float t = dot(g.xyz, ray.w);
-  const float h = length(g.xyz - t * ray.w);
+  const float t = dot(g.center, ray.w);
+  const float h = length(g.center - t * ray.w);
   const float slack =
-      sqrt(seen[2 * i + 1].y) / g.w + ray.spread * (h + 0.5 * ray.spread * abs(t));
+      sqrt(g.cutoff) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
   const ivec2 range = touched_slices(t - slack, t + slack, first, last);
   return ivec4(range, first == 0 || t - slack >= farthest[first] ? 1 : 0, 0);
 }
@@ -83,21 +86,19 @@ void main() {
       uint found;
       const uint slot = compact_slot(matters, found);
       if (matters) {
-        batch_position[slot] = seen[2 * i];
-        batch_shape[slot] = seen[2 * i + 1];
+        batch[slot] = seen[i];
         batch_slices[slot] = range;
       }
       barrier();
       for (uint j = 0u; j < found; ++j) {
-        const vec4 g = batch_position[j];
-        const vec4 shape = batch_shape[j];
-        const Crossing crossing = view_crossing(g.xyz, w, g.w, shape.z);
-        if (crossing.e > shape.y) continue;
+        const SeenGaussian g = batch[j];
+        const Crossing crossing = view_crossing(g.center, w, g.a, g.displaced_cutoff);
+        if (crossing.e > g.cutoff) continue;
         pairs += uint(batch_slices[j].z);
         if (needs_line && first == 0) {
-          line_depth += shape.x * crossing_depth(crossing, g.w, 1e18);
+          line_depth += g.scale * crossing_depth(crossing, g.a, endless_line);
         }
-        add_increments(increments, crossing, g.w, shape.x, ends, batch_slices[j].xy);
+        add_increments(increments, crossing, g.a, g.scale, ends, batch_slices[j].xy);
       }
     }
     // From here on slices are taken one by one, which registers cannot be.
@@ -114,32 +115,32 @@ void main() {
       if (has_forward_lobe) {
         const float exponent = anisotropy < 0.0 ? 2.0 * gaussians + fog : fog;
         const float left = passes * exp(-exponent);
-        along_ray += increment * (exponent < 1e-2 ? passes - 0.5 * exponent * passes
+        along_ray += increment * (exponent < small_exponent ? passes - 0.5 * exponent * passes
                                                   : (passes - left) / exponent);
         passes = left;
       }
-      if (increment > negligible && depth < 20.0) {
+      if (increment > negligible && depth < visible_depth) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
-        const float lost = exp(-depth) * (increment < 1e-3 ? increment - 0.5 * increment * increment
+        const float lost = exp(-depth) * (increment < small_increment ? increment - 0.5 * increment * increment
                                                            : 1.0 - exp(-increment));
         const float center = 0.5 * (from + to);
         if (source_levels > 0) scattered += lost * source_at(center * w);
         for (int l = 0; l < light_count; ++l) {
-          const vec4 s = lights[l].position;
-          const float ts = dot(s.xyz, w);
-          const vec3 gap = s.xyz - ts * w;
-          const float h2 = max(dot(gap, gap), max(s.w * s.w, 1e-30));
+          const vec3 s = lights[l].position;
+          const float ts = dot(s, w);
+          const vec3 gap = s - ts * w;
+          const float h2 = max(dot(gap, gap), max(lights[l].h_min * lights[l].h_min, tiny));
           const float along = center - ts;
           const float distance_ = sqrt(along * along + h2);
-          const vec3 q = center * w - s.xyz;
+          const vec3 q = center * w - s;
           float light_depth = b0 * distance_;
-          if (lights[l].has.x != 0) light_depth += table_depth(l, q, distance_);
+          if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
           float light = mean_inverse_square(from - ts, to - ts, h2) * exp(-light_depth);
           if (anisotropy != 0.0) {
             light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
           }
-          if (lights[l].has.y != 0) light *= lit(l, q, distance_);
-          airlight += lights[l].intensity.rgb * (phase * lost * light);
+          if (lights[l].has_shadows != 0) light *= lit(l, q, distance_);
+          airlight += lights[l].intensity * (phase * lost * light);
         }
       }
       depth += increment;

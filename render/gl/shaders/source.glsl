@@ -21,7 +21,7 @@ uniform ivec2 source_map_size;
 uniform vec2 source_rotation;  // of the maps: cosine and sine
 
 // What a view ray makes of a node.
-float source_weights[16];
+float source_weights[grid_functions];
 vec3 source_cluster_weights[source_clusters];
 
 void set_source_weights(vec3 w) {
@@ -104,7 +104,7 @@ vec3 source_at(vec3 p) {
   return sum;
 }
 
-// EnvironmentSource::peak().
+// EnvironmentSource::lobe().
 vec3 source_forward_lobe(bool from_eye, float line_depth) {
   const vec3 eye = vec3(0.0);
   vec3 sum = vec3(0.0);

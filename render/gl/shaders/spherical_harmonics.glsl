@@ -4,7 +4,7 @@
 void sh_basis(vec3 d, out float y[sh_count]) {
   float c = 1.0;  // sin^m(theta) cos(m phi) and sin^m(theta) sin(m phi)
   float s = 0.0;
-  float first = 0.28209479177387814;  // 1 / (2 sqrt(pi))
+  float first = 0.5 * inv_sqrt_pi;
   for (int m = 0; m < sh_bands; ++m) {
     if (m > 0) {
       first *= sh_start[m];

@@ -4,15 +4,16 @@ layout(local_size_x = 64) in;
 layout(r32f, binding = 0) readonly uniform image2D pairs;
 layout(std430, binding = 0) writeonly buffer Rows { float rows[]; };
 
-shared float sums[64];
+shared float sums[gl_WorkGroupSize.x];
 
 void main() {
   const int id = int(gl_LocalInvocationID.x);
   const int y = int(gl_WorkGroupID.x);
   float sum = 0.0;
-  for (int x = id; x < imageSize(pairs).x; x += 64) sum += imageLoad(pairs, ivec2(x, y)).r;
+  for (int x = id; x < imageSize(pairs).x; x += int(gl_WorkGroupSize.x))
+    sum += imageLoad(pairs, ivec2(x, y)).r;
   sums[id] = sum;
-  for (int half_ = 32; half_ > 0; half_ /= 2) {
+  for (int half_ = int(gl_WorkGroupSize.x) / 2; half_ > 0; half_ /= 2) {
     barrier();
     if (id < half_) sums[id] += sums[id + half_];
   }

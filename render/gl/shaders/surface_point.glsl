@@ -1,9 +1,8 @@
-// Where view rays meet surfaces: interpolate_points() of render/cpu. Positions are relative to the
+// Where view rays meet surfaces: interpolate_points() of render/simd. Positions are relative to the
 // middle of the surfaces.
 #include "trace.glsl"
 
-// See visibility.glsl.
-layout(std430, binding = 2) readonly buffer Hits { ivec4 hits[]; };
+layout(std430, binding = 2) readonly buffer Hits { PixelHit hits[]; };
 
 uniform int triangle_count;
 
@@ -15,36 +14,34 @@ struct SurfacePoint {
   bool on_back;  // of the mesh, by its normals
 };
 
-int vertex_of(int triangle, int k) { return corners[3 * (triangle_count + triangle) + k].w; }
+int vertex_of(int triangle, int k) { return corners[3 * (triangle_count + triangle) + k].index; }
 
-vec3 hit_position(ivec4 hit) {
-  const vec3 first = corner_of(hit.w, 0);
+vec3 hit_position(PixelHit hit) {
+  const vec3 first = corner_of(hit.triangle, 0);
   // From a corner, so that big triangles lose nothing near it.
-  return first + intBitsToFloat(hit.y) * (corner_of(hit.w, 1) - first) +
-         intBitsToFloat(hit.z) * (corner_of(hit.w, 2) - first);
+  return first + hit.u * (corner_of(hit.triangle, 1) - first) +
+         hit.v * (corner_of(hit.triangle, 2) - first);
 }
 
 vec3 unit_or_none(vec3 v) {
   const float square = dot(v, v);
-  return square > 1e-37 ? v / sqrt(square) : vec3(0.0);
+  return square > tiny_square ? v / sqrt(square) : vec3(0.0);
 }
 
 // `offset`: how far shadow rays start off the triangle.
-SurfacePoint point_of(ivec4 hit, vec3 to_eye, float offset) {
-  const float u = intBitsToFloat(hit.y);
-  const float v = intBitsToFloat(hit.z);
-  const float weights[3] = float[](1.0 - (u + v), u, v);
+SurfacePoint point_of(PixelHit hit, vec3 to_eye, float offset) {
+  const float weights[3] = float[](1.0 - (hit.u + hit.v), hit.u, hit.v);
   vec3 at[3];
   vec3 normals[3];
   vec3 sum = vec3(0.0);
   for (int k = 0; k < 3; ++k) {
-    at[k] = corner_of(hit.w, k);
-    normals[k] = intBitsToFloat(corners[3 * (triangle_count + hit.w) + k].xyz);
+    at[k] = corner_of(hit.triangle, k);
+    normals[k] = corners[3 * (triangle_count + hit.triangle) + k].vector;
     sum += weights[k] * normals[k];
   }
   SurfacePoint point;
   point.position = hit_position(hit);
-  point.surface = corners[3 * hit.w].w;
+  point.surface = corners[3 * hit.triangle].index;
   // Lengthened first: the product of two short edges would vanish.
   vec3 geometric = unit_or_none(cross(unit_or_none(at[1] - at[0]), unit_or_none(at[2] - at[0])));
   if (dot(geometric, to_eye) < 0.0) geometric = -geometric;

@@ -1,6 +1,9 @@
 // Gaussians relative to the eye, and the list of each tile.
-layout(local_size_x = 128) in;
+#include "constants.glsl"
+#include "structs.glsl"
 
-layout(std430, binding = 2) readonly buffer Seen { vec4 seen[]; };
+layout(local_size_x = group_size) in;
+
+layout(std430, binding = 2) readonly buffer Seen { SeenGaussian seen[]; };
 layout(std430, binding = 3) readonly buffer Offsets { uint offsets[]; };
 layout(std430, binding = 4) readonly buffer Entries { uint list[]; };

@@ -1,14 +1,20 @@
 // Rays against the triangles of a scene: TriangleBvh, and the intersection of Embree's robust
 // mode, which leaves no gaps between triangles (Plücker coordinates). All is relative to the middle
-// of the surfaces; whole numbers and bits of floats share vectors.
+// of the surfaces.
 #include "constants.glsl"
+#include "structs.glsl"
 
-// Two children per node: minimum corner and first index (< 0: empty), maximum corner and triangle
-// count (0: inner node).
-layout(std430, binding = 4) readonly buffer Nodes { ivec4 nodes[]; };
+// Components of directions are at least this, so that their inverse is finite.
+const float min_component = 1e-20;
+// Far ends of boxes, so that roundings lose no triangle.
+const float far_share = 1.000001;
+// Farther than any hit.
+const float beyond_all = 1e38;
+
+layout(std430, binding = 4) readonly buffer Nodes { BvhNode nodes[]; };
 // Per triangle three corners with the surface index; then per triangle three vertex normals with
 // the vertex indices of the mesh.
-layout(std430, binding = 5) readonly buffer Corners { ivec4 corners[]; };
+layout(std430, binding = 5) readonly buffer Corners { TriangleCorner corners[]; };
 
 uniform int node_count;
 uniform double surfaces_radius;  // of the ball around the middle that holds them
@@ -29,7 +35,7 @@ bool is_edge_on(vec3 a, vec3 b, vec3 c) {
   return above * above <= edge_on_height * edge_on_height * dot(normal, normal);
 }
 
-vec3 corner_of(int triangle, int k) { return intBitsToFloat(corners[3 * triangle + k].xyz); }
+vec3 corner_of(int triangle, int k) { return corners[3 * triangle + k].vector; }
 
 // a x b or b x c, which are equal for edges that close: by component that which cancels less.
 vec3 stable_normal(vec3 a, vec3 b, vec3 c) {
@@ -49,7 +55,7 @@ void meet_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit) {
   const float V = dot(cross(e1, v0 + v1), d);
   const float W = dot(cross(e2, v1 + v2), d);
   const float all = U + V + W;
-  const float eps = 1.1920929e-7 * abs(all);
+  const float eps = float_epsilon * abs(all);
   if (min(min(U, V), W) < -eps && max(max(U, V), W) > eps) return;
   const vec3 normal = stable_normal(e0, e1, e2);
   const float den = 2.0 * dot(normal, d);
@@ -72,8 +78,7 @@ float entry(vec3 low, vec3 high, vec3 o, vec3 inverse, float tnear, float tfar) 
   const vec3 first = min(a, b);
   const vec3 last = max(a, b);
   const float begin = max(max(max(first.x, first.y), first.z), tnear);
-  // Roundings must lose no triangle.
-  const float to = 1.000001 * min(min(last.x, last.y), last.z);
+  const float to = far_share * min(min(last.x, last.y), last.z);
   return begin <= to ? begin : tfar;
 }
 
@@ -81,7 +86,7 @@ float entry(vec3 low, vec3 high, vec3 o, vec3 inverse, float tnear, float tfar) 
 Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
   Hit hit = Hit(tfar, 0.0, 0.0, -1);
   if (node_count == 0) return hit;
-  const vec3 inverse = 1.0 / mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
+  const vec3 inverse = 1.0 / mix(d, vec3(min_component), lessThan(abs(d), vec3(min_component)));
   int stack[max_levels];
   int top = 0;
   int node = 0;
@@ -89,12 +94,11 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
     float at[2];
     int next[2];
     for (int c = 0; c < 2; ++c) {
-      const ivec4 low = nodes[4 * node + 2 * c];
-      const ivec4 high = nodes[4 * node + 2 * c + 1];
-      at[c] = entry(intBitsToFloat(low.xyz), intBitsToFloat(high.xyz), o, inverse, tnear, hit.t);
-      next[c] = at[c] < hit.t ? low.w : -1;
-      if (next[c] < 0 || high.w == 0) continue;
-      for (int k = 0; k < high.w; ++k) meet_triangle(low.w + k, o, d, tnear, hit);
+      const BvhChild child = nodes[node].children[c];
+      at[c] = entry(child.low, child.high, o, inverse, tnear, hit.t);
+      next[c] = at[c] < hit.t ? child.first : -1;
+      if (next[c] < 0 || child.count == 0) continue;
+      for (int k = 0; k < child.count; ++k) meet_triangle(child.first + k, o, d, tnear, hit);
       if (any_hit && hit.triangle >= 0) return hit;
       next[c] = -1;
     }
@@ -111,14 +115,14 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
 // the ball around the surfaces. `skip`: how far that is. Hits nearer than `nearest` do not count.
 Hit first_hit(dvec3 origin, dvec3 direction, float nearest, out float skip) {
   double start = 0.0LF;
-  if (length(origin) >= 8.0LF * surfaces_radius) {
-    start = max(-dot(origin, direction) - 1.01LF * surfaces_radius, 0.0LF);
+  if (length(origin) >= near_radii * surfaces_radius) {
+    start = max(-dot(origin, direction) - start_radii * surfaces_radius, 0.0LF);
   }
   skip = float(start);
   seen_from = origin;
-  edge_on_height = 1e-6LF * max(length(origin), surfaces_radius);
+  edge_on_height = edge_on_rounding * max(length(origin), surfaces_radius);
   const Hit hit = trace(vec3(origin + start * direction), vec3(direction),
-                        max(nearest - skip, 0.0), 1e38, false);
+                        max(nearest - skip, 0.0), beyond_all, false);
   edge_on_height = -1.0LF;
   return hit;
 }

@@ -1,12 +1,12 @@
-// The first surface on each view ray: Visibility::first_hits() of render/cpu.
+// The first surface on each view ray: RayCaster::first_hits() of
+// render/visibility.
 #include "rays.glsl"
 #include "trace.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(r32f, binding = 0) writeonly uniform image2D depths;  // to the surface; < 0: none
-// Per pixel the bits of distance, u and v, and the triangle; < 0: none.
-layout(std430, binding = 2) writeonly buffer Hits { ivec4 hits[]; };
+layout(std430, binding = 2) writeonly buffer Hits { PixelHit hits[]; };
 
 uniform dvec3 eye;
 
@@ -18,6 +18,5 @@ void main() {
   const Hit hit = first_hit(eye, exact_direction(pixel), 0.0, skip);
   const float t = hit.triangle < 0 ? -1.0 : skip + hit.t;
   imageStore(depths, pixel, vec4(t));
-  hits[pixel.y * film.x + pixel.x] =
-      ivec4(floatBitsToInt(vec3(t, hit.u, hit.v)), hit.triangle);
+  hits[pixel.y * film.x + pixel.x] = PixelHit(t, hit.u, hit.v, hit.triangle);
 }

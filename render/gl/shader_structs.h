@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/ext/vector_int4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+
+#include "render/visibility/triangle_bvh.h"
+
+namespace brume::gl {
+
+// What C++ and shaders share in storage buffers, laid out as std430 has it. The shaders' structs
+// are generated from these by shader_structs().
+
+// A DirectionMap.
+struct MapData {
+  glm::vec4 right{0.0f};   // w: scale.x
+  glm::vec4 up{0.0f};      // w: scale.y
+  glm::vec4 axis{0.0f};    // w: 1 if octahedral
+  glm::vec4 offset{0.0f};  // x, y
+  glm::ivec4 cells{0};     // columns and rows without the border; index of the first value
+};
+
+// A light of the sliced airlight or of surfaces.
+struct LightData {
+  glm::vec3 position{0.0f};  // relative to the eye, or to the center of the surfaces
+  float h_min = 0.0f;        // see PointLightRay
+  glm::vec3 intensity{0.0f};
+  float shadow_share = 0.0f;  // points nearer than this share of their distance are lit
+  // Of the table, see TableRadii.
+  float first_radius = 0.0f;
+  float radii_per_unit = 0.0f;
+  float curvature = 0.0f;
+  float max_depth = 0.0f;  // of the table
+  std::int32_t radii = 0;
+  std::int32_t has_table = 0;
+  std::int32_t has_shadows = 0;
+  std::int32_t unused = 0;
+  MapData table;
+  MapData shadows;
+};
+
+// A light of the paper's airlight.
+struct PaperLightData {
+  glm::vec3 position{0.0f};  // relative to the eye
+  float h_min = 0.0f;
+  glm::vec3 intensity{0.0f};
+  float transmittance = 0.0f;  // of the Gaussians from the light to the eye
+  std::int32_t conserves_energy = 0;
+  std::int32_t unused[3] = {};
+};
+
+// A Gaussian; see GaussianBatch.
+struct GaussianShape {
+  float a = 0.0f;
+  float scale = 0.0f;
+  float cutoff = 0.0f;
+  float cutoff_radius = 0.0f;
+};
+
+// A Gaussian as the eye sees it.
+struct SeenGaussian {
+  glm::vec3 center{0.0f};  // relative to the eye
+  float a = 0.0f;
+  float scale = 0.0f;
+  float cutoff = 0.0f;
+  float displaced_cutoff = 0.0f;  // before noise displaces the ray
+  float cutoff_radius = 0.0f;
+};
+
+// Sums of tile binning.
+struct TileTotals {
+  std::uint32_t used = 0;     // Gaussians in any list
+  std::uint32_t entries = 0;  // of all lists
+  std::uint32_t coarse = 0;   // entries / coarse_entries of each Gaussian, rounded up
+};
+
+// Sums of the upsampling.
+struct UpsamplingTotals {
+  std::uint32_t batches = 0;
+  std::uint32_t asked_pixels = 0;
+  float mean_square = 0.0f;  // of the airlight's samples
+};
+
+// A work group's pixels, among those that the upsampling asks for.
+struct PixelBatch {
+  std::uint32_t tile = 0;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+// A corner of a triangle: its position and surface, or its normal and vertex.
+struct TriangleCorner {
+  glm::vec3 vector{0.0f};
+  std::int32_t index = 0;
+};
+
+// What a view ray hits.
+struct PixelHit {
+  float distance = 0.0f;  // < 0: nothing
+  float u = 0.0f, v = 0.0f;
+  std::int32_t triangle = -1;
+};
+
+// What is known of a surface, as floats among other values; places are indices of those or of the
+// light at surfaces, < 0: none.
+struct SurfaceRecord {
+  glm::vec3 diffuse{0.0f};  // reflectance / pi
+  float exponent = 0.0f;    // Phong's
+  glm::vec3 highlight{0.0f};
+  float reflection_at = 0.0f;          // its ReflectionTable; 0: it is diffuse
+  float has_transfer = 0.0f;           // 1: radiance transfer has been applied at its vertices
+  float transferred_functions = 0.0f;  // basis functions still to be reflected
+  float front_at = -1.0f;              // light at the vertices
+  float back_at = -1.0f;
+  glm::vec3 grid_corner{0.0f};  // of its average depths
+  float average_depths_at = -1.0f;
+  glm::vec3 cells_per_unit{0.0f};
+  float measured_at = -1.0f;  // the table of a measured material
+  glm::vec3 grid_nodes{0.0f};
+};
+
+// An element of the quarter turn of spherical harmonics, as floats among other values.
+struct TurnElement {
+  float to = 0.0f;
+  float from = 0.0f;
+  float value = 0.0f;
+};
+
+// GLSL source of the structs, and of the places of members of those that are read as floats
+// (`NAME_member`) and their sizes (`NAME_size`).
+std::string shader_structs();
+
+}  // namespace brume::gl
