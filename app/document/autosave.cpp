@@ -75,16 +75,17 @@ void Autosave::save_soon() {
     const std::optional<FileVersion>& version = document_.file_version();
     about->setValue("version", version ? QString::fromStdString(version->text()) : QString());
   }
-  QThreadPool::globalInstance()->start([this, revision, scene = document_.snapshot()] {
-    QString problem;
-    try {
-      write_private(copy_, scene_to_json(*scene, copy_.parent_path()));
-    } catch (const std::exception& error) {
-      problem = QString::fromUtf8(error.what());
-    }
-    QMetaObject::invokeMethod(
-        this, [this, revision, problem] { written(revision, problem); }, Qt::QueuedConnection);
-  });
+  QThreadPool::globalInstance()->start(
+      [this, revision, scene = document_.snapshot(), extras = document_.extras()] {
+        QString problem;
+        try {
+          write_private(copy_, document_to_json({*scene, extras}, copy_.parent_path()));
+        } catch (const std::exception& error) {
+          problem = QString::fromUtf8(error.what());
+        }
+        QMetaObject::invokeMethod(
+            this, [this, revision, problem] { written(revision, problem); }, Qt::QueuedConnection);
+      });
 }
 
 void Autosave::wait() {

@@ -14,8 +14,7 @@ namespace {
 // A light, so that the first Gaussian added can be seen.
 Scene new_scene() {
   Scene scene;
-  scene.lights.push_back(
-      {.position = {2.0, 3.0, 3.0}, .intensity = glm::dvec3(20.0), .extra_json = {}});
+  scene.lights.push_back({.position = {2.0, 3.0, 3.0}, .intensity = glm::dvec3(20.0)});
   return scene;
 }
 
@@ -79,15 +78,15 @@ void Document::create() {
   open(new_scene(), {});
 }
 
-Scene Document::scene_to_save() const {
-  Scene at_start = scene_;
-  apply_keys(at_start, 0.0);
+SceneDocument Document::document_to_save() const {
+  SceneDocument at_start(scene_, extras_);
+  apply_keys(at_start.scene, 0.0);
   return at_start;
 }
 
 void Document::save(const std::filesystem::path& file) {
   const std::filesystem::path absolute = std::filesystem::absolute(file);
-  const std::string text = scene_to_json(scene_to_save(), absolute.parent_path());
+  const std::string text = document_to_json(document_to_save(), absolute.parent_path());
   write_atomically(absolute, text);
   file_ = absolute;
   file_version_ = FileVersion::of_content(text);
@@ -97,16 +96,17 @@ void Document::save(const std::filesystem::path& file) {
   Q_EMIT modified_changed();
 }
 
-void Document::open_unsaved(Scene scene, const std::filesystem::path& file,
+void Document::open_unsaved(SceneDocument document, const std::filesystem::path& file,
                             const std::optional<FileVersion>& version) {
-  open(std::move(scene), file, version);
+  open(std::move(document), file, version);
   set_revision(new_revision());
 }
 
-void Document::open(Scene scene, const std::filesystem::path& file,
+void Document::open(SceneDocument document, const std::filesystem::path& file,
                     const std::optional<FileVersion>& version) {
   undo_stack_.clear();
-  scene_ = std::move(scene);
+  scene_ = std::move(document.scene);
+  extras_ = std::move(document.extras);
   time_ = 0.0;
   apply_keys(scene_, time_);
   selection_.clear();

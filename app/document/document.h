@@ -9,8 +9,8 @@
 
 #include "app/document/scene_part.h"
 #include "core/io/file_version.h"
+#include "core/io/scene/scene_document.h"
 #include "core/medium/medium_edit.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 
@@ -44,13 +44,15 @@ class Document : public QObject {
 
   // Both clear history and selection. `file`: where the scene was loaded from.
   void create();
-  void open(Scene scene, const std::filesystem::path& file,
+  void open(SceneDocument document, const std::filesystem::path& file,
             const std::optional<FileVersion>& version = {});
   // Opens a scene as modified.
-  void open_unsaved(Scene scene, const std::filesystem::path& file,
+  void open_unsaved(SceneDocument document, const std::filesystem::path& file,
                     const std::optional<FileVersion>& version = {});
-  // The scene as written to files: keyframed values as of time 0.
-  [[nodiscard]] Scene scene_to_save() const;
+  // What is written to files: keyframed values as of time 0.
+  [[nodiscard]] SceneDocument document_to_save() const;
+  // What the file had besides the scene.
+  [[nodiscard]] const SceneExtras& extras() const { return extras_; }
   // Saves, keeping the history. Throws InputError.
   void save(const std::filesystem::path& file);
 
@@ -106,6 +108,7 @@ class Document : public QObject {
   const Medium& visible_medium() const;
 
   Scene scene_;
+  SceneExtras extras_;
   mutable std::shared_ptr<const Scene> snapshot_;
   mutable std::shared_ptr<const Scene> visible_;
   // Cache of visible_medium(), and what it was made from.

@@ -72,11 +72,11 @@ void SceneFiles::adopt(LoadedScene& loaded) {
   missing_ = loaded.missing.missing;
   const std::optional<RecoveryFile> work = std::exchange(restoring_, std::nullopt);
   if (work) {
-    document_.open_unsaved(std::move(loaded.scene), work->file, work->version);
+    document_.open_unsaved(std::move(loaded.document), work->file, work->version);
   } else if (!loaded.missing.found.empty()) {
-    document_.open_unsaved(std::move(loaded.scene), loaded.file, loaded.version);
+    document_.open_unsaved(std::move(loaded.document), loaded.file, loaded.version);
   } else {
-    document_.open(std::move(loaded.scene), loaded.file, loaded.version);
+    document_.open(std::move(loaded.document), loaded.file, loaded.version);
   }
   if (!work) remember(loaded.file);
   if (!missing_.empty()) {

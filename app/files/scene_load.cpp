@@ -55,7 +55,7 @@ void SceneLoad::work(const std::stop_token& quit) {
       // First: a change while the scene is being read is one that it may have missed.
       loaded->version = FileVersion::read(loaded->file);
       loaded->missing.found = job.found;
-      loaded->scene = load_scene(loaded->file, &warnings, loaded->missing);
+      loaded->document = load_document(loaded->file, &warnings, loaded->missing);
       QStringList lines;
       for (const std::string& warning : warnings) lines << QString::fromStdString(warning);
       loaded->warnings = lines.join('\n');

@@ -12,13 +12,12 @@
 #include "app/jobs/job_bar.h"
 #include "core/io/file_version.h"
 #include "core/io/scene/missing_files.h"
-#include "core/scene/scene.h"
 
 namespace brume {
 
 struct LoadedScene {
   std::filesystem::path file;  // absolute
-  Scene scene;
+  SceneDocument document;
   std::optional<FileVersion> version;  // of the file that was read
   MissingFiles missing;
   QString warnings;  // one a line

@@ -144,10 +144,8 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   show();
 }
 
-void TimelineBar::set_playback(Playback playback) {
-  const auto& before = document_.scene().playback;
-  if (before) playback.extra_json = before->extra_json;
-  set_scene_part(document_, std::optional(std::move(playback)), tr("Set playback range"));
+void TimelineBar::set_playback(const Playback& playback) {
+  set_scene_part(document_, std::optional(playback), tr("Set playback range"));
 }
 
 void TimelineBar::fit_keys() {

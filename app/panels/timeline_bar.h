@@ -27,7 +27,7 @@ class TimelineBar : public QWidget {
   void set_key();
 
  private:
-  void set_playback(Playback playback);  // one undo step
+  void set_playback(const Playback& playback);  // one undo step
   void refresh_targets();
   void fit_keys();  // shows a few tracks at once
 

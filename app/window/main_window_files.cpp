@@ -93,8 +93,8 @@ void MainWindow::gather_to(const std::filesystem::path& folder) {
       document_.file().empty() ? std::string("scene") : document_.file().stem().string();
   start_file_job(tr("Gathering"),
                  [this, folder, name,
-                  scene = document_.scene_to_save()](const Job& job) -> BackgroundJob::Apply {
-                   gather_scene(scene, folder, name, job.stop);
+                  document = document_.document_to_save()](const Job& job) -> BackgroundJob::Apply {
+                   gather_scene(document, folder, name, job.stop);
                    return [this, folder] {
                      show_status(tr("Gathered in %1").arg(to_qstring(folder)));
                    };

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <string>
+
+#include "core/scene/object_id.h"
 
 namespace brume {
 
@@ -20,7 +21,7 @@ struct Emitter {
   glm::dvec2 radius{0.1, 0.4};         // at birth and at death [u], > 0
   glm::dvec2 density{1.0, 0.0};        // at birth and at death [1/u], >= 0
   std::int64_t seed = 0;
-  std::string extra_json;  // as ExtraJson of core/scene/scene.h
+  ObjectId id = 0;
 
   bool operator==(const Emitter&) const = default;
 };

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <string>
 #include <vector>
+
+#include "core/scene/object_id.h"
 
 namespace brume {
 
@@ -15,7 +16,7 @@ struct Key {
   double time = 0.0;  // [s]
   T value{};
   Interpolation interpolation = Interpolation::smooth;
-  std::string extra_json{};  // as ExtraJson of core/scene/scene.h
+  ObjectId id = 0;
 
   bool operator==(const Key&) const = default;
 };

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "core/medium/gaussian.h"
+#include "core/scene/object_id.h"
 
 namespace brume {
 
@@ -25,7 +25,7 @@ struct MediumSequence {
   double frames_per_second = 30.0;                           // > 0
   double start = 0.0;                                        // when the first frame is shown [s]
   std::shared_ptr<const std::vector<SequenceFrame>> frames;  // never null in a loaded scene
-  std::string extra_json{};                                  // as ExtraJson of core/scene/scene.h
+  ObjectId id = 0;
 
   bool operator==(const MediumSequence&) const = default;
 };

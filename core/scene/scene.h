@@ -3,10 +3,8 @@
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
-#include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/medium/medium.h"
@@ -14,6 +12,7 @@
 #include "core/scene/emitter.h"
 #include "core/scene/keys.h"
 #include "core/scene/medium_sequence.h"
+#include "core/scene/object_id.h"
 
 namespace brume {
 
@@ -21,15 +20,10 @@ class MeasuredBrdf;
 struct RadianceMap;
 struct TriangleMesh;
 
-// Unknown JSON keys of an object of the scene file, as text of a JSON object ("" for none);
-// preserved on saving.
-using ExtraJson = std::string;
-
 // ...Keys are the keyframes of an object's values; see core/scene/animation.h.
 struct LightKeys {
   Keys<glm::dvec3> position;
   Keys<glm::dvec3> intensity;
-  ExtraJson extra_json;
 
   bool operator==(const LightKeys&) const = default;
 };
@@ -38,9 +32,9 @@ struct LightKeys {
 struct PointLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{1.0};
-  ExtraJson extra_json;
-  bool on = true;
   LightKeys keys{};
+  bool on = true;
+  ObjectId id = 0;
 
   bool operator==(const PointLight&) const = default;
 };
@@ -48,7 +42,6 @@ struct PointLight {
 struct EnvironmentKeys {
   Keys<double> intensity;
   Keys<double> rotation;
-  ExtraJson extra_json;
 
   bool operator==(const EnvironmentKeys&) const = default;
 };
@@ -59,8 +52,8 @@ struct Environment {
   std::shared_ptr<const RadianceMap> map;  // never null in a loaded scene
   double intensity = 1.0;
   double rotation = 0.0;
-  ExtraJson extra_json;
   EnvironmentKeys keys{};
+  ObjectId id = 0;
 
   bool operator==(const Environment&) const = default;
 };
@@ -74,7 +67,6 @@ struct Material {
   double exponent = 1.0;        // phong only, >= 0
   std::filesystem::path file;   // measured only: a MERL .binary
   std::shared_ptr<const MeasuredBrdf> measured;  // its content; never null in a loaded scene
-  ExtraJson extra_json;
 
   bool operator==(const Material&) const = default;
 };
@@ -89,14 +81,13 @@ struct Surface {
   double scale = 1.0;                     // > 0
   Material material;
   Transfer transfer = Transfer::none;
-  ExtraJson extra_json;
+  ObjectId id = 0;
 
   bool operator==(const Surface&) const = default;
 };
 
 struct NoiseKeys {
   Keys<double> amplitude;
-  ExtraJson extra_json;
 
   bool operator==(const NoiseKeys&) const = default;
 };
@@ -107,7 +98,6 @@ struct Noise {
   double frequency = 1.0;    // lattice cells per u, >= 0
   glm::dvec3 velocity{0.0};  // of the pattern [u/s]
   std::int64_t seed = 0;
-  ExtraJson extra_json;
   NoiseKeys keys{};
 
   bool operator==(const Noise&) const = default;
@@ -117,7 +107,6 @@ struct Noise {
 struct MediumKeys {
   Keys<glm::dvec3> albedo;
   Keys<double> anisotropy;
-  ExtraJson extra_json;
 
   bool operator==(const MediumKeys&) const = default;
 };
@@ -133,19 +122,10 @@ struct MediumOptics {
   bool operator==(const MediumOptics&) const = default;
 };
 
-// The Gaussians of a scene that came from `medium.file`, as they were loaded: while they are
-// unchanged, saving refers to the file again instead of writing them into the scene.
-struct MediumFile {
-  std::filesystem::path file;
-  std::vector<GaussianId> ids;
-  std::vector<Gaussian> gaussians;
-};
-
 struct CameraKeys {
   Keys<glm::dvec3> eye;
   Keys<glm::dvec3> target;
   Keys<double> vertical_fov;
-  ExtraJson extra_json;
 
   bool operator==(const CameraKeys&) const = default;
 };
@@ -155,7 +135,6 @@ struct Playback {
   int first = 0;  // 0 <= first <= last <= limits::frame
   int last = 0;
   bool loops = true;
-  ExtraJson extra_json{};
 
   bool operator==(const Playback&) const = default;
 };
@@ -169,19 +148,12 @@ struct Scene {
   Medium medium;
   Keys<double> density_keys;  // of the medium's homogeneous density
   MediumOptics optics;
-  std::shared_ptr<const MediumFile> medium_file;
   std::vector<Emitter> emitters;          // their particles are not in `medium`, see evaluate_at()
   std::vector<MediumSequence> sequences;  // not in `medium` either
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
   std::optional<Playback> playback;  // absent: all that moves, again and again
-
-  ExtraJson extra_json;  // of the top level
-  ExtraJson unknown_camera;
-  ExtraJson unknown_film;
-  ExtraJson unknown_medium;
-  std::map<GaussianId, ExtraJson> unknown_gaussians;
 
   bool operator==(const Scene&) const = default;
 };

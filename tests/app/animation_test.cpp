@@ -95,9 +95,9 @@ class AnimationTest : public QObject {
 
   void gaussians_beyond_the_limit_are_refused() {
     Scene scene = small_scene();
-    const Emitter full{.rate = 1e9, .lifetime = 1e3, .extra_json = {}};
+    const Emitter full{.rate = 1e9, .lifetime = 1e3};
     scene.emitters.assign(99, full);
-    scene.emitters.push_back({.rate = 99'989.0, .lifetime = 1.0, .extra_json = {}});
+    scene.emitters.push_back({.rate = 99'989.0, .lifetime = 1.0});
     QCOMPARE(gaussian_count(scene), limits::gaussians - 5);
     TestWindow window(scene);
     Document& document = window->document();
@@ -126,7 +126,7 @@ class AnimationTest : public QObject {
 
   void the_picture_follows_the_timeline() {
     Scene scene = small_scene();
-    scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0, .extra_json = {}});
+    scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
     TestWindow window(scene);
     QVERIFY(window.settle());
     QCOMPARE(shown_gaussians(window), std::size_t{6});

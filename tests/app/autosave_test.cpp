@@ -28,7 +28,7 @@ std::vector<fs::path> copies(const fs::path& folder) {
 // As a session leaves it that was killed: its copy, and the lock of a process that is no more.
 void leave_behind(const fs::path& folder, const Scene& scene, const fs::path& file) {
   fs::create_directories(folder);
-  save_scene(scene, folder / "killed.brume");
+  save_document(scene, folder / "killed.brume");
   std::ofstream(folder / "killed.ini") << "[General]\nfile=" << file.string() << '\n';
   std::ofstream(folder / "killed.lock") << "999999999\nbrume-editor\n"
                                         << QSysInfo::machineHostName().toStdString() << '\n';

@@ -84,7 +84,7 @@ class Benchmark {
 
   void run(int count) {
     std::printf("\n%d Gaussians%*s median    worst    longest block\n", count, 12, "");
-    save_scene(cloud(count), to_path(folder_.filePath("cloud.brume")));
+    save_document(cloud(count), to_path(folder_.filePath("cloud.brume")));
     MainWindow window;
     window.resize(1280, 800);
     window.show();

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "app/commands/edit_keys.h"
+#include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
@@ -19,7 +20,7 @@ namespace {
 
 void load(Document& document, const QTemporaryDir& folder, const Scene& scene) {
   const auto file = std::filesystem::path(folder.path().toStdString()) / "scene.brume";
-  save_scene(scene, file);
+  save_document(scene, file);
   document.open(load_scene(file), file);
 }
 
@@ -169,6 +170,29 @@ class DocumentTest : public QObject {
     QCOMPARE(document.undo_stack().count(), 1);
     QVERIFY(set_attribute(document, ids, GaussianAttribute::density, 0.0).isEmpty());
     QCOMPARE(parse_number(" 0,25 "), 0.25);
+  }
+
+  void unknown_keys_follow_a_light_through_deletion_and_undo() {
+    const QTemporaryDir folder;
+    const auto file = std::filesystem::path(folder.path().toStdString()) / "scene.brume";
+    SceneDocument loaded = small_scene();
+    loaded.scene.lights.assign(3, PointLight{});
+    for (const int k : {0, 2}) {
+      const std::string name = "{\"name\": \"light " + std::to_string(k) + "\"}";
+      loaded.extras.unknown_keys.add(loaded.scene.lights[static_cast<std::size_t>(k)].id, "", name);
+    }
+    save_document(loaded, file);
+    Document document;
+    document.open(load_document(file), file);
+    const auto saved = [&] { return document_to_json(document.document_to_save(), "/"); };
+    const std::string all = saved();
+    delete_light(document, 0);
+    add_light(document, {1, 2, 3});
+    const std::string fewer = saved();
+    QVERIFY(fewer.find("light 0") == std::string::npos);
+    QVERIFY(fewer.find("light 2") < fewer.find("[1.0, 2.0, 3.0]"));
+    document.undo_stack().setIndex(0);
+    QCOMPARE(saved(), all);
   }
 
   // Whatever the editor takes, files can hold.

@@ -333,7 +333,7 @@ class EditorTest : public QObject {
 
   void the_present_scene_stays_until_the_other_is_complete() {
     TestWindow window;
-    save_scene(fog_of(20000), window.file("big.brume"));
+    save_document(fog_of(20000), window.file("big.brume"));
     SceneLoad& loading = window->files().loading();
     QVERIFY(!loading.isVisible());
     window->files().open_file(window.file("big.brume"));
@@ -348,8 +348,8 @@ class EditorTest : public QObject {
 
   void opening_can_be_cancelled_and_the_last_one_wins() {
     TestWindow window;
-    save_scene(fog_of(20000), window.file("big.brume"));
-    save_scene(fog_of(7), window.file("seven.brume"));
+    save_document(fog_of(20000), window.file("big.brume"));
+    save_document(fog_of(7), window.file("seven.brume"));
     QSignalSpy opened(&window->files(), &SceneFiles::opened);
     window->files().open_file(window.file("big.brume"));
     QTest::mouseClick(window->files().loading().findChild<QToolButton*>(), Qt::LeftButton);

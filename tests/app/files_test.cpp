@@ -105,7 +105,7 @@ void write_scene_with_meshes(TestWindow& window) {
     surface.transfer = Surface::Transfer::shadow;
     scene.surfaces.push_back(surface);
   }
-  save_scene(scene, window.file("meshes.brume"));
+  save_document(scene, window.file("meshes.brume"));
 }
 
 }  // namespace

@@ -251,7 +251,7 @@ class FramesTest : public QObject {
   void radiance_transfer_is_made_in_the_background() {
     TestWindow window;
     Viewport& view = window->viewport();
-    save_scene(scene_with_transfer(window.file("ball.off"), 100), window.file("transfer.brume"));
+    save_document(scene_with_transfer(window.file("ball.off"), 100), window.file("transfer.brume"));
     QSignalSpy made(&view.transfer_job(), &TransferJob::made);
     QVERIFY(window.open("transfer.brume"));
     QTRY_VERIFY(view.transfer_job().isVisible());
@@ -273,7 +273,7 @@ class FramesTest : public QObject {
   void radiance_transfer_can_be_cancelled() {
     TestWindow window;
     Viewport& view = window->viewport();
-    save_scene(scene_with_transfer(window.file("big.off"), 300), window.file("transfer.brume"));
+    save_document(scene_with_transfer(window.file("big.off"), 300), window.file("transfer.brume"));
     QVERIFY(window.open("transfer.brume"));
     QTRY_VERIFY(view.transfer_job().isVisible());
     view.transfer_job().findChild<QToolButton*>()->click();
@@ -281,7 +281,7 @@ class FramesTest : public QObject {
     QVERIFY(window.settle());
     QVERIFY(misses_transfer(view.shown()->frame));
     // Another scene gives it up too.
-    save_scene(scene_with_transfer(window.file("small.off"), 10), window.file("small.brume"));
+    save_document(scene_with_transfer(window.file("small.off"), 10), window.file("small.brume"));
     QVERIFY(window.open("transfer.brume"));
     QTRY_VERIFY(view.transfer_job().is_running());
     QSignalSpy made(&view.transfer_job(), &TransferJob::made);

@@ -219,16 +219,25 @@ class RandomHands {
   std::mt19937 random_;
 };
 
-Scene starting_scene() {
+// With an unknown key of each object that hands may change, move, copy, remove.
+SceneDocument starting_document() {
   Scene scene = small_scene();
   scene.surfaces.emplace_back();
   scene.surfaces[0].mesh_file = BRUME_RESOURCES "/meshes/bunny.obj";
   scene.emitters.emplace_back();
-  return scene;
+  SceneExtras extras;
+  int count = 0;
+  const auto text = [&count] { return "{\"later\": " + std::to_string(++count) + "}"; };
+  for (PointLight& light : scene.lights) extras.unknown_keys.add(light.id, "", text());
+  extras.unknown_keys.add(scene.surfaces[0].id, "", text());
+  extras.unknown_keys.add(scene.surfaces[0].id, "material", text());
+  extras.unknown_keys.add(scene.emitters[0].id, "", text());
+  for (const GaussianId id : scene.medium.ids()) extras.unknown_keys.add_of_gaussian(id, text());
+  return {std::move(scene), std::move(extras)};
 }
 
 std::string bytes_of(const Document& document) {
-  return scene_to_json(document.scene(), "/");
+  return document_to_json({document.scene(), document.extras()}, "/");
 }
 
 }  // namespace
@@ -265,7 +274,7 @@ class HistoryTest : public QObject {
     for (unsigned seed = 1; seed <= sequences; ++seed) {
       QGuiApplication::clipboard()->clear();
       Document document;
-      document.open(starting_scene(), {});
+      document.open(starting_document(), {});
       const std::string before = bytes_of(document);
       RandomHands hands(document, seed);
       for (int k = 0; k < acts; ++k) hands.act();
@@ -289,15 +298,15 @@ class HistoryTest : public QObject {
     const auto file = std::filesystem::path(folder.path().toStdString()) / "saved.brume";
     for (unsigned seed = 1; seed <= 50; ++seed) {
       Document document;
-      document.open(starting_scene(), {});
+      document.open(starting_document(), {});
       const std::string before = bytes_of(document);
       RandomHands hands(document, seed);
       for (int k = 0; k < 25; ++k) hands.act();
       document.save(file);
       document.set_time(0.0);  // the moment that a file's values are of
       QVERIFY(!document.is_modified());
-      const Scene loaded = load_scene(file);
-      QCOMPARE(scene_to_json(loaded, "/"), bytes_of(document));
+      const SceneDocument loaded = load_document(file);
+      QCOMPARE(document_to_json(loaded, "/"), bytes_of(document));
       const std::string middle = bytes_of(document);
       const int saved_at = document.undo_stack().index();
       for (int k = 0; k < 25; ++k) hands.act();

@@ -226,7 +226,7 @@ class QualityTest : public QObject {
   void a_change_cancels_measuring() {
     TestWindow window;
     const Scene heavy = heavy_scene();
-    save_scene(heavy, window.file("heavy.brume"));
+    save_document(heavy, window.file("heavy.brume"));
     QVERIFY(window.open("heavy.brume"));
     Viewport& view = window->viewport();
     QVERIFY(QTest::qWaitFor([&] { return view.is_settled(); }, patience));

@@ -28,7 +28,7 @@ Scene small_scene() {
 }
 
 TestWindow::TestWindow(const Scene& scene) : window_(std::make_unique<MainWindow>()) {
-  save_scene(scene, file("scene.brume"));
+  save_document(scene, file("scene.brume"));
   window_->resize(900, 775);  // a picture high enough to tell handles apart
   window_->show();
   window_->activateWindow();

@@ -112,7 +112,7 @@ class BenchCommand final : public Command {
     for (const BenchScene& bench : built_in_scenes(quick_)) {
       // What stands in no file cannot be referred to.
       if (!bench.scene.surfaces.empty() || bench.scene.environment) continue;
-      save_scene(bench.scene, std::filesystem::path(folder_) / (bench.name + ".brume"));
+      save_document(bench.scene, std::filesystem::path(folder_) / (bench.name + ".brume"));
       print_result(bench.name + ".brume\n");
     }
     return done;

@@ -20,9 +20,9 @@ class GatherCommand final : public Command {
 
   ExitCode run() override {
     CommandFiles files;
-    const Scene scene = read_scene(scene_, files);
+    const SceneDocument document = read_document(scene_, files);
     const ProgressLine line("gathering " + scene_);
-    if (!gather_scene(scene, folder_, std::filesystem::path(scene_).stem().string(),
+    if (!gather_scene(document, folder_, std::filesystem::path(scene_).stem().string(),
                       interruption())) {
       throw Interrupted();
     }

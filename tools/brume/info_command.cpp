@@ -42,10 +42,13 @@ Json medium_json(const Medium& medium) {
   return json;
 }
 
-Json scene_json(const Scene& scene) {
+Json scene_json(const SceneDocument& document) {
+  const Scene& scene = document.scene;
   Json json;
   json["medium"] = medium_json(scene.medium);
-  if (scene.medium_file) json["medium"]["file"] = scene.medium_file->file.string();
+  if (const auto& loaded = document.extras.medium_file) {
+    json["medium"]["file"] = loaded->file.string();
+  }
   json["film"] = Json::array({scene.film.width, scene.film.height});
   json["lights"] = Json::array();
   for (const PointLight& light : scene.lights) {
@@ -141,9 +144,9 @@ class InfoCommand final : public Command {
       json["medium"] = medium_json(medium);
     } else if (extension == ".brume") {
       CommandFiles files;
-      const Scene scene = read_scene(file_, files);
+      const SceneDocument document = read_document(file_, files);
       const ProgressLine line("measuring " + file_);
-      json.update(scene_json(scene));
+      json.update(scene_json(document));
     } else {
       throw InputError(
           file_, "",

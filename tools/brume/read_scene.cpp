@@ -10,20 +10,24 @@
 namespace brume {
 namespace {
 
-Scene load(const std::string& file, std::vector<std::string>& warnings) {
+SceneDocument load(const std::string& file, std::vector<std::string>& warnings) {
   const ProgressLine line("reading " + file);
-  return load_scene(file, &warnings);
+  return load_document(file, &warnings);
 }
 
 }  // namespace
 
-Scene read_scene(const std::string& file, CommandFiles& files) {
+SceneDocument read_document(const std::string& file, CommandFiles& files) {
   files.add_input(file);
   std::vector<std::string> warnings;
-  Scene scene = load(file, warnings);
+  SceneDocument document = load(file, warnings);
   print_warnings(warnings);
-  for (const std::filesystem::path& other : files_of(scene)) files.add_input(other);
-  return scene;
+  for (const std::filesystem::path& other : files_of(document)) files.add_input(other);
+  return document;
+}
+
+Scene read_scene(const std::string& file, CommandFiles& files) {
+  return read_document(file, files).scene;
 }
 
 }  // namespace brume

@@ -2,13 +2,15 @@
 
 #include <string>
 
-#include "core/scene/scene.h"
+#include "core/io/scene/scene_document.h"
 #include "tools/brume/command_files.h"
 
 namespace brume {
 
 // Loads the scene of a command, whose other files become inputs of it; prints what there is to warn
 // of. Throws InputError.
+SceneDocument read_document(const std::string& file, CommandFiles& files);
+// The scene of it alone.
 Scene read_scene(const std::string& file, CommandFiles& files);
 
 }  // namespace brume

@@ -141,22 +141,22 @@ fs::path cleaned(const fs::path& folder) {
   return normal.has_filename() ? normal : normal.parent_path();
 }
 
-void write_copies(const Scene& scene, const fs::path& folder, const std::string& name,
+void write_copies(const SceneDocument& document, const fs::path& folder, const std::string& name,
                   const std::stop_token& stop) {
   Copies copies(folder / "files", stop);
-  Scene gathered = scene;
-  visit_files(gathered, [&copies](auto& reference) { copies.add(reference); });
-  if (refers_to_medium_file(scene)) {
-    auto file = std::make_shared<MediumFile>(*scene.medium_file);
-    copies.add(file->file);
-    gathered.medium_file = std::move(file);
+  SceneDocument gathered = document;
+  visit_files(gathered.scene, [&copies](auto& reference) { copies.add(reference); });
+  if (refers_to_medium_file(document)) {
+    auto loaded = std::make_shared<MediumFile>(*document.extras.medium_file);
+    copies.add(loaded->file);
+    gathered.extras.medium_file = std::move(loaded);
   }
-  save_scene(gathered, folder / (name + ".brume"));
+  save_document(gathered, folder / (name + ".brume"));
 }
 
 }  // namespace
 
-bool gather_scene(const Scene& scene, const fs::path& to, const std::string& name,
+bool gather_scene(const SceneDocument& document, const fs::path& to, const std::string& name,
                   const std::stop_token& stop) {
   const fs::path folder = cleaned(to);
   std::error_code error;
@@ -167,7 +167,7 @@ bool gather_scene(const Scene& scene, const fs::path& to, const std::string& nam
   try {
     TemporaryTarget target(folder);
     try {
-      write_copies(scene, target.path(), name, stop);
+      write_copies(document, target.path(), name, stop);
     } catch (const InputError& mistake) {  // which may name the temporary folder
       throw InputError(folder, "", std::string("cannot be created: ") + mistake.what());
     }

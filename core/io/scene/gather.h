@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <string>
 
-#include "core/scene/scene.h"
+#include "core/io/scene/scene_document.h"
 
 namespace brume {
 
@@ -12,7 +12,7 @@ namespace brume {
 // every referenced file, once each, under names that are unique ignoring case. The folder appears
 // when complete; it must be missing or empty before. Throws InputError. False, leaving nothing, if
 // stopped.
-bool gather_scene(const Scene& scene, const std::filesystem::path& folder, const std::string& name,
-                  const std::stop_token& stop = {});
+bool gather_scene(const SceneDocument& document, const std::filesystem::path& folder,
+                  const std::string& name, const std::stop_token& stop = {});
 
 }  // namespace brume

@@ -138,7 +138,7 @@ const Json::array_t& JsonObject::array(std::string_view key, std::size_t longest
   return value->get_ref<const Json::array_t&>();
 }
 
-std::string JsonObject::extra_json() {
+std::string JsonObject::unknown_keys() {
   std::string rest;
   for (const auto& [key, value] : value_.items()) {
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
@@ -168,9 +168,9 @@ std::vector<double> read_numbers(const JsonContext& context, const Json& value,
   return numbers;
 }
 
-void add_extra_json(Json& object, const std::string& extra_json) {
-  if (extra_json.empty()) return;
-  const Json keys = Json::parse(extra_json);
+void add_unknown_keys(Json& object, const std::string& unknown_keys) {
+  if (unknown_keys.empty()) return;
+  const Json keys = Json::parse(unknown_keys);
   for (const auto& [key, value] : keys.items()) {
     if (!object.contains(key)) object[key] = value;
   }

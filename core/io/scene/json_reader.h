@@ -81,7 +81,7 @@ class JsonObject {
   const Json::array_t& array(std::string_view key, std::size_t longest);
 
   // Call after reading all members: the unknown ones as text of a JSON object ("" for none). Warns.
-  std::string extra_json();
+  std::string unknown_keys();
 
   [[nodiscard]] JsonPath place(std::string_view key) const { return place_.member(key); }
   [[noreturn]] void fail(std::string_view key, const std::string& message) const {
@@ -100,8 +100,8 @@ std::vector<double> read_numbers(const JsonContext& context, const Json& value,
                                  const JsonPath& place, std::size_t count,
                                  const NumberDomain& domain);
 
-// Adds preserved unknown keys (text of an object, or "") to an object.
-void add_extra_json(Json& object, const std::string& extra_json);
+// Adds unknown keys (text of an object, or "") to an object.
+void add_unknown_keys(Json& object, const std::string& unknown_keys);
 
 // A value as quoted in error messages.
 std::string quoted_json(const Json& value);

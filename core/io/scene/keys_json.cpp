@@ -16,26 +16,26 @@ void read_value(JsonObject& object, const NumberDomain& domain, glm::dvec3& valu
 
 template <class T>
 Key<T> read_key(JsonContext& context, const Json& json, const JsonPath& place,
-                const NumberDomain& domain) {
+                const NumberDomain& domain, UnknownKeys& unknown_keys) {
   JsonObject object(context, json, place);
   Key<T> key;
   key.time = object.number("time", domain::seconds, {});
   read_value(object, domain, key.value);
   key.interpolation = static_cast<Interpolation>(
       object.choice("interpolation", scene_names::interpolations, std::size_t{0}));
-  key.extra_json = object.extra_json();
+  unknown_keys.add(key.id, "", object.unknown_keys());
   return key;
 }
 
 template <class T>
 void read_all(JsonContext& context, JsonObject& object, const char* name,
-              const NumberDomain& domain, Keys<T>& keys) {
+              const NumberDomain& domain, Keys<T>& keys, UnknownKeys& unknown_keys) {
   const Json::array_t& elements = object.array(name, limits::keys_of_value);
   const JsonPath place = object.place(name);
   keys.reserve(elements.size());
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const JsonPath element = place.element(i);
-    keys.push_back(read_key<T>(context, elements[i], element, domain));
+    keys.push_back(read_key<T>(context, elements[i], element, domain, unknown_keys));
     if (i > 0 && !(keys[i].time - keys[i - 1].time >= min_key_distance)) {
       context.fail(element.member("time"), "found " + quoted_text(keys[i].time) + " after " +
                                                quoted_text(keys[i - 1].time) +
@@ -52,7 +52,7 @@ Json value_to_json(const glm::dvec3& value) {
 }
 
 template <class T>
-Json all_to_json(const Keys<T>& keys) {
+Json all_to_json(const Keys<T>& keys, const UnknownKeys& unknown_keys) {
   Json array = Json::array();
   for (const Key<T>& key : keys) {
     Json entry{{"time", key.time}, {"value", value_to_json(key.value)}};
@@ -60,7 +60,7 @@ Json all_to_json(const Keys<T>& keys) {
       entry["interpolation"] =
           scene_names::interpolations[static_cast<std::size_t>(key.interpolation)];
     }
-    add_extra_json(entry, key.extra_json);
+    add_unknown_keys(entry, unknown_keys.of(key.id, ""));
     array.push_back(std::move(entry));
   }
   return array;
@@ -69,21 +69,21 @@ Json all_to_json(const Keys<T>& keys) {
 }  // namespace
 
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<double>& keys) {
-  read_all(context, object, name, domain, keys);
+               const NumberDomain& domain, Keys<double>& keys, UnknownKeys& unknown_keys) {
+  read_all(context, object, name, domain, keys, unknown_keys);
 }
 
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dvec3>& keys) {
-  read_all(context, object, name, domain, keys);
+               const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys) {
+  read_all(context, object, name, domain, keys, unknown_keys);
 }
 
-Json keys_to_json(const Keys<double>& keys) {
-  return all_to_json(keys);
+Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys) {
+  return all_to_json(keys, unknown_keys);
 }
 
-Json keys_to_json(const Keys<glm::dvec3>& keys) {
-  return all_to_json(keys);
+Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys) {
+  return all_to_json(keys, unknown_keys);
 }
 
 }  // namespace brume

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/scene/json_reader.h"
+#include "core/io/scene/scene_document.h"
 #include "core/scene/keys.h"
 
 namespace brume {
@@ -8,11 +9,11 @@ namespace brume {
 // Keyframes of one value: the array `name` of a `keys` object; empty if missing. Times increase by
 // at least min_key_distance, values lie in the domain.
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<double>& keys);
+               const NumberDomain& domain, Keys<double>& keys, UnknownKeys& unknown_keys);
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
-               const NumberDomain& domain, Keys<glm::dvec3>& keys);
+               const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys);
 
-Json keys_to_json(const Keys<double>& keys);
-Json keys_to_json(const Keys<glm::dvec3>& keys);
+Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys);
+Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys);
 
 }  // namespace brume

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "core/io/scene/scene_document.h"
 
 namespace brume {
 
@@ -18,10 +18,10 @@ struct MissingFiles {
   std::vector<std::filesystem::path> missing;  // not located
 };
 
-// load_scene() that tolerates missing files: reads those in `missing.found` from there and adds the
-// others to `missing.missing`. Placeholders: one degenerate triangle, no Gaussians, a black
+// load_document() that tolerates missing files: reads those in `missing.found` from there and adds
+// the others to `missing.missing`. Placeholders: one degenerate triangle, no Gaussians, a black
 // environment, a gray material. References are preserved for saving.
-Scene load_scene(const std::filesystem::path& file, std::vector<std::string>* warnings,
-                 MissingFiles& missing);
+SceneDocument load_document(const std::filesystem::path& file, std::vector<std::string>* warnings,
+                            MissingFiles& missing);
 
 }  // namespace brume

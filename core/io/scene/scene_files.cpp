@@ -6,9 +6,9 @@
 
 namespace brume {
 
-std::vector<std::filesystem::path> files_of(const Scene& scene) {
+std::vector<std::filesystem::path> files_of(const SceneDocument& document) {
   std::vector<std::filesystem::path> files;
-  visit_files(scene, [&files](const auto& reference) {
+  visit_files(document.scene, [&files](const auto& reference) {
     if constexpr (std::is_same_v<decltype(reference), const MediumSequence&>) {
       const auto frames = FramePattern::parse(reference.file.string());
       for (int frame = reference.first; frames && frame <= reference.last; ++frame) {
@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> files_of(const Scene& scene) {
       files.push_back(reference);
     }
   });
-  if (scene.medium_file) files.push_back(scene.medium_file->file);
+  if (const auto& loaded = document.extras.medium_file) files.push_back(loaded->file);
   return files;
 }
 

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "core/io/scene/scene_document.h"
 
 namespace brume {
 
 // Calls visit(path) for each referenced file and visit(sequence) for each sequence, except
-// medium_file.
+// medium.file.
 template <class SceneOrConst, class Visit>
 void visit_files(SceneOrConst& scene, Visit visit) {
   for (auto& surface : scene.surfaces) {
@@ -20,6 +20,6 @@ void visit_files(SceneOrConst& scene, Visit visit) {
 }
 
 // All files referenced by a loaded scene; may contain duplicates.
-std::vector<std::filesystem::path> files_of(const Scene& scene);
+std::vector<std::filesystem::path> files_of(const SceneDocument& document);
 
 }  // namespace brume

@@ -25,7 +25,7 @@ class SceneLoader {
   SceneLoader(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing)
       : context_(file, warnings), references_(file, missing) {}
 
-  Scene load(const Json& root) {
+  SceneDocument load(const Json& root) {
     JsonObject object(context_, root, root_);
     check_version(object);
     if (const Json* value = object.find("camera")) load_camera(*value, object.place("camera"));
@@ -38,9 +38,9 @@ class SceneLoader {
     load_elements(object, "surfaces", limits::surfaces, &SceneLoader::load_surface);
     if (const Json* value = object.find("timeline"))
       load_timeline(*value, object.place("timeline"));
-    scene_.extra_json = object.extra_json();
+    unknown_keys_.add("", object.unknown_keys());
     context_.finish_warnings();
-    return std::move(scene_);
+    return std::move(document_);
   }
 
  private:
@@ -68,16 +68,17 @@ class SceneLoader {
     }
   }
 
-  // The member `keys` of an object: those of the values that visit_all(visit) goes through.
-  void load_keys(JsonObject& owner, ExtraJson& extra_json, auto&& visit_all) {
+  // The member `keys` of an object: those of the values that visit_all(visit) goes through. Its
+  // unknown keys.
+  std::string load_keys(JsonObject& owner, auto&& visit_all) {
     const Json* value = owner.find("keys");
-    if (value == nullptr) return;
+    if (value == nullptr) return {};
     const JsonPath place = owner.place("keys");
     JsonObject object(context_, *value, place);
     visit_all([&](const char* name, const auto&, auto& keys, const NumberDomain& domain) {
-      read_keys(context_, object, name, domain, keys);
+      read_keys(context_, object, name, domain, keys, unknown_keys_);
     });
-    extra_json = object.extra_json();
+    return object.unknown_keys();
   }
 
   void load_camera(const Json& value, const JsonPath& place) {
@@ -93,10 +94,10 @@ class SceneLoader {
     if (!(glm::length(camera.up) > 0.0)) {
       object.fail("up", "found a vector of length 0; allowed: any other");
     }
-    CameraKeys& keys = scene_.camera_keys;
-    load_keys(object, keys.extra_json,
-              [&](auto&& visit) { visit_keyed_camera(camera, keys, visit); });
-    scene_.unknown_camera = object.extra_json();
+    unknown_keys_.add("camera.keys", load_keys(object, [&](auto&& visit) {
+                        visit_keyed_camera(camera, scene_.camera_keys, visit);
+                      }));
+    unknown_keys_.add("camera", object.unknown_keys());
   }
 
   void load_film(const Json& value, const JsonPath& place) {
@@ -104,7 +105,7 @@ class SceneLoader {
     Film& film = scene_.film;
     film.width = static_cast<int>(object.integer("width", 1, limits::film_side, film.width));
     film.height = static_cast<int>(object.integer("height", 1, limits::film_side, film.height));
-    scene_.unknown_film = object.extra_json();
+    unknown_keys_.add("film", object.unknown_keys());
   }
 
   void load_timeline(const Json& value, const JsonPath& place) {
@@ -115,8 +116,8 @@ class SceneLoader {
     static_cast<void>(object.required("last"));
     playback.last = static_cast<int>(object.integer("last", first, limits::frame, first));
     playback.loops = object.boolean("loop", playback.loops);
-    playback.extra_json = object.extra_json();
-    scene_.playback = std::move(playback);
+    unknown_keys_.add("timeline", object.unknown_keys());
+    scene_.playback = playback;
   }
 
   void load_medium(const Json& value, const JsonPath& place) {
@@ -133,11 +134,11 @@ class SceneLoader {
     if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
     load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
     load_elements(object, "sequences", limits::sequences, &SceneLoader::load_sequence);
-    load_keys(object, optics.keys.extra_json, [&](auto&& visit) {
-      visit_keyed_density(scene_.medium, scene_.density_keys, visit);
-      visit_keyed_optics(optics, visit);
-    });
-    scene_.unknown_medium = object.extra_json();
+    unknown_keys_.add("medium.keys", load_keys(object, [&](auto&& visit) {
+                        visit_keyed_density(scene_.medium, scene_.density_keys, visit);
+                        visit_keyed_optics(optics, visit);
+                      }));
+    unknown_keys_.add("medium", object.unknown_keys());
   }
 
   void load_gaussian(const Json& value, const JsonPath& place) {
@@ -146,10 +147,7 @@ class SceneLoader {
     gaussian.center = object.vector("center", domain::coordinate, {});
     gaussian.radius = object.number("radius", domain::length, {});
     gaussian.density = object.number("density", domain::density, {});
-    const GaussianId id = scene_.medium.append(gaussian);
-    if (ExtraJson extra_json = object.extra_json(); !extra_json.empty()) {
-      scene_.unknown_gaussians[id] = std::move(extra_json);
-    }
+    unknown_keys_.add_of_gaussian(scene_.medium.append(gaussian), object.unknown_keys());
   }
 
   void load_medium_file(JsonObject& object) {
@@ -163,7 +161,7 @@ class SceneLoader {
     medium.reserve(medium.size() + loaded->gaussians.size());
     loaded->ids.reserve(loaded->gaussians.size());
     for (const Gaussian& g : loaded->gaussians) loaded->ids.push_back(medium.append(g));
-    scene_.medium_file = std::move(loaded);
+    document_.extras.medium_file = std::move(loaded);
   }
 
   void load_noise(const Json& value, const JsonPath& place) {
@@ -173,9 +171,9 @@ class SceneLoader {
     noise.frequency = object.number("frequency", domain::not_negative, noise.frequency);
     noise.velocity = object.vector("velocity", domain::coordinate, noise.velocity);
     noise.seed = object.integer("seed", INT64_MIN, INT64_MAX, noise.seed);
-    load_keys(object, noise.keys.extra_json,
-              [&](auto&& visit) { visit_keyed_noise(noise, visit); });
-    noise.extra_json = object.extra_json();
+    unknown_keys_.add("medium.noise.keys",
+                      load_keys(object, [&](auto&& visit) { visit_keyed_noise(noise, visit); }));
+    unknown_keys_.add("medium.noise", object.unknown_keys());
   }
 
   void load_emitter(const Json& value, const JsonPath& place) {
@@ -190,9 +188,9 @@ class SceneLoader {
     emitter.radius = load_pair(object, "radius", domain::length, emitter.radius);
     emitter.density = load_pair(object, "density", domain::density, emitter.density);
     emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
-    emitter.extra_json = object.extra_json();
+    unknown_keys_.add(emitter.id, "", object.unknown_keys());
     budget_.reserve_gaussians(place, max_particles(emitter));
-    scene_.emitters.push_back(std::move(emitter));
+    scene_.emitters.push_back(emitter);
   }
 
   void load_sequence(const Json& value, const JsonPath& place) {
@@ -212,7 +210,7 @@ class SceneLoader {
     sequence.frames = std::make_shared<std::vector<SequenceFrame>>(
         references_.sequence(context_, file, sequence, budget_.gaussians_left()));
     budget_.reserve_gaussians(file, gaussian_count(sequence));
-    sequence.extra_json = object.extra_json();
+    unknown_keys_.add(sequence.id, "", object.unknown_keys());
     scene_.sequences.push_back(std::move(sequence));
   }
 
@@ -232,9 +230,9 @@ class SceneLoader {
     light.position = object.vector("position", domain::coordinate, {});
     light.intensity = object.vector("intensity", domain::intensity, light.intensity);
     light.on = object.boolean("on", light.on);
-    load_keys(object, light.keys.extra_json,
-              [&](auto&& visit) { visit_keyed_light(light, visit); });
-    light.extra_json = object.extra_json();
+    unknown_keys_.add(light.id, "keys",
+                      load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
+    unknown_keys_.add(light.id, "", object.unknown_keys());
     scene_.lights.push_back(std::move(light));
   }
 
@@ -247,9 +245,10 @@ class SceneLoader {
     environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
     environment.map = references_.radiance_map(context_, file, environment.file);
     budget_.reserve(file, *environment.map);
-    load_keys(object, environment.keys.extra_json,
-              [&](auto&& visit) { visit_keyed_environment(environment, visit); });
-    environment.extra_json = object.extra_json();
+    unknown_keys_.add(environment.id, "keys", load_keys(object, [&](auto&& visit) {
+                        visit_keyed_environment(environment, visit);
+                      }));
+    unknown_keys_.add(environment.id, "", object.unknown_keys());
     scene_.environment = std::move(environment);
   }
 
@@ -266,11 +265,11 @@ class SceneLoader {
     }
     surface.scale = object.number("scale", domain::length, surface.scale);
     if (const Json* material = object.find("material")) {
-      surface.material = load_material(*material, object.place("material"));
+      load_material(*material, object.place("material"), surface);
     }
     surface.transfer = static_cast<Surface::Transfer>(
         object.choice("transfer", scene_names::transfers, std::size_t{0}));
-    surface.extra_json = object.extra_json();
+    unknown_keys_.add(surface.id, "", object.unknown_keys());
     scene_.surfaces.push_back(std::move(surface));
   }
 
@@ -286,9 +285,9 @@ class SceneLoader {
     return std::abs(length - 1.0) <= 1e-12 ? rotate : rotate / length;
   }
 
-  Material load_material(const Json& value, const JsonPath& place) {
+  void load_material(const Json& value, const JsonPath& place, Surface& surface) {
     JsonObject object(context_, value, place);
-    Material material;
+    Material& material = surface.material;
     material.type =
         static_cast<Material::Type>(object.choice("type", scene_names::materials, std::size_t{0}));
     if (material.type == Material::Type::measured) {
@@ -303,18 +302,20 @@ class SceneLoader {
       material.specular = object.vector("specular", domain::unit, material.specular);
       material.exponent = object.number("exponent", domain::not_negative, material.exponent);
     }
-    material.extra_json = object.extra_json();
-    return material;
+    unknown_keys_.add(surface.id, "material", object.unknown_keys());
   }
 
   JsonContext context_;
   SceneBudget budget_{context_};
   JsonPath root_;
   SceneReferences references_;
-  Scene scene_;
+  SceneDocument document_;
+  Scene& scene_ = document_.scene;
+  UnknownKeys& unknown_keys_ = document_.extras.unknown_keys;
 };
 
-Scene load(const fs::path& file, std::vector<std::string>* warnings, MissingFiles* missing) {
+SceneDocument load(const fs::path& file, std::vector<std::string>* warnings,
+                   MissingFiles* missing) {
   try {
     const Json json = parse_json(file, read_bytes(file));
     return SceneLoader(file, warnings, missing).load(json);
@@ -329,12 +330,17 @@ Scene load(const fs::path& file, std::vector<std::string>* warnings, MissingFile
 
 }  // namespace
 
-Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+SceneDocument load_document(const fs::path& file, std::vector<std::string>* warnings) {
   return load(file, warnings, nullptr);
 }
 
-Scene load_scene(const fs::path& file, std::vector<std::string>* warnings, MissingFiles& missing) {
+SceneDocument load_document(const fs::path& file, std::vector<std::string>* warnings,
+                            MissingFiles& missing) {
   return load(file, warnings, &missing);
+}
+
+Scene load_scene(const fs::path& file, std::vector<std::string>* warnings) {
+  return load_document(file, warnings).scene;
 }
 
 }  // namespace brume

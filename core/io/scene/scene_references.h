@@ -16,7 +16,7 @@ namespace brume {
 // path of the reference, the file and the place in it.
 class SceneReferences {
  public:
-  // `missing`: see load_scene(); nullptr: missing files are errors.
+  // `missing`: see load_document(); nullptr: missing files are errors.
   SceneReferences(const std::filesystem::path& scene_file, MissingFiles* missing);
 
   // The absolute path of a reference; it must be a file other than the scene.

@@ -18,27 +18,28 @@ Json to_json(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-// Adds the member `keys` with the keys of the values that visit_all(visit) goes through, if any.
-void add_keys(Json& object, const ExtraJson& extra_json, auto&& visit_all) {
+// Adds the member `keys` with the keys of the values that visit_all(visit) goes through, and with
+// `unknown` ones, if any.
+void add_keys(Json& object, const UnknownKeys& unknown_keys, const std::string& unknown,
+              auto&& visit_all) {
   Json all = Json::object();
-  visit_all([&all](const char* name, const auto&, const auto& keys, const NumberDomain&) {
-    if (!keys.empty()) all[name] = keys_to_json(keys);
+  visit_all([&](const char* name, const auto&, const auto& keys, const NumberDomain&) {
+    if (!keys.empty()) all[name] = keys_to_json(keys, unknown_keys);
   });
-  add_extra_json(all, extra_json);
+  add_unknown_keys(all, unknown);
   if (!all.empty()) object["keys"] = std::move(all);
 }
 
 // Whether the Gaussians that came from medium.file are still what they were.
-bool is_unchanged(const MediumFile& loaded, const Scene& scene) {
+bool is_unchanged(const MediumFile& loaded, const Medium& medium) {
   for (std::size_t i = 0; i < loaded.ids.size(); ++i) {
-    const auto at = scene.medium.index_of(loaded.ids[i]);
-    if (!at || scene.medium.gaussian(*at) != loaded.gaussians[i]) return false;
-    if (scene.unknown_gaussians.contains(loaded.ids[i])) return false;
+    const auto at = medium.index_of(loaded.ids[i]);
+    if (!at || medium.gaussian(*at) != loaded.gaussians[i]) return false;
   }
   return true;
 }
 
-Json emitter_to_json(const Emitter& emitter) {
+Json emitter_to_json(const Emitter& emitter, const UnknownKeys& unknown_keys) {
   Json entry{{"position", to_json(emitter.position)},
              {"rate", emitter.rate},
              {"lifetime", emitter.lifetime},
@@ -48,13 +49,16 @@ Json emitter_to_json(const Emitter& emitter) {
              {"radius", Json::array({emitter.radius.x, emitter.radius.y})},
              {"density", Json::array({emitter.density.x, emitter.density.y})},
              {"seed", emitter.seed}};
-  add_extra_json(entry, emitter.extra_json);
+  add_unknown_keys(entry, unknown_keys.of(emitter.id, ""));
   return entry;
 }
 
-Json medium_to_json(const Scene& scene, const fs::path& directory) {
+Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
+  const Scene& scene = document.scene;
+  const UnknownKeys& unknown_keys = document.extras.unknown_keys;
   const Medium& medium = scene.medium;
-  const MediumFile* file = refers_to_medium_file(scene) ? scene.medium_file.get() : nullptr;
+  const MediumFile* file =
+      refers_to_medium_file(document) ? document.extras.medium_file.get() : nullptr;
 
   Json object;
   object["density"] = medium.homogeneous_density();
@@ -64,8 +68,7 @@ Json medium_to_json(const Scene& scene, const fs::path& directory) {
     if (file != nullptr && std::binary_search(file->ids.begin(), file->ids.end(), id)) continue;
     const Gaussian g = medium.gaussian(i);
     Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
-    const auto extra_json = scene.unknown_gaussians.find(id);
-    if (extra_json != scene.unknown_gaussians.end()) add_extra_json(entry, extra_json->second);
+    add_unknown_keys(entry, unknown_keys.of_gaussian(id));
     gaussians.push_back(std::move(entry));
   }
   if (file != nullptr) object["file"] = SceneReferences::text_for(file->file, directory);
@@ -73,17 +76,20 @@ Json medium_to_json(const Scene& scene, const fs::path& directory) {
   const MediumOptics& optics = scene.optics;
   if (optics.albedo != glm::dvec3(1.0)) object["albedo"] = to_json(optics.albedo);
   if (optics.anisotropy != 0.0) object["anisotropy"] = optics.anisotropy;
-  if (const Noise& noise = optics.noise; noise != Noise{}) {
+  const Noise& noise = optics.noise;
+  const std::string& noise_unknown = unknown_keys.of("medium.noise");
+  const std::string& noise_keys_unknown = unknown_keys.of("medium.noise.keys");
+  if (noise != Noise{} || !noise_unknown.empty() || !noise_keys_unknown.empty()) {
     Json& entry = object["noise"] = Json{{"amplitude", noise.amplitude},
                                          {"frequency", noise.frequency},
                                          {"velocity", to_json(noise.velocity)},
                                          {"seed", noise.seed}};
-    add_keys(entry, noise.keys.extra_json,
+    add_keys(entry, unknown_keys, noise_keys_unknown,
              [&noise](auto&& visit) { visit_keyed_noise(noise, visit); });
-    add_extra_json(entry, noise.extra_json);
+    add_unknown_keys(entry, noise_unknown);
   }
   for (const Emitter& emitter : scene.emitters) {
-    object["emitters"].push_back(emitter_to_json(emitter));
+    object["emitters"].push_back(emitter_to_json(emitter, unknown_keys));
   }
   for (const MediumSequence& sequence : scene.sequences) {
     Json entry{{"file", SceneReferences::text_for(sequence.file, directory)},
@@ -91,18 +97,19 @@ Json medium_to_json(const Scene& scene, const fs::path& directory) {
                {"last", sequence.last},
                {"frames_per_second", sequence.frames_per_second},
                {"start", sequence.start}};
-    add_extra_json(entry, sequence.extra_json);
+    add_unknown_keys(entry, unknown_keys.of(sequence.id, ""));
     object["sequences"].push_back(std::move(entry));
   }
-  add_keys(object, optics.keys.extra_json, [&](auto&& visit) {
+  add_keys(object, unknown_keys, unknown_keys.of("medium.keys"), [&](auto&& visit) {
     visit_keyed_density(medium, scene.density_keys, visit);
     visit_keyed_optics(optics, visit);
   });
-  add_extra_json(object, scene.unknown_medium);
+  add_unknown_keys(object, unknown_keys.of("medium"));
   return object;
 }
 
-Json material_to_json(const Material& material, const fs::path& directory) {
+Json material_to_json(const Material& material, const std::string& unknown,
+                      const fs::path& directory) {
   Json object;
   object["type"] = scene_names::materials[static_cast<std::size_t>(material.type)];
   if (material.type == Material::Type::measured) {
@@ -114,68 +121,72 @@ Json material_to_json(const Material& material, const fs::path& directory) {
     object["specular"] = to_json(material.specular);
     object["exponent"] = material.exponent;
   }
-  add_extra_json(object, material.extra_json);
+  add_unknown_keys(object, unknown);
   return object;
 }
 
-Json surface_to_json(const Surface& surface, const fs::path& directory) {
+Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
+                     const fs::path& directory) {
   Json object;
   object["mesh"] = SceneReferences::text_for(surface.mesh_file, directory);
   object["translate"] = to_json(surface.translate);
   const glm::dquat& q = surface.rotate;
   object["rotate"] = Json::array({q.w, q.x, q.y, q.z});
   object["scale"] = surface.scale;
-  object["material"] = material_to_json(surface.material, directory);
+  object["material"] =
+      material_to_json(surface.material, unknown_keys.of(surface.id, "material"), directory);
   if (surface.transfer != Surface::Transfer::none) {
     object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
   }
-  add_extra_json(object, surface.extra_json);
+  add_unknown_keys(object, unknown_keys.of(surface.id, ""));
   return object;
 }
 
-Json to_json(const Scene& scene, const fs::path& directory) {
+Json to_json(const SceneDocument& document, const fs::path& directory) {
+  const Scene& scene = document.scene;
+  const UnknownKeys& unknown_keys = document.extras.unknown_keys;
   Json root{{"format", scene_names::format}, {"version", scene_names::version}};
   const Camera& camera = scene.camera;
   root["camera"] = Json{{"eye", to_json(camera.eye)},
                         {"target", to_json(camera.target)},
                         {"up", to_json(camera.up)},
                         {"vertical_fov", camera.vertical_fov}};
-  add_keys(root["camera"], scene.camera_keys.extra_json,
+  add_keys(root["camera"], unknown_keys, unknown_keys.of("camera.keys"),
            [&](auto&& visit) { visit_keyed_camera(camera, scene.camera_keys, visit); });
-  add_extra_json(root["camera"], scene.unknown_camera);
+  add_unknown_keys(root["camera"], unknown_keys.of("camera"));
   root["film"] = Json{{"width", scene.film.width}, {"height", scene.film.height}};
-  add_extra_json(root["film"], scene.unknown_film);
-  root["medium"] = medium_to_json(scene, directory);
+  add_unknown_keys(root["film"], unknown_keys.of("film"));
+  root["medium"] = medium_to_json(document, directory);
   Json& lights = root["lights"] = Json::array();
   for (const PointLight& light : scene.lights) {
     Json entry{{"type", "point"},
                {"position", to_json(light.position)},
                {"intensity", to_json(light.intensity)}};
     if (!light.on) entry["on"] = false;
-    add_keys(entry, light.keys.extra_json,
+    add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
              [&light](auto&& visit) { visit_keyed_light(light, visit); });
-    add_extra_json(entry, light.extra_json);
+    add_unknown_keys(entry, unknown_keys.of(light.id, ""));
     lights.push_back(std::move(entry));
   }
-  if (scene.environment) {
+  if (const auto& environment = scene.environment) {
     Json& entry = root["environment"] =
-        Json{{"file", SceneReferences::text_for(scene.environment->file, directory)},
-             {"intensity", scene.environment->intensity},
-             {"rotation", scene.environment->rotation}};
-    add_keys(entry, scene.environment->keys.extra_json,
-             [&](auto&& visit) { visit_keyed_environment(*scene.environment, visit); });
-    add_extra_json(entry, scene.environment->extra_json);
+        Json{{"file", SceneReferences::text_for(environment->file, directory)},
+             {"intensity", environment->intensity},
+             {"rotation", environment->rotation}};
+    add_keys(entry, unknown_keys, unknown_keys.of(environment->id, "keys"),
+             [&](auto&& visit) { visit_keyed_environment(*environment, visit); });
+    add_unknown_keys(entry, unknown_keys.of(environment->id, ""));
   }
   Json& surfaces = root["surfaces"] = Json::array();
   for (const Surface& surface : scene.surfaces) {
-    surfaces.push_back(surface_to_json(surface, directory));
+    surfaces.push_back(surface_to_json(surface, unknown_keys, directory));
   }
   if (const auto& playback = scene.playback) {
     Json& entry = root["timeline"] =
         Json{{"first", playback->first}, {"last", playback->last}, {"loop", playback->loops}};
-    add_extra_json(entry, playback->extra_json);
+    add_unknown_keys(entry, unknown_keys.of("timeline"));
   }
-  add_extra_json(root, scene.extra_json);
+  add_unknown_keys(root, unknown_keys.of(""));
   return root;
 }
 
@@ -252,13 +263,14 @@ class Layout {
 
 }  // namespace
 
-bool refers_to_medium_file(const Scene& scene) {
-  return scene.medium_file != nullptr && is_unchanged(*scene.medium_file, scene);
+bool refers_to_medium_file(const SceneDocument& document) {
+  const std::shared_ptr<const MediumFile>& loaded = document.extras.medium_file;
+  return loaded != nullptr && is_unchanged(*loaded, document.scene.medium);
 }
 
-std::string scene_to_json(const Scene& scene, const fs::path& directory) {
+std::string document_to_json(const SceneDocument& document, const fs::path& directory) {
   try {
-    return Layout(directory).text(to_json(scene, directory));
+    return Layout(directory).text(to_json(document, directory));
   } catch (const InputError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -268,8 +280,8 @@ std::string scene_to_json(const Scene& scene, const fs::path& directory) {
   }
 }
 
-void save_scene(const Scene& scene, const fs::path& file) {
-  write_atomically(file, scene_to_json(scene, file.parent_path()));
+void save_document(const SceneDocument& document, const fs::path& file) {
+  write_atomically(file, document_to_json(document, file.parent_path()));
 }
 
 }  // namespace brume

@@ -19,8 +19,7 @@ const Emitter steam{.position = {1, 2, 3},
                     .acceleration = {0.5, 0, 0},
                     .radius = {0.1, 0.5},
                     .density = {2.0, 0.0},
-                    .seed = 7,
-                    .extra_json = {}};
+                    .seed = 7};
 
 TEST(Particles, CountMatchesTheLiveOnes) {
   EXPECT_TRUE(particles_at(steam, -0.01).empty());

@@ -93,7 +93,7 @@ std::vector<Writer> writers() {
       {"half.vdb", [](const fs::path& file) { write_volume(file, some_grid(), true); }},
       {"a.ply", [](const fs::path& file) { write_gaussians(file, some_gaussians()); }},
       {"a.csv", [](const fs::path& file) { write_gaussians(file, some_gaussians()); }},
-      {"a.brume", [](const fs::path& file) { save_scene(some_scene(), file); }},
+      {"a.brume", [](const fs::path& file) { save_document(some_scene(), file); }},
   };
 }
 

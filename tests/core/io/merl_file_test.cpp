@@ -101,9 +101,9 @@ TEST(MerlFile, IsReadOncePerScene) {
   ASSERT_NE(scene.surfaces[0].material.measured, nullptr);
   EXPECT_EQ(scene.surfaces[0].material.measured, scene.surfaces[1].material.measured);
   EXPECT_TRUE(warnings.empty());
-  save_scene(scene, folder / "b.brume");
+  save_document(scene, folder / "b.brume");
   EXPECT_TRUE(contains(content_of(folder / "b.brume"), R"("file": "phong.binary")"));
-  EXPECT_EQ(scene_to_json(load_scene(folder / "b.brume"), folder.path()),
+  EXPECT_EQ(document_to_json(load_scene(folder / "b.brume"), folder.path()),
             content_of(folder / "b.brume"));
 }
 

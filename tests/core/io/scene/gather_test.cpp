@@ -46,46 +46,47 @@ std::size_t entries(const fs::path& folder) {
 }
 
 TEST_F(Gather, MakesARelocatableFolder) {
-  const Scene scene = load_scene(scene_);
-  ASSERT_TRUE(gather_scene(scene, folder_ / "out/", "scene"));
+  const SceneDocument document = load_document(scene_);
+  ASSERT_TRUE(gather_scene(document, folder_ / "out/", "scene"));
   fs::rename(folder_ / "out", folder_ / "moved");
   for (const char* gone : {"a", "b", "smoke", "column.ply", "sky.exr", "here.brume"}) {
     fs::remove_all(folder_ / gone);
   }
-  const Scene moved = load_scene(folder_ / "moved/scene.brume");
+  const SceneDocument there = load_document(folder_ / "moved/scene.brume");
+  const Scene& moved = there.scene;
   EXPECT_EQ(moved.medium.size(), 2u);
-  EXPECT_NE(moved.medium_file, nullptr);
+  EXPECT_NE(there.extras.medium_file, nullptr);
   ASSERT_EQ(moved.surfaces.size(), 3u);
   EXPECT_EQ(moved.surfaces[0].mesh_file.filename(), "mesh.obj");
   EXPECT_EQ(moved.surfaces[1].mesh_file.filename(), "Mesh_2.OBJ");
   EXPECT_EQ(moved.surfaces[0].mesh_file, moved.surfaces[2].mesh_file) << "copied once";
-  EXPECT_EQ(*moved.sequences.at(0).frames, *scene.sequences.at(0).frames);
+  EXPECT_EQ(*moved.sequences.at(0).frames, *document.scene.sequences.at(0).frames);
   EXPECT_EQ(entries(moved.sequences[0].file.parent_path()), 2u) << "not those of other frames";
   EXPECT_EQ(entries(folder_.path()), 1u) << "nothing else is left";
 }
 
 TEST_F(Gather, LeavesNothingWhereItFails) {
-  Scene scene = load_scene(scene_);
+  const SceneDocument document = load_document(scene_);
   fs::remove(folder_ / "smoke/s_2.csv");
   const std::size_t before = entries(folder_.path());
   EXPECT_TRUE(
-      contains(error_of([&] { gather_scene(scene, folder_ / "out", "scene"); }), "s_2.csv"));
+      contains(error_of([&] { gather_scene(document, folder_ / "out", "scene"); }), "s_2.csv"));
   EXPECT_EQ(entries(folder_.path()), before);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(gather_scene(scene, folder_ / "out", "scene", stop.get_token()));
+  EXPECT_FALSE(gather_scene(document, folder_ / "out", "scene", stop.get_token()));
   EXPECT_EQ(entries(folder_.path()), before);
-  EXPECT_TRUE(contains(error_of([&] { gather_scene(scene, folder_ / "nowhere/out", "scene"); }),
+  EXPECT_TRUE(contains(error_of([&] { gather_scene(document, folder_ / "nowhere/out", "scene"); }),
                        "cannot be created"));
 }
 
 TEST_F(Gather, ReplacesNothing) {
-  const Scene scene = load_scene(scene_);
-  EXPECT_TRUE(contains(error_of([&] { gather_scene(scene, folder_ / "smoke", "scene"); }),
+  const SceneDocument document = load_document(scene_);
+  EXPECT_TRUE(contains(error_of([&] { gather_scene(document, folder_ / "smoke", "scene"); }),
                        "already exists"));
   EXPECT_EQ(entries(folder_ / "smoke"), 3u);
   fs::create_directory(folder_ / "empty");
-  EXPECT_TRUE(gather_scene(scene, folder_ / "empty", "scene"));
+  EXPECT_TRUE(gather_scene(document, folder_ / "empty", "scene"));
   EXPECT_TRUE(fs::exists(folder_ / "empty/scene.brume"));
 }
 

@@ -42,7 +42,7 @@ TEST_F(MissingFilesTest, AreAnErrorByDefault) {
 }
 
 TEST_F(MissingFilesTest, AreListedOnce) {
-  load_scene(scene_, nullptr, missing_);
+  load_document(scene_, nullptr, missing_);
   EXPECT_EQ(missing_.missing,
             (std::vector<fs::path>{folder_ / "column.ply", folder_ / "steam_%02d.csv",
                                    folder_ / "sky/dawn.exr", folder_ / "meshes/a.obj",
@@ -50,11 +50,12 @@ TEST_F(MissingFilesTest, AreListedOnce) {
 }
 
 TEST_F(MissingFilesTest, PreserveTheirReferences) {
-  const Scene scene = load_scene(scene_, nullptr, missing_);
+  const SceneDocument document = load_document(scene_, nullptr, missing_);
+  const Scene& scene = document.scene;
   EXPECT_EQ(scene.medium.size(), 1u);
   EXPECT_FALSE(is_visible(*scene.surfaces.at(0).mesh));
   EXPECT_EQ(scene.sequences.at(0).frames->size(), 3u);
-  save_scene(scene, folder_ / "saved.brume");
+  save_document(document, folder_ / "saved.brume");
   const std::string saved = content_of(folder_ / "saved.brume");
   for (const char* text :
        {"\"column.ply\"", "\"steam_%02d.csv\"", "\"sky/dawn.exr\"", "\"meshes/a.obj\"",
@@ -62,9 +63,9 @@ TEST_F(MissingFilesTest, PreserveTheirReferences) {
     EXPECT_TRUE(contains(saved, text)) << text << " in\n" << saved;
   }
   MissingFiles again;
-  const Scene loaded = load_scene(folder_ / "saved.brume", nullptr, again);
+  const SceneDocument loaded = load_document(folder_ / "saved.brume", nullptr, again);
   EXPECT_EQ(again.missing, missing_.missing);
-  EXPECT_EQ(scene_to_json(loaded, folder_.path()), saved);
+  EXPECT_EQ(document_to_json(loaded, folder_.path()), saved);
 }
 
 TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
@@ -73,19 +74,19 @@ TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
   folder_.write("elsewhere/steam_04.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
   missing_.found[folder_ / "meshes/a.obj"] = mesh;
   missing_.found[folder_ / "steam_%02d.csv"] = folder_ / "elsewhere/steam_%02d.csv";
-  const Scene without = load_scene(scene_, nullptr, missing_);
+  const Scene without = load_document(scene_, nullptr, missing_).scene;
   EXPECT_EQ(without.surfaces.at(1).mesh_file, mesh);
   EXPECT_TRUE(is_visible(*without.surfaces.at(1).mesh));
   // One frame is still missing: the sequence is, where it was looked for.
   EXPECT_EQ(missing_.missing.at(1), folder_ / "elsewhere/steam_%02d.csv");
   folder_.write("elsewhere/steam_05.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
-  const Scene found = load_scene(scene_, nullptr, missing_);
+  const Scene found = load_document(scene_, nullptr, missing_).scene;
   EXPECT_EQ(found.sequences.at(0).frames->at(2).gaussians.size(), 1u);
 }
 
 TEST_F(MissingFilesTest, OtherMistakesStayErrors) {
   folder_.write("column.ply", "no ply");
-  EXPECT_TRUE(contains(error_of([&] { load_scene(scene_, nullptr, missing_); }), "column.ply"));
+  EXPECT_TRUE(contains(error_of([&] { load_document(scene_, nullptr, missing_); }), "column.ply"));
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+
+#include "core/scene/scene.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+
+// Scenes with a little of everything. Their meshes and maps are named in the folder, not loaded.
+class RandomScene {
+ public:
+  RandomScene(unsigned seed, const TemporaryFolder& folder) : random_(seed), folder_(folder) {}
+
+  Scene make() {
+    Scene scene;
+    scene.camera = {point(), point(), point(), number(1e-3, 179.0)};
+    scene.film = {whole(1, 16384), whole(1, 16384)};
+    scene.medium.set_homogeneous_density(maybe() ? number(0.0, 10.0) : 0.0);
+    for (int i = whole(0, 30); i > 0; --i) {
+      scene.medium.append({point(), std::exp(number(-20, 20)), std::exp(number(-30, 20))});
+    }
+    if (maybe()) scene.optics.albedo = {number(0.01, 1), 1.0, number(0.01, 1)};
+    if (maybe()) scene.optics.anisotropy = number(-0.95, 0.95);
+    if (maybe()) {
+      scene.optics.noise = {number(0, 1), number(0, 9), point(), whole(-1000, 1000)};
+    }
+    for (int i = whole(0, 3); i > 0; --i) {
+      scene.emitters.push_back({.position = point(),
+                                .rate = number(0, 1e4),
+                                .lifetime = number(0, 9),
+                                .velocity = point(),
+                                .spread = number(0, 9),
+                                .acceleration = point(),
+                                .radius = {number(0.1, 1), number(0.1, 9)},
+                                .density = {number(0, 1), number(0, 9)},
+                                .seed = whole(-1000, 1000)});
+    }
+    for (int i = whole(0, 5); i > 0; --i) {
+      scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, {}, maybe()});
+    }
+    if (maybe())
+      scene.environment = {folder_ / "dawn.exr", nullptr, number(0, 3), number(-720, 720)};
+    for (int i = whole(0, 3); i > 0; --i) {
+      Surface surface;
+      surface.mesh_file = folder_ / "bunny.obj";
+      surface.translate = point();
+      surface.rotate =
+          glm::normalize(glm::dquat(number(0.1, 1), number(-1, 1), number(-1, 1), number(-1, 1)));
+      surface.scale = std::exp(number(-5, 5));
+      surface.material.type = maybe() ? Material::Type::phong : Material::Type::diffuse;
+      surface.material.reflectance = {number(0, 1), number(0, 1), 1.0};
+      if (surface.material.type == Material::Type::phong) {
+        surface.material.specular = {0.0, number(0, 1), number(0, 1)};
+        surface.material.exponent = number(0, 1000);
+      }
+      surface.transfer = static_cast<Surface::Transfer>(whole(0, 2));
+      scene.surfaces.push_back(surface);
+    }
+    keys(scene.camera_keys.eye, 1e6);
+    keys(scene.camera_keys.vertical_fov, 179.0);
+    keys(scene.density_keys, 9.0);
+    keys(scene.optics.keys.albedo, 1.0);
+    keys(scene.optics.noise.keys.amplitude, 2.0);
+    for (PointLight& light : scene.lights) {
+      keys(light.keys.position, 1e6);
+      keys(light.keys.intensity, 1e9);
+    }
+    if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
+    if (maybe()) scene.playback = Playback{whole(0, 9), whole(9, 99), maybe()};
+    return scene;
+  }
+
+ private:
+  double number(double min_value, double max_value) {
+    return std::uniform_real_distribution<double>(min_value, max_value)(random_);
+  }
+  int whole(int min_value, int max_value) {
+    return std::uniform_int_distribution<int>(min_value, max_value)(random_);
+  }
+  bool maybe() { return whole(0, 1) == 0; }
+  glm::dvec3 point() { return {number(-1e6, 1e6), number(-1, 1), number(-1e-6, 1e-6)}; }
+  double below(double max_value, double) { return number(0.01, max_value); }
+  glm::dvec3 below(double max_value, const glm::dvec3&) {
+    return {number(0.01, max_value), number(0.01, max_value), number(0.01, max_value)};
+  }
+  template <class T>
+  void keys(Keys<T>& keys, double max_value) {
+    double time = number(-9, 9);
+    for (int i = maybe() ? whole(0, 4) : 0; i > 0; --i, time += number(1e-3, 5)) {
+      keys.push_back({time, below(max_value, T{}), static_cast<Interpolation>(whole(0, 1))});
+    }
+  }
+
+  std::mt19937 random_;
+  const TemporaryFolder& folder_;
+};
+
+}  // namespace brume
