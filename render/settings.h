@@ -44,9 +44,6 @@ struct PaperOptions {
 struct Settings {
   AirlightMethod airlight = AirlightMethod::paper;
 
-  // Time [s]; moves the noise with the wind.
-  double time = 0.0;
-
   // Worker threads; 0: all.
   int threads = 0;
 

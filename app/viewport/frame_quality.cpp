@@ -39,18 +39,12 @@ void FrameQuality::set_max_error(double max_error) {
   Q_EMIT error_changed();
 }
 
-Settings FrameQuality::settings_at_any_time() const {
+Settings FrameQuality::settings() const {
   Settings settings = control_.settings();
   if (airlight_) {
     settings = sliced_settings(interpolated(), Settings{}.slices);
     settings.airlight = *airlight_;
   }
-  return settings;
-}
-
-Settings FrameQuality::settings() const {
-  Settings settings = settings_at_any_time();
-  settings.time = time_;
   return settings;
 }
 
@@ -88,14 +82,13 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   if (frame != frame_) return;  // cancelled meanwhile
   frame_.reset();
   error_ = error;
-  Settings at_any_time = frame->request.settings;
-  at_any_time.time = 0.0;
+  const Settings& used = frame->request.settings;
   if (airlight_) {
-    chosen_ = {at_any_time, error, frame->milliseconds};
+    chosen_ = {used, error, frame->milliseconds};
   } else {
-    control_.learn(at_any_time, error, frame->milliseconds);
+    control_.learn(used, error, frame->milliseconds);
   }
-  measured_ = settings() == frame->request.settings;
+  measured_ = settings() == used;
   if (!measured_) Q_EMIT settings_changed();
   Q_EMIT error_changed();
 }

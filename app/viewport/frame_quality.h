@@ -21,15 +21,11 @@ class FrameQuality : public QObject {
   // nullopt: auto.
   [[nodiscard]] std::optional<AirlightMethod> airlight() const { return airlight_; }
   void set_airlight(std::optional<AirlightMethod> method);
-  // Time of frames [s].
-  void set_time(double time) { time_ = time; }
   // Error bound of auto; see QualityControl.
   [[nodiscard]] double max_error() const { return control_.max_error(); }
   void set_max_error(double max_error);
 
   [[nodiscard]] Settings settings() const;  // for frames at rest
-  // The same, ignoring time.
-  [[nodiscard]] Settings settings_at_any_time() const;
   [[nodiscard]] const QualityControl& control() const { return control_; }
 
   // A measurement in this scene.
@@ -63,7 +59,6 @@ class FrameQuality : public QObject {
   void set_measured(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
 
   std::optional<AirlightMethod> airlight_;
-  double time_ = 0.0;
   QualityControl control_;
   std::shared_ptr<const RenderedFrame> frame_;  // being measured
   std::optional<ErrorEstimate> error_;

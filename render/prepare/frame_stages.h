@@ -66,7 +66,7 @@ struct FrameContext {
         settings(limit_light_map_memory(requested_settings, plan.lights.size(), plan.surfaces)),
         rays(frame_camera, film) {
     frame.film = film;
-    frame.time = requested_settings.time;
+    frame.time = frame_scene.time;
   }
   // Allocates all layers of the frame.
   void make_layers();

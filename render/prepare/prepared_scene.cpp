@@ -54,7 +54,7 @@ void PreparedScene::update(const Scene& scene, std::span<const PointLight> light
     medium_ = scene.medium;
     depth_error_ = depth_error;
   }
-  index_->set_noise(RayNoise(scene.optics.noise, settings.time));
+  index_->set_noise(RayNoise(scene.optics.noise, scene.time));
   if (!ray_caster_ || !ray_caster_->shows(scene.surfaces)) {
     ray_caster_.reset();
     exact_occlusion_.reset();

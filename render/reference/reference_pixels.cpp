@@ -16,7 +16,7 @@ constexpr double depth_error = 1e-8;
 }  // namespace
 
 ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const Film& film,
-                                 double time, double tolerance)
+                                 double tolerance)
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
       tolerance_(tolerance),
@@ -33,7 +33,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
     MediumIndex medium(extinction, depth_tolerance(extinction, depth_error),
                        scene.optics.anisotropy);
-    medium.set_noise(RayNoise(scene.optics.noise, time));
+    medium.set_noise(RayNoise(scene.optics.noise, scene.time));
     std::optional<ReferenceEnvironment> environment;
     if (plan.environment) {
       environment.emplace(*scene.environment, scene.optics.anisotropy,

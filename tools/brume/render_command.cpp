@@ -128,7 +128,6 @@ class RenderCommand final : public Command {
     }
     settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : is_chosen ? 1 : 4;
     settings.reference_tolerance = tolerance_;
-    settings.time = time_;
     // What can really run: TBB warns of more, and --stats is to tell the truth.
     const int hardware_threads = tbb::info::default_concurrency();
     settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
@@ -249,7 +248,7 @@ class RenderCommand final : public Command {
   double max_error_ = 0.02;
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
-  double time_ = Settings{}.time;
+  double time_ = 0.0;
   std::string backend_ = "auto";
   int threads_ = 0;
   int repeat_ = 1;

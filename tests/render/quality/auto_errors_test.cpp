@@ -38,7 +38,7 @@ double true_error(const Scene& scene, const Frame& frame) {
   std::vector<std::size_t> all(frame.depth.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const std::vector<glm::dvec3> truth =
-      ReferencePixels(scene, scene.camera, frame.film, 0.0, 1e-3).airlight(all, {});
+      ReferencePixels(scene, scene.camera, frame.film, 1e-3).airlight(all, {});
   double error = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < frame.airlight.size(); ++i) {

@@ -40,8 +40,7 @@ TEST(ErrorEstimate, IntervalHoldsTheTruth) {
   for (Scene& scene : scenes()) {
     scene.film = {40, 40};
     const Frame truth = render_frame(scene, method(AirlightMethod::reference));
-    const auto reference =
-        std::make_shared<ViewReference>(scene, scene.camera, scene.film, 0.0, 1e-4);
+    const auto reference = std::make_shared<ViewReference>(scene, scene.camera, scene.film, 1e-4);
     for (const Settings& settings :
          {method(AirlightMethod::paper), method(AirlightMethod::sliced, 8),
           method(AirlightMethod::sliced, 16)}) {
@@ -77,8 +76,7 @@ class WrongFrame {
   explicit WrongFrame(const Scene& scene)
       : scene_(on_film(scene)),
         frame(render_frame(scene_, method(AirlightMethod::reference))),
-        reference_(std::make_shared<ViewReference>(scene_, scene_.camera, scene_.film, 0.0, 1e-4)) {
-  }
+        reference_(std::make_shared<ViewReference>(scene_, scene_.camera, scene_.film, 1e-4)) {}
 
   [[nodiscard]] std::size_t pixel(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(scene_.film.width) +
