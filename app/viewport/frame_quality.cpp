@@ -19,7 +19,7 @@ FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpol
   connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
 }
 
-void FrameQuality::set_airlight(std::optional<AirlightMethod> method) {
+void FrameQuality::set_airlight(AirlightMethod method) {
   if (method == airlight_) return;
   airlight_ = method;
   stop_measuring();
@@ -40,11 +40,9 @@ void FrameQuality::set_max_error(double max_error) {
 }
 
 Settings FrameQuality::settings() const {
-  Settings settings = control_.settings();
-  if (airlight_) {
-    settings = sliced_settings(interpolated(), Settings{}.slices);
-    settings.airlight = *airlight_;
-  }
+  if (is_auto()) return control_.settings();
+  Settings settings = interpolated();
+  settings.airlight = airlight_;
   return settings;
 }
 
@@ -73,7 +71,7 @@ void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
   stop_measuring();
   frame_ = std::move(frame);
   const std::optional<double> max_error =
-      airlight_ ? std::nullopt : std::optional(control_.max_error());
+      is_auto() ? std::optional(control_.max_error()) : std::nullopt;
   meter_.measure(frame_, max_error);
 }
 
@@ -83,10 +81,10 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   frame_.reset();
   error_ = error;
   const Settings& used = frame->request.settings;
-  if (airlight_) {
-    chosen_ = {used, error, frame->milliseconds};
-  } else {
+  if (is_auto()) {
     control_.learn(used, error, frame->milliseconds);
+  } else {
+    chosen_ = {used, error, frame->milliseconds};
   }
   measured_ = settings() == used;
   if (!measured_) Q_EMIT settings_changed();

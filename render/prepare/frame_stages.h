@@ -47,7 +47,7 @@ struct FrameContext {
   double albedo;  // of the group's channels
   FogExtent fog_extent;
   RenderPlan plan;
-  Settings settings;  // as requested, with light maps limited to the memory
+  Settings settings;  // as requested, without `auto_`, with light maps limited to the memory
   CameraRays rays;
   Frame frame;
 
@@ -62,8 +62,9 @@ struct FrameContext {
         job(std::move(frame_job)),
         albedo(group_albedo),
         fog_extent(extent),
-        plan(frame_scene, requested_settings.airlight),
-        settings(limit_light_map_memory(requested_settings, plan.lights.size(), plan.surfaces)),
+        plan(frame_scene, without_auto(requested_settings).airlight),
+        settings(limit_light_map_memory(without_auto(requested_settings), plan.lights.size(),
+                                        plan.surfaces)),
         rays(frame_camera, film) {
     frame.film = film;
     frame.time = frame_scene.time;
