@@ -20,7 +20,7 @@ struct RenderPlan {
   RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
              const TransferStore* shared = nullptr);
 
-  Settings settings;                       // as requested, with light maps limited to memory
+  Settings settings;  // as requested, without `auto_`, with light maps limited to memory
   std::vector<PointLight> lights;          // that are on and not black
   std::vector<TransferRequest> transfers;  // without duplicates
 

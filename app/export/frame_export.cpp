@@ -23,7 +23,7 @@ class Exporter {
 
   void run() {
     if (!request_.range) {
-      write(request_.file, frame(request_.settings.time, 0, 1));
+      write(request_.file, frame(request_.time, 0, 1));
     } else if (lower_case_extension(request_.file) == ".mp4") {
       write_video();
     } else {

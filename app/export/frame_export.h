@@ -18,8 +18,8 @@ namespace brume {
 struct FrameExportRequest {
   std::shared_ptr<const Scene> scene;  // with its animation
   std::optional<Camera> camera;        // nullopt: the scene's camera at each time
-  Settings settings;                   // time applies to a single frame
-  FrameInfo info;                      // without the backend, set per frame
+  Settings settings;
+  FrameInfo info;  // without the backend, set per frame
   Backend backend = Backend::auto_;
   // The extension decides the format: .exr or .png, or .mp4 of several frames.
   std::filesystem::path file;
@@ -29,6 +29,7 @@ struct FrameExportRequest {
     double frames_per_second = 30.0;
   };
   std::optional<Range> range;  // nullopt: one frame
+  double time = 0.0;           // of that [s]
 };
 
 // Renders a frame, a sequence or a video to files in the background. Files are written atomically;

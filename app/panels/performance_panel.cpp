@@ -16,7 +16,7 @@ constexpr const char* max_error_key = "view/max_error";
 
 // Why auto shows what it shows.
 QString reason(const FrameQuality& quality) {
-  if (quality.airlight()) return PerformancePanel::tr("Chosen in the View menu.");
+  if (!quality.is_auto()) return PerformancePanel::tr("Chosen in the View menu.");
   const QualityControl& control = quality.control();
   const QString bound = bound_text(control.max_error());
   if (!control.trials()[control.step()].error) {

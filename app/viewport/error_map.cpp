@@ -70,8 +70,7 @@ void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered,
   };
   try {
     const FrameRequest& request = rendered->request;
-    const ReferencePixels reference(*request.scene, request.camera, frame.film, frame.time,
-                                    tolerance);
+    const ReferencePixels reference(*request.scene, request.camera, frame.film, tolerance);
     QElapsedTimer clock;
     clock.start();
     std::size_t done = 0;

@@ -19,11 +19,10 @@ void ErrorMeter::measure(std::shared_ptr<const RenderedFrame> frame,
 FrameErrors& ErrorMeter::errors_of_view(const std::shared_ptr<const RenderedFrame>& frame) {
   const FrameRequest& request = frame->request;
   if (!errors_ || request.scene != scene_ || request.camera != camera_ ||
-      frame->frame.film != film_ || frame->frame.time != time_) {
+      frame->frame.film != film_) {
     scene_ = request.scene;
     camera_ = request.camera;
     film_ = frame->frame.film;
-    time_ = frame->frame.time;
     errors_.emplace(*scene_, camera_, evaluation_seed);
   }
   return *errors_;

@@ -41,7 +41,6 @@ class ErrorMeter : public QObject {
   std::shared_ptr<const Scene> scene_;
   Camera camera_;
   Film film_;
-  double time_ = 0.0;
   std::optional<FrameErrors> errors_;
   JobThread<Job> thread_;
 };

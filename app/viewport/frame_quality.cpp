@@ -19,7 +19,7 @@ FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpol
   connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
 }
 
-void FrameQuality::set_airlight(std::optional<AirlightMethod> method) {
+void FrameQuality::set_airlight(AirlightMethod method) {
   if (method == airlight_) return;
   airlight_ = method;
   stop_measuring();
@@ -39,18 +39,10 @@ void FrameQuality::set_max_error(double max_error) {
   Q_EMIT error_changed();
 }
 
-Settings FrameQuality::settings_at_any_time() const {
-  Settings settings = control_.settings();
-  if (airlight_) {
-    settings = sliced_settings(interpolated(), Settings{}.slices);
-    settings.airlight = *airlight_;
-  }
-  return settings;
-}
-
 Settings FrameQuality::settings() const {
-  Settings settings = settings_at_any_time();
-  settings.time = time_;
+  if (is_auto()) return control_.settings();
+  Settings settings = interpolated();
+  settings.airlight = airlight_;
   return settings;
 }
 
@@ -79,7 +71,7 @@ void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
   stop_measuring();
   frame_ = std::move(frame);
   const std::optional<double> max_error =
-      airlight_ ? std::nullopt : std::optional(control_.max_error());
+      is_auto() ? std::optional(control_.max_error()) : std::nullopt;
   meter_.measure(frame_, max_error);
 }
 
@@ -88,14 +80,13 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   if (frame != frame_) return;  // cancelled meanwhile
   frame_.reset();
   error_ = error;
-  Settings at_any_time = frame->request.settings;
-  at_any_time.time = 0.0;
-  if (airlight_) {
-    chosen_ = {at_any_time, error, frame->milliseconds};
+  const Settings& used = frame->request.settings;
+  if (is_auto()) {
+    control_.learn(used, error, frame->milliseconds);
   } else {
-    control_.learn(at_any_time, error, frame->milliseconds);
+    chosen_ = {used, error, frame->milliseconds};
   }
-  measured_ = settings() == frame->request.settings;
+  measured_ = settings() == used;
   if (!measured_) Q_EMIT settings_changed();
   Q_EMIT error_changed();
 }

@@ -18,18 +18,15 @@ class FrameQuality : public QObject {
  public:
   explicit FrameQuality(QObject* parent = nullptr);
 
-  // nullopt: auto.
-  [[nodiscard]] std::optional<AirlightMethod> airlight() const { return airlight_; }
-  void set_airlight(std::optional<AirlightMethod> method);
-  // Time of frames [s].
-  void set_time(double time) { time_ = time; }
+  [[nodiscard]] AirlightMethod airlight() const { return airlight_; }
+  void set_airlight(AirlightMethod method);
+  [[nodiscard]] bool is_auto() const { return airlight_ == AirlightMethod::auto_; }
   // Error bound of auto; see QualityControl.
   [[nodiscard]] double max_error() const { return control_.max_error(); }
   void set_max_error(double max_error);
 
-  [[nodiscard]] Settings settings() const;  // for frames at rest
-  // The same, ignoring time.
-  [[nodiscard]] Settings settings_at_any_time() const;
+  // For frames at rest, as chosen: never `auto_`.
+  [[nodiscard]] Settings settings() const;
   [[nodiscard]] const QualityControl& control() const { return control_; }
 
   // A measurement in this scene.
@@ -45,7 +42,7 @@ class FrameQuality : public QObject {
   [[nodiscard]] const std::optional<ErrorEstimate>& error() const { return error_; }
   [[nodiscard]] bool is_measured() const { return measured_; }
   // Whether auto cannot meet the bound.
-  [[nodiscard]] bool is_exhausted() const { return !airlight_ && control_.is_exhausted(); }
+  [[nodiscard]] bool is_exhausted() const { return is_auto() && control_.is_exhausted(); }
 
   // The picture is outdated; stops measuring.
   void picture_changes(const Scene& scene, const Camera& camera);
@@ -62,8 +59,7 @@ class FrameQuality : public QObject {
  private:
   void set_measured(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
 
-  std::optional<AirlightMethod> airlight_;
-  double time_ = 0.0;
+  AirlightMethod airlight_ = AirlightMethod::auto_;
   QualityControl control_;
   std::shared_ptr<const RenderedFrame> frame_;  // being measured
   std::optional<ErrorEstimate> error_;

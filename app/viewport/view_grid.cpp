@@ -129,7 +129,7 @@ void ViewGrid::set_time(double time) {
   for (Viewport* pane : panes_) pane->set_time(time);
 }
 
-void ViewGrid::set_airlight(std::optional<AirlightMethod> method) {
+void ViewGrid::set_airlight(AirlightMethod method) {
   for (Viewport* pane : panes_) pane->quality().set_airlight(method);
 }
 

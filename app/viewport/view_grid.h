@@ -33,7 +33,7 @@ class ViewGrid : public QWidget {
   // Settings of all views.
   void set_tool(Tool* tool);
   void set_time(double time);
-  void set_airlight(std::optional<AirlightMethod> method);
+  void set_airlight(AirlightMethod method);
   void set_max_error(double max_error);
   void set_navigation(NavigationPreset preset);
   void set_backend(Backend backend) { services_.frames.set_backend(backend); }

@@ -283,7 +283,6 @@ void Viewport::set_time(double time) {
   if (time == time_) return;
   time_ = time;
   at_time_of_.reset();
-  quality_.set_time(time);
   request_frame();
 }
 

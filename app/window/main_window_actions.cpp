@@ -219,8 +219,8 @@ void MainWindow::fill_mode_menu(QMenu* menu) {
 void MainWindow::fill_airlight_menu(QMenu* menu) {
   const QString remembered = QSettings().value(airlight_key).toString();
   auto* group = new QActionGroup(this);
-  const auto add = [&](const char* name, const QString& text,
-                       std::optional<AirlightMethod> method) {
+  const auto add = [&](AirlightMethod method, const QString& text) {
+    const char* const name = to_string(method);
     if (remembered == name) views_->set_airlight(method);
     QAction* action = group->addAction(text);
     action->setCheckable(true);
@@ -231,9 +231,9 @@ void MainWindow::fill_airlight_menu(QMenu* menu) {
       QSettings().setValue(airlight_key, name);
     });
   };
-  add("auto", tr("&Auto"), std::nullopt);
-  add(to_string(AirlightMethod::paper), tr("&Paper"), AirlightMethod::paper);
-  add(to_string(AirlightMethod::sliced), tr("&Sliced"), AirlightMethod::sliced);
+  add(AirlightMethod::auto_, tr("&Auto"));
+  add(AirlightMethod::paper, tr("&Paper"));
+  add(AirlightMethod::sliced, tr("&Sliced"));
   menu->addActions(group->actions());
 }
 

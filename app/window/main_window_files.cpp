@@ -65,7 +65,8 @@ FrameExportRequest MainWindow::export_request(const std::filesystem::path& file)
           {document_.file().string(), to_string(settings.airlight), {}, viewport_->exposure()},
           views_->backend(),
           file,
-          std::nullopt};
+          std::nullopt,
+          viewport_->time()};
 }
 
 void MainWindow::export_medium() {

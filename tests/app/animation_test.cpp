@@ -124,6 +124,19 @@ class AnimationTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
+  void noise_moves_with_the_wind() {
+    Scene scene = small_scene();
+    scene.optics.noise = {.amplitude = 0.5, .velocity = {1, 0, 0}};
+    TestWindow window(scene);
+    QVERIFY(window.settle());
+    const std::vector<float> before = window->viewport().shown()->frame.beauty;
+    window->findChild<QSlider*>("frame_slider")->setValue(15);
+    QVERIFY(window.settle());
+    QCOMPARE(window->viewport().shown()->frame.time, 0.5);
+    QVERIFY(window->viewport().shown()->frame.beauty != before);
+    QVERIFY(!window->document().is_modified());
+  }
+
   void the_picture_follows_the_timeline() {
     Scene scene = small_scene();
     scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
@@ -133,7 +146,7 @@ class AnimationTest : public QObject {
     auto* slider = window->findChild<QSlider*>("frame_slider");
     slider->setValue(15);
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().shown()->request.settings.time, 0.5);
+    QCOMPARE(window->viewport().shown()->request.scene->time, 0.5);
     QCOMPARE(shown_gaussians(window),
              5 + particles_at(window->document().scene().emitters[0], 0.5).size());
     QVERIFY(!window->document().is_modified());

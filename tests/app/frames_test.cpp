@@ -226,7 +226,7 @@ class FramesTest : public QObject {
     service.request(endless_request(2));
     FrameRequest last = endless_request(3);
     last.film = {40, 30};
-    last.settings = {};
+    last.settings = {.airlight = AirlightMethod::paper};
     service.request(last);
     QTRY_VERIFY(!came.empty());
     QCOMPARE(came, std::vector<std::uint64_t>{3});
@@ -238,7 +238,7 @@ class FramesTest : public QObject {
     connect(&service, &FrameService::frame_ready, this,
             [&](const std::shared_ptr<const RenderedFrame>& f) { frame = f; });
     FrameRequest request = endless_request(1);
-    request.settings = {};
+    request.settings = {.airlight = AirlightMethod::paper};
     request.film = {400, 300};
     request.moving = true;
     service.request(request);

@@ -93,7 +93,10 @@ void light_of_70000_vertices(benchmark::State& state) {
   const auto transfers = std::make_shared<TransferStore>();
   transfers->make(std::array{transfer_request(surface)}, {});
   Renderer renderer(transfers);
-  const auto render = [&] { static_cast<void>(renderer.render(scene, scene.camera, {1, 1}, {})); };
+  const auto render = [&] {
+    static_cast<void>(
+        renderer.render(scene, scene.camera, {1, 1}, {.airlight = AirlightMethod::paper}));
+  };
   render();
   const double before = cpu_seconds();
   for (auto _ : state) {

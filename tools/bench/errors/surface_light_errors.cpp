@@ -59,8 +59,7 @@ double depth_to_light(const Scene& scene) {
 }
 
 Frame frame_of(const Scene& scene, bool paper_spread) {
-  Settings settings;
-  settings.paper_spread = paper_spread;
+  const Settings settings{.airlight = AirlightMethod::paper, .paper_spread = paper_spread};
   return *Renderer().render(scene, scene.camera, scene.film, settings);
 }
 
