@@ -50,7 +50,7 @@ class ChosenRenderer {
       if (!frame) return nullptr;
       rendered->frame = std::move(*frame);
     }
-    if (!problem_.empty()) rendered->frame.statistics.on_cpu = {{"frame", problem_}};
+    if (!problem_.empty()) rendered->frame.statistics.on_cpu = {{Stage::frame, problem_}};
     if (!rendered->on_device) {
       rendered->picture = to_picture(rendered->frame, request.exposure, request.mode);
     }

@@ -428,7 +428,7 @@ class GlFailures : public GlFrames {
     const Frame frame = render(scene_, settings_);
     EXPECT_EQ(frame.statistics.backend, "cpu");
     ASSERT_FALSE(frame.statistics.on_cpu.empty());
-    EXPECT_EQ(frame.statistics.on_cpu[0].stage, "frame");
+    EXPECT_EQ(frame.statistics.on_cpu[0].stage, Stage::frame);
     EXPECT_NE(frame.statistics.on_cpu[0].why.find(why), std::string::npos)
         << frame.statistics.on_cpu[0].why;
     EXPECT_EQ(frame.beauty, on_cpu(scene_, settings_).beauty);
