@@ -78,8 +78,10 @@ void choose(const fs::path& file, SeenDialog* seen = nullptr) {
       choose(file, seen);
       return;
     }
+    // While it still reads the folder, the dialog may select the file it was opened with, which
+    // then counts for more than the text: selectFile() clears that.
+    dialog->selectFile(to_qstring(file));
     dialog->findChild<QLineEdit*>("fileNameEdit")->setText(to_qstring(file));
-    // While the dialog still reads the folder, it may go back to the file it was opened with.
     if (dialog->selectedFiles() != QStringList(to_qstring(file))) {
       choose(file, seen);
       return;
