@@ -83,6 +83,7 @@ StageSet expected(std::span<const StageRule> rules, const PlanCase& c) {
 }
 
 TEST(RenderPlan, RunsStagesByTheirRules) {
+  ASSERT_EQ(all_plan_cases().size(), 4u * 27u * 4u * 8u);
   for (const PlanCase& c : all_plan_cases()) {
     const RenderPlan plan = plan_of(c);
     ASSERT_EQ(to_string(plan.stages), to_string(expected(stage_rules, c))) << c.name();
