@@ -260,6 +260,20 @@ TEST(RenderPlan, MatchesTheStatisticsOfFrames) {
   }
 }
 
+// Each group runs all stages; their times are added up by stage.
+TEST(RenderPlan, IsSharedByAlbedoGroups) {
+  Scene scene = cloud_scene(3, 1.0);
+  scene.film = {16, 12};
+  scene.optics.albedo = {0.9, 0.5, 0.2};
+  const RenderPlan plan(scene, scene.film, {});
+  const FrameStatistics statistics = render_frame(scene, {}).statistics;
+  StageSet ran;
+  for (const StageTime& stage : statistics.stages) ran.add(stage.stage);
+  EXPECT_EQ(to_string(ran), to_string(plan.stages));
+  EXPECT_EQ(statistics.stages.size(), 5u) << to_string(ran);
+  EXPECT_EQ(in_words(statistics.skipped), in_words(plan.skipped));
+}
+
 // Names that other programs read: each its own.
 TEST(Stage, HasANameOfItsOwn) {
   std::vector<std::string> names;
