@@ -96,9 +96,9 @@ std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& mediu
     program.set("first_radius", static_cast<float>(table.layout.radii.first));
     program.set("radii_per_unit", static_cast<float>(table.layout.radii.per_unit));
     program.set("curvature", static_cast<float>(table.layout.radii.curvature));
-    medium.bind();
-    values_.bind(2);
-    pairs_.bind(4);
+    medium.bind(program);
+    program.bind("Tables", values_);
+    program.bind("Totals", pairs_);
     dispatch_bundles(program, {table.layout.map.columns + 2, table.layout.map.rows + 2});
     table.made = true;
   }
@@ -136,9 +136,9 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
   lights_.upload(std::span<const LightData>(data));
 }
 
-void OpticalDepthTables::bind() {
-  lights_.bind(0);
-  values_.bind(1);
+void OpticalDepthTables::bind(const Program& program) {
+  program.bind("Lights", lights_);
+  program.bind("Tables", values_);
 }
 
 }  // namespace brume::gl
