@@ -8,6 +8,7 @@
 
 #include "render/gl/shader_constants.h"
 #include "render/gl/shadow_maps.h"
+#include "render/lighting/shadow_map.h"
 
 namespace brume::gl {
 namespace {
@@ -130,7 +131,7 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     if (shadows && !shadows->empty()) {
       u.has_shadows = 1;
       u.shadows = map_data(shadows->map(l), shadows->first(l));
-      u.shadow_share = 1.0f - 2.0f * static_cast<float>(shadows->map(l).cell_angle());
+      u.shadow_share = brume::shadow_share(shadows->map(l));
     }
   }
   lights_.upload(std::span<const LightData>(data));
