@@ -187,10 +187,7 @@ HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
   const D d;
   const hn::RebindToSigned<D> di;
   const MapPosition position(shadows.map(), q, distance);
-  // A cell stands for its neighbourhood, where a slanting surface is nearer and farther by about
-  // the cells' width: so much behind the surface is still lit, or all surfaces would be darkened.
-  const V near =
-      hn::Mul(distance, set(1.0f - 2.0f * static_cast<float>(shadows.map().cell_angle())));
+  const V near = hn::Mul(distance, set(shadow_share(shadows.map())));
   // Mostly all four cells agree.
   const float* const ranges = &shadows.ranges()->min_value;
   const auto range = hn::ShiftLeft<1>(position.cell);

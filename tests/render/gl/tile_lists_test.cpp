@@ -56,8 +56,8 @@ TEST_F(SortedLists, AscendAtAnyLength) {
   offset_buffer.upload(std::span<const std::uint32_t>(offsets));
   const Program sort("sort_list.glsl");
   sort.set("tiles", static_cast<unsigned>(counts.size()));
-  entry_buffer.bind(6);
-  offset_buffer.bind(7);
+  sort.bind("Entries", entry_buffer);
+  sort.bind("Offsets", offset_buffer);
   sort.dispatch_linear(counts.size());
   entry_buffer.download(std::span(entries));
   for (std::size_t tile = 0; tile < counts.size(); ++tile) {

@@ -158,8 +158,8 @@ Upsampled upsample_on_device(DeviceState& device, const Given& given) {
                       b0,         settings, given.lights};
   Upsampled upsampled;
   upsampled.exact = device.film.run(
-      device.programs, device.clock, device.method, [&] { device.given.bind(6); }, device.lists,
-      view, device.textures);
+      device.programs, device.clock, device.method,
+      [&] { device.method.bind("Given", device.given); }, device.lists, view, device.textures);
   std::vector<float> airlight(4 * given.pixels());
   device.textures.airlight.download(std::span(airlight));
   for (std::size_t i = 0; i < given.pixels(); ++i) {
