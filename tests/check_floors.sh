@@ -67,7 +67,7 @@ app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/
 app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
 app/viewport/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/viewport/
-app/panels/*.[hc]*:app/document/ app/commands/ app/widgets/ app/files/ app/viewport/ app/tools/
+app/panels/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/viewport/ app/tools/
 tools/bench/scenes/*.[hc]*:tools/make_scenes/
 tools/bench/measure/*.[hc]*:tools/bench/scenes/
 tools/bench/errors/*.[hc]*:tools/make_scenes/ tools/bench/scenes/ tools/bench/measure/

@@ -117,7 +117,7 @@ void SceneImport::ask_sequence() {
 }
 
 void SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
-  if (!job_.start(tr("Importing %1").arg(to_qstring(file.filename())), work)) {
+  if (!job_.start(work, tr("Importing %1").arg(to_qstring(file.filename())))) {
     Q_EMIT failed(tr("Another import or export is still running."));
   }
 }

@@ -26,17 +26,18 @@ constexpr int picture_width = 180;
 }  // namespace
 
 LightPanel::LightPanel(Document& document, const ViewGrid& views, QWidget* parent)
-    : SceneForm(document, parent),
-      views_(views),
-      list_(new QListWidget(this)),
-      reader_(this, read_radiance_map) {
+    : SceneForm(document, parent), views_(views), list_(new QListWidget(this)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
   add_light_fields(*form);
   add_environment_fields(*form);
   connect(&document_, &Document::active_light_changed, this, &LightPanel::refresh);
-  connect(&document_, &Document::scene_replaced, this, [this] { reader_.cancel(); });
+  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
+    show_environment();
+    Q_EMIT refused(problem);
+  });
   refresh();
 }
 
@@ -198,18 +199,14 @@ void LightPanel::choose_environment() {
 void LightPanel::load_environment(const QString& file) {
   const std::filesystem::path path = std::filesystem::absolute(to_path(file));
   picture_->setText(tr("Reading %1 …").arg(to_qstring(path.filename())));
-  reader_.start(
-      path,
-      [this, path](const std::shared_ptr<const RadianceMap>& map) {
-        Environment environment = document_.scene().environment.value_or(Environment{});
-        environment.file = path;
-        environment.map = map;
-        set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
-      },
-      [this](const QString& problem) {
-        show_environment();
-        Q_EMIT refused(problem);
-      });
+  reading_.start([this, path](const Job&) {
+    return [this, path, map = read_radiance_map(path)] {
+      Environment environment = document_.scene().environment.value_or(Environment{});
+      environment.file = path;
+      environment.map = map;
+      set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
+    };
+  });
 }
 
 void LightPanel::show_environment() {

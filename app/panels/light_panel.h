@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/file_reader.h"
+#include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
 #include "core/scene/scene.h"
 
@@ -34,7 +34,7 @@ class LightPanel : public SceneForm {
   QLabel* picture_ = nullptr;            // of the environment
   std::optional<Environment> pictured_;  // the environment of picture_
   bool showing_ = false;
-  FileReader<std::shared_ptr<const RadianceMap>> reader_;
+  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

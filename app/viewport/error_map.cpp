@@ -50,62 +50,58 @@ double rms(const std::vector<float>& values) {
 
 }  // namespace
 
-ErrorMapper::ErrorMapper(QObject* parent)
-    : QObject(parent),
-      thread_([this](const std::shared_ptr<const RenderedFrame>& frame,
-                     const std::stop_token& stop) { work(frame, stop); }) {}
+ErrorMapper::ErrorMapper(QObject* parent) : QObject(parent) {
+  connect(&job_, &BackgroundJob::failed, this, &ErrorMapper::failed);
+}
 
-void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered,
-                       const std::stop_token& stop) {
+void ErrorMapper::start(const std::shared_ptr<const RenderedFrame>& frame) {
+  job_.start([this, frame](const Job& job) -> BackgroundJob::Apply {
+    work(frame, job);
+    return {};
+  });
+}
+
+void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, const Job& job) {
   const Frame& frame = rendered->frame;
   ErrorMap map{frame.film, std::vector<float>(frame.depth.size(), 0.0F), 0.0};
   const double unit = rms(frame.airlight);
   const auto tell = [&] {
-    QMetaObject::invokeMethod(
-        this,
-        [this, rendered, copy = std::make_shared<const ErrorMap>(map)] {
-          Q_EMIT grown(rendered, copy);
-        },
-        Qt::QueuedConnection);
+    job_.deliver(job, [this, rendered, copy = std::make_shared<const ErrorMap>(map)] {
+      Q_EMIT grown(rendered, copy);
+    });
   };
-  try {
-    const FrameRequest& request = rendered->request;
-    const ReferencePixels reference(*request.scene, request.camera, frame.film, frame.time,
-                                    tolerance);
-    QElapsedTimer clock;
-    clock.start();
-    std::size_t done = 0;
-    for (int step = coarsest; step >= 1; step /= 2) {
-      const std::vector<std::size_t> pixels = pixels_of_level(frame.film, step);
-      for (std::size_t k = 0; k < pixels.size(); k += at_once) {
-        const auto some = std::span(pixels).subspan(k, std::min(at_once, pixels.size() - k));
-        const std::vector<glm::dvec3> truth = reference.airlight(some, stop);
-        if (truth.size() != some.size()) return;
-        for (std::size_t i = 0; i < some.size(); ++i) {
-          double square = 0.0;
-          for (std::size_t c = 0; c < 3; ++c) {
-            const double d = static_cast<double>(frame.airlight[3 * some[i] + c]) -
-                             truth[i][static_cast<int>(c)];
-            square += d * d / 3.0;
-          }
-          const double error = unit > 0.0 ? std::sqrt(square) / unit : 0.0;
-          fill_block(map, some[i], step, static_cast<float>(error));
+  const FrameRequest& request = rendered->request;
+  const ReferencePixels reference(*request.scene, request.camera, frame.film, frame.time,
+                                  tolerance);
+  QElapsedTimer clock;
+  clock.start();
+  std::size_t done = 0;
+  for (int step = coarsest; step >= 1; step /= 2) {
+    const std::vector<std::size_t> pixels = pixels_of_level(frame.film, step);
+    for (std::size_t k = 0; k < pixels.size(); k += at_once) {
+      const auto some = std::span(pixels).subspan(k, std::min(at_once, pixels.size() - k));
+      const std::vector<glm::dvec3> truth = reference.airlight(some, job.stop);
+      if (truth.size() != some.size()) return;
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        double square = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double d =
+              static_cast<double>(frame.airlight[3 * some[i] + c]) - truth[i][static_cast<int>(c)];
+          square += d * d / 3.0;
         }
-        done += some.size();
-        map.done = static_cast<double>(done) / static_cast<double>(map.error.size());
-        // The first level at once, or else there is hardly anything to see.
-        if (step < coarsest && clock.elapsed() >= told_every) {
-          tell();
-          clock.restart();
-        }
+        const double error = unit > 0.0 ? std::sqrt(square) / unit : 0.0;
+        fill_block(map, some[i], step, static_cast<float>(error));
+      }
+      done += some.size();
+      map.done = static_cast<double>(done) / static_cast<double>(map.error.size());
+      // The first level at once, or else there is hardly anything to see.
+      if (step < coarsest && clock.elapsed() >= told_every) {
+        tell();
+        clock.restart();
       }
     }
-    tell();
-  } catch (const std::exception& error) {
-    const QString message = QString::fromUtf8(error.what());
-    QMetaObject::invokeMethod(
-        this, [this, message] { Q_EMIT failed(message); }, Qt::QueuedConnection);
   }
+  tell();
 }
 
 }  // namespace brume

@@ -1,19 +1,10 @@
 #include "app/viewport/surface_picker.h"
 
-#include <chrono>
-
 #include "app/document/document.h"
 
 namespace brume {
 
-SurfacePicker::SurfacePicker(const Document& document)
-    : document_(document), thread_([](const Job& job, const std::stop_token&) {
-        try {
-          job.promise->set_value(std::make_shared<const RayCaster>(job.surfaces));
-        } catch (...) {
-          job.promise->set_exception(std::current_exception());
-        }
-      }) {
+SurfacePicker::SurfacePicker(const Document& document) : document_(document) {
   connect(&document, &Document::scene_replaced, this, &SurfacePicker::prepare);
   connect(&document, &Document::part_changed, this, &SurfacePicker::prepare);
   prepare();
@@ -22,23 +13,23 @@ SurfacePicker::SurfacePicker(const Document& document)
 void SurfacePicker::prepare() {
   if (document_.scene().surfaces == surfaces_) return;
   surfaces_ = document_.scene().surfaces;
-  auto promise = std::make_shared<std::promise<Built>>();
-  built_ = promise->get_future().share();
-  thread_.start({surfaces_, std::move(promise)});
+  caster_.reset();
+  job_.start([this, surfaces = surfaces_](const Job&) {
+    return [this, built = std::make_shared<const RayCaster>(surfaces)] { caster_ = built; };
+  });
 }
 
 bool SurfacePicker::is_ready() {
   prepare();  // others hear of a change sooner than this
-  return !built_.valid() || built_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return !job_.is_running();
 }
 
 std::optional<SurfacePoint> SurfacePicker::hit(const glm::dvec3& origin,
                                                const glm::dvec3& direction) {
-  if (!is_ready() || surfaces_.empty()) return std::nullopt;
-  const RayCaster& ray_caster = *built_.get();
-  const SurfaceHit hit = ray_caster.first_hit(origin, direction);
+  if (!is_ready() || !caster_) return std::nullopt;
+  const SurfaceHit hit = caster_->first_hit(origin, direction);
   if (!hit) return std::nullopt;
-  return ray_caster.point(hit, origin, direction, surfaces_);
+  return caster_->point(hit, origin, direction, surfaces_);
 }
 
 }  // namespace brume

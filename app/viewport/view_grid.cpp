@@ -11,7 +11,7 @@ namespace brume {
 ViewGrid::ViewGrid(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      services_(document, this),
+      services_(document),
       layout_(new QGridLayout(this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(2);

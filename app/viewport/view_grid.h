@@ -39,7 +39,7 @@ class ViewGrid : public QWidget {
   void set_backend(Backend backend) { services_.frames.set_backend(backend); }
   [[nodiscard]] Backend backend() const { return services_.frames.backend(); }
 
-  [[nodiscard]] TransferJob& transfer_job() { return *services_.transfer_job; }
+  [[nodiscard]] TransferJob& transfer_job() { return services_.transfer_job; }
 
  Q_SIGNALS:
   void pane_made(brume::Viewport* pane);

@@ -10,12 +10,11 @@ namespace brume {
 
 // Services shared by all panes.
 struct ViewServices {
-  ViewServices(const Document& document, QWidget* parent)
-      : transfer_job(new TransferJob(parent)),
-        surfaces(document),
-        frames(transfer_job->transfers(), [this] { return screens.create_context(); }) {}
+  explicit ViewServices(const Document& document)
+      : surfaces(document),
+        frames(transfer_job.transfers(), [this] { return screens.create_context(); }) {}
 
-  TransferJob* transfer_job;  // computes radiance transfer; shown in the status bar
+  TransferJob transfer_job;
   SurfacePicker surfaces;
   ViewportSurfaces screens;
   FrameService frames;

@@ -77,7 +77,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&services_.error_mapper, &ErrorMapper::failed, this, [this](const QString& message) {
     if (active_) Q_EMIT failed(message);
   });
-  connect(services_.transfer_job, &TransferJob::made, this, &Viewport::request_frame);
+  connect(&services_.transfer_job, &TransferJob::made, this, &Viewport::request_frame);
   connect(&services_.frames, &FrameService::backend_changed, this, &Viewport::request_frame);
   connect(&document_, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
@@ -343,7 +343,7 @@ void Viewport::request_frame() {
   forget_error_map();
   if (isHidden()) return;
   quality_.picture_changes(*shown_scene(), camera_);
-  services_.transfer_job->follow(document_.scene());
+  services_.transfer_job.follow(document_.scene());
   services_.frames.request(frame_request(true));
   rest_timer_.start(rest_after);
 }

@@ -69,7 +69,7 @@ class Viewport : public QWidget {
 
   // Whether it is the view that keys, panels and the error meter are about.
   void set_active(bool active);
-  [[nodiscard]] TransferJob& transfer_job() { return *services_.transfer_job; }
+  [[nodiscard]] TransferJob& transfer_job() { return services_.transfer_job; }
 
   // The film in widget coordinates.
   [[nodiscard]] Film film() const;

@@ -24,9 +24,9 @@
 #include "app/export/frame_export.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/import/scene_import.h"
 #include "app/jobs/background_job.h"
+#include "app/jobs/job_bar.h"
 #include "app/panels/contribution_panel.h"
 #include "app/panels/emitter_panel.h"
 #include "app/panels/gaussian_panel.h"
@@ -207,17 +207,17 @@ void MainWindow::create_status_bar() {
   quality_->setContentsMargins(0, 4, 8, 0);
   menuBar()->setCornerWidget(quality_);
   frame_export_ = new FrameExport(this);
-  file_job_ = new BackgroundJob(this);
+  file_job_ = new BackgroundJob(BackgroundJob::Policy::one_at_a_time, this);
   import_ = new SceneImport(document_, *file_job_, this);
   connect(file_job_, &BackgroundJob::cancelled, this, [this] { show_status(tr("Cancelled")); });
   connect(file_job_, &BackgroundJob::failed, message_bar_, &MessageBar::show_error);
   connect(import_, &SceneImport::failed, message_bar_, &MessageBar::show_error);
   connect(&document_, &Document::refused, message_bar_, &MessageBar::show_error);
   statusBar()->addWidget(hint_, 1);
-  statusBar()->addPermanentWidget(&files_->loading());
-  statusBar()->addPermanentWidget(&views_->transfer_job());
-  statusBar()->addPermanentWidget(frame_export_);
-  statusBar()->addPermanentWidget(file_job_);
+  for (BackgroundJob* job :
+       {&files_->loading(), &views_->transfer_job().job(), &frame_export_->job(), file_job_}) {
+    statusBar()->addPermanentWidget(new JobBar(*job));
+  }
   statusBar()->addPermanentWidget(numbers_);
   statusBar()->addPermanentWidget(error_);
   connect(frame_export_, &FrameExport::finished, this,
@@ -235,7 +235,7 @@ void MainWindow::connect_document() {
     message_bar_->show_error(message);
   };
   connect(files_, &SceneFiles::failed, this, fail);
-  connect(&files_->loading(), &SceneLoad::cancelled, this,
+  connect(&files_->loading(), &BackgroundJob::cancelled, this,
           [this] { show_status(tr("Not opened")); });
   connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
   connect(files_, &SceneFiles::changed_on_disk, this, [this] {
@@ -258,6 +258,8 @@ void MainWindow::connect_document() {
   connect(files_, &SceneFiles::opened_without, this, show_missing_files);
   connect(views_, &ViewGrid::failed, this, fail);
   connect(&views_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
+  connect(&views_->transfer_job().job(), &BackgroundJob::failed, message_bar_,
+          &MessageBar::show_error);
   for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
     connect(views_, signal, this, &MainWindow::update_status);
     connect(views_, signal, this, &MainWindow::update_error);
@@ -393,7 +395,7 @@ void MainWindow::change_exposure(double stops) {
 void MainWindow::quit_with_screenshot(const QString& file) {
   const auto take = [this, file] {
     if (!viewport_->is_measured() || files_->loading().is_running()) return;
-    if (viewport_->transfer_job().is_running()) return;
+    if (viewport_->transfer_job().job().is_running()) return;
     viewport_->quality().disconnect(this);
     // Once more through the event loop: all has come, but is not painted yet.
     QTimer::singleShot(200, this, [this, file] {

@@ -72,7 +72,7 @@ void MainWindow::create_actions() {
   add(file, tr("Export Me&dium…"), "", [this] { export_medium(); });
   add(file, tr("&Gather into Folder…"), "", [this] { gather(); });
   connect(file, &QMenu::aboutToShow, this, [this, exporting, animation] {
-    for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->is_running());
+    for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->job().is_running());
   });
   connect(file, &QMenu::aboutToHide, this, [exporting, animation] {
     for (QAction* a : {exporting, animation}) a->setEnabled(true);

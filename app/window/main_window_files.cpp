@@ -102,7 +102,7 @@ void MainWindow::gather_to(const std::filesystem::path& folder) {
 }
 
 void MainWindow::start_file_job(const QString& title, const BackgroundJob::Work& work) {
-  if (!file_job_->start(title, work)) {
+  if (!file_job_->start(work, title)) {
     show_status(tr("Another import or export is still running."));
   }
 }

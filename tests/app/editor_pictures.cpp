@@ -12,7 +12,6 @@
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"

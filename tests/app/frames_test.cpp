@@ -251,15 +251,16 @@ class FramesTest : public QObject {
   void radiance_transfer_is_made_in_the_background() {
     TestWindow window;
     Viewport& view = window->viewport();
+    const JobBar& bar = window.bar(view.transfer_job().job());
     save_scene(scene_with_transfer(window.file("ball.off"), 100), window.file("transfer.brume"));
     QSignalSpy made(&view.transfer_job(), &TransferJob::made);
     QVERIFY(window.open("transfer.brume"));
-    QTRY_VERIFY(view.transfer_job().isVisible());
+    QTRY_VERIFY(bar.isVisible());
     QTRY_VERIFY(view.shown() && !view.shown()->request.scene->surfaces.empty());
-    QVERIFY(view.transfer_job().is_running());
+    QVERIFY(view.transfer_job().job().is_running());
     QVERIFY(misses_transfer(view.shown()->frame));
     QVERIFY(made.wait(patience));
-    QVERIFY(!view.transfer_job().isVisible());
+    QVERIFY(!bar.isVisible());
     QVERIFY(window.settle());
     QVERIFY(!misses_transfer(view.shown()->frame));
     // An edit of the fog asks for no other.
@@ -273,17 +274,18 @@ class FramesTest : public QObject {
   void radiance_transfer_can_be_cancelled() {
     TestWindow window;
     Viewport& view = window->viewport();
+    const JobBar& bar = window.bar(view.transfer_job().job());
     save_scene(scene_with_transfer(window.file("big.off"), 300), window.file("transfer.brume"));
     QVERIFY(window.open("transfer.brume"));
-    QTRY_VERIFY(view.transfer_job().isVisible());
-    view.transfer_job().findChild<QToolButton*>()->click();
-    QTRY_VERIFY(!view.transfer_job().is_running());
+    QTRY_VERIFY(bar.isVisible());
+    bar.findChild<QToolButton*>()->click();
+    QTRY_VERIFY(!view.transfer_job().job().is_running());
     QVERIFY(window.settle());
     QVERIFY(misses_transfer(view.shown()->frame));
     // Another scene gives it up too.
     save_scene(scene_with_transfer(window.file("small.off"), 10), window.file("small.brume"));
     QVERIFY(window.open("transfer.brume"));
-    QTRY_VERIFY(view.transfer_job().is_running());
+    QTRY_VERIFY(view.transfer_job().job().is_running());
     QSignalSpy made(&view.transfer_job(), &TransferJob::made);
     QVERIFY(window.open("small.brume"));
     QTRY_VERIFY(!made.isEmpty());  // perhaps meanwhile
@@ -369,9 +371,9 @@ class FramesTest : public QObject {
     for (const char* name : {"frame.exr", "frame.png"}) {
       QSignalSpy finished(exporter, &FrameExport::finished);
       window->export_frame_to(window.file(name));
-      QVERIFY(exporter->is_running());
+      QVERIFY(exporter->job().is_running());
       QVERIFY(finished.wait(patience));
-      QVERIFY(!exporter->is_running());
+      QVERIFY(!exporter->job().is_running());
     }
     const ImageLayers layers = read_exr(window.file("frame.exr"));
     QCOMPARE(layers.width, 120);
@@ -393,7 +395,7 @@ class FramesTest : public QObject {
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     exporter->start({std::make_shared<const Scene>(big), big.camera, Settings{}, FrameInfo{},
                      Backend::cpu, window.file("big.png"), std::nullopt});
-    exporter->cancel();
+    exporter->job().cancel();
     QVERIFY(cancelled.wait(patience));
     QVERIFY(!std::filesystem::exists(window.file("big.png")));
   }

@@ -4,7 +4,6 @@
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/application.h"
 #include "core/io/scene/scene_file.h"
@@ -52,6 +51,11 @@ bool TestWindow::settle() {
   Viewport& view = window_->viewport();
   return QTest::qWaitFor([&view] { return view.is_measured() && view.surfaces().is_ready(); },
                          patience);
+}
+
+const JobBar& TestWindow::bar(const BackgroundJob& job) const {
+  const QList<JobBar*> bars = window_->findChildren<JobBar*>();
+  return **std::ranges::find_if(bars, [&](const JobBar* bar) { return &bar->job() == &job; });
 }
 
 QPoint TestWindow::handle(std::size_t index) {
