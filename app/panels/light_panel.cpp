@@ -13,7 +13,7 @@
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/environment_picture.h"
-#include "app/viewport/view_grid.h"
+#include "app/view/view.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/image/radiance_map_file.h"
@@ -25,8 +25,11 @@ constexpr int picture_width = 180;
 
 }  // namespace
 
-LightPanel::LightPanel(Document& document, const ViewGrid& views, QWidget* parent)
-    : SceneForm(document, parent), views_(views), list_(new QListWidget(this)) {
+LightPanel::LightPanel(Document& document, std::function<const View&()> active_view,
+                       QWidget* parent)
+    : SceneForm(document, parent),
+      active_view_(std::move(active_view)),
+      list_(new QListWidget(this)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
@@ -60,8 +63,8 @@ void LightPanel::add_light_list(QFormLayout& form) {
   form.addRow(buttons);
   connect(add, &QPushButton::clicked, this, [this] {
     // Above what the view looks at.
-    const Viewport& view = views_.active();
-    const glm::dvec3 above = view.shift_on_film({0.0, -0.3 * view.height()});
+    const View& view = active_view_();
+    const glm::dvec3 above = view.shift_on_film({0.0, -0.3 * view.film().height});
     add_light(document_, view.pivot() + above);
     document_.set_active_light(document_.scene().lights.size() - 1);
   });

@@ -9,13 +9,14 @@ class QListWidget;
 
 namespace brume {
 
-class ViewGrid;
+class View;
 
 // List of lights, parameters of the active one, and the environment.
 class LightPanel : public SceneForm {
   Q_OBJECT
  public:
-  LightPanel(Document& document, const ViewGrid& views, QWidget* parent);
+  // `active_view`: where lights are added.
+  LightPanel(Document& document, std::function<const View&()> active_view, QWidget* parent);
 
   // Loads an environment map in the background.
   void load_environment(const QString& file);
@@ -29,7 +30,7 @@ class LightPanel : public SceneForm {
   void show_environment();
   [[nodiscard]] const PointLight* light() const;  // the active one; may be null
 
-  const ViewGrid& views_;
+  std::function<const View&()> active_view_;
   QListWidget* list_;
   QLabel* picture_ = nullptr;            // of the environment
   std::optional<Environment> pictured_;  // the environment of picture_

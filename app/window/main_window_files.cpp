@@ -58,14 +58,15 @@ void MainWindow::export_animation_to(const std::filesystem::path& file, int firs
 }
 
 FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
-  const Settings settings = viewport_->quality().settings();
-  return {document_.snapshot(),
-          viewport_->camera(),
-          settings,
-          {document_.file().string(), to_string(settings.airlight), {}, viewport_->exposure()},
-          views_->backend(),
-          file,
-          std::nullopt};
+  const Settings settings = viewport_->frames().quality().settings();
+  return {
+      document_.snapshot(),
+      viewport_->camera(),
+      settings,
+      {document_.file().string(), to_string(settings.airlight), {}, viewport_->frames().exposure()},
+      views_->backend(),
+      file,
+      std::nullopt};
 }
 
 void MainWindow::export_medium() {

@@ -4,6 +4,7 @@
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
+#include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/application.h"
 #include "core/io/scene/scene_file.h"
@@ -49,8 +50,8 @@ std::filesystem::path TestWindow::file(const char* name) const {
 
 bool TestWindow::settle() {
   Viewport& view = window_->viewport();
-  return QTest::qWaitFor([&view] { return view.is_measured() && view.surfaces().is_ready(); },
-                         patience);
+  return QTest::qWaitFor(
+      [&view] { return view.frames().is_measured() && view.surfaces().is_ready(); }, patience);
 }
 
 const JobBar& TestWindow::bar(const BackgroundJob& job) const {

@@ -1,11 +1,11 @@
-#include "app/viewport/error_map.h"
+#include "app/frames/error_map.h"
 
 #include <QElapsedTimer>
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "app/viewport/frame_service.h"
+#include "app/frames/frame_service.h"
 #include "render/reference/reference_pixels.h"
 
 namespace brume {

@@ -1,4 +1,4 @@
-#include "app/viewport/frame_service.h"
+#include "app/frames/frame_service.h"
 
 #include <QElapsedTimer>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "app/viewport/surface_picker.h"
+#include "app/view/surface_picker.h"
 
 #include "app/document/document.h"
 

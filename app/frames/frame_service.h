@@ -10,8 +10,8 @@
 #include <optional>
 #include <stop_token>
 
+#include "app/frames/view_mode.h"
 #include "app/jobs/background_job.h"
-#include "app/viewport/view_mode.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/gl_renderer.h"

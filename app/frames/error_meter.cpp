@@ -1,6 +1,6 @@
-#include "app/viewport/error_meter.h"
+#include "app/frames/error_meter.h"
 
-#include "app/viewport/frame_service.h"
+#include "app/frames/frame_service.h"
 #include "render/quality/auto_quality.h"
 
 namespace brume {
