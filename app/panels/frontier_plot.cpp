@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewport/frame_quality.h"
+#include "app/frames/frame_quality.h"
 #include "app/widgets/frame_text.h"
 
 namespace brume {

@@ -37,7 +37,7 @@ void enter(TestWindow& window, const char* field, const QString& text) {
 }
 
 std::size_t shown_gaussians(TestWindow& window) {
-  return window->viewport().shown()->request.scene->medium.size();
+  return window->viewport().frames().shown()->request.scene->medium.size();
 }
 
 // Holds the left button down at a place until the medium has more than some Gaussians.
@@ -146,7 +146,7 @@ class AnimationTest : public QObject {
     auto* slider = window->findChild<QSlider*>("frame_slider");
     slider->setValue(15);
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().shown()->request.scene->time, 0.5);
+    QCOMPARE(window->viewport().frames().shown()->request.scene->time, 0.5);
     QCOMPARE(shown_gaussians(window),
              5 + particles_at(window->document().scene().emitters[0], 0.5).size());
     QVERIFY(!window->document().is_modified());

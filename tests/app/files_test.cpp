@@ -11,7 +11,6 @@
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/import/scene_import.h"
 #include "app/widgets/plain_text.h"
 #include "app/window/message_bar.h"

@@ -1,6 +1,5 @@
-#include "app/viewport/frame_service.h"
+#include "app/frames/frame_service.h"
 
-#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <algorithm>
 #include <exception>
@@ -84,19 +83,18 @@ class ChosenRenderer {
 
 FrameService::FrameService(std::shared_ptr<const TransferStore> transfers, MakeContext make_context,
                            QObject* parent)
-    : QObject(parent),
-      thread_([this, transfers = std::move(transfers), make_context = std::move(make_context)](
-                  const std::stop_token& quit) { work(quit, transfers, make_context); }) {}
+    : QObject(parent) {
+  job_.start([this, transfers = std::move(transfers),
+              make_context = std::move(make_context)](const Job& job) -> BackgroundJob::Apply {
+    work(job, transfers, make_context);
+    return {};
+  });
+}
 
 FrameService::~FrameService() {
-  // Undelivered frames: release their pictures while there is a context.
-  QCoreApplication::removePostedEvents(this);
-  thread_.request_stop();
-  {
-    const std::scoped_lock lock(mutex_);
-    stop_frame_.request_stop();
-  }
-  thread_.join();
+  job_.cancel();
+  const std::scoped_lock lock(mutex_);
+  stop_frame_.request_stop();
 }
 
 void FrameService::request(FrameRequest request) {
@@ -148,8 +146,7 @@ int FrameService::motion_divisor(const Film& film) const {
   return max_divisor;
 }
 
-void FrameService::work(const std::stop_token& quit,
-                        const std::shared_ptr<const TransferStore>& transfers,
+void FrameService::work(const Job& job, const std::shared_ptr<const TransferStore>& transfers,
                         const MakeContext& make_context) {
   const auto pictures = gl::PicturePool::create();
   ChosenRenderer renderer;
@@ -163,7 +160,7 @@ void FrameService::work(const std::stop_token& quit,
     {
       std::unique_lock lock(mutex_);
       running_.reset();
-      if (!wake_.wait(lock, quit, [this] { return !pending_.empty(); })) return;
+      if (!wake_.wait(lock, job.stop, [this] { return !pending_.empty(); })) return;
       auto next = pending_.find(active_);
       if (next == pending_.end()) next = pending_.begin();
       request = std::move(next->second);
@@ -171,7 +168,7 @@ void FrameService::work(const std::stop_token& quit,
       if (request.moving) divisor = motion_divisor(request.film);
       running_ = request;
       stop_frame_ = std::stop_source();
-      if (quit.stop_requested()) return;
+      if (job.stop.stop_requested()) return;
       stop = stop_frame_.get_token();
       backend = backend_;
       choice = backend_choice_;
@@ -194,12 +191,10 @@ void FrameService::work(const std::stop_token& quit,
       if (rendered->request.moving) {  // at rest pixels may cost more
         milliseconds_per_pixel_ = rendered->milliseconds / (film.width * film.height);
       }
-      QMetaObject::invokeMethod(
-          this, [this, rendered] { Q_EMIT frame_ready(rendered); }, Qt::QueuedConnection);
+      job_.deliver(job, [this, rendered] { Q_EMIT frame_ready(rendered); });
     } catch (const std::exception& error) {
       const QString message = QString::fromUtf8(error.what());
-      QMetaObject::invokeMethod(
-          this, [this, message] { Q_EMIT failed(message); }, Qt::QueuedConnection);
+      job_.deliver(job, [this, message] { Q_EMIT failed(message); });
     }
   }
 }

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "app/viewport/bounds.h"
+#include "app/view/bounds.h"
 #include "core/scene/camera.h"
 
 namespace brume {

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <QObject>
 #include <memory>
 #include <optional>
 
-#include "app/jobs/job_thread.h"
+#include "app/jobs/background_job.h"
 #include "render/quality/frame_errors.h"
 
 namespace brume {
@@ -19,30 +18,24 @@ class ErrorMeter : public QObject {
 
   // Replaces a running measurement. `max_error`: see FrameErrors; frames of one view share their
   // sample pixels.
-  void measure(std::shared_ptr<const RenderedFrame> frame, std::optional<double> max_error);
+  void measure(const std::shared_ptr<const RenderedFrame>& frame, std::optional<double> max_error);
   // Returns at once; the thread stops after the current pixel.
-  void cancel() { thread_.cancel(); }
+  void cancel() { job_.cancel(); }
 
  Q_SIGNALS:
-  // May be emitted once more after cancelling.
   void measured(std::shared_ptr<const brume::RenderedFrame> frame,
                 const brume::ErrorEstimate& error);
   void failed(const QString& message);
 
  private:
-  struct Job {
-    std::shared_ptr<const RenderedFrame> frame;
-    std::optional<double> max_error;
-  };
-  void work(const Job& job, const std::stop_token& stop);
-  FrameErrors& errors_of_view(const std::shared_ptr<const RenderedFrame>& frame);
+  FrameErrors& errors_of_view(const RenderedFrame& frame);
 
   // Used in the thread: the last measured view.
   std::shared_ptr<const Scene> scene_;
   Camera camera_;
   Film film_;
   std::optional<FrameErrors> errors_;
-  JobThread<Job> thread_;
+  BackgroundJob job_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewport/error_meter.h"
+#include "app/frames/error_meter.h"
 #include "render/quality/quality_control.h"
 
 namespace brume {

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <QObject>
 #include <memory>
 #include <vector>
 
-#include "app/jobs/job_thread.h"
+#include "app/jobs/background_job.h"
 #include "core/scene/camera.h"
 
 namespace brume {
@@ -26,19 +25,19 @@ class ErrorMapper : public QObject {
   explicit ErrorMapper(QObject* parent = nullptr);
 
   // Replaces a running computation.
-  void start(std::shared_ptr<const RenderedFrame> frame) { thread_.start(std::move(frame)); }
-  void cancel() { thread_.cancel(); }
+  void start(const std::shared_ptr<const RenderedFrame>& frame);
+  void cancel() { job_.cancel(); }
 
  Q_SIGNALS:
-  // Emitted several times per second; possibly once more after cancelling.
+  // Emitted several times per second.
   void grown(const std::shared_ptr<const brume::RenderedFrame>& frame,
              const std::shared_ptr<const brume::ErrorMap>& map);
   void failed(const QString& message);
 
  private:
-  void work(const std::shared_ptr<const RenderedFrame>& frame, const std::stop_token& stop);
+  void work(const std::shared_ptr<const RenderedFrame>& frame, const Job& job);
 
-  JobThread<std::shared_ptr<const RenderedFrame>> thread_;
+  BackgroundJob job_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

@@ -1,4 +1,4 @@
-#include "app/viewport/handles.h"
+#include "app/view/handles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,19 +5,21 @@
 #include <QTimer>
 #include <vector>
 
+#include "app/view/navigation.h"
+
 class QMouseEvent;
 
 namespace brume {
 
 class Tool;
-class Viewport;
+class View;
 
 // Mouse input of a view: camera or tool drags. Moves are collected and delivered together once the
 // event queue is empty: no position is lost, and slow views do not lag behind.
 class ViewInput : public QObject {
   Q_OBJECT
  public:
-  explicit ViewInput(Viewport& view);
+  explicit ViewInput(View& view);
 
   // Cancels a running gesture. nullptr: none.
   void set_tool(Tool* tool);
@@ -40,12 +42,13 @@ class ViewInput : public QObject {
   void pointed_at(QPointF position);  // with no button down
 
  private:
-  enum class Drag { none, orbit, pan, zoom, tool };
-  [[nodiscard]] Drag drag_of(const QMouseEvent& event) const;
+  enum class Drag { none, camera, tool };
+  void start_drag(const QMouseEvent& event);
 
-  Viewport& view_;
+  View& view_;
   Tool* tool_ = nullptr;
   Drag drag_ = Drag::none;
+  NavigationDrag camera_drag_ = NavigationDrag::orbit;
   std::vector<QPointF> path_;  // collected mouse positions
   QPointF last_position_;
   QTimer timer_;

@@ -11,7 +11,7 @@ namespace brume {
 
 class CameraRays;
 class Document;
-class Viewport;
+class View;
 struct Overlay;
 
 // Base of left-button tools. A tool changes the document by commands that merge while dragging, so
@@ -20,11 +20,11 @@ class Tool : public QObject {
   Q_OBJECT
  public:
   // `view`: the initial view.
-  Tool(Document& document, Viewport& view) : document_(document), view_(&view) {}
+  Tool(Document& document, View& view) : document_(document), view_(&view) {}
 
   // The view of mouse positions; constant while a button is down.
-  [[nodiscard]] Viewport& view() const { return *view_; }
-  void set_view(Viewport& view) { view_ = &view; }
+  [[nodiscard]] View& view() const { return *view_; }
+  void set_view(View& view) { view_ = &view; }
 
   // One line for the status bar.
   [[nodiscard]] virtual QString hint() const = 0;
@@ -66,7 +66,7 @@ class Tool : public QObject {
   Document& document_;
 
  private:
-  Viewport* view_;
+  View* view_;
 };
 
 }  // namespace brume

@@ -1,4 +1,4 @@
-#include "app/viewport/bounds.h"
+#include "app/view/bounds.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

@@ -1,4 +1,4 @@
-#include "app/viewport/navigation.h"
+#include "app/view/navigation.h"
 
 #include <algorithm>
 #include <cmath>

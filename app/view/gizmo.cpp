@@ -1,4 +1,4 @@
-#include "app/viewport/gizmo.h"
+#include "app/view/gizmo.h"
 
 #include <QLineF>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "app/viewport/overlay.h"
+#include "app/view/overlay.h"
 #include "core/math/basis.h"
 
 namespace brume {

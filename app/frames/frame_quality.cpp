@@ -1,6 +1,6 @@
-#include "app/viewport/frame_quality.h"
+#include "app/frames/frame_quality.h"
 
-#include "app/viewport/frame_service.h"
+#include "app/frames/frame_service.h"
 
 namespace brume {
 namespace {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <QObject>
-#include <future>
 #include <memory>
 
-#include "app/jobs/job_thread.h"
+#include "app/jobs/background_job.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -23,17 +21,12 @@ class SurfacePicker : public QObject {
   std::optional<SurfacePoint> hit(const glm::dvec3& origin, const glm::dvec3& direction);
 
  private:
-  using Built = std::shared_ptr<const RayCaster>;
-  struct Job {
-    std::vector<Surface> surfaces;
-    std::shared_ptr<std::promise<Built>> promise;
-  };
   void prepare();
 
   const Document& document_;
-  std::vector<Surface> surfaces_;  // input of built_
-  std::shared_future<Built> built_;
-  JobThread<Job> thread_;
+  std::vector<Surface> surfaces_;  // of caster_
+  std::shared_ptr<const RayCaster> caster_;
+  BackgroundJob job_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

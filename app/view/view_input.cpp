@@ -1,18 +1,15 @@
-#include "app/viewport/view_input.h"
+#include "app/view/view_input.h"
 
 #include <QCoreApplication>
 #include <QMouseEvent>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "app/viewport/tool.h"
-#include "app/viewport/viewport.h"
+#include "app/view/tool.h"
+#include "app/view/view.h"
 
 namespace brume {
 
-ViewInput::ViewInput(Viewport& view) : view_(view) {
+ViewInput::ViewInput(View& view) : view_(view) {
   // Runs out when no events of the mouse wait any more.
   timer_.setSingleShot(true);
   timer_.setInterval(0);
@@ -40,28 +37,23 @@ void ViewInput::press(const QMouseEvent& event) {
   flush_moves();
   if (tool_) tool_->set_view(view_);
   last_position_ = event.position();
-  drag_ = drag_of(event);
-  if (drag_ == Drag::tool) tool_->press(event.position(), event.modifiers());
+  start_drag(event);
 }
 
-ViewInput::Drag ViewInput::drag_of(const QMouseEvent& event) const {
+void ViewInput::start_drag(const QMouseEvent& event) {
   const bool left = event.button() == Qt::LeftButton;
-  const NavigationPreset preset = view_.navigation();
+  const NavigationPreset preset = view_.camera_controller().navigation();
   const bool tools_own = left && tool_ && tool_->uses_alt() &&
                          event.modifiers().testFlag(Qt::AltModifier) &&
                          preset != NavigationPreset::maya;
-  const auto drag = navigation_drag(preset, event.button(), event.modifiers());
-  if (drag && !tools_own) {
-    switch (*drag) {
-      case NavigationDrag::orbit:
-        return view_.projection() == Projection::perspective ? Drag::orbit : Drag::pan;
-      case NavigationDrag::pan:
-        return Drag::pan;
-      case NavigationDrag::zoom:
-        return Drag::zoom;
-    }
+  const auto navigation = navigation_drag(preset, event.button(), event.modifiers());
+  if (navigation && !tools_own) {
+    drag_ = Drag::camera;
+    camera_drag_ = *navigation;
+  } else if (left && tool_) {
+    drag_ = Drag::tool;
+    tool_->press(event.position(), event.modifiers());
   }
-  return left && tool_ ? Drag::tool : Drag::none;
 }
 
 void ViewInput::move(QPointF position) {
@@ -74,8 +66,6 @@ void ViewInput::flush_moves() {
   if (path_.empty()) return;
   const std::vector<QPointF> path = std::exchange(path_, {});
   const QPointF step = path.back() - std::exchange(last_position_, path.back());
-  const double half_turn = std::numbers::pi / std::max(1, view_.height());
-  const Camera& camera = view_.camera();
   switch (drag_) {
     case Drag::none:
       Q_EMIT pointed_at(path.back());
@@ -87,14 +77,8 @@ void ViewInput::flush_moves() {
     case Drag::tool:
       tool_->move(path);
       break;
-    case Drag::orbit:
-      view_.set_camera(orbit(camera, {step.x() * half_turn, step.y() * half_turn}));
-      break;
-    case Drag::pan:
-      view_.set_camera(pan(camera, view_.film(), {step.x(), step.y()}));
-      break;
-    case Drag::zoom:
-      view_.zoom_by(std::exp(0.005 * (step.y() - step.x())));
+    case Drag::camera:
+      view_.camera_controller().drag(camera_drag_, step);
       break;
   }
 }

@@ -1,4 +1,4 @@
-#include "app/viewport/view_mode.h"
+#include "app/frames/view_mode.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "app/viewport/error_map.h"
+#include "app/frames/error_map.h"
 #include "render/frame.h"
 
 namespace brume {

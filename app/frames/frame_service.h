@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QImage>
-#include <QObject>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -10,9 +9,9 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 
-#include "app/viewport/view_mode.h"
+#include "app/frames/view_mode.h"
+#include "app/jobs/background_job.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/gl_renderer.h"
@@ -73,7 +72,7 @@ class FrameService : public QObject {
   void failed(const QString& message);
 
  private:
-  void work(const std::stop_token& quit, const std::shared_ptr<const TransferStore>& transfers,
+  void work(const Job& job, const std::shared_ptr<const TransferStore>& transfers,
             const MakeContext& make_context);
   int motion_divisor(const Film& film) const;
 
@@ -86,7 +85,7 @@ class FrameService : public QObject {
   double milliseconds_per_pixel_ = 0.0;  // last frame in motion; 0 initially
   Backend backend_ = Backend::auto_;
   std::uint64_t backend_choice_ = 1;  // counts set_backend()
-  std::jthread thread_;
+  BackgroundJob job_{BackgroundJob::Policy::one_at_a_time};
 };
 
 }  // namespace brume

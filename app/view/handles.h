@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "app/viewport/overlay.h"
+#include "app/view/overlay.h"
 #include "core/medium/medium.h"
 #include "core/scene/camera.h"
 #include "render/frame.h"

@@ -1,4 +1,4 @@
-#include "app/viewport/overlay.h"
+#include "app/view/overlay.h"
 
 #include <QLineF>
 #include <algorithm>
