@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "core/scene/placement.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/average_depth_grid.h"
 #include "render/lighting/environment_light.h"
@@ -54,9 +54,7 @@ class PreparedShading {
   };
   struct Depths {
     std::shared_ptr<const TriangleMesh> mesh;
-    glm::dvec3 translate;
-    glm::dquat rotate;
-    double scale;
+    Placement placement;
     AverageDepthGrid grid;
 
     [[nodiscard]] bool matches(const Surface& surface) const;
