@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {
@@ -44,11 +44,7 @@ std::optional<Sphere> bounding_sphere(const Scene& scene) {
     box.include(scene.medium.centers()[i], scene.medium.radii()[i]);
   }
   for (const Surface& surface : scene.surfaces) {
-    for (const auto vertex : surface.mesh->vertices()) {
-      const auto& p = surface.mesh->point(vertex);
-      box.include(surface.translate +
-                  surface.rotate * (surface.scale * glm::dvec3(p[0], p[1], p[2])));
-    }
+    for (const glm::dvec3& p : world_points(surface)) box.include(p);
   }
   if (!box.sphere()) {
     for (const PointLight& light : scene.lights) box.include(light.position, 1.0);

@@ -22,7 +22,7 @@
 #include "core/io/scene/scene_file.h"
 #include "core/limits.h"
 #include "core/scene/at_time.h"
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -286,24 +286,18 @@ class AnimationTest : public QObject {
 
  private:
   static std::shared_ptr<const TriangleMesh> box() {
-    auto mesh = std::make_shared<TriangleMesh>();
-    std::vector<TriangleMesh::VertexHandle> corner;
+    MeshArrays mesh;
     for (int k = 0; k < 8; ++k) {
-      corner.push_back(
-          mesh->add_vertex({k & 1 ? 1.0F : -1.0F, k & 2 ? 1.0F : -1.0F, k & 4 ? 1.0F : -1.0F}));
+      mesh.points.emplace_back(k & 1 ? 1.0F : -1.0F, k & 2 ? 1.0F : -1.0F, k & 4 ? 1.0F : -1.0F);
+      mesh.normals.push_back(glm::normalize(mesh.points.back()));
     }
-    const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    const auto at = [&](int k) { return corner[static_cast<std::size_t>(k)]; };
+    const unsigned sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& side : sides) {
-      mesh->add_face(at(side[0]), at(side[1]), at(side[2]));
-      mesh->add_face(at(side[0]), at(side[2]), at(side[3]));
+      mesh.triangles.emplace_back(side[0], side[1], side[2]);
+      mesh.triangles.emplace_back(side[0], side[2], side[3]);
     }
-    mesh->request_vertex_normals();
-    for (const auto vertex : mesh->vertices()) {
-      mesh->set_normal(vertex, mesh->point(vertex).normalized());
-    }
-    return mesh;
+    return to_mesh(mesh);
   }
 };
 

@@ -160,13 +160,13 @@ class GlSurfaces : public GlFrames {
     scene_.camera.eye = {2.5, -4.0, 2.5};
     scene_.camera.target = {0.0, 0.0, 0.3};
     scene_.camera.up = {0.0, 0.0, 1.0};
-    auto ball = empty_mesh();
-    add_ball(*ball, 12, {0.0, 0.0, 0.9}, 0.7, 3.0, false);
-    auto floor = empty_mesh();
-    add_floor(*floor, 4, 3.0);
+    MeshArrays ball;
+    add_ball(ball, 12, {0.0, 0.0, 0.9}, 0.7, 3.0, false);
+    MeshArrays floor;
+    add_floor(floor, 4, 3.0);
     for (const auto& mesh : {ball, floor}) {
       Surface& surface = scene_.surfaces.emplace_back();
-      surface.mesh = mesh;
+      surface.mesh = to_mesh(mesh);
       surface.material.reflectance = {0.7, 0.5, 0.3};
     }
     scene_.lights.assign(2, {});

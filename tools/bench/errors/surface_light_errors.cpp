@@ -16,10 +16,10 @@ namespace {
 constexpr double ball_radius = 0.3;  // in clouds
 
 Surface ball(double radius) {
-  auto mesh = empty_mesh();
-  add_ball(*mesh, 64, {0, 0, 0}, radius, std::numbers::pi, false);
+  MeshArrays mesh;
+  add_ball(mesh, 64, {0, 0, 0}, radius, std::numbers::pi, false);
   Surface surface;
-  surface.mesh = mesh;
+  surface.mesh = to_mesh(mesh);
   return surface;
 }
 
