@@ -60,8 +60,8 @@ TEST(GlPlan, ListsWhatSurfacesAndEnvironmentsNeed) {
   scene.environment.emplace();
   scene.environment->map = constant_sky(1.0f);
   EXPECT_TRUE(has(plan_of(scene, sliced_settings({}, 12)), "environment"));
-  EXPECT_FALSE(has(plan_of(scene, {}), "environment"));
-  EXPECT_TRUE(has(plan_of(scene, {}), "average_depth"));
+  EXPECT_FALSE(has(plan_of(scene, paper_settings), "environment"));
+  EXPECT_TRUE(has(plan_of(scene, paper_settings), "average_depth"));
 }
 
 }  // namespace
