@@ -74,8 +74,8 @@ TEST(GlPlan, ListsWhatSurfacesAndEnvironmentsNeed) {
   scene.environment.emplace();
   scene.environment->map = constant_sky(1.0f);
   EXPECT_TRUE(is_on_cpu(plan_of(scene, sliced_settings({}, 12)), Stage::environment));
-  EXPECT_FALSE(is_on_cpu(plan_of(scene, {}), Stage::environment));
-  EXPECT_TRUE(is_on_cpu(plan_of(scene, {}), Stage::average_depth));
+  EXPECT_FALSE(is_on_cpu(plan_of(scene, paper_settings), Stage::environment));
+  EXPECT_TRUE(is_on_cpu(plan_of(scene, paper_settings), Stage::average_depth));
 }
 
 // Only what a frame is for leaves the device.

@@ -259,7 +259,7 @@ TEST(Environment, UpdatesWhenItsInputsChange) {
   scene.surfaces = {ball(0.4)};
   set_type(Material::Type::phong, scene.surfaces[0].material);
   Renderer renderer;
-  const Settings settings = paper_settings;
+  Settings settings = paper_settings;
   const auto expect_as_new = [&](const char* what) {
     const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);
     expect_finite(kept);
