@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/scene/mesh.h"
 #include "core/scene/radiance_map.h"
 #include "render/renderer.h"
 #include "render/transfer/radiance_transfer.h"
