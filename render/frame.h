@@ -45,7 +45,8 @@ struct FrameStatistics {
   std::vector<float> pixel_pairs;
 };
 
-// A rendered frame: linear radiance, rows from the top, width * height pixels.
+// A rendered frame: linear radiance, rows from the top, width * height pixels. Its `depth` is a
+// distance; elsewhere `depth` is optical depth.
 struct Frame {
   Film film;
   double time = 0.0;                 // Settings::time [s]

@@ -18,7 +18,7 @@ constexpr int side = DensityGrid::side;
 constexpr float between = 0.7f;
 
 // Beyond this many radii a Gaussian is 1e-5 of its peak and left out.
-constexpr double cutoff_radius = 3.4;
+constexpr double cutoff_in_radii = 3.4;
 
 // A Gaussian along one axis of a block: t = a (p - b) and exp(-t^2) at its eight points.
 struct Axis {
@@ -171,11 +171,11 @@ FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
 
 template <class Visit>
 void FitProblem::each_block(const FitGaussian& g, Visit visit) const {
-  const glm::dvec3 radius = glm::dvec3(cutoff_radius / g.a) / glm::abs(spacing_);
+  const glm::dvec3 radius = glm::dvec3(cutoff_in_radii / g.a) / glm::abs(spacing_);
   const glm::dvec3 middle = g.b / spacing_;
   const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
   const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
-  const double all = cutoff_radius / g.a;
+  const double all = cutoff_in_radii / g.a;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {

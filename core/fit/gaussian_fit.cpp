@@ -151,7 +151,7 @@ FitStep solve_own(const FitStep& r, double w, double damping) {
 // (J^T J + damping D) x = -gradient by preconditioned conjugate gradients.
 Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   // The model holds only nearby: a more exact solution wins less than another step.
-  constexpr int max_value = 8;
+  constexpr int max_iterations = 8;
   constexpr double enough = 0.1;  // of the gradient
   const std::size_t n = gradient.size();
   Steps x(n, FitStep{});
@@ -168,7 +168,7 @@ Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   Steps q(n);
   double rz = dot(r, z);
   const double first = rz;
-  for (int k = 0; k < max_value && rz > enough * enough * first; ++k) {
+  for (int k = 0; k < max_iterations && rz > enough * enough * first; ++k) {
     problem_.apply(p, along_);
     problem_.apply_transposed(along_, q);
     products_ += 2;
@@ -205,9 +205,9 @@ bool Fitting::step() {
                  (g.a * g.a * g.a * grid_.voxel_volume());
   }
   // A Gaussian that is almost nothing has no weight to hold it.
-  const double min_value =
+  const double min_weight =
       1e-6 * std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(n);
-  for (double& w : weights) w = std::max(w, min_value);
+  for (double& w : weights) w = std::max(w, min_weight);
 
   const std::vector<FitGaussian> before = gaussians_;
   const double squares_before = squares_.all;
@@ -240,7 +240,7 @@ void Fitting::relocate() {
   // A Gaussian's neighbours make up for most of its loss.
   constexpr double lost = 0.3;
   const std::size_t n = gaussians_.size();
-  const auto max_value = static_cast<std::size_t>(share_ * static_cast<double>(n));
+  const auto max_relocated = static_cast<std::size_t>(share_ * static_cast<double>(n));
   // What a Gaussian is worth: about what the squares would grow by without it, by its own gradient.
   Steps gradient(n);
   problem_.apply_transposed(residuals_, gradient);
@@ -248,9 +248,9 @@ void Fitting::relocate() {
   std::vector<std::pair<double, std::size_t>> worth;
   for (std::size_t i = 0; i < n; ++i) {
     const FitGaussian& g = gaussians_[i];
-    const double own = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
-                       (g.a * g.a * g.a * grid_.voxel_volume());
-    worth.emplace_back(own - 2.0 * gradient[i][4], i);
+    const double self_term = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
+                             (g.a * g.a * g.a * grid_.voxel_volume());
+    worth.emplace_back(self_term - 2.0 * gradient[i][4], i);
   }
   std::sort(worth.begin(), worth.end());
 
@@ -278,7 +278,7 @@ void Fitting::relocate() {
   std::set<std::tuple<int, int, int>> cubes;
   std::size_t k = 0;
   for (const Place& place : places) {
-    if (k == max_value || place.gain < lost * worth[k].first) break;
+    if (k == max_relocated || place.gain < lost * worth[k].first) break;
     const glm::ivec3 cube(glm::floor(0.25 * (place.gaussian.b / grid_.spacing + 0.5)));
     if (!cubes.emplace(cube.x, cube.y, cube.z).second) continue;
     gaussians_[worth[k].second] = place.gaussian;

@@ -176,9 +176,9 @@ using TriplesByOrder = std::array<std::vector<ShTriple>, bands + 1>;
 TriplesByOrder triples_by_order() {
   TriplesByOrder lists;
   for (const ShTriple& triple : all_triples()) {
-    const auto max_value = static_cast<std::size_t>(std::max({triple.i, triple.j, triple.k}));
+    const auto max_index = static_cast<std::size_t>(std::max({triple.i, triple.j, triple.k}));
     for (std::size_t order = 1; order <= bands; ++order) {
-      if (max_value < order * order) lists[order].push_back(triple);
+      if (max_index < order * order) lists[order].push_back(triple);
     }
   }
   return lists;

@@ -7,7 +7,7 @@
 namespace brume {
 namespace {
 
-constexpr int max_value = 3;  // along an axis
+constexpr int max_spheres_per_axis = 3;
 
 // How many deviations long n equal Gaussians are whose middles are two apart.
 double length_of(int n) {
@@ -22,7 +22,7 @@ struct Row {
   explicit Row(double length) {
     constexpr double as_round = 1.25;
     if (length < as_round) return;
-    while (count < max_value && length_of(count) < length) ++count;
+    while (count < max_spheres_per_axis && length_of(count) < length) ++count;
     spacing = std::sqrt(12.0 * (length * length - 1.0) / (count * count - 1));
   }
   [[nodiscard]] double place(int i) const { return (i - 0.5 * (count - 1)) * spacing; }
@@ -30,17 +30,17 @@ struct Row {
 
 // The deviation of each ball.
 double common_deviation(const glm::dvec3& s) {
-  const double min_value =
-      std::max(std::min({s.x, s.y, s.z}), std::max({s.x, s.y, s.z}) / length_of(max_value));
+  const double min_deviation = std::max(
+      std::min({s.x, s.y, s.z}), std::max({s.x, s.y, s.z}) / length_of(max_spheres_per_axis));
   // That of axes that differ little is theirs together.
   double logarithms = 0.0;
   int count = 0;
   for (int k = 0; k < 3; ++k) {
-    if (s[k] > 1.25 * min_value) continue;
-    logarithms += std::log(std::max(s[k], min_value));
+    if (s[k] > 1.25 * min_deviation) continue;
+    logarithms += std::log(std::max(s[k], min_deviation));
     ++count;
   }
-  return count > 0 ? std::exp(logarithms / count) : min_value;
+  return count > 0 ? std::exp(logarithms / count) : min_deviation;
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ enum class ScatterPoint {
 // A Gaussian on the view ray as one point x_i = v + t w.
 template <class Real>
 struct PointScattering {
-  Real t;       // [u]
-  Real depth;   // T_i(v, p)
-  Real before;  // T_i(v, x_i)
+  Real t;               // [u]
+  Real depth;           // T_i(v, p)
+  Real depth_to_point;  // T_i(v, x_i)
 };
 template <class Real>
 PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LineProfile<Real>& line,
@@ -42,7 +42,7 @@ Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const
 
 // The same where point_scattering() is known, of a view ray that noise bends.
 template <class Real>
-Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& own,
+Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& scattering,
                        const Vec3<Real>& eye, const Vec3<Real>& w, const Vec3<Real>& light,
                        const PointLightRay<Real>& path, Real frozen, Real anisotropy);
 

@@ -103,11 +103,11 @@ namespace {
 // Nodes stand at equal steps in log(1 + T / knee): the coefficients go like T log T near 0 (those
 // of a point) and like log(T) / T far out. One node stands outside each end, for the cubic.
 constexpr double knee = 1e-4;
-constexpr double max_value = 100.0;
+constexpr double max_depth = 100.0;
 constexpr int intervals = 128;
 
 double step() {
-  return std::log1p(max_value / knee) / intervals;
+  return std::log1p(max_depth / knee) / intervals;
 }
 
 }  // namespace
@@ -133,9 +133,9 @@ const SpreadTable& SpreadTable::distant() {
 }
 
 ZonalSh<double> SpreadTable::operator()(double T) const {
-  const double at = std::log1p(std::clamp(T, 0.0, max_value) / knee) / step();
-  const double cell = std::min(std::floor(at), intervals - 1.0);
-  const double t = at - cell;
+  const double coordinate = std::log1p(std::clamp(T, 0.0, max_depth) / knee) / step();
+  const double cell = std::min(std::floor(coordinate), intervals - 1.0);
+  const double t = coordinate - cell;
   // Lagrange's cubic through the nodes at -1, 0, 1, 2.
   const std::array<double, 4> weights = {
       -t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,

@@ -17,8 +17,8 @@ namespace brume {
 namespace {
 
 constexpr int side = DensityGrid::side;
-constexpr double cutoff_radius = 3.035;  // radii: exp(-reach^2) = 1e-4
-constexpr double max_voxels = 1 << 28;   // from the origin, along each axis
+constexpr double cutoff_in_radii = 3.035;  // exp(-cutoff_in_radii^2) = 1e-4
+constexpr double max_voxels = 1 << 28;     // from the origin, along each axis
 
 struct CornerHash {
   std::size_t operator()(const glm::ivec3& c) const {
@@ -35,7 +35,7 @@ struct CornerHash {
 template <class Visit>
 bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Visit visit) {
   const glm::dvec3 middle = g.center / voxel_size;
-  const double radius = cutoff_radius * g.radius / voxel_size;
+  const double radius = cutoff_in_radii * g.radius / voxel_size;
   const glm::dvec3 extent = glm::abs(middle) + radius;
   if (!(std::max({extent.x, extent.y, extent.z}) < max_voxels)) return false;
   const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
@@ -77,12 +77,12 @@ void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
 }  // namespace
 
 double fitting_voxel_size(const Medium& medium) {
-  double min_value = 0.0;
+  double min_radius = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     if (!(medium.densities()[i] > 0.0)) continue;
-    if (min_value == 0.0 || medium.radii()[i] < min_value) min_value = medium.radii()[i];
+    if (min_radius == 0.0 || medium.radii()[i] < min_radius) min_radius = medium.radii()[i];
   }
-  return 0.5 * min_value;
+  return 0.5 * min_radius;
 }
 
 std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double voxel_size,

@@ -75,27 +75,28 @@ class Batch {
   std::array<double, Tiles::pixels> depths_;
 };
 
-// How much nearer or farther a surface may be than expected without the airlight telling: small
-// against the Gaussians of the tile and the fog's mean free path.
-float depth_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                      double tolerance) {
-  double min_value = std::numeric_limits<double>::infinity();
+// Depth difference [u] for which the airlight may still be interpolated: small against the
+// Gaussians of the tile and the fog's mean free path.
+float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                         double tolerance) {
+  double tolerance_u = std::numeric_limits<double>::infinity();
   for (const std::uint32_t i : gaussians) {
-    min_value =
-        std::min(min_value, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
+    tolerance_u =
+        std::min(tolerance_u, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
   }
   const double b0 = medium.homogeneous_density();
-  if (b0 > 0.0) min_value = std::min(min_value, double{free_paths_per_tolerance} * tolerance / b0);
-  return static_cast<float>(min_value);
+  if (b0 > 0.0)
+    tolerance_u = std::min(tolerance_u, double{free_paths_per_tolerance} * tolerance / b0);
+  return static_cast<float>(tolerance_u);
 }
 
 // Maximum ray length over a row of pixels.
 double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::size_t count) {
-  double max_value = 0.0;
+  double max_distance = 0.0;
   if (!ends.surfaces.empty()) {
     for (std::size_t i = first; i < first + count; ++i)
-      max_value = std::max(max_value, ends.distance(frame, i));
-    return max_value;
+      max_distance = std::max(max_distance, ends.distance(frame, i));
+    return max_distance;
   }
   // Distances as whole numbers have the same order, and compilers compare those in vectors.
   constexpr auto infinite = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
@@ -107,8 +108,8 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
     any_open |= bits ^ hit;
     farthest = farthest < hit ? hit : farthest;
   }
-  max_value = static_cast<double>(std::bit_cast<float>(farthest));
-  return any_open != 0 ? std::max(max_value, ends.open) : max_value;
+  max_distance = static_cast<double>(std::bit_cast<float>(farthest));
+  return any_open != 0 ? std::max(max_distance, ends.open) : max_distance;
 }
 
 }  // namespace
@@ -190,9 +191,9 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
           set_airlight(frame, pixel, value);
         });
       };
-      const float tolerance =
-          depth_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
-      upsample(samples, tiles.rectangle(tile), tolerance, near_lights.pixels_of(tile), frame,
+      const float tolerance_u =
+          distance_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
+      upsample(samples, tiles.rectangle(tile), tolerance_u, near_lights.pixels_of(tile), frame,
                [&](int x, int y) {
                  if (batch.full()) evaluate();
                  batch.add(x, y);

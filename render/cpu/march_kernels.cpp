@@ -37,15 +37,15 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
     V depth = hn::Zero(d);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing<D> crossing = BatchCrossing<kDisplaced>(d, g, j, w);
-      const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
+      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      const auto reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      depth = hn::MulAdd(set(g.scale[j]), crossing.Depth(d, a, at), depth);
-      const V u = hn::Mul(a, hn::Sub(at, crossing.t0));
+      depth = hn::MulAdd(set(g.scale[j]), line.UnitDepth(d, a, at), depth);
+      const V u = hn::Mul(a, hn::Sub(at, line.t0));
       constexpr float two_over_sqrt_pi = 1.12837916709551257f;
       const V peak = set(g.scale[j] * g.a[j] * two_over_sqrt_pi);
-      density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, crossing.e))), density);
+      density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, line.e))), density);
     }
     hn::StoreU(density, d, densities + k);
     hn::StoreU(depth, d, depths + k);

@@ -10,13 +10,13 @@ namespace brume {
 
 // A directional light that stands for a solid angle of an environment.
 struct DistantLight {
-  glm::dvec3 direction;  // towards it, unit
-  glm::dvec3 flux;       // RGB: radiance times solid angle [W/u^2]
+  glm::dvec3 direction;   // towards it, unit
+  glm::dvec3 irradiance;  // RGB: radiance times solid angle [W/u^2]
 };
 
 // Approximates a map, in its own frame, by at most `count` >= 1 directional lights that preserve
-// its flux, for integrals of the map times something smoother. Splits the map like a median cut:
-// always the box whose split lowers the variance most; each box becomes a light at its
+// its irradiance, for integrals of the map times something smoother. Splits the map like a median
+// cut: always the box whose split lowers the variance most; each box becomes a light at its
 // radiance-weighted center. A uniform sky is sampled evenly, a sun exactly at its place.
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count);
 

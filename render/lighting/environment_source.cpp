@@ -32,7 +32,8 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
     const Job& job) {
   std::vector<PhasedLight> parts;
   for (const LightGroup* group : cluster) {
-    for (const DistantLight& part : group->parts) parts.push_back({part.direction, part.flux});
+    for (const DistantLight& part : group->parts)
+      parts.push_back({part.direction, part.irradiance});
   }
   auto map = std::make_shared<RadianceMap>(empty_map(anisotropy));
   const auto width = static_cast<std::size_t>(map->width);
@@ -47,7 +48,7 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
       glm::dvec3 in_bands(0.0);
       for (const LightGroup* group : cluster) {
         const DistantLight& whole = group->whole;
-        in_bands += bands.phase(glm::dot(direction, whole.direction)) * whole.flux;
+        in_bands += bands.phase(glm::dot(direction, whole.direction)) * whole.irradiance;
       }
       for (int c = 0; c < 3; ++c) {
         const auto k = static_cast<std::size_t>(c);
@@ -64,7 +65,7 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
 }
 
 double power(const DistantLight& light) {
-  return light.flux.x + light.flux.y + light.flux.z;
+  return light.irradiance.x + light.irradiance.y + light.irradiance.z;
 }
 
 // Whether the light comes from within 14 degrees or so (rms) of one direction.

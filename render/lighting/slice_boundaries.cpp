@@ -96,7 +96,7 @@ class SliceDemand {
       curvature += curvature_[i];
       demand[i] = std::cbrt(std::max(curvature, 0.0) /
                             (1.0 + std::clamp(depth, 0.0, slice_demand::max_front_depth)));
-      // Behind that much only rays are seen that pass beside it.
+      // Past this depth only rays that miss the opaque core contribute; damp the demand.
       if (depth > slice_opaque) demand[i] *= slice_opaque / depth;
       depth += rate * width_;
       sum += demand[i];
@@ -122,8 +122,8 @@ class SliceDemand {
  private:
   void add_box(double t, double half, double rate, double curvature) {
     const auto bin = [this](double x) {
-      const double max_value = static_cast<double>(rate_.size() - 1);
-      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, max_value));
+      const double max_bin = static_cast<double>(rate_.size() - 1);
+      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, max_bin));
     };
     const std::size_t first = bin(t - half);
     const std::size_t last = bin(t + half) + 1;

@@ -41,13 +41,13 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
 };
 
-// Nodes from `low` to `high` at the smallest spacing, at least `min_value`, with at most
+// Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
 // `max_bands` nodes. The spacing is a float, to be identical wherever it is used.
-SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_value,
+SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
                          int max_bands) {
   SourceGrid::Level level;
   const glm::dvec3 extent = high - low;
-  double spacing = std::max(min_value, std::cbrt(extent.x * extent.y * extent.z / max_bands));
+  double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_bands));
   for (;; spacing *= 1.02) {
     level.nodes.spacing = static_cast<float>(spacing);
     const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
@@ -66,7 +66,8 @@ SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double m
 void append_weights(const SourceLight& source, int bands, int clusters, std::vector<float>& to) {
   const ShVector<double> basis = sh_basis(bands, source.light.direction);
   for (std::size_t i = 0; i < basis.size(); ++i) {
-    for (int c = 0; c < 3; ++c) to.push_back(static_cast<float>(basis[i] * source.light.flux[c]));
+    for (int c = 0; c < 3; ++c)
+      to.push_back(static_cast<float>(basis[i] * source.light.irradiance[c]));
   }
   for (int f = 0; f < clusters; ++f) {
     to.push_back(f == source.cluster ? static_cast<float>(source.share) : 0.0f);

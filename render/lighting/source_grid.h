@@ -50,7 +50,7 @@ inline constexpr int source_clusters = 16;
 struct SourceLight {
   DistantLight light;
   int cluster = 0;     // cluster index, < source_clusters
-  double share = 1.0;  // fraction of the cluster's flux
+  double share = 1.0;  // fraction of the cluster's irradiance
 };
 
 // Source function of single scattering, without the scattering coefficient:

@@ -15,7 +15,7 @@ namespace brume {
 void FrameContext::make_layers() {
   const auto pixels =
       static_cast<std::size_t>(frame.film.width) * static_cast<std::size_t>(frame.film.height);
-  // To fill memory takes time. Not part of the job: the stages after a stop count on it.
+  // Filled in parallel. Not cancellable: later stages rely on the layers even after a stop.
   const std::array<std::function<void()>, 5> layers{
       [&] { frame.beauty.resize(4 * pixels); }, [&] { frame.airlight.resize(3 * pixels); },
       [&] { frame.transmittance.assign(3 * pixels, 1.0f); },

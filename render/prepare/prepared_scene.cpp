@@ -58,7 +58,7 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   if (!index_ || inputs != index_inputs_) {
     depths_.clear();
     auto index = std::make_unique<MediumIndex>(
-        scene.medium, depth_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
+        scene.medium, culling_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
     if (settings.patch_light_tables) {
       update_tables(scene.medium, *index, inputs);
     } else {

@@ -50,10 +50,10 @@ std::vector<double> squared_steps(const Frame& frame) {
 // Pixels nearest to lights in view, up to a limit; beyond it those of the brightest lights. The
 // distance at which the nearest ray passes a light grows with the light's distance.
 std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& rays,
-                                         const Film& film, std::size_t max_value) {
+                                         const Film& film, std::size_t max_pixels) {
   for (const int width : {3, 2, 1}) {
     std::vector<glm::ivec2> pixels = light_pixels(scene.lights, rays, film, width);
-    if (pixels.size() <= max_value) return pixels;
+    if (pixels.size() <= max_pixels) return pixels;
   }
   std::vector<PointLight> lights = scene.lights;
   std::ranges::stable_sort(lights, std::greater(), [&](const PointLight& light) {
@@ -63,7 +63,7 @@ std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& r
   std::vector<glm::ivec2> pixels;
   for (const PointLight& light : lights) {
     for (const glm::ivec2& pixel : light_pixels({&light, 1}, rays, film, 1)) {
-      if (pixels.size() < max_value) pixels.push_back(pixel);
+      if (pixels.size() < max_pixels) pixels.push_back(pixel);
     }
   }
   return pixels;
@@ -74,12 +74,12 @@ void fill(std::vector<double>& probabilities, double count) {
   count = std::min(count, static_cast<double>(probabilities.size()));
   // Each round takes out those that became sure and shares what they had too much.
   for (int round = 0; round < 20; ++round) {
-    double sure = 0.0;
+    double certain = 0.0;
     double open = 0.0;
     for (const double probability : probabilities)
-      (probability >= 1.0 ? sure : open) += std::min(probability, 1.0);
+      (probability >= 1.0 ? certain : open) += std::min(probability, 1.0);
     if (!(open > 0.0)) break;
-    const double scale = (count - sure) / open;
+    const double scale = (count - certain) / open;
     bool changed = false;
     for (double& probability : probabilities) {
       if (probability >= 1.0) {
@@ -117,8 +117,8 @@ std::vector<double> sample_probabilities(const Scene& scene, const Camera& camer
     probabilities[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(guide.film.width) +
                   static_cast<std::size_t>(pixel.x)] = 1.0;
   }
-  const double min_value = std::max(change_that_counts * std::sqrt(sum), 1e-300);
-  for (const SmallGaussian& small : small_gaussians(scene, rays, guide, min_value, count / 4)) {
+  const double min_change = std::max(change_that_counts * std::sqrt(sum), 1e-300);
+  for (const SmallGaussian& small : small_gaussians(scene, rays, guide, min_change, count / 4)) {
     probabilities[small.pixel] = 1.0;
   }
   fill(probabilities, static_cast<double>(count));

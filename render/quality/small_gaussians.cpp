@@ -54,7 +54,7 @@ double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights,
 }  // namespace
 
 std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays& rays,
-                                           const Frame& guide, double min_value,
+                                           const Frame& guide, double min_change,
                                            std::size_t max_count) {
   const std::vector<PointLight> lights = strongest(scene.lights);
   const double around = scene.environment ? mean_radiance(*scene.environment) : 0.0;
@@ -64,15 +64,16 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
   std::vector<SmallGaussian> found;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian gaussian = scene.medium.gaussian(i);
-    const glm::dvec3 at = rays.project(gaussian.center);
-    if (!(at.z > 0.0 && gaussian.radius * per_radius < small_radius * at.z)) continue;
+    const glm::dvec3 film_position = rays.project(gaussian.center);
+    if (!(film_position.z > 0.0 && gaussian.radius * per_radius < small_radius * film_position.z))
+      continue;
     // One whose centre is beside the film may still be on it.
-    if (!(at.x > -small_radius && at.y > -small_radius && at.x < width + small_radius &&
-          at.y < height + small_radius)) {
+    if (!(film_position.x > -small_radius && film_position.y > -small_radius &&
+          film_position.x < width + small_radius && film_position.y < height + small_radius)) {
       continue;
     }
-    const int x = std::clamp(static_cast<int>(std::floor(at.x)), 0, width - 1);
-    const int y = std::clamp(static_cast<int>(std::floor(at.y)), 0, height - 1);
+    const int x = std::clamp(static_cast<int>(std::floor(film_position.x)), 0, width - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(film_position.y)), 0, height - 1);
     const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     const double distance = glm::length(gaussian.center - rays.eye());
@@ -87,7 +88,7 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
     const float* rgb = &guide.airlight[3 * pixel];
     const auto shown = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));
     const double change = -std::expm1(-depth) * std::max(incident(gaussian, lights, around), shown);
-    if (change >= min_value) found.push_back({pixel, change});
+    if (change >= min_change) found.push_back({pixel, change});
   }
   max_count = std::min(max_count, found.size());
   std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(max_count),

@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 
 // Number of directions for transmittance. On fog patches under skies with a low sun the error falls
 // with their number to the power 1.3. The forward lobe can make any part of the sky dominant, so
-// clusters are limited in size by rows, with as many again by flux.
+// clusters are limited in size by rows, with as many again by irradiance.
 LightGrouping directions(double anisotropy, double tolerance) {
   const int rows = anisotropy == 0.0 ? 4 : std::abs(anisotropy) < 0.7 ? 8 : 16;
   const auto boxes = static_cast<std::size_t>(2 * rows * rows);
@@ -36,7 +36,7 @@ ReferenceEnvironment::ReferenceEnvironment(const Environment& environment, doubl
   const glm::dquat rotation = environment_rotation(environment);
   const auto place = [&](DistantLight& light) {
     light.direction = rotation * light.direction;
-    light.flux *= environment.intensity;
+    light.irradiance *= environment.intensity;
   };
   for (LightGroup& group : groups_) {
     place(group.whole);
@@ -50,19 +50,19 @@ std::vector<DistantLight> ReferenceEnvironment::scattered_along(const glm::dvec3
   result.reserve(groups_.size());
   for (const LightGroup& group : groups_) {
     if (anisotropy_ == 0.0) {
-      result.push_back({group.whole.direction, scale * group.whole.flux});
+      result.push_back({group.whole.direction, scale * group.whole.irradiance});
       continue;
     }
-    glm::dvec3 flux(0.0);
+    glm::dvec3 irradiance(0.0);
     glm::dvec3 moment(0.0);
     for (const DistantLight& part : group.parts) {
       const glm::dvec3 turned =
-          scale * henyey_greenstein(glm::dot(w, part.direction), anisotropy_) * part.flux;
-      flux += turned;
+          scale * henyey_greenstein(glm::dot(w, part.direction), anisotropy_) * part.irradiance;
+      irradiance += turned;
       moment += (turned.x + turned.y + turned.z) * part.direction;
     }
     const double length = glm::length(moment);
-    result.push_back({length > 0.0 ? moment / length : group.whole.direction, flux});
+    result.push_back({length > 0.0 ? moment / length : group.whole.direction, irradiance});
   }
   return result;
 }
@@ -85,7 +85,7 @@ glm::dvec3 ReferenceEnvironment::sum(const MediumIndex& medium, const glm::dvec3
   around.finish();
   glm::dvec3 result(0.0);
   for (const DistantLight& light : scattered) {
-    result += std::exp(-around.depth(light.direction, beyond)) * light.flux;
+    result += std::exp(-around.depth(light.direction, beyond)) * light.irradiance;
   }
   return result;
 }

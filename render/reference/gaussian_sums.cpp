@@ -55,7 +55,8 @@ double DepthFromLight(const double* x, const double* y, const double* z, const d
     const auto near = hn::Lt(dot(gap, gap), hn::LoadU(d, reach2 + i));
     if (hn::AllFalse(d, near)) continue;
     const V ai = hn::LoadU(d, a + i);
-    const V depth = hn::Mul(hn::LoadU(d, scale + i), Crossing<D>(q, u, ai).Depth(d, ai, length));
+    const V depth =
+        hn::Mul(hn::LoadU(d, scale + i), LineProfile<D>(q, u, ai).UnitDepth(d, ai, length));
     sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));

@@ -27,7 +27,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   }
   for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
-    MediumIndex medium(extinction, depth_tolerance(extinction, plan.depth_error),
+    MediumIndex medium(extinction, culling_tolerance(extinction, plan.depth_error),
                        scene.optics.anisotropy);
     medium.set_noise(RayNoise(scene.optics.noise, time));
     std::optional<ReferenceEnvironment> environment;

@@ -41,9 +41,9 @@ void AddPhased(std::span<const PhasedLight> lights, double anisotropy,
       const V apart = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
       const V s = hn::MulAdd(width, apart, least);
       const V phase = hn::Div(scale, hn::Mul(s, hn::Sqrt(s)));
-      red = hn::MulAdd(phase, hn::Set(d, light.flux.x), red);
-      green = hn::MulAdd(phase, hn::Set(d, light.flux.y), green);
-      blue = hn::MulAdd(phase, hn::Set(d, light.flux.z), blue);
+      red = hn::MulAdd(phase, hn::Set(d, light.irradiance.x), red);
+      green = hn::MulAdd(phase, hn::Set(d, light.irradiance.y), green);
+      blue = hn::MulAdd(phase, hn::Set(d, light.irradiance.z), blue);
     }
     hn::StoreU(hn::Add(hn::LoadU(d, sums[0].data() + i), red), d, sums[0].data() + i);
     hn::StoreU(hn::Add(hn::LoadU(d, sums[1].data() + i), green), d, sums[1].data() + i);

@@ -26,7 +26,7 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 constexpr std::uint32_t version = 1;
 
 // No coefficient is larger: sqrt(4 pi) for a function from 0 to 1.
-constexpr float max_value = 4.0f;
+constexpr float max_transfer = 4.0f;
 
 // Of the mesh and of all that decides how transfer is made from it.
 std::uint64_t hash_of(const TriangleMesh& mesh, const TransferSettings& settings) {
@@ -121,7 +121,7 @@ RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, 
     std::memcpy(values.data(), at, n * sizeof(float));
     at += n * sizeof(float);
     for (const float x : values) {
-      if (!(std::abs(x) <= max_value)) refuse("is damaged");
+      if (!(std::abs(x) <= max_transfer)) refuse("is damaged");
     }
   };
   RadianceTransfer transfer{settings, expected.vertices, {}};

@@ -213,7 +213,7 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
   constexpr int side = Raster::block;
   const auto& [a, b, c] = corners;
   // Interpolation rounds.
-  const float min_value = 0.99999f * std::min({a.z, b.z, c.z});
+  const float min_depth = 0.99999f * std::min({a.z, b.z, c.z});
   const int blocks = (view.width + side - 1) / side;
   const auto place = [&](int x, int y) HWY_ATTR {
     return static_cast<std::size_t>(y * blocks + x) * block_pixels + part * hn::Lanes(d);
@@ -222,7 +222,7 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
     bool is_behind = true;
     for (int y = on.y0; y <= on.y1; ++y) {
       for (int x = on.x0; x <= on.x1; ++x) {
-        is_behind = is_behind && buffer.farthest[place(x, y) / hn::Lanes(d)] <= min_value;
+        is_behind = is_behind && buffer.farthest[place(x, y) / hn::Lanes(d)] <= min_depth;
       }
     }
     if (is_behind) return;

@@ -415,7 +415,7 @@ void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& p
                                  LightAtPoints& light) const {
   RayQuery shadow(RayOrder::coherent);
   const auto margin = static_cast<float>(self_hit_margin);
-  const float max_value = margin * 2.0f * static_cast<float>(impl_->radius);
+  const float max_offset = margin * 2.0f * static_cast<float>(impl_->radius);
   const std::size_t count = std::min(packet, pending.size());
   alignas(64) std::array<int, packet> valid;
   RTCRay16 query;
@@ -431,7 +431,7 @@ void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& p
     query.dir_x[k] = position.x - x;
     query.dir_y[k] = position.y - y;
     query.dir_z[k] = position.z - z;
-    const float away = std::min(margin, max_value / light.paths.length[i]);
+    const float away = std::min(margin, max_offset / light.paths.length[i]);
     query.tnear[k] = away;
     query.tfar[k] = 1.0f - away;
     query.time[k] = 0.0f;

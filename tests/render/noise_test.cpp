@@ -147,11 +147,11 @@ TEST(Noise, IsContinuousWhenTheCameraMoves) {
   const auto still = seen_from(0.0);
   const auto max_change = [&](double step) {
     const auto moved = seen_from(step);
-    double max_value = 0.0;
+    double result = 0.0;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      max_value = std::max(max_value, std::abs(static_cast<double>(moved[i] - still[i])));
+      result = std::max(result, std::abs(static_cast<double>(moved[i] - still[i])));
     }
-    return max_value;
+    return result;
   };
   const double far = max_change(1e-2);
   const double near = max_change(1e-3);

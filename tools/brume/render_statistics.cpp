@@ -68,8 +68,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["exact_pixels"] = first.exact_pixels;  // whose airlight is not interpolated
   json["threads"] = run.settings.threads;
   json["repeat"] = run.repeat;
-  json["frame_ms"] =
-      Json{{"median", frame.median}, {"min", frame.min_value}, {"max", frame.max_value}};
+  json["frame_ms"] = Json{{"median", frame.median}, {"min", frame.min}, {"max", frame.max}};
   json["first_frame_ms"] = run.first_frame_milliseconds;
   json["transfer_ms"] = run.transfer_milliseconds;
   json["stages"] = stage_medians(moved);

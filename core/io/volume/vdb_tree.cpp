@@ -176,8 +176,8 @@ class TopologyReader {
     reader_.read_bytes(whole_size(values_));  // the background
     const auto tiles = reader_.number<std::uint32_t>();
     const auto nodes = reader_.number<std::uint32_t>();
-    constexpr std::uint32_t max_value = 1'000'000;  // of 4096^3 voxels each
-    if (tiles > max_value || nodes > max_value) reader_.fail("contains a root with too many nodes");
+    constexpr std::uint32_t max_nodes = 1'000'000;  // of 4096^3 voxels each
+    if (tiles > max_nodes || nodes > max_nodes) reader_.fail("contains a root with too many nodes");
     for (std::uint32_t i = 0; i < tiles; ++i) {
       const glm::ivec3 corner = root_corner();
       std::vector<double> number;

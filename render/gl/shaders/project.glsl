@@ -54,8 +54,8 @@ void main() {
   if (i >= count) return;
   const dvec3 q = dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - eye;
   const GaussianShape shape = shapes[i];
-  const float displaced = sqrt(shape.cutoff) + farther;
-  seen[i] = SeenGaussian(vec3(q), shape.a, shape.scale, shape.cutoff, displaced * displaced,
+  const float displaced = sqrt(shape.max_e) + farther;
+  seen[i] = SeenGaussian(vec3(q), shape.a, shape.scale, shape.max_e, displaced * displaced,
                          shape.cutoff_radius);
   rectangles[i] = uvec2(0u);
   if (!(shape.cutoff_radius > 0.0)) return;

@@ -33,7 +33,7 @@ ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
   const float t = dot(g.center, ray.w);
   const float h = length(g.center - t * ray.w);
   const float slack =
-      sqrt(g.cutoff) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
+      sqrt(g.max_e) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
   const ivec2 range = touched_slices(t - slack, t + slack, first, last);
   return ivec4(range, first == 0 || t - slack >= farthest[first] ? 1 : 0, 0);
 }
@@ -92,13 +92,13 @@ void main() {
       barrier();
       for (uint j = 0u; j < found; ++j) {
         const SeenGaussian g = batch[j];
-        const Crossing crossing = view_crossing(g.center, w, g.a, g.displaced_cutoff);
-        if (crossing.e > g.cutoff) continue;
+        const LineProfile line = view_line_profile(g.center, w, g.a, g.max_undisplaced_e);
+        if (line.e > g.max_e) continue;
         pairs += uint(batch_slices[j].z);
         if (needs_line && first == 0) {
-          line_depth += g.scale * crossing_depth(crossing, g.a, endless_line);
+          line_depth += g.scale * unit_depth(line, g.a, endless_line);
         }
-        add_increments(increments, crossing, g.a, g.scale, ends, batch_slices[j].xy);
+        add_increments(increments, line, g.a, g.scale, ends, batch_slices[j].xy);
       }
     }
     // From here on slices are taken one by one, which registers cannot be.

@@ -251,10 +251,10 @@ TEST(Contributions, RadianceOfALightIsThatOfAPointInThinFog) {
   ASSERT_EQ(met.size(), 2u);
   const auto& far = met[0].index == 0 ? met[0] : met[1];
   EXPECT_NEAR(far.distance, 10.0, 1e-3);
-  EXPECT_NEAR(far.before, std::sqrt(M_PI) * 0.5 * 0.4, 1e-9);
+  EXPECT_NEAR(far.depth_in_front, std::sqrt(M_PI) * 0.5 * 0.4, 1e-9);
   const glm::dvec3 radiance = scattered_radiance(scene, far, {0, 0, 0}, towards, light);
   const auto expected = [&](double intensity, double albedo) {
-    const double taken = (far.before + 0.02 * 13.0) / albedo;
+    const double taken = (far.depth_in_front + 0.02 * 13.0) / albedo;
     return intensity / 9.0 * far.optical_depth / (4.0 * M_PI) * std::exp(-taken);
   };
   EXPECT_NEAR(radiance.r, expected(7.0, 1.0), 0.01 * radiance.r);

@@ -166,7 +166,7 @@ TEST(TruncatedMean, MatchesTheMeanOfTheDensity) {
 TEST(Reach, NothingOutsideReachesTheTolerance) {
   Random random(23);
   int culled = 0;
-  double max_value = 0.0;
+  double max_ratio = 0.0;
   for (int i = 0; i < 50000; ++i) {
     const Gaussian g{random.point(1.0), random.power(-2, 1), random.power(-2, 2)};
     const double eps = random.power(-6, -1);
@@ -177,7 +177,7 @@ TEST(Reach, NothingOutsideReachesTheTolerance) {
     const double t = std::clamp(glm::dot(g.center - A, w), 0.0, glm::length(B - A));
     if (glm::length(g.center - A - t * w) <= r) continue;
     ++culled;
-    max_value = std::max(max_value, optical_depth(GaussianTerm<double>(g), A, B) / eps);
+    max_ratio = std::max(max_ratio, optical_depth(GaussianTerm<double>(g), A, B) / eps);
     // The cone says the same of the whole ray.
     const double cone = cutoff_cone(g.center, r, A);
     const double angle =
@@ -187,8 +187,8 @@ TEST(Reach, NothingOutsideReachesTheTolerance) {
       ASSERT_LE(optical_depth(GaussianTerm<double>(g), line, endless), eps);
     }
   }
-  EXPECT_LE(max_value, 1.0);
-  EXPECT_GT(max_value, 0.9) << "the bound is tight";
+  EXPECT_LE(max_ratio, 1.0);
+  EXPECT_GT(max_ratio, 0.9) << "the bound is tight";
   EXPECT_GT(culled, 10000);
 }
 

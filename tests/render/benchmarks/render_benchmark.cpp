@@ -62,7 +62,7 @@ void depths_of_n_gaussians(benchmark::State& state) {
   const glm::dvec3 light(2.0, 3.0, 2.5);
   CenterDepths result;
   for (auto _ : state) {
-    const MediumIndex index(medium, depth_tolerance(medium, 1e-3));
+    const MediumIndex index(medium, culling_tolerance(medium, 1e-3));
     result = center_depths(index, light, Settings::Precision::simd_float);
     benchmark::DoNotOptimize(result.depths.data());
   }

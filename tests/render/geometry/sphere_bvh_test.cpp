@@ -93,16 +93,16 @@ TEST(TriangleShape, AgreesWithSampling) {
   for (int k = 0; k < 300; ++k) {
     const TriangleShape triangle{random.point(1.0), random.point(1.0), random.point(1.0)};
     const glm::dvec3 center = random.point(2.0);
-    double min_value = INFINITY;
+    double min_distance = INFINITY;
     for (int i = 0; i <= 200; ++i) {
       for (int j = 0; i + j <= 200; ++j) {
         const glm::dvec3 p = triangle.a + i / 200.0 * (triangle.b - triangle.a) +
                              j / 200.0 * (triangle.c - triangle.a);
-        min_value = std::min(min_value, glm::length(p - center));
+        min_distance = std::min(min_distance, glm::length(p - center));
       }
     }
-    EXPECT_TRUE(triangle.touches(center, min_value + 1e-9));
-    EXPECT_FALSE(triangle.touches(center, min_value - 0.03));
+    EXPECT_TRUE(triangle.touches(center, min_distance + 1e-9));
+    EXPECT_FALSE(triangle.touches(center, min_distance - 0.03));
   }
 }
 

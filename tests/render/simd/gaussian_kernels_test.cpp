@@ -328,7 +328,8 @@ TEST(Kernels, PhasedLightIsThatOfThePhaseFunction) {
           // Unit in double too: in the peak it matters.
           const double cosine = glm::dot(glm::normalize(glm::dvec3(light.direction)),
                                          glm::normalize(glm::dvec3(w[0][k], w[1][k], w[2][k])));
-          exact += henyey_greenstein(cosine, g) / (4.0 * std::numbers::pi) * glm::dvec3(light.flux);
+          exact += henyey_greenstein(cosine, g) / (4.0 * std::numbers::pi) *
+                   glm::dvec3(light.irradiance);
         }
         for (int c = 0; c < 3; ++c) {
           const double got = static_cast<double>(sums[static_cast<std::size_t>(c)][k]);

@@ -291,19 +291,19 @@ TEST(RadianceTransfer, RotatesWithTheObject) {
   const TransferSettings settings{.order = 5, .directions = 1024, .bounces = 1};
   const RadianceTransfer t = transfer_of(mesh, settings);
   const RadianceTransfer of_turned = transfer_of(turned(*mesh, q), settings);
-  double max_value = 0.0;
+  double max_distance = 0.0;
   for (std::uint32_t v = 0; v < t.vertices; v += 11) {
     const auto compare = [&](const ShVector<double>& a, const ShVector<double>& b) {
       // Only the rays' azimuths differ.
       EXPECT_LT(distance(sh_rotate(a, q), b), 0.03);
-      max_value = std::max(max_value, distance(a, b));
+      max_distance = std::max(max_distance, distance(a, b));
     };
     const MeshPoint at = at_vertex(v);
     compare(t.visibility(MeshSide::front, at), of_turned.visibility(MeshSide::front, at));
     compare(t.reflected(MeshSide::front, 0, at), of_turned.reflected(MeshSide::front, 0, at));
     compare(t.reflected(MeshSide::front, 1, at), of_turned.reflected(MeshSide::front, 1, at));
   }
-  EXPECT_GT(max_value, 0.2);
+  EXPECT_GT(max_distance, 0.2);
 }
 
 // A floor under a ball, turned, shrunk and moved, under a smooth sky: what eq. 23 and its case of

@@ -57,15 +57,15 @@ Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
 }
 
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                         int min_value, double seconds, const CameraStep& step) {
-  constexpr int max_value = 15;
+                         int min_frames, double seconds, const CameraStep& step) {
+  constexpr int max_frames = 15;
   std::vector<double> times;
   std::vector<double> cpu_times;
   std::map<Stage, std::vector<double>> stages;
   std::vector<Stage> order;
   const Clock::time_point begin = Clock::now();
-  for (int i = 1; i <= std::max(min_value, max_value); ++i) {
-    if (i > min_value && milliseconds_since(begin) > 1e3 * seconds) break;
+  for (int i = 1; i <= std::max(min_frames, max_frames); ++i) {
+    if (i > min_frames && milliseconds_since(begin) > 1e3 * seconds) break;
     // Nothing of the last view can be used again.
     const Camera camera = moved(scene.camera, step, step.first + i - 1);
     const Clock::time_point start = Clock::now();

@@ -12,8 +12,8 @@ namespace brume {
 // Median and spread of something measured several times.
 struct Spread {
   double median = 0.0;
-  double min_value = 0.0;
-  double max_value = 0.0;
+  double min = 0.0;
+  double max = 0.0;
 };
 // At least one value.
 Spread spread_of(std::vector<double> values);
@@ -35,7 +35,7 @@ struct CameraStep {
 // Renders a number of frames, or more for at most `seconds`, up to 15. Uses the caches of
 // `renderer`, which a first frame must have filled.
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                         int min_value, double seconds = 0.0, const CameraStep& step = {});
+                         int min_frames, double seconds = 0.0, const CameraStep& step = {});
 
 // What one setting costs on one view, and how wrong it is: of the same frames.
 struct Measurement : MovedFrames {

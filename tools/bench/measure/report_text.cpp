@@ -56,8 +56,8 @@ std::string escaped(const std::string& text) {
 }
 
 std::string with_spread(const Spread& spread, int digits) {
-  return formatted("%.*f (%.*f to %.*f)", digits, spread.median, digits, spread.min_value, digits,
-                   spread.max_value);
+  return formatted("%.*f (%.*f to %.*f)", digits, spread.median, digits, spread.min, digits,
+                   spread.max);
 }
 
 std::string with_interval(const ErrorEstimate& error) {

@@ -81,9 +81,9 @@ std::uint64_t PairsInRegisters(std::uint64_t count) {
   const std::uint64_t steps = count / hn::Lanes(d) + 1;
   for (std::uint64_t k = 0; k < steps; ++k) {
     // One does not need the other: the processor overlaps them.
-    const Crossing<D> crossing({x, a, boundary}, w, a);
-    const V scale = hn::Mul(a, hn::Exp(d, hn::Neg(crossing.e)));
-    sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, crossing.t0))), sum);
+    const LineProfile<D> line({x, a, boundary}, w, a);
+    const V scale = hn::Mul(a, hn::Exp(d, hn::Neg(line.e)));
+    sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, line.t0))), sum);
     x = hn::Add(x, hn::Set(d, 1e-6f));
   }
   Opaque(hn::GetLane(hn::SumOfLanes(d, sum)));
@@ -129,7 +129,7 @@ ViewWork count_view_work(const GaussianBatch& g, const PathBatch& rays,
         const glm::vec3 w(rays.x[i], rays.y[i], rays.z[i]);
         const float t0 = glm::dot(b, w);
         const glm::vec3 p = g.a[j] * (b - t0 * w);
-        const float left = g.cutoff[j] - glm::dot(p, p);
+        const float left = g.max_e[j] - glm::dot(p, p);
         if (left < 0.0f) continue;
         const float half = std::sqrt(left) / g.a[j];
         const float last = std::min(t0 + half, rays.length[i]);

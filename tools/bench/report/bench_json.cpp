@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const Spread& spread) {
-  return {{"median", spread.median}, {"min", spread.min_value}, {"max", spread.max_value}};
+  return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
 Json to_json(const HardCaseError& error) {

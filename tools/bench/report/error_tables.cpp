@@ -18,8 +18,8 @@ void add_rows(const std::vector<ComparedError>& rows, ReportTable& table) {
 
 // "+1.2% (-0.3 to +2.5)": changes.
 std::string with_signs(const Spread& change) {
-  return formatted("%+.2g%% (%+.2g to %+.2g)", 100.0 * change.median, 100.0 * change.min_value,
-                   100.0 * change.max_value);
+  return formatted("%+.2g%% (%+.2g to %+.2g)", 100.0 * change.median, 100.0 * change.min,
+                   100.0 * change.max);
 }
 
 }  // namespace

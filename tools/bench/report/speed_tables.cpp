@@ -129,12 +129,11 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
     const Measurement& m = row.measurement;
     const Spread& ms = m.milliseconds;
     const Spread& reached = row.share.of_limit_with_pairs;
-    table.rows.push_back({row.name,
-                          with_spread({1e3 / ms.median, 1e3 / ms.max_value, 1e3 / ms.min_value}, 1),
+    table.rows.push_back({row.name, with_spread({1e3 / ms.median, 1e3 / ms.max, 1e3 / ms.min}, 1),
                           formatted("%.0f", row.paper_fps), m.setting,
                           formatted("%.2f%%", 100.0 * m.error.rel_rmse), stage_times(m),
                           formatted("%.0f%% (%.0f to %.0f)", 100.0 * reached.median,
-                                    100.0 * reached.min_value, 100.0 * reached.max_value)});
+                                    100.0 * reached.min, 100.0 * reached.max)});
   }
   return table;
 }

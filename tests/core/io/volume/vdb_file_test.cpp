@@ -110,8 +110,8 @@ void expect_as_the_library_has_it(typename Grid::ValueType unit) {
       EXPECT_EQ(info[0].type, written->valueType());
       EXPECT_EQ(info[0].voxels, written->activeVoxelCount());
       const auto box = written->evalActiveVoxelBoundingBox();
-      EXPECT_EQ(info[0].min_value, glm::dvec3(box.min().x(), box.min().y(), box.min().z()));
-      EXPECT_EQ(info[0].max_value, glm::dvec3(box.max().x(), box.max().y(), box.max().z()));
+      EXPECT_EQ(info[0].min_corner, glm::dvec3(box.min().x(), box.min().y(), box.min().z()));
+      EXPECT_EQ(info[0].max_corner, glm::dvec3(box.max().x(), box.max().y(), box.max().z()));
     }
   }
 }

@@ -181,7 +181,7 @@ TEST(VolumeFile, AllocatesNothingForEmptyVoxels) {
   grid->tree().setValue(openvdb::Coord(far), 1.0f);
   write(folder / "a.vdb", "density", grid);
   EXPECT_EQ(read_volume(folder / "a.vdb", "density").blocks.size(), 2u);
-  EXPECT_EQ(volume_grids(folder / "a.vdb").at(0).max_value, glm::dvec3(far));
+  EXPECT_EQ(volume_grids(folder / "a.vdb").at(0).max_corner, glm::dvec3(far));
 }
 
 TEST(VolumeFile, RefusesTruncatedFiles) {
