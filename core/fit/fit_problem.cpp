@@ -136,7 +136,7 @@ std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
   return result;
 }
 
-double FitGaussian::mass() const {
+double FitGaussian::integral() const {
   return c * std::pow(std::numbers::pi, 1.5) / (a * a * a);
 }
 
@@ -153,8 +153,8 @@ FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
     const glm::ivec3 corner(x, y, z);
     corners_.blocks.push_back({corner, {}});
     blocks_.push_back({spacing_ * glm::dvec3(corner), 1.0f});
-    const auto at = grid.find(corner);
-    const DensityGrid::Values values = at ? grid.blocks[*at].values : DensityGrid::Values{};
+    const auto index = grid.find(corner);
+    const DensityGrid::Values values = index ? grid.blocks[*index].values : DensityGrid::Values{};
     targets_.insert(targets_.end(), values.begin(), values.end());
   }
   sum_of_squares_ = square_sum(targets_);
@@ -172,18 +172,18 @@ FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
 template <class Visit>
 void FitProblem::each_block(const FitGaussian& g, Visit visit) const {
   const glm::dvec3 radius = glm::dvec3(cutoff_in_radii / g.a) / glm::abs(spacing_);
-  const glm::dvec3 middle = g.b / spacing_;
-  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
-  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
-  const double all = cutoff_in_radii / g.a;
+  const glm::dvec3 center = g.b / spacing_;
+  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - radius)));
+  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + radius)));
+  const double cutoff = cutoff_in_radii / g.a;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {
         const glm::dvec3 first = spacing_ * glm::dvec3(x, y, z);
         const glm::dvec3 last = spacing_ * (glm::dvec3(x, y, z) + (side - 0.5));
         const glm::dvec3 nearest = glm::clamp(g.b, glm::min(first, last), glm::max(first, last));
-        const glm::dvec3 gap = nearest - g.b;
-        if (glm::dot(gap, gap) > all * all) continue;
+        const glm::dvec3 offset = nearest - g.b;
+        if (glm::dot(offset, offset) > cutoff * cutoff) continue;
         if (const auto block = corners_.find({x, y, z})) {
           visit(static_cast<std::uint32_t>(*block));
           visit(static_cast<std::uint32_t>(*block + corners_.blocks.size()));

@@ -63,11 +63,11 @@ ZonalSh<double> project(double T, const Factor& factor, const Detour& detour) {
       mean += xs.weights[k] * std::exp(-T * detour(gamma, xs.nodes[k]));
     }
     // 2 pi sin(gamma) spread dgamma, in which the sine drops out.
-    const double mass = 0.5 * factor(gamma) * mean * quarter * gammas.weights[i / 2];
+    const double weight = 0.5 * factor(gamma) * mean * quarter * gammas.weights[i / 2];
     const ShVector<double> y =
         sh_basis(sh_max_bands, glm::dvec3(std::sin(gamma), 0.0, std::cos(gamma)));
     for (int l = 0; l < sh_max_bands; ++l) {
-      result[static_cast<std::size_t>(l)] += mass * y[sh_index(l, 0)];
+      result[static_cast<std::size_t>(l)] += weight * y[sh_index(l, 0)];
     }
   }
   return result;

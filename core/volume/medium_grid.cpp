@@ -34,12 +34,12 @@ struct CornerHash {
 // there are too many to count or certainly more than `max_blocks`.
 template <class Visit>
 bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Visit visit) {
-  const glm::dvec3 middle = g.center / voxel_size;
+  const glm::dvec3 center = g.center / voxel_size;
   const double radius = cutoff_in_radii * g.radius / voxel_size;
-  const glm::dvec3 extent = glm::abs(middle) + radius;
+  const glm::dvec3 extent = glm::abs(center) + radius;
   if (!(std::max({extent.x, extent.y, extent.z}) < max_voxels)) return false;
-  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
-  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
+  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - radius)));
+  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + radius)));
   // A ball has 52% of its box.
   const glm::dvec3 across = glm::dvec3(high - low) / double(side) + 1.0;
   if (0.5 * across.x * across.y * across.z > static_cast<double>(max_blocks)) return false;
@@ -47,8 +47,8 @@ bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Vi
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {
         const glm::dvec3 first(x, y, z);
-        const glm::dvec3 gap = glm::clamp(middle, first, first + double(side - 1)) - middle;
-        if (glm::dot(gap, gap) > radius * radius) continue;
+        const glm::dvec3 offset = glm::clamp(center, first, first + double(side - 1)) - center;
+        if (glm::dot(offset, offset) > radius * radius) continue;
         if (!visit(glm::ivec3(x, y, z))) return false;
       }
     }

@@ -19,9 +19,9 @@ RayRange medium_range(const MediumIndex& medium, std::span<const std::uint32_t> 
   for (const std::uint32_t i : gaussians) {
     const glm::dvec3 q = medium.gaussians()[i].b - eye;
     const double t = glm::dot(q, w);
-    const glm::dvec3 gap = q - t * w;
+    const glm::dvec3 offset = q - t * w;
     const double cutoff_radius = medium.view_cutoff_radius(i);
-    const double chord2 = cutoff_radius * cutoff_radius - glm::dot(gap, gap);
+    const double chord2 = cutoff_radius * cutoff_radius - glm::dot(offset, offset);
     if (!(chord2 > 0.0)) continue;
     range.add(t - std::sqrt(chord2), t + std::sqrt(chord2));
   }

@@ -63,14 +63,15 @@ SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double m
 
 // Weights of a light for each basis function of incident light (R G B) and for the clusters'
 // transmittance.
-void append_weights(const SourceLight& source, int bands, int clusters, std::vector<float>& to) {
+void append_weights(const SourceLight& source, int bands, int clusters,
+                    std::vector<float>& weights) {
   const ShVector<double> basis = sh_basis(bands, source.light.direction);
   for (std::size_t i = 0; i < basis.size(); ++i) {
     for (int c = 0; c < 3; ++c)
-      to.push_back(static_cast<float>(basis[i] * source.light.irradiance[c]));
+      weights.push_back(static_cast<float>(basis[i] * source.light.irradiance[c]));
   }
   for (int f = 0; f < clusters; ++f) {
-    to.push_back(f == source.cluster ? static_cast<float>(source.share) : 0.0f);
+    weights.push_back(f == source.cluster ? static_cast<float>(source.share) : 0.0f);
   }
 }
 

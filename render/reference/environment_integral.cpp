@@ -40,7 +40,7 @@ ReferenceEnvironment::ReferenceEnvironment(const Environment& environment, doubl
   };
   for (LightGroup& group : groups_) {
     place(group.whole);
-    for (DistantLight& part : group.parts) place(part);
+    for (DistantLight& light : group.parts) place(light);
   }
 }
 
@@ -55,11 +55,11 @@ std::vector<DistantLight> ReferenceEnvironment::scattered_along(const glm::dvec3
     }
     glm::dvec3 irradiance(0.0);
     glm::dvec3 moment(0.0);
-    for (const DistantLight& part : group.parts) {
-      const glm::dvec3 turned =
-          scale * henyey_greenstein(glm::dot(w, part.direction), anisotropy_) * part.irradiance;
-      irradiance += turned;
-      moment += (turned.x + turned.y + turned.z) * part.direction;
+    for (const DistantLight& light : group.parts) {
+      const glm::dvec3 scattered =
+          scale * henyey_greenstein(glm::dot(w, light.direction), anisotropy_) * light.irradiance;
+      irradiance += scattered;
+      moment += (scattered.x + scattered.y + scattered.z) * light.direction;
     }
     const double length = glm::length(moment);
     result.push_back({length > 0.0 ? moment / length : group.whole.direction, irradiance});
@@ -94,22 +94,22 @@ glm::dvec3 ReferenceEnvironment::airlight(const MediumIndex& medium,
                                           const ViewRayMedium<double>& ray,
                                           double tolerance) const {
   // Over the share u of the ray's light that is gone at x, of which J is a smooth function.
-  const double gone = -std::expm1(-ray.depth(ray.d));
-  if (!(gone > 0.0)) return glm::dvec3(0.0);
+  const double opacity = -std::expm1(-ray.depth(ray.d));
+  if (!(opacity > 0.0)) return glm::dvec3(0.0);
   const std::vector<DistantLight> scattered = scattered_along(ray.w);
-  std::map<double, glm::dvec3> known;  // the channels mostly ask at the same places
+  std::map<double, glm::dvec3> cache;  // the channels mostly ask at the same places
   glm::dvec3 result(0.0);
   for (int c = 0; c < 3; ++c) {
     const auto channel = [&](double u) {
-      const auto [at, is_new] = known.try_emplace(u);
+      const auto [it, is_new] = cache.try_emplace(u);
       if (is_new) {
         const double t = ray.parameter_at_depth(-std::log1p(-u));
-        at->second = sum(medium, ray.eye + t * ray.w, scattered);
+        it->second = sum(medium, ray.eye + t * ray.w, scattered);
       }
-      return at->second[c];
+      return it->second[c];
     };
     // The rule's own estimate is more than ten times its error here.
-    result[c] = integrate<double>(channel, std::array{0.0, gone}, 10.0 * tolerance).value;
+    result[c] = integrate<double>(channel, std::array{0.0, opacity}, 10.0 * tolerance).value;
   }
   return result;
 }

@@ -156,7 +156,7 @@ class Sampler {
     const double t = angular.t(uniform() * angular.span);
     const glm::dvec3 x = along.at(t);
     if (ray_caster_.occluded(x, light.position)) return {};
-    const double r = path.travelled(t);
+    const double r = path.path_length(t);
     const glm::dvec3 from_light = r > 0.0 ? (x - light.position) / r : -wi;
     const double depth = along.depth(t) + ray(light.position, from_light).depth(r);
     const double weight =

@@ -109,10 +109,10 @@ HWY_INLINE V DisplacedDistance(D d, const BatchNoise& noise, const V3<V>& b, con
   const V x = hn::NegMulAdd(w.z, g.y, hn::Mul(w.y, g.z));
   const V y = hn::NegMulAdd(w.x, g.z, hn::Mul(w.z, g.x));
   const V z = hn::NegMulAdd(w.y, g.x, hn::Mul(w.x, g.y));
-  const V3<V> gap{hn::NegMulAdd(amplitude, x, hn::Mul(a, p.x)),
-                  hn::NegMulAdd(amplitude, y, hn::Mul(a, p.y)),
-                  hn::NegMulAdd(amplitude, z, hn::Mul(a, p.z))};
-  return dot(gap, gap);
+  const V3<V> offset{hn::NegMulAdd(amplitude, x, hn::Mul(a, p.x)),
+                     hn::NegMulAdd(amplitude, y, hn::Mul(a, p.y)),
+                     hn::NegMulAdd(amplitude, z, hn::Mul(a, p.z))};
+  return dot(offset, offset);
 }
 
 // Gaussian j of a batch as rays of direction w meet it. kDisplaced is a batch's noise.on(): rays

@@ -100,10 +100,10 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
   const double h = glm::length(to_ray);
   if (h <= 1e-9 * glm::length(q)) {
     // The light is on the ray, and shines along it both ways until something stops it.
-    const double back = first_hit(light, -w, std::abs(ts) + end);
-    const double on = first_hit(light, w, std::abs(ts) + end);
-    const double begin = std::clamp(ts - back, 0.0, end);
-    const double last = std::clamp(ts + on, 0.0, end);
+    const double backward_hit = first_hit(light, -w, std::abs(ts) + end);
+    const double forward_hit = first_hit(light, w, std::abs(ts) + end);
+    const double begin = std::clamp(ts - backward_hit, 0.0, end);
+    const double last = std::clamp(ts + forward_hit, 0.0, end);
     if (begin < last) return {{begin, last}};
     return {};
   }
@@ -129,15 +129,15 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
   const auto t = [&](double angle) {
     return angle >= last ? end : std::clamp(ts + h * std::tan(angle), 0.0, end);
   };
-  double at = first;
-  const auto shine_until = [&](double angle) {
-    if (at < angle && t(at) < t(angle)) lit.emplace_back(t(at), t(angle));
+  double lit_begin = first;
+  const auto add_lit_until = [&](double angle) {
+    if (lit_begin < angle && t(lit_begin) < t(angle)) lit.emplace_back(t(lit_begin), t(angle));
   };
   for (const auto& [begin, stop] : hidden) {
-    shine_until(begin);
-    at = std::max(at, stop);
+    add_lit_until(begin);
+    lit_begin = std::max(lit_begin, stop);
   }
-  shine_until(last);
+  add_lit_until(last);
   return lit;
 }
 

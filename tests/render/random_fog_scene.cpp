@@ -78,13 +78,13 @@ class RandomFogScene {
   void add_wall() {
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->request_vertex_normals();
-    const glm::dvec3 middle = random_.point(1.5);
+    const glm::dvec3 center = random_.point(1.5);
     const glm::dvec3 right = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 down = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 n = glm::normalize(glm::cross(down, right));
     std::vector<TriangleMesh::VertexHandle> corners;
-    for (const glm::dvec3& p : {middle - right - down, middle + right - down, middle + right + down,
-                                middle - right + down}) {
+    for (const glm::dvec3& p : {center - right - down, center + right - down, center + right + down,
+                                center - right + down}) {
       corners.push_back(mesh->add_vertex(vector(p)));
       mesh->set_normal(corners.back(), vector(n));
     }

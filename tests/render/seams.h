@@ -24,6 +24,6 @@ Scene seam_scene(unsigned seed);
 
 // `frame` with its airlight at 1 / `scale`, `truth` of the same view. Where the eye sees edges of
 // surfaces, nothing is compared.
-Seams find_seams(const Frame& frame, const Frame& truth, int scale);
+Seams find_seams(const Frame& frame, const Frame& reference, int scale);
 
 }  // namespace brume

@@ -31,13 +31,13 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   Renderer chooser(transfers);
   Settings settings = fewest_slices(chooser, scene);
   settings.threads = options.threads;
-  const Truth truth = find_reference(scene, 300, 1e-3);
+  const ReferenceSample reference = find_reference(scene, 300, 1e-3);
   TableOneRow row{kind.name, kind.frames_per_second, {}, {}};
   Renderer renderer(transfers);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
   // As one turns a scene in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
-  row.measurement = measure(renderer, scene, settings, truth.sample, 2.0, {turn, 1});
+  row.measurement = measure(renderer, scene, settings, reference.sample, 2.0, {turn, 1});
   row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);
   return row;
 }

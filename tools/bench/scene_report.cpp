@@ -79,14 +79,14 @@ SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, 
   report.environment = scene.environment.has_value();
   report.film = scene.film;
   const std::size_t pixels = scene.medium.size() > 1000 ? 150 : 400;
-  const Truth truth = find_reference(scene, options.quick ? pixels / 2 : pixels);
+  const ReferenceSample reference = find_reference(scene, options.quick ? pixels / 2 : pixels);
   const double seconds = options.quick ? 0.15 : 0.4;
-  report.reference_cpu_milliseconds = truth.frame_cpu_milliseconds;
+  report.reference_cpu_milliseconds = reference.frame_cpu_milliseconds;
   for (const Settings& settings : tried_settings(options)) {
     Renderer renderer;
-    report.settings.push_back(measure(renderer, scene, settings, truth.sample, seconds));
+    report.settings.push_back(measure(renderer, scene, settings, reference.sample, seconds));
     if (gl && settings.airlight != AirlightMethod::march) {
-      report.on_gl.push_back(measure(*gl, scene, settings, truth.sample, seconds));
+      report.on_gl.push_back(measure(*gl, scene, settings, reference.sample, seconds));
     }
   }
   report.peers = other_renderers_of(options.peers, report.name, report.film);

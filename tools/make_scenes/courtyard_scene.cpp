@@ -99,11 +99,11 @@ Mesh court() {
                   mesh);
   }
   for (int i = 0; i < 5; ++i) {
-    const double at = arcade * (0.5 * i - 1.0);
-    add_column({at, 0.0, -arcade}, mesh);
+    const double offset = arcade * (0.5 * i - 1.0);
+    add_column({offset, 0.0, -arcade}, mesh);
     if (i == 0) continue;
-    add_column({-arcade, 0.0, at}, mesh);
-    add_column({arcade, 0.0, at}, mesh);
+    add_column({-arcade, 0.0, offset}, mesh);
+    add_column({arcade, 0.0, offset}, mesh);
   }
   add_step(1.0, 0.0, 0.14, mesh);
   add_step(0.72, 0.14, 0.28, mesh);

@@ -48,11 +48,12 @@ std::optional<std::array<std::size_t, count>> columns(
 }
 
 std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
-  const auto at = columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
-  if (!at) return std::nullopt;
+  const auto indices =
+      columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
+  if (!indices) return std::nullopt;
   const auto turn = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
-  return [at = *at, turn](const PlyFile::Row& row) -> std::vector<Gaussian> {
-    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+  return [indices = *indices, turn](const PlyFile::Row& row) -> std::vector<Gaussian> {
+    const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     Splat splat;
     splat.center = {value(0), value(1), value(2)};
     splat.deviations = {std::exp(value(3)), std::exp(value(4)), std::exp(value(5))};
@@ -71,7 +72,7 @@ std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
 }
 
 ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
-  std::array<std::size_t, 5> at{};
+  std::array<std::size_t, 5> indices{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto column = gaussian_columns::find_column(
         i, [&](std::string_view name) { return columns<1>(vertices, {name}); });
@@ -81,10 +82,10 @@ ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Elemen
           "there is no property " + std::string(names[i]) +
               "; needed: x y z radius density, or x y z scale_0 scale_1 scale_2 opacity");
     }
-    at[i] = (*column)[0];
+    indices[i] = (*column)[0];
   }
-  return [at](const PlyFile::Row& row) {
-    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+  return [indices](const PlyFile::Row& row) {
+    const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     return std::vector<Gaussian>{{{value(0), value(1), value(2)}, value(3), value(4)}};
   };
 }

@@ -88,10 +88,10 @@ class ObjReader {
     }
     const std::uint64_t key =
         static_cast<std::uint64_t>(corner.point) << 32 | static_cast<std::uint32_t>(corner.normal);
-    const auto [at, is_new] =
+    const auto [it, is_new] =
         vertices_.try_emplace(key, static_cast<std::uint32_t>(corners_.size()));
     if (is_new) corners_.push_back(corner);
-    return at->second;
+    return it->second;
   }
 
   [[nodiscard]] std::string allowed() const {

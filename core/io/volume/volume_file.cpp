@@ -47,13 +47,13 @@ float to_density(const Path& path, const std::string& name, double value) {
 
 const VdbGrid& grid_named(const Path& path, const std::vector<VdbGrid>& grids,
                           const std::string& name) {
-  const auto at = std::find_if(grids.begin(), grids.end(),
+  const auto it = std::find_if(grids.begin(), grids.end(),
                                [&](const VdbGrid& grid) { return grid.name == name; });
-  if (at == grids.end()) {
+  if (it == grids.end()) {
     throw InputError(path, "",
                      "has no grid " + quoted_text(name) + "; its grids: " + names_of(grids));
   }
-  return *at;
+  return *it;
 }
 
 // The box around active voxels, and how many they are.

@@ -33,14 +33,14 @@ void main() {
   const ivec4 pixels = pixels_of(ivec2(tile % tiles.x, tile / tiles.x));
   const ivec2 size = pixels.zw - pixels.xy;
   const ivec2 corner_ = ivec2(id & 1, id >> 1 & 1) * (size - 1);
-  float longest = 0.0;
+  float max_length = 0.0;
   for (int i = id; i < size.x * size.y; i += group_size) {
     const float depth = imageLoad(depths, pixels.xy + ivec2(i % size.x, i / size.x)).r;
-    longest = max(longest, depth >= 0.0 ? depth : ray_end);
+    max_length = max(max_length, depth >= 0.0 ? depth : ray_end);
   }
   const bool is_corner = id < 4;
   CenterRay ray = center_ray(is_corner, ray_direction(pixels.xy + corner_));
-  ray.longest = reduce_max(longest);
+  ray.max_length = reduce_max(max_length);
   choose_slices(ray, offsets[tile], offsets[tile + 1], slices, per_light, b0);
   barrier();
   const int count = boundary_count < 2 ? 0 : min(boundary_count, stride);

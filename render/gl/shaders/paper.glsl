@@ -99,8 +99,8 @@ float fog_airlight(PaperLight light, vec3 w, float length_) {
 void main() {
   const uint id = gl_LocalInvocationID.x;
   const PixelOfGroup pixel = pixel_of_group();
-  const vec3 w = ray_direction(pixel.at);
-  const float length_ = pixel.live ? ray_length(pixel.at) : 0.0;
+  const vec3 w = ray_direction(pixel.position);
+  const float length_ = pixel.live ? ray_length(pixel.position) : 0.0;
   const uint begin = offsets[pixel.tile];
   const uint end = offsets[pixel.tile + 1];
   float depth = 0.0;

@@ -26,12 +26,12 @@ void main() {
     barrier();
     sums[id] += before;
   }
-  uint at = sums[id] - sum;
+  uint offset = sums[id] - sum;
   for (int i = begin; i < end; ++i) {
     const uint own = cursors[i];
-    offsets[i] = at;
-    cursors[i] = at;
-    at += own;
+    offsets[i] = offset;
+    cursors[i] = offset;
+    offset += own;
   }
   if (id == size - 1) {
     offsets[tiles] = sums[id];

@@ -12,7 +12,7 @@
 namespace brume {
 namespace {
 
-double mass(const Gaussian& g) {
+double integral(const Gaussian& g) {
   return g.density * std::pow(std::sqrt(std::numbers::pi) * g.radius, 3.0);
 }
 
@@ -22,8 +22,8 @@ glm::dmat3 second_moments(const Splat& splat, const std::vector<Gaussian>& balls
   double all = 0.0;
   for (const Gaussian& g : balls) {
     const glm::dvec3 d = glm::inverse(splat.rotation) * (g.center - splat.center);
-    sum += mass(g) * (glm::outerProduct(d, d) + glm::dmat3(0.5 * g.radius * g.radius));
-    all += mass(g);
+    sum += integral(g) * (glm::outerProduct(d, d) + glm::dmat3(0.5 * g.radius * g.radius));
+    all += integral(g);
   }
   return sum / all;
 }
@@ -50,8 +50,8 @@ TEST(Splat, LongOnesBecomeRowsOfTheirMassAndExtents) {
     const std::vector<Gaussian> balls = balls_along(splat);
     ASSERT_EQ(balls.size(), c.count);
     double all = 0.0;
-    for (const Gaussian& g : balls) all += mass(g);
-    EXPECT_NEAR(all / mass(ball_of(splat)), 1.0, 1e-12);
+    for (const Gaussian& g : balls) all += integral(g);
+    EXPECT_NEAR(all / integral(ball_of(splat)), 1.0, 1e-12);
     const glm::dmat3 moments = second_moments(splat, balls);
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {

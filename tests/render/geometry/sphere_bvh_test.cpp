@@ -70,9 +70,9 @@ TEST(RayBundle, MissesNothingThatItsSegmentsTouch) {
   for (int k = 0; k < 100000; ++k) {
     const glm::dvec3 origin = random.point(2.0);
     const double spread = std::pow(10.0, random.uniform(-6.0, 0.5));
-    const glm::dvec3 middle = random.point(3.0);
+    const glm::dvec3 target = random.point(3.0);
     std::vector<glm::dvec3> ends;
-    for (int i = 0; i < 4; ++i) ends.push_back(middle + random.point(spread));
+    for (int i = 0; i < 4; ++i) ends.push_back(target + random.point(spread));
     const RayBundle bundle(origin, ends);
     const glm::dvec3 center = random.point(3.0);
     const double radius = std::pow(10.0, random.uniform(-3.0, 0.0));

@@ -39,13 +39,13 @@ TEST(QualityControl, LadderIsOrderedByCost) {
   settings.reference_tolerance = 2e-4;
   const std::vector<Settings> ladder = quality_ladder(settings);
   const Scene scene = cloud_scene(100, 3.0);
-  const Frame truth = render_frame(scene, [] {
-    Settings reference;
-    reference.airlight = AirlightMethod::reference;
-    return reference;
+  const Frame reference = render_frame(scene, [] {
+    Settings exact;
+    exact.airlight = AirlightMethod::reference;
+    return exact;
   }());
   const auto error = [&](const Settings& tried) {
-    return difference(render_frame(scene, tried).airlight, truth.airlight).relative_rmse;
+    return difference(render_frame(scene, tried).airlight, reference.airlight).relative_rmse;
   };
   for (const Settings& step : ladder) EXPECT_EQ(step.reference_tolerance, 2e-4);
   EXPECT_LT(error(ladder.back()), 0.1 * error(ladder.front()));

@@ -128,10 +128,10 @@ TEST(SurfaceLight, MatchesTheReferenceForASkyInSmoke) {
     set_type(row.type, scene.surfaces[0].material);
     scene.camera = {{0.3, 0.5, 0.9}, {0, 0, 0}, {0, 1, 0}, 30.0};
     scene.film = {5, 5};
-    const SurfaceTruth truth(scene, {.samples = 40});
-    ASSERT_GT(truth.size(), 10u);
-    EXPECT_LT(truth.error(render_frame(scene, {})).rel_rmse, row.paper_error) << row.depth;
-    EXPECT_LT(truth.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, row.error)
+    const SurfaceTruth reference(scene, {.samples = 40});
+    ASSERT_GT(reference.size(), 10u);
+    EXPECT_LT(reference.error(render_frame(scene, {})).rel_rmse, row.paper_error) << row.depth;
+    EXPECT_LT(reference.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, row.error)
         << row.depth;
   }
 }
@@ -145,8 +145,8 @@ TEST(SurfaceLight, MatchesTheReferenceForASkyInSmokeAndFog) {
   scene.camera = {{0.3, 0.5, 0.9}, {0, 0, 0}, {0, 1, 0}, 30.0};
   scene.film = {5, 5};
   scene.medium.set_homogeneous_density(0.1);
-  const SurfaceTruth truth(scene, {.samples = 40, .far = FogExtent(scene).surface_distance()});
-  EXPECT_LT(truth.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, 0.04);
+  const SurfaceTruth reference(scene, {.samples = 40, .far = FogExtent(scene).surface_distance()});
+  EXPECT_LT(reference.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, 0.04);
 }
 
 TEST(SurfaceLight, AWhiteBallMatchesItsEnvironment) {

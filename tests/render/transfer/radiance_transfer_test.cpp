@@ -179,20 +179,20 @@ Counted counted(int order, const glm::dvec3& p) {
 TEST(RadianceTransfer, AFloorUnderABallMatchesCountedRays) {
   const auto mesh = floor_and_ball(6);
   constexpr std::size_t floor = 7 * 7;
-  std::vector<Counted> truth;
+  std::vector<Counted> reference;
   for (std::size_t v = 0; v < floor; v += 6)
-    truth.push_back(counted(6, vertex_of(*mesh, v).position));
+    reference.push_back(counted(6, vertex_of(*mesh, v).position));
   double min_seen = 1.0;
   std::array<double, 3> error{};
   const std::array<std::size_t, 3> directions = {64, 256, 1024};
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const RadianceTransfer t = transfer_of(mesh, {.order = 6, .directions = directions[k]});
     for (std::uint32_t v = 0; v < floor; v += 6) {
-      const Counted& expected = truth[v / 6];
+      const Counted& expected = reference[v / 6];
       min_seen = std::min(min_seen, expected.visibility[0] / everywhere);
       const double V = distance(t.visibility(MeshSide::front, at_vertex(v)), expected.visibility);
       const double P = distance(t.reflected(MeshSide::front, 0, at_vertex(v)), expected.reflected);
-      error[k] += (V * V + P * P) / static_cast<double>(truth.size());
+      error[k] += (V * V + P * P) / static_cast<double>(reference.size());
       // Nothing is in the way below.
       EXPECT_LT(distance(t.visibility(MeshSide::back, at_vertex(v)), fully_visible(6)), 2e-6);
       EXPECT_LT(distance(t.reflected(MeshSide::back, 0, at_vertex(v)), cosine_lobe(6, {0, 0, -1})),
@@ -352,14 +352,14 @@ TEST(RadianceTransfer, ShadowsASkyAsTheReferenceDoes) {
       point.to_eye = surface.rotate * to_eye;
       point.shadow_origin = point.position + 1e-4 * point.normal;
       point.surface = &scene.surfaces[0];
-      const glm::dvec3 truth =
+      const glm::dvec3 reference =
           reflected_light(scene, visibility, point, {.samples = 40'000}).attenuated;
       const glm::dvec3 got =
           transferred(material, light, t, MeshSide::front, at_vertex(v), vertex.normal, to_eye);
       const glm::dvec3 without = material.unshadowed(light, vertex.normal, to_eye);
-      squares += glm::dot(truth, truth);
-      error += glm::dot(got - truth, got - truth);
-      unshadowed += glm::dot(without - truth, without - truth);
+      squares += glm::dot(reference, reference);
+      error += glm::dot(got - reference, got - reference);
+      unshadowed += glm::dot(without - reference, without - reference);
     }
     EXPECT_LT(std::sqrt(error / squares), row.error);
     EXPECT_NEAR(std::sqrt(unshadowed / squares), row.unshadowed_error, 0.01);

@@ -48,7 +48,7 @@ std::string setting_name(const Settings& settings) {
   return name;
 }
 
-Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
+ReferenceSample find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
   const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 12));
   const double begin = cpu_seconds();
   ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, tolerance);
@@ -86,7 +86,7 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
 }
 
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                    const ErrorSample& truth, double seconds, const CameraStep& step) {
+                    const ErrorSample& reference, double seconds, const CameraStep& step) {
   Measurement result;
   result.setting = setting_name(settings);
   result.settings = settings;
@@ -95,7 +95,7 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
   const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
   result.first_milliseconds = milliseconds_since(begin);
   result.first_cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
-  result.error = truth.measure(first);
+  result.error = reference.measure(first);
   result.pairs = first.statistics.view_pairs;
   static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds, step);
   return result;

@@ -50,14 +50,14 @@ struct Measurement : MovedFrames {
 std::string setting_name(const Settings& settings);
 
 // Pixels of the view with their converged airlight, and what a whole frame of those would cost.
-struct Truth {
+struct ReferenceSample {
   ErrorSample sample;
   double frame_cpu_milliseconds;
 };
-Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance = 1e-4);
+ReferenceSample find_reference(const Scene& scene, std::size_t pixels, double tolerance = 1e-4);
 
 // A first frame, of which the error is, and moved ones: 3 to 15 in `seconds`.
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                    const ErrorSample& truth, double seconds, const CameraStep& step = {});
+                    const ErrorSample& reference, double seconds, const CameraStep& step = {});
 
 }  // namespace brume

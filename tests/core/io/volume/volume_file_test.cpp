@@ -60,7 +60,7 @@ TEST(VolumeFile, ReadsBackWhatWasWritten) {
 TEST(VolumeFile, ReadsSmokeOfASimulation) {
   const DensityGrid grid = read_volume(volumes / "smoke_0025.vdb", "density");
   EXPECT_NEAR(grid.spacing.x, 1.0 / 12.0, 1e-6);
-  EXPECT_NEAR(grid.mass() / (935.5 / 1728.0), 1.0, 1e-3);
+  EXPECT_NEAR(grid.integral() / (935.5 / 1728.0), 1.0, 1e-3);
   EXPECT_EQ(volume_grids(volumes / "smoke_0025.vdb").size(), 5u);
 }
 
@@ -106,7 +106,7 @@ TEST(VolumeFile, TilesAreVoxels) {
   grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(31)), 0.5);
   grid->setTransform(openvdb::math::Transform::createLinearTransform(0.1));
   write(folder / "a.vdb", "smoke", grid);
-  EXPECT_NEAR(read_volume(folder / "a.vdb", "smoke").mass(), 0.5 * std::pow(3.2, 3.0), 1e-4);
+  EXPECT_NEAR(read_volume(folder / "a.vdb", "smoke").integral(), 0.5 * std::pow(3.2, 3.0), 1e-4);
 }
 
 // 36 tiles of 128^3 voxels in a small file: 304 MB of blocks, and not twice.
