@@ -23,10 +23,10 @@ Gaussian particle(const Emitter& emitter, std::uint64_t number, double age) {
   const glm::dvec3 velocity = emitter.velocity + emitter.spread * random.in_ball();
   const glm::dvec3 center =
       emitter.position + age * velocity + 0.5 * age * age * emitter.acceleration;
-  const double share = age / emitter.lifetime;
+  const double relative_age = age / emitter.lifetime;
   return {glm::clamp(center, -limits::coordinate, limits::coordinate),
-          glm::mix(emitter.radius.x, emitter.radius.y, share),
-          glm::mix(emitter.density.x, emitter.density.y, share)};
+          glm::mix(emitter.radius.x, emitter.radius.y, relative_age),
+          glm::mix(emitter.density.x, emitter.density.y, relative_age)};
 }
 
 }  // namespace

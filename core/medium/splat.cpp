@@ -45,30 +45,30 @@ double common_deviation(const glm::dvec3& s) {
 
 }  // namespace
 
-Gaussian ball_of(const Splat& splat) {
+Gaussian equivalent_sphere(const Splat& splat) {
   const glm::dvec3& s = splat.deviations;
   const double radius =
       std::numbers::sqrt2 * std::exp((std::log(s.x) + std::log(s.y) + std::log(s.z)) / 3.0);
   return {splat.center, radius, splat.depth * std::numbers::inv_sqrtpi / radius};
 }
 
-std::vector<Gaussian> balls_along(const Splat& splat) {
-  const Gaussian whole = ball_of(splat);
+std::vector<Gaussian> sphere_approximation(const Splat& splat) {
+  const Gaussian sphere = equivalent_sphere(splat);
   const double deviation = common_deviation(splat.deviations);
   const Row x(splat.deviations.x / deviation);
   const Row y(splat.deviations.y / deviation);
   const Row z(splat.deviations.z / deviation);
   const int count = x.count * y.count * z.count;
-  if (count == 1) return {whole};
+  if (count == 1) return {sphere};
   const double radius = std::numbers::sqrt2 * deviation;
-  const double density = whole.density * std::pow(whole.radius / radius, 3.0) / count;
-  std::vector<Gaussian> balls;
+  const double density = sphere.density * std::pow(sphere.radius / radius, 3.0) / count;
+  std::vector<Gaussian> spheres;
   for (int i = 0; i < count; ++i) {
     const glm::dvec3 place(x.place(i % x.count), y.place(i / x.count % y.count),
                            z.place(i / (x.count * y.count)));
-    balls.push_back({splat.center + splat.rotation * (deviation * place), radius, density});
+    spheres.push_back({splat.center + splat.rotation * (deviation * place), radius, density});
   }
-  return balls;
+  return spheres;
 }
 
 }  // namespace brume

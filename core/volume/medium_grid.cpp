@@ -23,10 +23,10 @@ constexpr double max_voxels = 1 << 28;     // from the origin, along each axis
 struct CornerHash {
   std::size_t operator()(const glm::ivec3& c) const {
     // Three large primes (Teschner et al. 2003).
-    const auto part = [](int x, std::size_t prime) {
+    const auto term = [](int x, std::size_t prime) {
       return static_cast<std::size_t>(static_cast<std::uint32_t>(x / side)) * prime;
     };
-    return part(c.x, 73856093) ^ part(c.y, 19349663) ^ part(c.z, 83492791);
+    return term(c.x, 73856093) ^ term(c.y, 19349663) ^ term(c.z, 83492791);
   }
 };
 

@@ -44,7 +44,7 @@ struct Scratch {
   std::vector<double> exact;
   std::vector<SourceWeights> source_weights;
   std::vector<glm::vec3> environment;  // per ray
-  std::vector<float> along_rays;       // see SliceShares
+  std::vector<float> along_rays;       // see SliceWeights
 };
 
 // Sets up the steps of every ray and clears what is summed over them.
@@ -120,9 +120,9 @@ void add_environment(const EnvironmentSource& environment, const MediumIndex& me
   const SourceLookup source(environment.grid(), rays.eye);
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   for (const std::size_t k : s.kept) {
-    const float share = s.weights[k] * std::exp(-s.depths[k]);
+    const float weight = s.weights[k] * std::exp(-s.depths[k]);
     s.environment[k] += source(glm::vec3(rays.directions[k]), std::span(&s.t[k], 1),
-                               std::span(&share, 1), s.source_weights[k]);
+                               std::span(&weight, 1), s.source_weights[k]);
     if (!environment.has_forward_lobe()) continue;
     const float fog = b0 * s.t[k];
     s.along_rays[k] +=

@@ -190,11 +190,11 @@ std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
   const Raster raster(map, fine_rows);
   std::vector<LightGroup> groups;
   for (const Box& box : split(raster, grouping)) {
-    const auto whole = distant(box.light);
-    if (!whole) continue;
-    LightGroup& group = groups.emplace_back(LightGroup{*whole, {}, box.cluster});
+    const auto combined = distant(box.light);
+    if (!combined) continue;
+    LightGroup& group = groups.emplace_back(LightGroup{*combined, {}, box.cluster});
     for (int y = box.y0; y < box.y1; ++y) {
-      for (int x = box.x0; x < box.x1; ++x) append(raster.at(x, y), group.parts);
+      for (int x = box.x0; x < box.x1; ++x) append(raster.at(x, y), group.lights);
     }
   }
   return groups;

@@ -22,9 +22,9 @@ std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t cou
 
 // A cluster of lights that a smooth function may sample at one direction.
 struct LightGroup {
-  DistantLight whole;
-  std::vector<DistantLight> parts;  // resolution 180 degrees / 64
-  int cluster = 0;                  // index of the coarser cluster that contains it
+  DistantLight combined;
+  std::vector<DistantLight> lights;  // resolution 180 degrees / 64
+  int cluster = 0;                   // index of the coarser cluster that contains it
 };
 
 struct LightGrouping {

@@ -96,7 +96,7 @@ std::vector<float> incident_light(const GridNodes& nodes, std::span<const float>
   const std::vector<float> scattered =
       scattered_light(nodes, density, Source(unscattered, stride, optics.anisotropy), stride,
                       optics.fog_density, job);
-  const auto share = static_cast<float>(optics.scattered);
+  const auto scale = static_cast<float>(optics.scattered);
   std::vector<float> values(4 * functions * nodes.size(), 0.0f);
   job.each((nodes.size() + block - 1) / block, [&](std::size_t b) {
     const std::size_t end = std::min((b + 1) * block, nodes.size());
@@ -108,7 +108,7 @@ std::vector<float> incident_light(const GridNodes& nodes, std::span<const float>
           const float* input = unscattered.data() + (3 * f + c) * stride;
           const float* outgoing = scattered.data() + (c * functions + f) * stride;
           for (std::size_t i = b * block; i < end; ++i) {
-            values[4 * (functions * i + f) + c] = passes * input[i] + share * outgoing[i];
+            values[4 * (functions * i + f) + c] = passes * input[i] + scale * outgoing[i];
           }
         }
       }

@@ -225,7 +225,7 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
   return hn::IfThenElse(small, direct, wide);
 }
 
-// SliceShares::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
+// SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
 // (G' + b0) exp(-b0 t) dt, or of (G' + b0) exp(-2 G - b0 t) dt for light from the eye. The exponent
 // grows evenly within a slice.
 void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments, float b0,
@@ -258,13 +258,13 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
 
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                float anisotropy, float negligible, std::span<const SliceLight> lights,
-               float* depths, const SliceShares& shares,
+               float* depths, const SliceWeights& weights,
                const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
-  if (shares.along_rays) {
-    SumAlongRays(slices, stride, increments, b0, anisotropy < 0.0f, shares.along_rays);
+  if (weights.along_rays) {
+    SumAlongRays(slices, stride, increments, b0, anisotropy < 0.0f, weights.along_rays);
   }
   std::array<OpticalDepthTable::View, light_pack> tables{};
   for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -295,16 +295,17 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       const V next_depth = hn::Add(depth, increment);
       const auto matters = hn::And(hn::Gt(increment, set(negligible)),
                                    hn::Lt(depth, set(coefficient::visible_depth)));
-      if (shares.of_slices) hn::StoreU(zero, d, shares.of_slices + k * stride + i);
+      if (weights.per_slice) hn::StoreU(zero, d, weights.per_slice + k * stride + i);
       if (!hn::AllFalse(d, matters)) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
-        const V lost = hn::Mul(
+        const V scattered_fraction = hn::Mul(
             hn::Exp(d, hn::Neg(depth)),
             hn::IfThenElse(hn::Lt(increment, set(coefficient::small_increment)),
                            hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
                            hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
-        if (shares.of_slices) {
-          hn::StoreU(hn::IfThenElseZero(matters, lost), d, shares.of_slices + k * stride + i);
+        if (weights.per_slice) {
+          hn::StoreU(hn::IfThenElseZero(matters, scattered_fraction), d,
+                     weights.per_slice + k * stride + i);
         }
         const V center = hn::Mul(set(0.5f), hn::Add(begin, end));
         for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -323,7 +324,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
             light = hn::Mul(light, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
           }
           if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
-          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(lost, light)));
+          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(scattered_fraction, light)));
         }
       }
       depth = next_depth;
@@ -362,10 +363,10 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
 
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                 float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, const SliceShares& shares,
+                float* depths, const SliceWeights& weights,
                 const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, slices, increments, b0, anisotropy, negligible, lights, depths, shares, radiance);
+  (rays, slices, increments, b0, anisotropy, negligible, lights, depths, weights, radiance);
 }
 
 }  // namespace brume

@@ -71,7 +71,7 @@ void append_weights(const SourceLight& source, int bands, int clusters,
       weights.push_back(static_cast<float>(basis[i] * source.light.irradiance[c]));
   }
   for (int f = 0; f < clusters; ++f) {
-    weights.push_back(f == source.cluster ? static_cast<float>(source.share) : 0.0f);
+    weights.push_back(f == source.cluster ? static_cast<float>(source.cluster_fraction) : 0.0f);
   }
 }
 

@@ -49,8 +49,8 @@ inline constexpr int source_clusters = 16;
 
 struct SourceLight {
   DistantLight light;
-  int cluster = 0;     // cluster index, < source_clusters
-  double share = 1.0;  // fraction of the cluster's irradiance
+  int cluster = 0;                // cluster index, < source_clusters
+  double cluster_fraction = 1.0;  // fraction of the cluster's irradiance
 };
 
 // Source function of single scattering, without the scattering coefficient:

@@ -113,9 +113,9 @@ IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
   optics.fog_density = prepared_.medium().homogeneous_density();
   optics.anisotropy = work.scene.optics.anisotropy;
   const double fog = fog_depth(work);
-  const ScatterTable::Bands shares =
+  const ScatterTable::Bands fractions =
       shading_.environment()->incident(static_cast<float>(fog), work.albedo);
-  std::copy_n(shares.begin(), grid_bands, optics.through_fog.begin());
+  std::copy_n(fractions.begin(), grid_bands, optics.through_fog.begin());
   optics.scattered = work.albedo * std::exp(-fog);
   return optics;
 }

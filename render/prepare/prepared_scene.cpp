@@ -110,13 +110,13 @@ const OpticalDepthTable& PreparedScene::optical_depth_table(const glm::dvec3& li
   });
   if (it != tables_.end()) {
     Table& entry = **it;
-    if (entry.changed.empty()) return entry.entry;
+    if (entry.changed.empty()) return entry.table;
     const std::vector<TableGaussian> changed = std::move(entry.changed);
     entry.changed.clear();
-    if (entry.entry.update(*index_, changed)) {
+    if (entry.table.update(*index_, changed)) {
       entry.is_patched = true;
-      pairs += entry.entry.pairs;
-      return entry.entry;
+      pairs += entry.table.pairs;
+      return entry.table;
     }
     tables_.erase(it);
   }

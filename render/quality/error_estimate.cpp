@@ -74,7 +74,7 @@ std::optional<ErrorSample> ErrorSample::create(std::shared_ptr<ViewReference> re
 // Pixels of probability 1 are deterministic, and so is the choice of their neighbours.
 bool ErrorSample::sample_around_errors(const Frame& guide, std::size_t max_pixels,
                                        const std::stop_token& stop) {
-  constexpr double large_share = 0.01;
+  constexpr double large_fraction = 0.01;
   constexpr int rounds = 3;
   const auto width = static_cast<std::size_t>(guide.film.width);
   const auto height = static_cast<std::size_t>(guide.film.height);
@@ -93,7 +93,7 @@ bool ErrorSample::sample_around_errors(const Frame& guide, std::size_t max_pixel
     std::ranges::sort(errors, std::greater());
     const std::size_t before = max_pixels;
     for (const auto& [error, i] : errors) {
-      if (!(error > large_share * sum)) break;
+      if (!(error > large_fraction * sum)) break;
       const std::size_t x = i % width;
       const std::size_t y = i / width;
       for (std::size_t v = y - std::min<std::size_t>(y, 1); v <= std::min(y + 1, height - 1); ++v) {

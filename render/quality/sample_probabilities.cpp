@@ -10,9 +10,9 @@
 namespace brume {
 namespace {
 
-constexpr double even_share = 0.3;
-constexpr double bright_share = 0.35;
-constexpr double steep_share = 0.35;
+constexpr double uniform_fraction = 0.3;
+constexpr double bright_fraction = 0.35;
+constexpr double gradient_fraction = 0.35;
 
 // A small Gaussian must be able to make a relative error of 0.3% to be met for its own sake.
 constexpr double change_that_counts = 3e-3;
@@ -101,18 +101,18 @@ std::vector<double> sample_probabilities(const Scene& scene, const Camera& camer
   const CameraRays rays(camera, guide.film);
   const std::vector<double> uniform(guide.depth.size(), 1.0);
   const std::vector<double> bright = squared_radiance(guide);
-  const std::vector<double> steep = squared_steps(guide);
+  const std::vector<double> gradient = squared_steps(guide);
   std::vector<double> probabilities(uniform.size(), 0.0);
-  const auto add = [&](const std::vector<double>& measure, double share) {
+  const auto add = [&](const std::vector<double>& measure, double fraction) {
     const double sum = std::accumulate(measure.begin(), measure.end(), 0.0);
     if (!(sum > 0.0)) return sum;
-    const double scale = share * static_cast<double>(count) / sum;
+    const double scale = fraction * static_cast<double>(count) / sum;
     for (std::size_t i = 0; i < probabilities.size(); ++i) probabilities[i] += scale * measure[i];
     return sum;
   };
-  add(uniform, even_share);
-  add(steep, steep_share);
-  const double sum = add(bright, bright_share);
+  add(uniform, uniform_fraction);
+  add(gradient, gradient_fraction);
+  const double sum = add(bright, bright_fraction);
   for (const glm::ivec2& pixel : pixels_of_lights(scene, rays, guide.film, count / 4)) {
     probabilities[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(guide.film.width) +
                   static_cast<std::size_t>(pixel.x)] = 1.0;

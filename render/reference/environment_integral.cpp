@@ -39,8 +39,8 @@ ReferenceEnvironment::ReferenceEnvironment(const Environment& environment, doubl
     light.irradiance *= environment.intensity;
   };
   for (LightGroup& group : groups_) {
-    place(group.whole);
-    for (DistantLight& light : group.parts) place(light);
+    place(group.combined);
+    for (DistantLight& light : group.lights) place(light);
   }
 }
 
@@ -50,19 +50,19 @@ std::vector<DistantLight> ReferenceEnvironment::scattered_along(const glm::dvec3
   result.reserve(groups_.size());
   for (const LightGroup& group : groups_) {
     if (anisotropy_ == 0.0) {
-      result.push_back({group.whole.direction, scale * group.whole.irradiance});
+      result.push_back({group.combined.direction, scale * group.combined.irradiance});
       continue;
     }
     glm::dvec3 irradiance(0.0);
     glm::dvec3 moment(0.0);
-    for (const DistantLight& light : group.parts) {
+    for (const DistantLight& light : group.lights) {
       const glm::dvec3 scattered =
           scale * henyey_greenstein(glm::dot(w, light.direction), anisotropy_) * light.irradiance;
       irradiance += scattered;
       moment += (scattered.x + scattered.y + scattered.z) * light.direction;
     }
     const double length = glm::length(moment);
-    result.push_back({length > 0.0 ? moment / length : group.whole.direction, irradiance});
+    result.push_back({length > 0.0 ? moment / length : group.combined.direction, irradiance});
   }
   return result;
 }

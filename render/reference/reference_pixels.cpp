@@ -44,12 +44,12 @@ std::vector<glm::dvec3> ReferencePixels::airlight(
     std::span<const std::size_t> pixels, const std::stop_token& stop,
     const std::function<void(double)>& progress) const {
   const Job job{stop, progress};
-  const auto parts = static_cast<double>(groups_.size());
+  const auto group_count = static_cast<double>(groups_.size());
   std::vector<glm::dvec3> result(pixels.size(), glm::dvec3(0.0));
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
     const auto before = static_cast<double>(g);
-    job.part(before / parts, (before + 1.0) / parts)
+    job.part(before / group_count, (before + 1.0) / group_count)
         .each_reported(pixels.size(), [&](std::size_t k) {
           const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
                                                static_cast<double>(pixels[k] / width_) + 0.5);

@@ -179,16 +179,16 @@ class Sampler {
       sample.attenuated = weight * transmittance(depth) * environment_radiance(environment, wi);
     }
     // Where on the ray: by the light that single scattering leaves, exp(-T) b.
-    const double share = -std::expm1(-depth);
-    if (!(share > 0.0)) return sample;
-    const double level = -std::log1p(-uniform() * share);
+    const double opacity = -std::expm1(-depth);
+    if (!(opacity > 0.0)) return sample;
+    const double level = -std::log1p(-uniform() * opacity);
     const double t = along.parameter_at(level, end);
     const glm::dvec3 x = along.at(t);
     const double turn = 2.0 * pi * uniform();
     const glm::dvec3 w = around({0, 0, 1}, 2.0 * uniform() - 1.0, turn);
     if (ray_caster_.first_hit(x, w)) return sample;
     const double total = level + ray(x, w).depth(distance_out(x, w));
-    sample.scattered = weight * share * std::exp(level) * (4.0 * pi * phase(glm::dot(w, wi))) *
+    sample.scattered = weight * opacity * std::exp(level) * (4.0 * pi * phase(glm::dot(w, wi))) *
                        transmittance(total) * environment_radiance(environment, w);
     return sample;
   }

@@ -47,11 +47,11 @@ SurfacePoints places(const Surface& surface, std::size_t first) {
 }
 
 // light += light from one direction, with factors per band.
-template <class Share>
-void add_direction(const ShVector<double>& direction, const glm::dvec3& irradiance, Share share,
+template <class Factor>
+void add_direction(const ShVector<double>& direction, const glm::dvec3& irradiance, Factor factor,
                    ShVector<glm::dvec3>& light) {
   for (int l = 0; l < light.order(); ++l) {
-    const glm::dvec3 band = irradiance * static_cast<double>(share(l));
+    const glm::dvec3 band = irradiance * static_cast<double>(factor(l));
     for (int m = -l; m <= l; ++m) light[sh_index(l, m)] += direction[sh_index(l, m)] * band;
   }
 }

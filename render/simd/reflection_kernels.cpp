@@ -102,14 +102,14 @@ struct Quarter {
 // Rows of a ReflectionTable for the polar angle of the eye, and how far it is between them.
 struct Rows {
   hn::Vec<hn::RebindToSigned<D>> first;
-  V share;
+  V fraction;
 
   HWY_INLINE explicit Rows(V cosine) {
     const D d;
     const V at = hn::Mul(hn::Acos(d, hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, 1.0f))),
                          hn::Set(d, ReflectionTable::intervals * 2.0f / std::numbers::pi_v<float>));
     const V below = hn::Min(hn::Floor(at), hn::Set(d, ReflectionTable::intervals - 1.0f));
-    share = hn::Sub(at, below);
+    fraction = hn::Sub(at, below);
     first = hn::ConvertTo(hn::RebindToSigned<D>(),
                           hn::Mul(below, hn::Set(d, float{ReflectionTable::row_size})));
   }
@@ -118,7 +118,7 @@ struct Rows {
     const D d;
     const V a = hn::GatherIndex(d, table + i, first);
     const V b = hn::GatherIndex(d, table + i + ReflectionTable::row_size, first);
-    return hn::MulAdd(share, hn::Sub(b, a), a);
+    return hn::MulAdd(fraction, hn::Sub(b, a), a);
   }
 };
 

@@ -177,7 +177,8 @@ void FindSpread(const LightAtPoints& light, std::size_t padded_size, const Light
   for (std::size_t i = 0; i < padded_size; i += hn::Lanes(d)) {
     const V depth = load(light.depths, i);
     const V homogeneous = hn::Mul(set(spread.density), hn::LoadU(d, light.paths.length.data() + i));
-    const V share = hn::IfThenElse(hn::Lt(homogeneous, depth), hn::Div(homogeneous, depth), one);
+    const V homogeneous_fraction =
+        hn::IfThenElse(hn::Lt(homogeneous, depth), hn::Div(homogeneous, depth), one);
     const auto passes = hn::And(hn::Gt(depth, zero), hn::Lt(depth, set(ScatterTable::opaque)));
     const V T = hn::IfThenElseZero(passes, depth);
     const V root = hn::Sqrt(T);
@@ -187,7 +188,7 @@ void FindSpread(const LightAtPoints& light, std::size_t padded_size, const Light
       if (diffuse_only && (l == 3 || l == 5)) continue;
       const V of_distant = Polynomial(x, far[l]);
       const V of_point = Polynomial(x, near[l]);
-      const V both = hn::MulAdd(share, hn::Sub(of_point, of_distant), of_distant);
+      const V both = hn::MulAdd(homogeneous_fraction, hn::Sub(of_point, of_distant), of_distant);
       store(hn::Mul(once, both), factors[l], i);
     }
   }

@@ -54,9 +54,9 @@ std::vector<Index> places(const TriangleMesh& mesh) {
 }
 
 // Disjoint sets of vertices, each named by one of them.
-class Parts {
+class Components {
  public:
-  explicit Parts(std::size_t count) : parents_(count) {
+  explicit Components(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), Index{0});
   }
   Index root(Index i) {
@@ -84,7 +84,7 @@ struct Shape {
 
 std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
   const std::vector<Index> place = places(mesh);
-  Parts parts(place.size());
+  Components components(place.size());
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.n_faces());
   const auto corners_of = [&](OpenMesh::FaceHandle face) {
@@ -97,7 +97,7 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = place[static_cast<std::size_t>(corners[k].idx())];
       const Index b = place[static_cast<std::size_t>(corners[(k + 1) % 3].idx())];
-      parts.join(a, b);
+      components.join(a, b);
       if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
     }
   }
@@ -112,26 +112,26 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
     for (; i < edges.size() && edges[i].low == first.low && edges[i].high == first.high; ++i) {
       sum += edges[i].sense;
     }
-    if (sum != 0) shapes[parts.root(first.low)].closed = false;
+    if (sum != 0) shapes[components.root(first.low)].closed = false;
   }
   for (const auto face : mesh.faces()) {
     const auto corners = corners_of(face);
-    const Index part = parts.root(place[static_cast<std::size_t>(corners[0].idx())]);
+    const Index component = components.root(place[static_cast<std::size_t>(corners[0].idx())]);
     // Beside a vertex of the part, where the volume loses no digits.
-    const auto origin = mesh.point(OpenMesh::VertexHandle(static_cast<int>(part)));
+    const auto origin = mesh.point(OpenMesh::VertexHandle(static_cast<int>(component)));
     std::array<glm::dvec3, 3> p;
     glm::dvec3 normals(0.0);
     for (std::size_t k = 0; k < 3; ++k) {
       p[k] = to_dvec3(mesh.point(corners[k])) - to_dvec3(origin);
       normals += to_dvec3(mesh.normal(corners[k]));
     }
-    shapes[part].volume += glm::dot(p[0], glm::cross(p[1], p[2]));
-    shapes[part].normals += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), normals);
+    shapes[component].volume += glm::dot(p[0], glm::cross(p[1], p[2]));
+    shapes[component].normals += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), normals);
   }
 
   std::vector<Enclosed> result(place.size(), Enclosed::none);
   for (std::size_t i = 0; i < place.size(); ++i) {
-    const Shape& shape = shapes[parts.root(place[i])];
+    const Shape& shape = shapes[components.root(place[i])];
     if (!shape.closed || shape.volume == 0.0) continue;
     const bool outward = (shape.volume > 0.0) == (shape.normals > 0.0);
     result[i] = outward ? Enclosed::back : Enclosed::front;

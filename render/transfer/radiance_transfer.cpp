@@ -217,14 +217,14 @@ class Transfer {
     ShVector<double> irradiance(result_.settings.order);
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       const Ray& ray = rays_[k];
-      const double share = ray.weight * ray.direction.z * std::numbers::inv_pi;
+      const double weight = ray.weight * ray.direction.z * std::numbers::inv_pi;
       if (hits[k]) {
-        if (terms() > 1) exchanges_[s][vertex].push_back(exchange(hits[k], directions[k], share));
+        if (terms() > 1) exchanges_[s][vertex].push_back(exchange(hits[k], directions[k], weight));
         continue;
       }
       for (std::size_t i = 0; i < open.size(); ++i) {
         open[i] += ray.weight * ray.basis[i];
-        irradiance[i] += share * ray.basis[i];
+        irradiance[i] += weight * ray.basis[i];
       }
     }
     // Mirrored at the horizon: what is odd in z goes, what is even doubles.
@@ -235,11 +235,11 @@ class Transfer {
     store(sh_rotate(irradiance, frame), result_.sides[s].reflected, vertex * terms());
   }
 
-  [[nodiscard]] Exchange exchange(const SurfaceHit& hit, const glm::dvec3& w, double share) const {
+  [[nodiscard]] Exchange exchange(const SurfaceHit& hit, const glm::dvec3& w, double weight) const {
     const MeshPoint at =
         mesh_point(mesh_, hit.triangle, static_cast<double>(hit.u), static_cast<double>(hit.v));
     const MeshSide seen = geometry_.seen_side(at, w);
-    return {hit.triangle, seen == MeshSide::back, hit.u, hit.v, static_cast<float>(share)};
+    return {hit.triangle, seen == MeshSide::back, hit.u, hit.v, static_cast<float>(weight)};
   }
 
   const TriangleMesh& mesh_;
@@ -295,19 +295,19 @@ std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const Tr
   assert(64 <= settings.directions && settings.directions <= 65536 && settings.directions % 8 == 0);
   assert(0 <= settings.bounces && settings.bounces <= 16);
   constexpr double reflect_cost = 0.1;  // of a bounce, beside casting the rays
-  const double whole = 2.0 * (1.0 + reflect_cost * settings.bounces);
+  const double total_cost = 2.0 * (1.0 + reflect_cost * settings.bounces);
   double done = 0.0;
-  const auto part = [&](double cost) {
+  const auto next_part = [&](double cost) {
     const double before = done;
     done += cost;
-    return job.part(before / whole, done / whole);
+    return job.part(before / total_cost, done / total_cost);
   };
   if (job.stop.stop_requested()) return std::nullopt;
   Transfer transfer(mesh, settings);
-  for (const MeshSide side : {MeshSide::front, MeshSide::back}) transfer.cast(side, part(1.0));
+  for (const MeshSide side : {MeshSide::front, MeshSide::back}) transfer.cast(side, next_part(1.0));
   for (int bounce = 1; bounce <= settings.bounces; ++bounce) {
     for (const MeshSide side : {MeshSide::front, MeshSide::back}) {
-      transfer.reflect(side, bounce, part(reflect_cost));
+      transfer.reflect(side, bounce, next_part(reflect_cost));
     }
   }
   if (job.stop.stop_requested()) return std::nullopt;

@@ -96,7 +96,7 @@ std::string encode(const RadianceTransfer& transfer, Header header) {
 
 // Throws InputError if `file` does not hold exactly what `expected`, but for its sides, asks for.
 RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, Header expected) {
-  const auto refuse = [&](const char* what) { throw InputError(file, "", what); };
+  const auto refuse = [&](const char* message) { throw InputError(file, "", message); };
   const std::string bytes = read_bytes(file);
   if (bytes.size() < sizeof(Header) + sizeof(std::uint64_t)) refuse("is truncated");
   Header header = expected;

@@ -10,8 +10,9 @@ namespace brume {
 
 Job Job::part(double begin, double end) const {
   if (!progress) return {stop, {}};
-  return {stop,
-          [tell = progress, begin, end](double share) { tell(begin + share * (end - begin)); }};
+  return {stop, [report = progress, begin, end](double fraction) {
+            report(begin + fraction * (end - begin));
+          }};
 }
 
 void Job::each(std::size_t count, const std::function<void(std::size_t)>& body) const {

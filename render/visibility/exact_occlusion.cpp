@@ -41,9 +41,9 @@ bool clip(Segment& s, double low, double high) {
   if (s[0].y > s[1].y) std::swap(s[0], s[1]);
   if (!(s[0].y < high && s[1].y > low)) return false;
   const glm::dvec2 step = s[1] - s[0];
-  const Segment whole = s;
-  if (whole[0].y < low) s[0] = whole[0] + (low - whole[0].y) / step.y * step;
-  if (whole[1].y > high) s[1] = whole[0] + (high - whole[0].y) / step.y * step;
+  const Segment original = s;
+  if (original[0].y < low) s[0] = original[0] + (low - original[0].y) / step.y * step;
+  if (original[1].y > high) s[1] = original[0] + (high - original[0].y) / step.y * step;
   return true;
 }
 

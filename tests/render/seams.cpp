@@ -118,11 +118,11 @@ void Seams::add(const Seams& more) {
   std::ranges::sort(insides);
 }
 
-double Seams::ratio(double share) const {
-  const auto at = [share](const std::vector<double>& steps) {
-    return steps.at(static_cast<std::size_t>(share * static_cast<double>(steps.size() - 1)));
+double Seams::ratio(double quantile) const {
+  const auto value_at = [quantile](const std::vector<double>& steps) {
+    return steps.at(static_cast<std::size_t>(quantile * static_cast<double>(steps.size() - 1)));
   };
-  return at(borders) / at(insides);
+  return value_at(borders) / value_at(insides);
 }
 
 Seams find_seams(const Frame& frame, const Frame& reference, int scale) {

@@ -15,7 +15,7 @@ struct Seams {
 
   void add(const Seams& more);
   // How many times those at borders are those within tiles, at this share of each.
-  [[nodiscard]] double ratio(double share) const;
+  [[nodiscard]] double ratio(double quantile) const;
 };
 
 // A scene of a few Gaussians, lights in and beside them, and now and then homogeneous fog, noise or

@@ -42,8 +42,8 @@ std::string error_map(const Frame& frame, const Frame& reference, double white) 
           static_cast<double>(frame.airlight[3 * i + c] - reference.airlight[3 * i + c]);
       square += d * d / 3.0;
     }
-    const double share = std::min(std::sqrt(square) / white, 1.0);
-    rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255.0 * share)));
+    const double level = std::min(std::sqrt(square) / white, 1.0);
+    rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255.0 * level)));
   }
   return encode_png(frame.film.width, frame.film.height, rgb);
 }

@@ -73,8 +73,8 @@ int run(int argc, char** argv) {
     std::unique_ptr<Command> command;
   };
   std::vector<Subcommand> subcommands;
-  const auto add = [&](const char* name, const char* what, auto make) {
-    CLI::App* subcommand = app.add_subcommand(name, what);
+  const auto add = [&](const char* name, const char* description, auto make) {
+    CLI::App* subcommand = app.add_subcommand(name, description);
     subcommands.push_back({subcommand, make(*subcommand)});
   };
   add("render", "render a frame of a scene", make_render_command);

@@ -51,8 +51,8 @@ std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
   const auto indices =
       columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
   if (!indices) return std::nullopt;
-  const auto turn = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
-  return [indices = *indices, turn](const PlyFile::Row& row) -> std::vector<Gaussian> {
+  const auto rotation_columns = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
+  return [indices = *indices, rotation_columns](const PlyFile::Row& row) -> std::vector<Gaussian> {
     const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     Splat splat;
     splat.center = {value(0), value(1), value(2)};
@@ -60,14 +60,14 @@ std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
     // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
     const double logit = value(6);
     splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
-    if (!turn) return {ball_of(splat)};
-    const auto part = [&](std::size_t i) { return row.scalars[(*turn)[i]]; };
-    const glm::dquat rotation(part(0), part(1), part(2), part(3));
+    if (!rotation_columns) return {equivalent_sphere(splat)};
+    const auto component = [&](std::size_t i) { return row.scalars[(*rotation_columns)[i]]; };
+    const glm::dquat rotation(component(0), component(1), component(2), component(3));
     const double length = glm::length(rotation);
     // Without a direction there is no longer axis.
-    if (!(length > 0.0) || !std::isfinite(length)) return {ball_of(splat)};
+    if (!(length > 0.0) || !std::isfinite(length)) return {equivalent_sphere(splat)};
     splat.rotation = rotation / length;
-    return balls_along(splat);
+    return sphere_approximation(splat);
   };
 }
 

@@ -98,11 +98,11 @@ class ObjReader {
     return "1 to the number of vertices, or -1 to -" + std::to_string(points_.size());
   }
 
-  void check_range(std::int64_t max_index, std::size_t count, const char* what,
+  void check_range(std::int64_t max_index, std::size_t count, const char* label,
                    const std::string& line) const {
     if (max_index < static_cast<std::int64_t>(count)) return;
     throw InputError(file_, line,
-                     std::string("found the ") + what + " index " + std::to_string(max_index + 1) +
+                     std::string("found the ") + label + " index " + std::to_string(max_index + 1) +
                          "; allowed: at most " + std::to_string(count));
   }
 

@@ -192,7 +192,7 @@ float average_depth(SurfacePoint point) {
 }
 
 // EnvironmentLight::incident(): per-band fractions, without a grid.
-void find_shares(SurfacePoint point, out float shares[sh_bands]) {
+void find_fractions(SurfacePoint point, out float fractions[sh_bands]) {
   const float depth = fog_depth + average_depth(point);
   const float unscattered = exp(-depth);
   const float root = sqrt(depth);
@@ -201,7 +201,7 @@ void find_shares(SurfacePoint point, out float shares[sh_bands]) {
   const int first = environment_at + 4 * sh_count;
   for (int l = 0; l < sh_bands; ++l) {
     const float spread = scatter_polynomial(first + l * scatter_terms, x);
-    shares[l] = unscattered + (passes ? albedo * depth * unscattered * spread : 0.0);
+    fractions[l] = unscattered + (passes ? albedo * depth * unscattered * spread : 0.0);
   }
 }
 
@@ -229,14 +229,14 @@ vec3 environment_light(SurfacePoint point) {
     for (int i = 16; i < 25; ++i) fifth += y[i] * values_rgb(environment_at + 4 * i);
     return max(sum + cosine_factors[4] * dimming(light[0]) * fifth, vec3(0.0));
   }
-  float shares[sh_bands];
-  find_shares(point, shares);
+  float fractions[sh_bands];
+  find_fractions(point, fractions);
   for (int l = 0; l < sh_bands; ++l) {
     vec3 band = vec3(0.0);
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       band += y[i] * values_rgb(environment_at + 4 * i);
     }
-    sum += cosine_factors[l] * shares[l] * band;
+    sum += cosine_factors[l] * fractions[l] * band;
   }
   return max(sum, vec3(0.0));
 }
@@ -244,17 +244,17 @@ vec3 environment_light(SurfacePoint point) {
 // light += EnvironmentLight::incident().
 void add_environment(SurfacePoint point, inout vec3 light[sh_count]) {
   vec3 incoming[grid_functions];
-  float shares[sh_bands];
+  float fractions[sh_bands];
   if (incident_levels > 0) {
     find_incident(point.position, incoming);
   } else {
-    find_shares(point, shares);
+    find_fractions(point, fractions);
   }
   for (int l = 0; l < sh_bands; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       const vec3 outside = values_rgb(environment_at + 4 * i);
       if (incident_levels == 0) {
-        light[i] += shares[l] * outside;
+        light[i] += fractions[l] * outside;
       } else if (i < grid_functions) {
         light[i] += environment_intensity * incoming[i];
       } else {

@@ -21,7 +21,7 @@ vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float
   return bin >= ends.x && bin <= ends.y ? demand : vec2(0.0);
 }
 
-// As passing() of the CPU: t, and h in radii.
+// As closest_approach() of the CPU: t, and h in radii.
 vec2 closest_approach(CenterRay ray, vec3 q, float a) {
   const vec2 nearest = nearest_pass(ray, q);
   const float center = dot(q, ray.w);

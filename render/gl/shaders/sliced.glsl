@@ -57,7 +57,7 @@ void main() {
   uint pairs = 0u;
   float boundary = last > 0 ? slice_boundary(position, 0) : 0.0;
   float t_begin = min(boundary, length_);
-  // SliceShares::along_rays.
+  // SliceWeights::along_rays.
   const bool has_forward_lobe = source_levels > 0 && source_bands > 1;
   const bool needs_line = has_forward_lobe && anisotropy > 0.0;
   float along_ray = 0.0;

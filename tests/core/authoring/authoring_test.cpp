@@ -99,11 +99,11 @@ TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   EXPECT_EQ(eraser_cover(cone, {0, 0, -5}), 1.0);
 
   EraserStroke stroke(0.4);
-  MediumEdit whole;
+  MediumEdit merged;
   const auto touch = [&] {
     const MediumEdit edit = stroke.touch(medium, {&cone, 1}, all);
     edit.apply(medium);
-    whole.merge(edit);
+    merged.merge(edit);
   };
   touch();
   EXPECT_DOUBLE_EQ(medium.densities()[0], 0.8 * 0.6);
@@ -116,7 +116,7 @@ TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   touch();
   touch();
   EXPECT_EQ(medium.size(), 1u);
-  whole.inverted().apply(medium);
+  merged.inverted().apply(medium);
   EXPECT_EQ(medium, start);
 }
 

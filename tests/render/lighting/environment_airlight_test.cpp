@@ -233,11 +233,11 @@ TEST(DistantLights, ClustersHoldTheSameLights) {
   ASSERT_EQ(groups.size(), lights.size());
   std::set<int> clusters;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    EXPECT_EQ(groups[i].whole.direction, lights[i].direction);
+    EXPECT_EQ(groups[i].combined.direction, lights[i].direction);
     clusters.insert(groups[i].cluster);
     double irradiance = 0.0;
-    for (const DistantLight& part : groups[i].parts) irradiance += part.irradiance.x;
-    EXPECT_NEAR(irradiance, groups[i].whole.irradiance.x, 1e-9 * irradiance);
+    for (const DistantLight& light : groups[i].lights) irradiance += light.irradiance.x;
+    EXPECT_NEAR(irradiance, groups[i].combined.irradiance.x, 1e-9 * irradiance);
   }
   EXPECT_EQ(clusters.size(), 16u);
 }

@@ -220,8 +220,8 @@ TEST(Environment, PaperInscatteringMatchesThePublishedFormula) {
   settings.paper_spread = true;
   const Frame frame = render_frame(scene, settings);
   const double T = std::sqrt(pi);
-  const double share = paper_point_spread_sh[0] * std::sqrt(4.0 * pi);
-  EXPECT_NEAR(frame.airlight[0], T * std::exp(-T) * share, 1e-4);
+  const double scattered = paper_point_spread_sh[0] * std::sqrt(4.0 * pi);
+  EXPECT_NEAR(frame.airlight[0], T * std::exp(-T) * scattered, 1e-4);
   EXPECT_EQ(frame.beauty[0], frame.airlight[0] + frame.transmittance[0]);
   EXPECT_EQ(frame.beauty[3], 1.0f - frame.transmittance[0]);
 }

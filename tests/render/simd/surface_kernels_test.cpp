@@ -158,10 +158,11 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
       EXPECT_NEAR(static_cast<double>(direct.r[k]), expected.r, 3e-4 * expected.r + 1e-7);
 
       // Eq. 25 without its delta, convolved with the cosine.
-      const double share = density * distance < T ? density * distance / T : 1.0;
+      const double homogeneous_fraction = density * distance < T ? density * distance / T : 1.0;
       ZonalSh<double> spread = SpreadTable::distant()(T);
       const ZonalSh<double> near = SpreadTable::point()(T);
-      for (std::size_t l = 0; l < spread.size(); ++l) spread[l] += share * (near[l] - spread[l]);
+      for (std::size_t l = 0; l < spread.size(); ++l)
+        spread[l] += homogeneous_fraction * (near[l] - spread[l]);
       const ShVector<double> light_sh = sh_convolve(sh_basis(sh_max_bands, wi), spread);
       const double reflected =
           std::max(0.0, sh_evaluate(sh_convolve(light_sh, clamped_cosine_sh()), points.normal[k]));

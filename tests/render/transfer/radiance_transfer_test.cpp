@@ -245,9 +245,9 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
     const glm::dvec3 got = transferred(material, constant_light(4), t, MeshSide::front, at, n, n);
     for (int c = 0; c < 3; ++c) {
       const double rho = white.reflectance[c];
-      const double whole = rho * (1.0 - f) / (1.0 - rho * f);
-      const double left = whole * std::pow(rho * f, bounces + 1);
-      EXPECT_NEAR(got[c], whole - left, 0.012 * rho) << f;  // as of the light from outside
+      const double full = rho * (1.0 - f) / (1.0 - rho * f);
+      const double remainder = full * std::pow(rho * f, bounces + 1);
+      EXPECT_NEAR(got[c], full - remainder, 0.012 * rho) << f;  // as of the light from outside
     }
 
     // What is not diffuse gets the first reflection by eq. 23 and the others diffusely.
@@ -383,9 +383,9 @@ TEST(RadianceTransfer, ReportsProgressAndStops) {
   const TransferSettings settings{.order = 2, .directions = 64, .bounces = 1};
   double last = 0.0;
   int calls = 0;
-  const auto tell = [&](double share) {
-    EXPECT_GE(share, last);
-    last = share;
+  const auto tell = [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
     ++calls;
   };
   ASSERT_TRUE(radiance_transfer(mesh, settings, {{}, tell}));

@@ -45,7 +45,7 @@ struct Cached {
 Cached cached(const std::shared_ptr<const TriangleMesh>& mesh, const fs::path& folder,
               const TransferSettings& wanted = settings) {
   Cached result;
-  const auto progress = [&](double share) { result.was_read &= share == 1.0; };
+  const auto progress = [&](double fraction) { result.was_read &= fraction == 1.0; };
   result.transfer =
       *cached_radiance_transfer(mesh, wanted, folder, {{}, progress}, &result.warnings);
   return result;

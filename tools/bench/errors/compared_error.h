@@ -9,7 +9,7 @@ namespace brume {
 
 // How wrong something is, beside another way to do it.
 struct ComparedError {
-  std::string what;
+  std::string label;
   ErrorEstimate error;
   std::optional<ErrorEstimate> other;
 };

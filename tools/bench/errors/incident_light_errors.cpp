@@ -54,7 +54,7 @@ Scene cloud_under(std::shared_ptr<const RadianceMap> sky, double depth, double a
   return scene;
 }
 
-ComparedError error_on_grid(const std::string& what, const Scene& scene,
+ComparedError error_on_grid(const std::string& label, const Scene& scene,
                             const std::vector<Receiver>& receivers, const EnvironmentLight& light,
                             const Runs& reference, const SourceGridSize& size) {
   IncidentOptics optics;
@@ -74,7 +74,7 @@ ComparedError error_on_grid(const std::string& what, const Scene& scene,
       average[k][i] -= glm::dvec3(light.diffuse(r.normal, light.incident(depth, 1.0)));
     }
   }
-  return {what, unbiased_error(grid, reference), unbiased_error(average, reference)};
+  return {label, unbiased_error(grid, reference), unbiased_error(average, reference)};
 }
 
 }  // namespace
@@ -89,13 +89,13 @@ std::vector<Receiver> receivers_around(const glm::dvec3& center) {
   return receivers;
 }
 
-ComparedError incident_light_error(const std::string& what, const Scene& scene,
+ComparedError incident_light_error(const std::string& label, const Scene& scene,
                                    const std::vector<Receiver>& receivers, std::size_t samples,
                                    const SourceGridSize& size) {
-  return arriving_light_errors(what, scene, receivers, samples, std::span(&size, 1)).front();
+  return arriving_light_errors(label, scene, receivers, samples, std::span(&size, 1)).front();
 }
 
-std::vector<ComparedError> arriving_light_errors(const std::string& what, const Scene& scene,
+std::vector<ComparedError> arriving_light_errors(const std::string& label, const Scene& scene,
                                                  const std::vector<Receiver>& receivers,
                                                  std::size_t samples,
                                                  std::span<const SourceGridSize> sizes) {
@@ -103,7 +103,7 @@ std::vector<ComparedError> arriving_light_errors(const std::string& what, const 
   const Runs reference = reference_at(scene, receivers, samples);
   std::vector<ComparedError> rows;
   for (const SourceGridSize& size : sizes) {
-    rows.push_back(error_on_grid(what, scene, receivers, light, reference, size));
+    rows.push_back(error_on_grid(label, scene, receivers, light, reference, size));
   }
   return rows;
 }
@@ -113,9 +113,9 @@ std::vector<ComparedError> measure_incident_light(std::size_t samples) {
   const std::vector<Receiver> edge = receivers_around({0.7, 0.3, 0});
   const std::vector<Receiver> below = receivers_around({0, -2, 0});
   std::vector<ComparedError> rows;
-  const auto add = [&](const std::string& what, const Scene& scene,
+  const auto add = [&](const std::string& label, const Scene& scene,
                        const std::vector<Receiver>& receivers) {
-    rows.push_back(incident_light_error(what, scene, receivers, samples));
+    rows.push_back(incident_light_error(label, scene, receivers, samples));
   };
   for (const double depth : {0.5, 2.0, 10.0}) {
     const Scene scene = cloud_under(uniform_sky(), depth);

@@ -81,10 +81,10 @@ std::vector<ComparedError> measure_surface_light(std::size_t samples) {
     const SurfaceTruth reference(scene, {.samples = samples / 10});
     const Frame ours = frame_of(scene, false);
     const Frame paper = frame_of(scene, true);
-    const std::string what =
+    const std::string label =
         formatted("%s ball in a cloud, lamp outside at depth %.2g", kind, depth_to_light(scene));
-    rows.push_back({what, reference.scattered_error(ours), reference.scattered_error(paper)});
-    rows.push_back({what + ": of all light", reference.error(ours), reference.error(paper)});
+    rows.push_back({label, reference.scattered_error(ours), reference.scattered_error(paper)});
+    rows.push_back({label + ": of all light", reference.error(ours), reference.error(paper)});
   };
   // The first ten clouds, by increasing optical depth towards the light.
   for (const std::uint64_t seed : {1, 3, 4, 7}) add_cloud(seed, Material::Type::diffuse, "diffuse");

@@ -22,9 +22,9 @@ Frame frame_with(Scene scene, Surface::Transfer transfer) {
   return *Renderer().render(scene, scene.camera, scene.film, {});
 }
 
-ComparedError shadow_error(const char* what, const Scene& scene, std::size_t samples) {
+ComparedError shadow_error(const char* label, const Scene& scene, std::size_t samples) {
   const SurfaceTruth reference(scene, {.samples = samples});
-  return {what, reference.error(frame_with(scene, Surface::Transfer::shadow)),
+  return {label, reference.error(frame_with(scene, Surface::Transfer::shadow)),
           reference.error(frame_with(scene, Surface::Transfer::none))};
 }
 

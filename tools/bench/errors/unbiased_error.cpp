@@ -43,9 +43,9 @@ ErrorEstimate unbiased_error(const Runs& differences, const Runs& values) {
   for (const double x : without) variance += (n - 1.0) / n * (x - mean) * (x - mean);
   constexpr double student = 2.365;  // 97.5% of seven degrees of freedom
   const double wide = student * std::sqrt(variance);
-  const double whole = ratio(none);
+  const double total = ratio(none);
   const auto root = [](double x) { return std::sqrt(std::max(0.0, x)); };
-  return {root(whole), root(whole - wide), root(whole + wide), differences[0].size()};
+  return {root(total), root(total - wide), root(total + wide), differences[0].size()};
 }
 
 }  // namespace brume

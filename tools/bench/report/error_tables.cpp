@@ -11,7 +11,7 @@ namespace {
 void add_rows(const std::vector<ComparedError>& rows, ReportTable& table) {
   for (const ComparedError& row : rows) {
     auto& cells = table.rows.emplace_back();
-    cells = {row.what, with_interval(row.error)};
+    cells = {row.label, with_interval(row.error)};
     if (table.heads.size() > 2) cells.push_back(row.other ? with_interval(*row.other) : "");
   }
 }

@@ -186,10 +186,10 @@ TEST(VolumeFile, AllocatesNothingForEmptyVoxels) {
 
 TEST(VolumeFile, RefusesTruncatedFiles) {
   const TemporaryFolder folder;
-  const std::string whole = content_of(volumes / "smoke_0025.vdb");
+  const std::string complete = content_of(volumes / "smoke_0025.vdb");
   for (std::size_t percent = 0; percent < 100; ++percent) {
-    const auto file =
-        folder.write("a.vdb", std::string_view(whole).substr(0, whole.size() * percent / 100));
+    const auto file = folder.write(
+        "a.vdb", std::string_view(complete).substr(0, complete.size() * percent / 100));
     EXPECT_THROW(read_volume(file, "density"), InputError) << percent;
   }
 }
