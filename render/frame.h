@@ -19,7 +19,7 @@ struct StageTime {
   double milliseconds = 0.0;
 };
 
-// Adds to the time of the stage; a new one goes to the end.
+// Adds to the time of the stage; a new one is appended.
 void add_time(std::vector<StageTime>& stages, Stage stage, double milliseconds);
 
 struct SkippedStage {

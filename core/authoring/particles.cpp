@@ -42,7 +42,7 @@ std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
   std::vector<Gaussian> particles;
   if (!(emitter.rate > 0.0) || !(emitter.lifetime > 0.0) || !(time >= 0.0)) return particles;
   const double last = std::floor(time * emitter.rate);
-  // Beyond this, numbers of particles are no longer whole.
+  // Beyond this, particle numbers are no longer exact integers.
   if (!(last < 9e15)) return particles;
   double first = std::max(0.0, std::floor((time - emitter.lifetime) * emitter.rate));
   first = std::max(first, last - particle_limit + 1.0);

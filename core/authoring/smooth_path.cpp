@@ -45,7 +45,7 @@ SmoothPath::SmoothPath(const glm::dvec2& start, double spacing) : spacing_(spaci
 
 std::vector<glm::dvec2> SmoothPath::extend(const glm::dvec2& position) {
   if (glm::distance(position, last_.back()) < min_step) return {};
-  // At its ends the curve goes along the line between two positions.
+  // At its ends the curve is tangent to the line between two positions.
   if (last_.size() == 1) last_.insert(last_.begin(), 2.0 * last_.front() - position);
   last_.push_back(position);
   if (last_.size() < 4) return {};

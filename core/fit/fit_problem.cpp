@@ -202,10 +202,10 @@ void FitProblem::set(std::span<const FitGaussian> gaussians) {
   block_offsets_.assign(1, 0);
   blocks_of_.clear();
   gaussian_offsets_.assign(blocks_.size() + 1, 0);
-  for (const auto& own : reached) {
-    blocks_of_.insert(blocks_of_.end(), own.begin(), own.end());
+  for (const auto& gaussian_blocks : reached) {
+    blocks_of_.insert(blocks_of_.end(), gaussian_blocks.begin(), gaussian_blocks.end());
     block_offsets_.push_back(blocks_of_.size());
-    for (const std::uint32_t block : own) ++gaussian_offsets_[block + 1];
+    for (const std::uint32_t block : gaussian_blocks) ++gaussian_offsets_[block + 1];
   }
   for (std::size_t b = 1; b < gaussian_offsets_.size(); ++b) {
     gaussian_offsets_[b] += gaussian_offsets_[b - 1];
@@ -220,15 +220,16 @@ void FitProblem::set(std::span<const FitGaussian> gaussians) {
 FitProblem::Squares FitProblem::residuals(std::span<float> residuals) const {
   std::vector<double> sums(blocks_.size());
   tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t block) {
-    const auto own = residuals.subspan(block * DensityGrid::block_size, DensityGrid::block_size);
+    const auto block_residuals =
+        residuals.subspan(block * DensityGrid::block_size, DensityGrid::block_size);
     const float* target = targets_.data() + block * DensityGrid::block_size;
-    for (std::size_t v = 0; v < own.size(); ++v) own[v] = -target[v];
+    for (std::size_t v = 0; v < block_residuals.size(); ++v) block_residuals[v] = -target[v];
     for (std::size_t k = gaussian_offsets_[block]; k < gaussian_offsets_[block + 1]; ++k) {
       const FitGaussian& g = gaussians_[gaussians_of_[k]];
       add_gaussian(Axes(g, blocks_[block].first, spacing_),
-                   blocks_[block].weight * static_cast<float>(g.c), own.data());
+                   blocks_[block].weight * static_cast<float>(g.c), block_residuals.data());
     }
-    sums[block] = square_sum(own);
+    sums[block] = square_sum(block_residuals);
   });
   Squares squares;
   for (std::size_t block = 0; block < sums.size(); ++block) {
@@ -240,8 +241,8 @@ FitProblem::Squares FitProblem::residuals(std::span<float> residuals) const {
 
 void FitProblem::apply(std::span<const FitStep> step, std::span<float> result) const {
   tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t block) {
-    float* own = result.data() + block * DensityGrid::block_size;
-    std::fill_n(own, DensityGrid::block_size, 0.0f);
+    float* block_values = result.data() + block * DensityGrid::block_size;
+    std::fill_n(block_values, DensityGrid::block_size, 0.0f);
     for (std::size_t k = gaussian_offsets_[block]; k < gaussian_offsets_[block + 1]; ++k) {
       const std::uint32_t i = gaussians_of_[k];
       const FitGaussian& g = gaussians_[i];
@@ -250,7 +251,7 @@ void FitProblem::apply(std::span<const FitStep> step, std::span<float> result) c
       const auto twice = [](double x) { return static_cast<float>(2.0 * x); };
       add_polynomial(Axes(g, blocks_[block].first, spacing_),
                      blocks_[block].weight * static_cast<float>(g.c), static_cast<float>(s[4]),
-                     {twice(s[0]), twice(s[1]), twice(s[2])}, -twice(s[3]), own);
+                     {twice(s[0]), twice(s[1]), twice(s[2])}, -twice(s[3]), block_values);
     }
   });
 }

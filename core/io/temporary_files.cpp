@@ -25,7 +25,7 @@ struct Slot {
 };
 
 // A handler may neither wait nor allocate. Far more than are ever written at once; what finds no
-// slot is written all the same.
+// slot is written in any case.
 std::array<Slot, 64> slots;
 static_assert(std::atomic<State>::is_always_lock_free);
 

@@ -26,10 +26,10 @@ PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LinePr
 //
 //   L_i = exp(-(frozen + T_i(s, x_i) + T_i(v, x_i))) / (4 pi |x_i - s|^2) * T_i(v, p)
 //
-// x_i is where point_scattering() says on the segment [0, d]; `frozen` is what the other Gaussians
-// and b0 take along the fixed path s -> b_i -> v, that is Tbar_i(s, b_i) + Tbar_i(v, b_i). The
-// paper's factors f0 and f1 multiply exp(+T) by exp(-T); here all depths meet in one exponent,
-// which cannot overflow.
+// x_i on the segment [0, d] is point_scattering()'s; `frozen` is the optical depth of the other
+// Gaussians and b0 along the fixed path s -> b_i -> v, that is Tbar_i(s, b_i) + Tbar_i(v, b_i). The
+// paper's factors f0 and f1 multiply exp(+T) by exp(-T); here all depths are summed in one
+// exponent, which cannot overflow.
 //
 // With an anisotropy, henyey_greenstein() at x_i is a factor.
 //

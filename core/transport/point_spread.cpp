@@ -100,8 +100,8 @@ ZonalSh<double> distant_spread_sh(double T) {
 
 namespace {
 
-// Nodes stand at equal steps in log(1 + T / knee): the coefficients go like T log T near 0 (those
-// of a point) and like log(T) / T far out. One node stands outside each end, for the cubic.
+// Nodes at equal steps in log(1 + T / knee): the coefficients behave like T log T near 0 (those of
+// a point) and like log(T) / T for large T. One node lies outside each end, for the cubic.
 constexpr double knee = 1e-4;
 constexpr double max_depth = 100.0;
 constexpr int intervals = 128;

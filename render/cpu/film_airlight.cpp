@@ -34,7 +34,7 @@ class Batch {
     pixels_[count_] = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.film.width) +
                       static_cast<std::size_t>(x);
     lengths_[count_] = film_.ends.distance(frame_, pixels_[count_]);
-    // The last pixels of a film may stand a little beyond.
+    // The last pixels of a film may lie slightly outside the tile.
     places_[count_] = glm::min((glm::vec2(x, y) - first_) * per_pixel_, 1.0f);
     directions_[count_++] = film_.rays.direction(x + 0.5, y + 0.5);
   }
@@ -98,7 +98,8 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
       max_distance = std::max(max_distance, ends.distance(frame, i));
     return max_distance;
   }
-  // Distances as whole numbers have the same order, and compilers compare those in vectors.
+  // The bits of distances, as integers, have the same order, and compilers vectorize their
+  // comparison.
   constexpr auto infinite = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
   std::int32_t farthest = 0;
   std::int32_t any_open = 0;
@@ -117,7 +118,7 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
 CameraRays::PixelRectangle FilmTiles::pixels(std::size_t tile) const {
   const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
   const Film& film = frame.film;
-  // The last cells go on to the film's end.
+  // The last cells extend to the film's border.
   const auto end = [this](int last, int size) {
     return last * scale + 1 < size ? last * scale : size;
   };

@@ -29,7 +29,7 @@ double energy_gain(double scattered, double depth) {
   return scattered > nothing ? -std::expm1(-depth) / scattered : 1.0;
 }
 
-// Stage by stage as the formulas stand, in double: what the SIMD path is held against.
+// The formulas as written in the paper, in double: the reference for the SIMD path.
 std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                     const PaperLights& paper, const TileRays& rays, const TileAirlight& out) {
   const double b0 = medium.homogeneous_density();

@@ -105,7 +105,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   }
   if (environment) add_environment(*environment, rays, s, out.airlight);
   for (std::size_t k = 0; k < count; ++k) {
-    // Fog goes on where slices end; the Gaussians do not.
+    // Homogeneous fog continues behind the last slice; the Gaussians do not.
     const auto sliced = static_cast<double>(*s.slices.at(k, last));
     const double rest = std::max(rays.lengths[k] - sliced, 0.0);
     out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rest : 0.0);

@@ -51,9 +51,9 @@ std::vector<float> density_on_grid(std::span<const GaussianTerm<double>> gaussia
       for (int row = y.begin; row < y.end(); ++row) {
         const float scale =
             static_cast<float>(peak) * y.values[static_cast<std::size_t>(row - y.begin)];
-        float* to = density.data() + z * slab + static_cast<std::size_t>(row) * width +
-                    static_cast<std::size_t>(x.begin);
-        for (std::size_t i = 0; i < x.values.size(); ++i) to[i] += scale * x.values[i];
+        float* target = density.data() + z * slab + static_cast<std::size_t>(row) * width +
+                        static_cast<std::size_t>(x.begin);
+        for (std::size_t i = 0; i < x.values.size(); ++i) target[i] += scale * x.values[i];
       }
     }
   });

@@ -132,7 +132,7 @@ std::optional<std::pair<Box, Box>> halves(const Raster& raster, const Box& box) 
 std::optional<DistantLight> distant(const Light& light) {
   if (!(light.power() > 0.0)) return std::nullopt;
   const double length = glm::length(light.moment);
-  // All around and even: any direction is as good as another.
+  // A uniform map has no mean direction: any will do.
   return DistantLight{length > 0.0 ? light.moment / length : glm::dvec3(0, 1, 0), light.irradiance};
 }
 
@@ -145,7 +145,7 @@ constexpr int fine_rows = 64;
 // Splits the box of maximum variance until there are enough.
 std::vector<Box> split(const Raster& raster, const LightGrouping& grouping) {
   const int side = raster.rows() / grouping.min_rows;
-  // Where one box is enough, it goes all around.
+  // A single box covers all longitudes.
   const int width = grouping.min_rows == 1 ? raster.columns() : side;
   std::vector<Box> boxes;  // a heap, and behind it those that cannot be split
   for (int y = 0; y < raster.rows(); y += side) {

@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// A directional light that stands for a solid angle of an environment.
+// A directional light that represents a solid angle of an environment.
 struct DistantLight {
   glm::dvec3 direction;   // towards it, unit
   glm::dvec3 irradiance;  // RGB: radiance times solid angle [W/u^2]

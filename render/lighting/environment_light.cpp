@@ -118,10 +118,10 @@ glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, const NodeRadiance& inc
 glm::vec3 EnvironmentLight::dimming(const NodeRadiance& incident) const {
   glm::vec3 fraction(0.0f);
   for (int c = 0; c < 3; ++c) {
-    const float all = light_float_[0][c];
-    const float left =
+    const float total = light_float_[0][c];
+    const float direct =
         static_cast<float>(environment_.intensity) * incident[static_cast<std::size_t>(c)];
-    if (all > 0.0f) fraction[c] = left / all;
+    if (total > 0.0f) fraction[c] = direct / total;
   }
   return fraction;
 }

@@ -17,7 +17,7 @@ constexpr int degree = 9;
 // So many sweeps are held at a time.
 constexpr std::size_t batch = 10;
 
-// Nodes are summed in blocks of so many.
+// Nodes per block of a parallel sum.
 constexpr std::size_t block = 1024;
 
 using Rows = std::array<std::span<const float>, 3>;  // R G B
@@ -101,14 +101,15 @@ std::vector<float> incident_light(const GridNodes& nodes, std::span<const float>
   job.each((nodes.size() + block - 1) / block, [&](std::size_t b) {
     const std::size_t end = std::min((b + 1) * block, nodes.size());
     for (int l = 0; l < grid_bands; ++l) {
-      const auto passes = static_cast<float>(optics.through_fog[static_cast<std::size_t>(l)]);
+      const auto transmittance =
+          static_cast<float>(optics.through_fog[static_cast<std::size_t>(l)]);
       for (int m = -l; m <= l; ++m) {
         const std::size_t f = sh_index(l, m);
         for (std::size_t c = 0; c < 3; ++c) {
           const float* input = unscattered.data() + (3 * f + c) * stride;
           const float* outgoing = scattered.data() + (c * functions + f) * stride;
           for (std::size_t i = b * block; i < end; ++i) {
-            values[4 * (functions * i + f) + c] = passes * input[i] + scale * outgoing[i];
+            values[4 * (functions * i + f) + c] = transmittance * input[i] + scale * outgoing[i];
           }
         }
       }

@@ -17,9 +17,9 @@ namespace {
 // Directions are built in square blocks, whose rays share a list of Gaussians.
 constexpr int block_side = 8;
 
-// The map is laid out for the core of each Gaussian; what lies further out gets the depth of the
-// map's border. So many radii, beyond which it is below 0.2% of the depth through its centre, or as
-// far as it has this depth.
+// The map is laid out for the core of each Gaussian; directions farther out get the depth of the
+// map's border. The core has core_radii, beyond which the depth is below 0.2% of that through the
+// center, or ends where the depth falls below core_depth.
 constexpr double core_radii = 2.5;
 constexpr double core_depth = 0.02;
 
@@ -72,9 +72,11 @@ OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, cons
   }
   const double first = std::max(nearest, 0.0);
   // Nor all of the light of a point light in dense fog, which does not get far.
-  const double here = std::max(medium.density(light) - medium.homogeneous_density(), 1e-30);
-  radii = TableRadii(size.radii, first, farthest,
-                     std::min(typical_extent - first, OpticalDepthTable::opaque / here));
+  const double density_at_light =
+      std::max(medium.density(light) - medium.homogeneous_density(), 1e-30);
+  radii =
+      TableRadii(size.radii, first, farthest,
+                 std::min(typical_extent - first, OpticalDepthTable::opaque / density_at_light));
   map = DirectionMap::towards(light, balls, size.directions);
 }
 

@@ -42,15 +42,15 @@ double core_radius(double r, double c) {
                                          : cutoff_radius(r, c, slice_demand::tail_depth);
 }
 
-// How a tile's rays pass a Gaussian of exponent g.a^2 at q relative to the eye, and where it needs
-// slices.
+// Closest approach of a tile's rays to a Gaussian of exponent g.a^2 at q relative to the eye: where
+// it needs slices.
 struct ClosestApproach {
   double t;  // [u]
   double h;  // in radii, of the nearest ray
 };
 
-// A Gaussian among the rays needs slices where the nearest ray passes it. If only its tail is met,
-// the light decides where; then the center's position is as good, and symmetric.
+// A Gaussian among the rays needs slices where the nearest ray passes it. If the rays only hit its
+// tail, the light determines where; then the center's projection serves as well, and is symmetric.
 ClosestApproach closest_approach(const TileCone& rays, const glm::dvec3& q, double a) {
   const TileCone::Pass nearest = rays.nearest_pass(q);
   const double center = glm::dot(q, rays.center);
@@ -60,7 +60,7 @@ ClosestApproach closest_approach(const TileCone& rays, const glm::dvec3& q, doub
 
 // Demand for boundaries along a ray. The error of the midpoint rule is proportional to the second
 // derivative of the integrand, so the optimal density of slices is its cube root (c / r^2 within a
-// Gaussian, attenuated by what is in front), plus a uniform share that keeps thin media sampled.
+// Gaussian, attenuated by the medium in front), plus a uniform part so that thin media are sampled.
 class SliceDemand {
  public:
   SliceDemand(const RayRange& range, int bins)
@@ -82,7 +82,7 @@ class SliceDemand {
     }
   }
 
-  // Appends the ends of the range and what lies between `count` slices of equal demand.
+  // Appends the ends of the range and the boundaries between `count` slices of equal demand.
   void place_boundaries(int count, std::vector<double>& boundaries) const {
     const std::size_t bins = rate_.size() - 1;
     thread_local std::vector<double> demand;

@@ -49,7 +49,7 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       const auto reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      // The slices that any of the rays meets the Gaussian in.
+      // The slices in which any of the rays intersects the Gaussian.
       const float cutoff_radius = std::sqrt(g.max_e[j]) / g.a[j];
       const float t_min = hn::GetLane(hn::MinOfLanes(d, line.t0)) - cutoff_radius;
       const float t_max = hn::GetLane(hn::MaxOfLanes(d, line.t0)) + cutoff_radius;
@@ -92,7 +92,8 @@ std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays
                       : Increments<false>(g, rays, slices, increments);
 }
 
-// Where a direction lies in a table over a map: the lower of the cells to mix, and by how much.
+// Position of a direction in a table over a map: the lower of the four cells to interpolate, and
+// the fractions.
 struct MapPosition {
   hn::Vec<hn::RebindToSigned<D>> cell;  // row by row, border included
   V fx, fy;

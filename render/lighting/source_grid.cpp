@@ -22,7 +22,7 @@ constexpr double core_radii = 2.5;
 // So many sweeps are held at a time.
 constexpr std::size_t batch = 32;
 
-// Nodes are summed in blocks of so many.
+// Nodes per block of a parallel sum.
 constexpr std::size_t block = 1024;
 
 struct Bounds {
@@ -86,11 +86,11 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
   std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
   std::vector<float> sums(channels * stride, 0.0f);
   for (std::size_t first = 0; first < lights.size(); first += batch) {
-    const auto now = lights.subspan(first, std::min(batch, lights.size() - first));
+    const auto batch_lights = lights.subspan(first, std::min(batch, lights.size() - first));
     std::vector<float> weights;
-    for (const SourceLight& light : now) append_weights(light, bands, clusters, weights);
-    job.each(now.size(), [&](std::size_t k) {
-      sweep_transmittance(level.nodes, density, glm::vec3(now[k].light.direction),
+    for (const SourceLight& light : batch_lights) append_weights(light, bands, clusters, weights);
+    job.each(batch_lights.size(), [&](std::size_t k) {
+      sweep_transmittance(level.nodes, density, glm::vec3(batch_lights[k].light.direction),
                           std::span(transmittances).subspan(k * stride, nodes));
     });
     job.each((stride + block - 1) / block, [&](std::size_t b) {
@@ -144,13 +144,13 @@ std::array<float, sh_size(PhaseBands::max_bands)> PhaseBands::at(const glm::dvec
 
 double PhaseBands::phase(double cosine) const {
   double sum = 0.0;
-  double before = 0.0;  // Legendre's polynomials by their recurrence
-  double now = 1.0;
+  double previous = 0.0;  // Legendre's polynomials by their recurrence
+  double current = 1.0;
   for (int l = 0; l < count_; ++l) {
-    sum += factors_[static_cast<std::size_t>(l)] * (2.0 * l + 1.0) * now;
-    const double next = ((2.0 * l + 1.0) * cosine * now - l * before) / (l + 1.0);
-    before = now;
-    now = next;
+    sum += factors_[static_cast<std::size_t>(l)] * (2.0 * l + 1.0) * current;
+    const double next = ((2.0 * l + 1.0) * cosine * current - l * previous) / (l + 1.0);
+    previous = current;
+    current = next;
   }
   return sum / (4.0 * std::numbers::pi);
 }

@@ -20,14 +20,14 @@ struct Cell {
   float corner_weights[8];  // of its corners, x fastest
 
   // `at`: in cells from the first node; `size`: floats in a node.
-  Cell(const SourceLookup::Level& level, const float* values, const glm::vec3& at,
+  Cell(const SourceLookup::Level& level, const float* values, const glm::vec3& coordinate,
        std::ptrdiff_t size)
       : corner(values), row(size * level.count.x), slab(row * level.count.y) {
     const std::ptrdiff_t step[] = {size, row, slab};
     float f[3];
     for (int k = 0; k < 3; ++k) {
       const auto last = static_cast<float>(level.count[k] - 2);
-      const float x = std::min(std::max(at[k], 0.0f), last + 1.0f);
+      const float x = std::min(std::max(coordinate[k], 0.0f), last + 1.0f);
       const float low = std::min(static_cast<float>(static_cast<int>(x)), last);
       corner += static_cast<std::ptrdiff_t>(low) * step[k];
       f[k] = x - low;
@@ -39,23 +39,23 @@ struct Cell {
   }
 };
 
-bool Holds(const SourceLookup::Level& level, const glm::vec3& at) {
-  return at.x >= 0.0f && at.y >= 0.0f && at.z >= 0.0f &&
-         at.x <= static_cast<float>(level.count.x - 1) &&
-         at.y <= static_cast<float>(level.count.y - 1) &&
-         at.z <= static_cast<float>(level.count.z - 1);
+bool Holds(const SourceLookup::Level& level, const glm::vec3& coordinate) {
+  return coordinate.x >= 0.0f && coordinate.y >= 0.0f && coordinate.z >= 0.0f &&
+         coordinate.x <= static_cast<float>(level.count.x - 1) &&
+         coordinate.y <= static_cast<float>(level.count.y - 1) &&
+         coordinate.z <= static_cast<float>(level.count.z - 1);
 }
 
 // The cell of the finest level that holds a point, of nodes of `size` floats.
 Cell CellAt(std::span<const SourceLookup::Level> levels, const float* SourceLookup::Level::*values,
             const glm::vec3& p, std::ptrdiff_t size) {
   const SourceLookup::Level* level = levels.data();
-  glm::vec3 at = level->per_unit * (p - level->first);
-  if (levels.size() > 1 && !Holds(*level, at)) {
+  glm::vec3 coordinate = level->per_unit * (p - level->first);
+  if (levels.size() > 1 && !Holds(*level, coordinate)) {
     ++level;
-    at = level->per_unit * (p - level->first);
+    coordinate = level->per_unit * (p - level->first);
   }
-  return {*level, level->*values, at, size};
+  return {*level, level->*values, coordinate, size};
 }
 
 // What a cell has at its point, from float i of its nodes on.

@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-// The values of a slab of nodes with a border of two nodes, and room for whole vectors at the end
+// The values of a slab of nodes with a border of two nodes, and padding to full vectors at the end
 // of rows.
 struct Slab {
   std::size_t columns, stride;
@@ -34,7 +34,7 @@ struct Slab {
         values(stride * (height + 4), outside) {}
 
   float* row(std::size_t v) { return values.data() + (v + 2) * stride + 2; }
-  // After whole vectors were written over the border.
+  // After full vectors were written over the border.
   void end_row(std::size_t v) { std::fill_n(row(v) + columns, stride - columns - 2, border); }
 };
 

@@ -13,8 +13,8 @@ struct IndexedIds {
   std::span<const GaussianId> ids;
 
   [[nodiscard]] TableGaussian gaussian(GaussianId id) const {
-    const auto at = std::ranges::lower_bound(ids, id);
-    return {index, static_cast<std::size_t>(at - ids.begin())};
+    const auto it = std::ranges::lower_bound(ids, id);
+    return {index, static_cast<std::size_t>(it - ids.begin())};
   }
 };
 

@@ -89,7 +89,7 @@ std::size_t QualityControl::finer_step() const {
   return step;
 }
 
-// Where none is sure to keep the bound: the cheapest that may keep it all the same, or the finest.
+// Where none is certain to meet the bound: the cheapest that may meet it, or the finest.
 // What is finer would only be slower.
 std::size_t QualityControl::step_to_settle() const {
   const auto cheapest =

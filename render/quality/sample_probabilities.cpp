@@ -14,7 +14,7 @@ constexpr double uniform_fraction = 0.3;
 constexpr double bright_fraction = 0.35;
 constexpr double gradient_fraction = 0.35;
 
-// A small Gaussian must be able to make a relative error of 0.3% to be met for its own sake.
+// A small Gaussian that may cause a relative error of 0.3% is always sampled.
 constexpr double change_that_counts = 3e-3;
 
 std::vector<double> squared_radiance(const Frame& frame) {
@@ -72,7 +72,7 @@ std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& r
 // Scales chances so that they add up to `count` with none above 1.
 void fill(std::vector<double>& probabilities, double count) {
   count = std::min(count, static_cast<double>(probabilities.size()));
-  // Each round takes out those that became sure and shares what they had too much.
+  // Each round clamps probabilities above 1 and redistributes the excess.
   for (int round = 0; round < 20; ++round) {
     double certain = 0.0;
     double open = 0.0;

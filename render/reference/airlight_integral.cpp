@@ -114,7 +114,7 @@ class Subdivision {
   std::vector<Real>& breakpoints_;
 };
 
-// Where a Gaussian stands in the fan of rays from the light across the view ray, as the feature
+// Position of a Gaussian in the fan of rays from the light to the view ray, as the feature
 // that its shadow is.
 template <class Real>
 void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
@@ -131,11 +131,11 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
   down /= length;
   const Real x = glm::dot(q, medium.w);
   const Real y = glm::dot(q, down);
-  const Vec3<Real> off = g.a * (q - x * medium.w - y * down);
-  if (!(peak * std::exp(-glm::dot(off, off)) > tolerance)) return;
+  const Vec3<Real> offset = g.a * (q - x * medium.w - y * down);
+  if (!(peak * std::exp(-glm::dot(offset, offset)) > tolerance)) return;
   const Real distance = std::hypot(x, y);
   const Real width = distance > 0 ? 1 / (g.a * distance) : Real(10);
-  if (width > Real(0.5)) return;  // as broad as the whole fan: the adaptive rule sees it
+  if (width > Real(0.5)) return;  // as wide as the fan: the adaptive rule resolves it
   const Real start = std::atan2(-angular.path.ts, angular.path.h);
   const Real phi = std::atan2(x, y) - start;
   features.push_back({phi - extent<Real> * width, phi + extent<Real> * width,

@@ -93,11 +93,11 @@ glm::dvec3 ReferenceEnvironment::sum(const MediumIndex& medium, const glm::dvec3
 glm::dvec3 ReferenceEnvironment::airlight(const MediumIndex& medium,
                                           const ViewRayMedium<double>& ray,
                                           double tolerance) const {
-  // Over the share u of the ray's light that is gone at x, of which J is a smooth function.
+  // Over the opacity u of the ray up to x, of which J is a smooth function.
   const double opacity = -std::expm1(-ray.depth(ray.d));
   if (!(opacity > 0.0)) return glm::dvec3(0.0);
   const std::vector<DistantLight> scattered = scattered_along(ray.w);
-  std::map<double, glm::dvec3> cache;  // the channels mostly ask at the same places
+  std::map<double, glm::dvec3> cache;  // the channels mostly evaluate the same points
   glm::dvec3 result(0.0);
   for (int c = 0; c < 3; ++c) {
     const auto channel = [&](double u) {

@@ -69,7 +69,7 @@ HWY_AFTER_NAMESPACE();
 namespace brume {
 namespace {
 
-// Vectors are loaded in whole.
+// Full vectors are loaded.
 constexpr std::size_t padding = 8;
 
 template <class Real>

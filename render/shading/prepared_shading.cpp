@@ -99,10 +99,10 @@ void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumInd
     const Surface& surface = scene.surfaces[i];
     auto& light = std::ranges::find(vertex_lights_, surface, &VertexLight::surface)->light;
     if (!light) {
-      auto taken = std::make_unique<const VertexLighting>(medium, lighting, surface, shading_[i],
-                                                          plan.precision, job, pairs);
+      auto vertex_lighting = std::make_unique<const VertexLighting>(
+          medium, lighting, surface, shading_[i], plan.precision, job, pairs);
       if (job.stop.stop_requested()) return;
-      light = std::move(taken);
+      light = std::move(vertex_lighting);
       light_revision_ = new_revision();
     }
     shading_[i].transferred = light.get();

@@ -88,10 +88,10 @@ void FindSky(const RadianceMap& map, float scale, const RowDirections& direction
     std::size_t k = first;
     while (k < end && distances[k] < infinite) ++k;
     if (k == end) continue;
-    const auto at = hn::Iota(d, static_cast<float>(first));
-    positions.set(d, map, hn::MulAdd(at, hn::Set(d, step.x), hn::Set(d, start.x)),
-                  hn::MulAdd(at, hn::Set(d, step.y), hn::Set(d, start.y)),
-                  hn::MulAdd(at, hn::Set(d, step.z), hn::Set(d, start.z)));
+    const auto lane = hn::Iota(d, static_cast<float>(first));
+    positions.set(d, map, hn::MulAdd(lane, hn::Set(d, step.x), hn::Set(d, start.x)),
+                  hn::MulAdd(lane, hn::Set(d, step.y), hn::Set(d, start.y)),
+                  hn::MulAdd(lane, hn::Set(d, step.z), hn::Set(d, start.z)));
     for (; k < end; ++k) {
       if (!(distances[k] < infinite)) behind[k] = scale * positions.radiance(map, k - first);
     }

@@ -87,7 +87,7 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
   const auto straddles = hn::And(hn::Le(u0, zero), hn::Ge(u1, zero));
   const V full_line_half = hn::Exp(d, hn::Neg(e));
 
-  // Ends far across the centre, the common case: nothing is missing from a whole line.
+  // Both ends far from the center, the common case: the integral of the full line.
   const V far = hn::Set(d, is_float ? T(4) : T(6));
   if (hn::AllTrue(d, hn::And(straddles, hn::Gt(hn::Min(abs0, abs1), far)))) {
     return hn::Add(full_line_half, full_line_half);
@@ -183,7 +183,8 @@ struct LineProfile {
                                           hn::Set(d, coefficient::mean_shift[0])));
     const V near_center = hn::Sub(hn::Mul(hn::Set(d, 0.5f), length), shift);
     const auto is_short = hn::Lt(hn::Mul(k, steepness), hn::Set(d, 1.0f));
-    // Where all underflows the quotient says nothing; half a Gaussian's mean is within 1 / a.
+    // Where everything underflows the quotient is meaningless; the mean of half a Gaussian is
+    // within 1 / a.
     const V zero = hn::Zero(d);
     const V max_t = hn::Add(hn::Max(t0, zero), hn::Div(hn::Set(d, 1.0f), a));
     const V t = hn::Min(hn::IfThenElse(is_short, near_center, mean), hn::Min(max_t, length));

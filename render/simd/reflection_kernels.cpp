@@ -106,10 +106,11 @@ struct Rows {
 
   HWY_INLINE explicit Rows(V cosine) {
     const D d;
-    const V at = hn::Mul(hn::Acos(d, hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, 1.0f))),
-                         hn::Set(d, ReflectionTable::intervals * 2.0f / std::numbers::pi_v<float>));
-    const V below = hn::Min(hn::Floor(at), hn::Set(d, ReflectionTable::intervals - 1.0f));
-    fraction = hn::Sub(at, below);
+    const V coordinate =
+        hn::Mul(hn::Acos(d, hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, 1.0f))),
+                hn::Set(d, ReflectionTable::intervals * 2.0f / std::numbers::pi_v<float>));
+    const V below = hn::Min(hn::Floor(coordinate), hn::Set(d, ReflectionTable::intervals - 1.0f));
+    fraction = hn::Sub(coordinate, below);
     first = hn::ConvertTo(hn::RebindToSigned<D>(),
                           hn::Mul(below, hn::Set(d, float{ReflectionTable::row_size})));
   }
@@ -156,11 +157,11 @@ HWY_INLINE void ReflectRead(const SurfacePoints& points, const float* table,
 
     const Rows rows(cosine);
     V sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    std::size_t at = 0;
+    std::size_t index = 0;
     for (int l = 0; l < sh_max_bands; ++l) {
       for (int m = 0; m <= l; ++m) {
         for (std::size_t k = 0; k < 3; ++k) {
-          sum[k] = hn::MulAdd(rows(table, at++), f.get(3 * sh_index(l, m) + k), sum[k]);
+          sum[k] = hn::MulAdd(rows(table, index++), f.get(3 * sh_index(l, m) + k), sum[k]);
         }
       }
     }

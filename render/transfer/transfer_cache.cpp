@@ -94,7 +94,7 @@ std::string encode(const RadianceTransfer& transfer, Header header) {
   return bytes;
 }
 
-// Throws InputError if `file` does not hold exactly what `expected`, but for its sides, asks for.
+// Throws InputError if `file` does not match `expected` in everything but its sides.
 RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, Header expected) {
   const auto refuse = [&](const char* message) { throw InputError(file, "", message); };
   const std::string bytes = read_bytes(file);
@@ -181,7 +181,7 @@ std::optional<RadianceTransfer> cached_radiance_transfer(
   if (!transfer) return transfer;
   try {
     const std::string bytes = encode(*transfer, header);
-    fs::create_directories(folder, error);  // what went wrong shows as the file is written
+    fs::create_directories(folder, error);  // errors surface when the file is written
     if (!bytes.empty()) write_atomically(file, bytes);
   } catch (const InputError& mistake) {
     warn(mistake.what() + std::string("; radiance transfer is not cached"));

@@ -96,9 +96,9 @@ HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
 HWY_INLINE Raster::Winding WindingOf(const std::array<Raster::Vertex, 3>& corners) {
   const auto& [a, b, c] = corners;
   if (!(std::min({a.inverse, b.inverse, c.inverse}) > 0.0f)) return Raster::Winding::one;
-  const auto at = [](const Raster::Vertex& v) { return glm::vec2(v.x, v.y) * v.inverse; };
-  const glm::vec2 along = at(b) - at(a);
-  const glm::vec2 across = at(c) - at(a);
+  const auto project = [](const Raster::Vertex& v) { return glm::vec2(v.x, v.y) * v.inverse; };
+  const glm::vec2 along = project(b) - project(a);
+  const glm::vec2 across = project(c) - project(a);
   return along.x * across.y > along.y * across.x ? Raster::Winding::one : Raster::Winding::other;
 }
 
@@ -338,17 +338,17 @@ HWY_INLINE void StoreRows(const Raster::View& view, int first_row, const Raster:
   for (int y0 = 0; y0 < Raster::band_rows; y0 += side) {
     for (int x = 0; x < view.width; x += side, k += block_pixels) {
       for (int y = y0; y < std::min(y0 + side, view.height - first_row); ++y) {
-        const auto from = k + static_cast<std::size_t>((y - y0) * side);
-        const auto to =
+        const auto source = k + static_cast<std::size_t>((y - y0) * side);
+        const auto target =
             static_cast<std::size_t>(first_row + y) * static_cast<std::size_t>(view.width) +
             static_cast<std::size_t>(x);
         if (x + side <= view.width) {
-          StoreFour(buffer, from, hits + to, distances + to);
+          StoreFour(buffer, source, hits + target, distances + target);
           continue;
         }
         for (std::size_t i = 0; i < static_cast<std::size_t>(view.width - x); ++i) {
-          hits[to + i] = {buffer.distance[from + i], buffer.triangle[from + i], buffer.u[from + i],
-                          buffer.v[from + i]};
+          hits[target + i] = {buffer.distance[source + i], buffer.triangle[source + i],
+                              buffer.u[source + i], buffer.v[from + i]};
           distances[to + i] = buffer.distance[from + i];
         }
       }
@@ -390,7 +390,7 @@ void RasterTriangles::add_vertex(const glm::vec3& p) {
 
 void RasterTriangles::pad() {
   const std::size_t size = padded(x.size());
-  for (std::vector<float>* of : {&x, &y, &z}) of->resize(size, 0.0f);
+  for (std::vector<float>* array : {&x, &y, &z}) array->resize(size, 0.0f);
 }
 
 Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const glm::dvec3& eye,
@@ -425,7 +425,7 @@ void Raster::sort(const Job& job) {
   const std::size_t chunks = (count + chunk - 1) / chunk;
   const std::size_t lists = 2 * bands_;
   // Calls visit(triangle, list) for all of a chunk: two lists for each band, by turns.
-  const auto each = [&](std::size_t c, auto visit) {
+  const auto for_each = [&](std::size_t c, auto visit) {
     for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i) {
       const Bounds& b = bounds_[i];
       if (b.empty()) continue;
@@ -443,7 +443,7 @@ void Raster::sort(const Job& job) {
     depths[c] = HWY_DYNAMIC_DISPATCH(FindBounds)(triangles_, view_, vertices_, c * chunk,
                                                  std::min((c + 1) * chunk, count), bounds_.data(),
                                                  windings_.data());
-    each(c, [&](std::uint32_t, std::size_t list) { ++next[c * lists + list]; });
+    for_each(c, [&](std::uint32_t, std::size_t list) { ++next[c * lists + list]; });
   });
   nearer_ = nearer_winding(depths);
   std::size_t sum = 0;

@@ -356,7 +356,7 @@ SurfacePoint RayCaster::point(const SurfaceHit& hit, const glm::dvec3& origin,
   geometric /= std::max(glm::length(geometric), std::numeric_limits<double>::min());
   const double length = glm::length(smooth);
   result.normal = length > 0.0 ? smooth / length : geometric;
-  // Both sides of a surface are seen and lit alike.
+  // Surfaces are two-sided.
   if (glm::dot(geometric, direction) > 0.0) geometric *= -1.0;
   const double side = glm::dot(result.normal, geometric) < 0.0 ? -1.0 : 1.0;
   result.normal *= side;
@@ -428,7 +428,7 @@ void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& p
     query.org_x[k] = x;
     query.org_y[k] = y;
     query.org_z[k] = z;
-    // The whole way is 1.
+    // Parametrised so that the light is at t = 1.
     query.dir_x[k] = position.x - x;
     query.dir_y[k] = position.y - y;
     query.dir_z[k] = position.z - z;

@@ -19,7 +19,7 @@
 namespace brume {
 namespace {
 
-// All that goes to standard error, but for progress.
+// Everything written to standard error except progress.
 void print_line(const std::string& text) {
   std::cerr << "brume: " << printable(text) << std::endl;
 }

@@ -78,7 +78,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};
   json["error"] = nullptr;
   if (run.error) {
-    // `low` and `high`: the interval that holds the whole frame's error in 95% of cases.
+    // `low` and `high`: 95% confidence interval of the frame's error.
     json["error"] = Json{{"rel_rmse", run.error->rel_rmse},
                          {"pixels", run.error->pixels},
                          {"low", run.error->low},

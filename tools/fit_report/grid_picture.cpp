@@ -66,9 +66,9 @@ class DenseGrid {
 // Calls visit(point of the world, its density, step [u]) for the middles of equal steps between two
 // points of the world, where they are inside the box.
 template <class Visit>
-void march(const DenseGrid& grid, const glm::dvec3& from, const glm::dvec3& to, Visit visit) {
-  const glm::dvec3 a = grid.local(from);
-  const glm::dvec3 way = grid.local(to) - a;
+void march(const DenseGrid& grid, const glm::dvec3& start, const glm::dvec3& end, Visit visit) {
+  const glm::dvec3 a = grid.local(start);
+  const glm::dvec3 way = grid.local(end) - a;
   double begin = 0.0;
   double end = 1.0;
   for (int k = 0; k < 3; ++k) {
@@ -86,13 +86,13 @@ void march(const DenseGrid& grid, const glm::dvec3& from, const glm::dvec3& to, 
   const double step = (end - begin) / steps;
   for (int i = 0; i < steps; ++i) {
     const double t = begin + (i + 0.5) * step;
-    visit(from + t * (to - from), grid.at(a + t * way), step * glm::length(to - from));
+    visit(start + t * (end - start), grid.at(a + t * way), step * glm::length(end - start));
   }
 }
 
-double depth_between(const DenseGrid& grid, const glm::dvec3& from, const glm::dvec3& to) {
+double depth_between(const DenseGrid& grid, const glm::dvec3& start, const glm::dvec3& end) {
   double depth = 0.0;
-  march(grid, from, to,
+  march(grid, start, end,
         [&](const glm::dvec3&, double density, double step) { depth += density * step; });
   return depth;
 }

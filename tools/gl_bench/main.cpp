@@ -92,7 +92,7 @@ Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int sca
     device_times.push_back(device);
     pairs = static_cast<double>(statistics.view_pairs);
   }
-  // On the device alone; with the processor's share, shown from there; and with the way back.
+  // Device only; with the CPU's part, displayed on the device; and with readback.
   row["device_fps"] = 1000.0 / std::max(median(device_times), 1e-9);
   row["shown_fps"] = 1000.0 / std::max(median(shown_times), 1e-9);
   row["fps"] = 1000.0 / std::max(median(frame_times), 1e-9);

@@ -13,14 +13,15 @@ namespace {
 constexpr double half = 3.0;         // of the court [u]
 constexpr double wall_height = 2.3;  // u
 constexpr double arch_height = 1.6;  // of the columns [u]
-constexpr double arcade = 1.9;       // where the columns stand, from the middle [u]
+constexpr double arcade = 1.9;       // distance of the columns from the center [u]
 
 struct Mesh {
   std::vector<glm::dvec3> vertices;
   std::vector<std::array<std::uint16_t, 3>> triangles;
 };
 
-// A grid of columns x rows quads at place(u, v), u and v from 0 to 1, with vertices of its own.
+// A grid of columns x rows quads at place(u, v), u and v from 0 to 1, sharing no vertices with
+// others.
 void add_patch(int columns, int rows, const std::function<glm::dvec3(double, double)>& place,
                Mesh& mesh) {
   const auto first = static_cast<int>(mesh.vertices.size());

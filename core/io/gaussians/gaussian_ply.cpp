@@ -34,7 +34,7 @@ void append_little_endian(std::string& bytes, T value) {
 // What a vertex becomes.
 using ToGaussians = std::function<std::vector<Gaussian>(const PlyFile::Row&)>;
 
-// Where properties of one number each stand; nothing if one of them is not there.
+// Columns of properties of one number each; nullopt if one of them is missing.
 template <std::size_t count>
 std::optional<std::array<std::size_t, count>> columns(
     const PlyFile::Element& vertices, const std::array<std::string_view, count>& properties) {

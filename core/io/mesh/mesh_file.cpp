@@ -106,7 +106,7 @@ void check_bytes(const std::filesystem::path& file, std::size_t bytes) {
                        " bytes of memory");
 }
 
-// OpenMesh holds manifolds only: where a triangle does not fit, it gets vertices of its own.
+// OpenMesh holds manifolds only: a triangle that does not fit gets its own vertices.
 std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file,
                                                const RawMesh& raw) {
   const std::size_t edges = raw.triangles.size() * 3 / 2;

@@ -5,12 +5,12 @@
 #pragma optionNV(unroll all)
 
 // The slices [x, y) of the chunk at `first` that [from, to] touches, of slices before `last`.
-ivec2 touched_slices(float begin, float to, int first, int last) {
+ivec2 touched_slices(float begin, float end, int first, int last) {
   ivec2 range = ivec2(0);
   const int count = min(chunk, last - first);
   for (int k = 0; k < count; ++k) {
     if (farthest[first + k + 1] <= begin) range.x = k + 1;
-    if (nearest[first + k] < to) range.y = k + 1;
+    if (nearest[first + k] < end) range.y = k + 1;
   }
   return range;
 }

@@ -270,7 +270,7 @@ uint fill(Cell cell, ivec2 sample_, float tolerance_u, uint exact) {
 void main() {
   const int id = int(gl_LocalInvocationID.x);
   const int tile = int(linear_group());
-  if (tile >= tiles.x * tiles.y) return;  // all of the group alike
+  if (tile >= tiles.x * tiles.y) return;  // uniform within the group
   const ivec2 last = max(sample_film - 1, ivec2(1));
   const ivec2 sample_ = ivec2(tile % tiles.x, tile / tiles.x) * ivec2(tile_width, tile_height) +
                         ivec2(id % tile_width, id / tile_width);

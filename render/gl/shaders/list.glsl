@@ -1,4 +1,4 @@
-// The lists of tiles: counts what each gets, or fills them from where scan.glsl says. Several
+// The lists of tiles: counts their entries, or fills them at the offsets of scan.glsl. Several
 // invocations share a Gaussian. The order within a list is any until sort_list.glsl has sorted it.
 #include "constants.glsl"
 #include "linear.glsl"

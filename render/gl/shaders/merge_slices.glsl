@@ -34,7 +34,7 @@ void main() {
   const int id = int(gl_LocalInvocationID.x);
   const int columns = 2 * tiles.x + 1;
   const int node = int(linear_group());
-  if (node >= columns * (2 * tiles.y + 1)) return;  // all of the group alike
+  if (node >= columns * (2 * tiles.y + 1)) return;  // uniform within the group
   const ivec2 node_position = ivec2(node % columns, node / columns);
   const ivec2 begin = max(node_position - 1, 0) / 2;
   const ivec2 end = min(node_position / 2, tiles - 1);

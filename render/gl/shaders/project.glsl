@@ -68,7 +68,7 @@ void main() {
   const ivec2 low = max(ivec2(first_pixel(u.x, film.x), first_pixel(v.x, film.y)), ivec2(0));
   const ivec2 high = min(ivec2(end_pixel(u.y, film.x), end_pixel(v.y, film.y)), film);
   if (any(greaterThanEqual(low, high))) return;
-  // A ray of the last column or row may stand a little before its place on the grid.
+  // A ray of the last column or row may lie slightly before its grid position.
   const ivec2 tile = ivec2(tile_width, tile_height);
   const ivec2 begin = low / scale / tile;
   const ivec2 end = min((high + scale - 2) / scale / tile + 1, tiles);

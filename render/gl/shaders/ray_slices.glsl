@@ -38,7 +38,7 @@ void find_slice_bounds(int tile) {
   barrier();
 }
 
-// Where a ray stands between four nodes.
+// Position of a ray between four nodes.
 struct SlicePosition {
   ivec4 nodes;  // row by row
   vec2 f;
@@ -47,7 +47,7 @@ struct SlicePosition {
 SlicePosition slice_position(int tile, ivec2 pixel) {
   const ivec2 size = ivec2(tile_width, tile_height) * scale;
   const ivec2 tile_position = ivec2(tile % tiles.x, tile / tiles.x);
-  // The last pixels of a film may stand a little beyond.
+  // The last pixels of a film may lie slightly outside the tile.
   const vec2 position = 2.0 * clamp(vec2(pixel - tile_position * size) / vec2(size), 0.0, 1.0);
   const ivec2 cell = ivec2(greaterThanEqual(position, vec2(1.0)));
   const ivec2 first = 2 * tile_position + cell;

@@ -69,7 +69,7 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
 
 bool is_lit(int l, SurfacePoint point, float length_) {
   const float offset = min(margin, margin * 2.0 * float(surfaces_radius) / length_);
-  // The whole way is 1.
+  // Parametrised so that the light is at t = 1.
   const vec3 to_light = lights[l].position - point.shadow_origin;
   return trace(point.shadow_origin, to_light, offset, 1.0 - offset, true).triangle < 0;
 }

@@ -78,7 +78,7 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
   barrier();
 }
 
-// The ends of the core and what lies between `count` slices of equal demand. By one invocation.
+// The ends of the core and the boundaries between `count` slices of equal demand. By one invocation.
 void place_boundaries(vec2 core, int bins, int count) {
   const float width = (core.y - core.x) / float(bins);
   float depth = 0.0;

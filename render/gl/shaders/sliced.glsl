@@ -101,7 +101,7 @@ void main() {
         add_increments(increments, line, g.a, g.scale, ends, batch_slices[j].xy);
       }
     }
-    // From here on slices are taken one by one, which registers cannot be.
+    // Shared memory, as the loop below indexes slices dynamically, which registers cannot be.
     for (int k = 0; k < chunk; ++k) {
       spilled[k * group_size + id] = increments[k];
       spilled_ends[k * group_size + id] = ends[k + 1];
@@ -152,7 +152,7 @@ void main() {
   if (has_forward_lobe) {
     scattered += along_ray * source_forward_lobe(anisotropy < 0.0, line_depth);
   }
-  // Fog goes on where slices end; the Gaussians do not.
+  // Homogeneous fog continues behind the last slice; the Gaussians do not.
   if (b0 > 0.0 && last > 0) depth += b0 * (length_ - t_begin);
   store_pixel(pixel, airlight + max(scattered, vec3(0.0)), depth, pairs);
 }

@@ -6,11 +6,11 @@
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
 uniform int source_levels;  // 0: there is no environment
-// Of each level where its first node stands, relative to the eye, and nodes per unit; nodes along x,
-// y and z, and where its values begin.
+// Per level: position of its first node relative to the eye, and nodes per unit; nodes along x, y and
+// z, and the index of its first value.
 uniform vec4 source_first[2];
 uniform ivec4 source_count[2];
-uniform int source_bands;     // of a node: 1, or 4 where scattering is not alike all around
+uniform int source_bands;     // of a node: 1, or 4 where scattering is anisotropic
 uniform vec4 source_factors;  // what the phase function makes of each band
 uniform float source_scale;
 // With more than one band, nodes also hold the transmittance per cluster, and maps of the forward

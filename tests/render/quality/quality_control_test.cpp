@@ -117,15 +117,16 @@ TEST(QualityControl, SettlesAtTheCheapestPossibleSettings) {
   QualityControl control;
   control.set_max_error(0.02);
   const std::size_t first = control.step();
-  const auto learn = [&] {
+  const auto record = [&] {
     const bool is_first = control.step() == first;
-    control.learn(Settings(control.settings()), {is_first ? 0.025 : 0.017, 0.011, 0.027, 96}, 10.0);
+    control.record(Settings(control.settings()), {is_first ? 0.025 : 0.017, 0.011, 0.027, 96},
+                   10.0);
   };
-  for (int k = 0; k < 20; ++k) learn();
+  for (int k = 0; k < 20; ++k) record();
   EXPECT_EQ(control.step(), first + 1);
   EXPECT_TRUE(control.is_exhausted());
   EXPECT_TRUE(control.may_keep_bound());
-  learn();
+  record();
   EXPECT_EQ(control.step(), first + 1);
   control.set_max_error(0.03);
   EXPECT_FALSE(control.is_exhausted());

@@ -47,10 +47,10 @@ ShVector<double> cosine_lobe(int order, const glm::dvec3& n) {
 
 // What transfer makes of distant light.
 glm::dvec3 transferred(const ShMaterial& material, const ShVector<glm::dvec3>& light,
-                       const RadianceTransfer& transfer, MeshSide side, const MeshPoint& at,
+                       const RadianceTransfer& transfer, MeshSide side, const MeshPoint& point,
                        const glm::dvec3& n, const glm::dvec3& wo) {
   const ShVector<glm::dvec3> none(light.order());
-  return material.reflected(material.received(light, none, transfer, side, at), n, wo);
+  return material.reflected(material.received(light, none, transfer, side, point), n, wo);
 }
 
 // The distance of two functions, relative to that which is 1 everywhere.
@@ -102,13 +102,13 @@ TEST(RadianceTransfer, ABallHasNoShadows) {
     EXPECT_TRUE(t.side(MeshSide::back).visibility.empty());
     EXPECT_TRUE(t.side(MeshSide::back).reflected.empty());
     for (std::uint32_t v = 0; v < t.vertices; v += 7) {
-      const MeshPoint at = at_vertex(v);
+      const MeshPoint point = at_vertex(v);
       // Roundings of float.
-      EXPECT_LT(distance(t.visibility(MeshSide::front, at), fully_visible(order)), 2e-6);
+      EXPECT_LT(distance(t.visibility(MeshSide::front, point), fully_visible(order)), 2e-6);
       const glm::dvec3 n = vertex_of(*ball, v).normal;
-      EXPECT_LT(distance(t.reflected(MeshSide::front, 0, at), cosine_lobe(order, n)), 2e-6);
-      EXPECT_EQ(distance(t.reflected(MeshSide::front, 1, at), ShVector<double>(order)), 0.0);
-      EXPECT_EQ(distance(t.visibility(MeshSide::back, at), ShVector<double>(order)), 0.0);
+      EXPECT_LT(distance(t.reflected(MeshSide::front, 0, point), cosine_lobe(order, n)), 2e-6);
+      EXPECT_EQ(distance(t.reflected(MeshSide::front, 1, point), ShVector<double>(order)), 0.0);
+      EXPECT_EQ(distance(t.visibility(MeshSide::back, point), ShVector<double>(order)), 0.0);
     }
   }
 }
@@ -240,9 +240,10 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
     Material white;
     white.reflectance = {1.0, 0.5, 0.25};
     const ShMaterial material(white, 4);
-    const MeshPoint at = at_vertex(837);
+    const MeshPoint point = at_vertex(837);
     const glm::dvec3 n = vertex_of(*bowl, 837).normal;
-    const glm::dvec3 got = transferred(material, constant_light(4), t, MeshSide::front, at, n, n);
+    const glm::dvec3 got =
+        transferred(material, constant_light(4), t, MeshSide::front, point, n, n);
     for (int c = 0; c < 3; ++c) {
       const double rho = white.reflectance[c];
       const double full = rho * (1.0 - f) / (1.0 - rho * f);
@@ -260,8 +261,9 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
     const double albedo = phong.albedo().x;
     EXPECT_NEAR(albedo, 0.7, 1e-4);
     const double first =
-        phong.unshadowed(sh_product(constant_light(4), t.visibility(MeshSide::front, at)), n, n).x;
-    const double all = transferred(phong, constant_light(4), t, MeshSide::front, at, n, n).x;
+        phong.unshadowed(sh_product(constant_light(4), t.visibility(MeshSide::front, point)), n, n)
+            .x;
+    const double all = transferred(phong, constant_light(4), t, MeshSide::front, point, n, n).x;
     double others = 0.0;
     for (int b = 1; b <= bounces; ++b)
       others += (1.0 - f) * std::pow(f, b) * std::pow(albedo, b + 1);
@@ -298,10 +300,10 @@ TEST(RadianceTransfer, RotatesWithTheObject) {
       EXPECT_LT(distance(sh_rotate(a, q), b), 0.03);
       max_distance = std::max(max_distance, distance(a, b));
     };
-    const MeshPoint at = at_vertex(v);
-    compare(t.visibility(MeshSide::front, at), of_turned.visibility(MeshSide::front, at));
-    compare(t.reflected(MeshSide::front, 0, at), of_turned.reflected(MeshSide::front, 0, at));
-    compare(t.reflected(MeshSide::front, 1, at), of_turned.reflected(MeshSide::front, 1, at));
+    const MeshPoint point = at_vertex(v);
+    compare(t.visibility(MeshSide::front, point), of_turned.visibility(MeshSide::front, point));
+    compare(t.reflected(MeshSide::front, 0, point), of_turned.reflected(MeshSide::front, 0, point));
+    compare(t.reflected(MeshSide::front, 1, point), of_turned.reflected(MeshSide::front, 1, point));
   }
   EXPECT_GT(max_distance, 0.2);
 }
@@ -383,12 +385,12 @@ TEST(RadianceTransfer, ReportsProgressAndStops) {
   const TransferSettings settings{.order = 2, .directions = 64, .bounces = 1};
   double last = 0.0;
   int calls = 0;
-  const auto tell = [&](double fraction) {
+  const auto report = [&](double fraction) {
     EXPECT_GE(fraction, last);
     last = fraction;
     ++calls;
   };
-  ASSERT_TRUE(radiance_transfer(mesh, settings, {{}, tell}));
+  ASSERT_TRUE(radiance_transfer(mesh, settings, {{}, report}));
   EXPECT_EQ(last, 1.0);
   EXPECT_GT(calls, 100);
 

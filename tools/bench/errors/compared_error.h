@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// How wrong something is, beside another way to do it.
+// The error of a method compared with that of another.
 struct ComparedError {
   std::string label;
   ErrorEstimate error;

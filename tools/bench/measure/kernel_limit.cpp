@@ -125,7 +125,7 @@ void add(ViewWork& sum, const ViewWork& work) {
   sum.increments += work.increments;
 }
 
-// How many of what `run` does are done per second, asked for so many.
+// Operations of `run` per second, measured over `count` of them.
 template <class Run>
 double rate_of(Run run, std::uint64_t count) {
   const double begin = cpu_seconds();

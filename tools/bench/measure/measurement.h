@@ -21,7 +21,7 @@ Spread spread_of(std::vector<double> values);
 // What frames cost when the camera moves a little from each to the next.
 struct MovedFrames {
   Spread milliseconds;
-  Spread cpu_milliseconds;        // all threads together: other programs matter less to it
+  Spread cpu_milliseconds;        // summed over threads: less sensitive to other programs
   std::vector<StageTime> stages;  // medians
 };
 
@@ -37,7 +37,7 @@ struct CameraStep {
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
                          int min_frames, double seconds = 0.0, const CameraStep& step = {});
 
-// What one setting costs on one view, and how wrong it is: of the same frames.
+// Cost and error of one setting on one view, from the same frames.
 struct Measurement : MovedFrames {
   std::string setting;  // "sliced 24, scale 4"
   Settings settings;
@@ -49,7 +49,7 @@ struct Measurement : MovedFrames {
 
 std::string setting_name(const Settings& settings);
 
-// Pixels of the view with their converged airlight, and what a whole frame of those would cost.
+// Pixels of the view with their converged airlight, and the cost of a full frame of them.
 struct ReferenceSample {
   ErrorSample sample;
   double frame_cpu_milliseconds;

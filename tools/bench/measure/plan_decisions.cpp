@@ -40,7 +40,7 @@ Surface ball_and_wall() {
   return surface_of(builder);
 }
 
-// A triangle that nothing of the view or its light meets.
+// A triangle that no view or light ray hits.
 Surface far_triangle() {
   MeshBuilder builder;
   builder.grid(2, 2, false,

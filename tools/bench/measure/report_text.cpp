@@ -28,10 +28,10 @@ std::string formatted(const char* format, ...) {
   return text;
 }
 
-void put(std::string& to, const char* format, ...) {
+void put(std::string& text, const char* format, ...) {
   std::va_list arguments;
   va_start(arguments, format);
-  to += formatted_list(format, arguments);
+  text += formatted_list(format, arguments);
   va_end(arguments);
 }
 

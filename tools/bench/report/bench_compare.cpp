@@ -69,7 +69,7 @@ void compare_scenes(const Json& before, const Json& after, std::vector<std::stri
   }
 }
 
-// Rows that are told apart by what they are of. Older reports do not have them.
+// Rows identified by their label. Older reports do not have them.
 void compare_rows(const char* section, const Json& before, const Json& after,
                   std::vector<std::string>& lines) {
   if (!before.contains(section) || !after.contains(section)) return;

@@ -7,20 +7,20 @@
 namespace brume {
 namespace {
 
-// The cheapest row of each program that keeps an error, or else its most exact one.
+// The cheapest row of each program that meets an error bound, or else its most exact one.
 std::vector<OtherRendererRow> best_of_programs(const SceneReport& scene, double level) {
   std::vector<OtherRendererRow> best;
   for (const OtherRendererRow& row : scene.peers) {
-    const auto known = std::ranges::find(best, row.program, &OtherRendererRow::program);
-    if (known == best.end()) {
+    const auto it = std::ranges::find(best, row.program, &OtherRendererRow::program);
+    if (it == best.end()) {
       best.push_back(row);
       continue;
     }
-    const bool keeps = row.rel_rmse <= level;
-    const bool known_keeps = known->rel_rmse <= level;
-    if (keeps && known_keeps ? row.cpu_milliseconds < known->cpu_milliseconds
-                             : row.rel_rmse < known->rel_rmse) {
-      *known = row;
+    const bool meets = row.rel_rmse <= level;
+    const bool known_keeps = it->rel_rmse <= level;
+    if (meets && known_keeps ? row.cpu_milliseconds < it->cpu_milliseconds
+                             : row.rel_rmse < it->rel_rmse) {
+      *it = row;
     }
   }
   return best;
