@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "core/math/spherical_harmonics.h"
-#include "render/lighting/density_grid.h"
+#include "render/lighting/density_samples.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {

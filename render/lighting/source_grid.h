@@ -11,7 +11,7 @@
 #include "core/transport/optical_depth.h"
 #include "render/geometry/box.h"
 #include "render/lighting/distant_lights.h"
-#include "render/lighting/incident_light.h"
+#include "render/lighting/incident_grid.h"
 #include "render/lighting/sweep_kernels.h"
 #include "render/settings.h"
 #include "render/util/job.h"

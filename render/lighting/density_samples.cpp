@@ -1,4 +1,4 @@
-#include "render/lighting/density_grid.h"
+#include "render/lighting/density_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/lighting/incident_light.h"
+#include "render/lighting/incident_grid.h"
 
 #include <algorithm>
 #include <cmath>
