@@ -66,13 +66,13 @@ std::vector<FrameQuality::Tried> FrameQuality::tried() const {
 void FrameQuality::picture_changes(const Scene& scene, const Camera& camera) {
   stop_measuring();
   chosen_.reset();
-  control_.follow(scene, camera);
+  control_.begin_frame(scene, camera);
 }
 
 void FrameQuality::scene_replaced() {
   stop_measuring();
   error_.reset();
-  control_.forget();
+  control_.reset();
 }
 
 void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
@@ -93,7 +93,7 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   if (airlight_) {
     chosen_ = {at_any_time, error, frame->milliseconds};
   } else {
-    control_.learn(at_any_time, error, frame->milliseconds);
+    control_.record(at_any_time, error, frame->milliseconds);
   }
   measured_ = settings() == frame->request.settings;
   if (!measured_) Q_EMIT settings_changed();

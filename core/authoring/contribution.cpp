@@ -30,12 +30,13 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
             [](const Contribution& a, const Contribution& b) { return a.distance < b.distance; });
   double depth_in_front = 0.0;
   for (Contribution& c : result) {
-    c.share = -std::exp(-depth_in_front) * std::expm1(-c.optical_depth);
+    c.fraction = -std::exp(-depth_in_front) * std::expm1(-c.optical_depth);
     c.depth_in_front = depth_in_front;
     depth_in_front += c.optical_depth;
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Contribution& a, const Contribution& b) { return a.share > b.share; });
+  std::stable_sort(result.begin(), result.end(), [](const Contribution& a, const Contribution& b) {
+    return a.fraction > b.fraction;
+  });
   return result;
 }
 

@@ -165,7 +165,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
   result.gaussians_used = lists.used;
   std::atomic<std::uint64_t> pairs = 0;
   std::atomic<std::size_t> exact = 0;
-  job.each_reported(tiles.count(), [&](std::size_t tile) {
+  job.parallel_for_with_progress(tiles.count(), [&](std::size_t tile) {
     Batch batch(film, tile, frame);
     std::array<std::size_t, Tiles::pixels> order;
     std::size_t count = 0;
@@ -184,7 +184,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
     const TilePixels near_lights =
         sort_into_tiles(light_pixels(lights, rays, frame.film, light_block), samples.film(), scale);
     samples.measure_curvatures(settings.upsampling_tolerance, job);
-    job.each(tiles.count(), [&](std::size_t tile) {
+    job.parallel_for(tiles.count(), [&](std::size_t tile) {
       Batch batch(film, tile, frame);
       const auto evaluate = [&] {
         pairs += batch.evaluate(method, [&](std::size_t pixel, const glm::vec4& value) {

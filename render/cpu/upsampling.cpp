@@ -36,7 +36,7 @@ void AirlightSamples::measure_curvatures(double tolerance, const Job& job) {
   const double rms = std::sqrt(square / (3.0 * static_cast<double>(values_.size())));
   const float light = 1.0f / static_cast<float>(std::max(tolerance * rms, 1e-30));
   inverse_tolerance_ = glm::vec4(light, light, light, static_cast<float>(1.0 / tolerance));
-  job.each(static_cast<std::size_t>(film_.height), [&](std::size_t row_index) {
+  job.parallel_for(static_cast<std::size_t>(film_.height), [&](std::size_t row_index) {
     const int row = static_cast<int>(row_index);
     for (int column = 0; column < film_.width; ++column) {
       // Curvature needs three samples per axis; with fewer, never interpolate.

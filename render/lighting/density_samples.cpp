@@ -36,7 +36,7 @@ std::vector<float> density_on_grid(std::span<const GaussianTerm<double>> gaussia
   std::vector<float> density(nodes.size(), 0.0f);
   const auto width = static_cast<std::size_t>(nodes.count.x);
   const auto slab = width * static_cast<std::size_t>(nodes.count.y);
-  job.each(static_cast<std::size_t>(nodes.count.z), [&](std::size_t z) {
+  job.parallel_for(static_cast<std::size_t>(nodes.count.z), [&](std::size_t z) {
     Profile x;
     Profile y;
     for (const GaussianTerm<double>& g : gaussians) {

@@ -37,7 +37,7 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
   }
   auto map = std::make_shared<RadianceMap>(empty_map(anisotropy));
   const auto width = static_cast<std::size_t>(map->width);
-  job.each(static_cast<std::size_t>(map->height), [&](std::size_t y) {
+  job.parallel_for(static_cast<std::size_t>(map->height), [&](std::size_t y) {
     std::array<std::vector<float>, 3> w;
     std::array<std::vector<float>, 3> sums;
     w.fill(std::vector<float>(padded(width), 0.0f));

@@ -71,13 +71,13 @@ std::vector<float> scattered_light(const GridNodes& nodes, std::span<const float
         weights.push_back(static_cast<float>(basis[f] * node.weight));
       }
     }
-    job.each(now.size(), [&](std::size_t k) {
+    job.parallel_for(now.size(), [&](std::size_t k) {
       thread_local std::vector<float> memory;
       const glm::dvec3& w = now[k].direction;
       sweep_emission(nodes, density, static_cast<float>(fog), source.seen_along(w, memory),
                      glm::vec3(w), {row(0, k), row(1, k), row(2, k)});
     });
-    job.each((stride + block - 1) / block, [&](std::size_t b) {
+    job.parallel_for((stride + block - 1) / block, [&](std::size_t b) {
       for (std::size_t c = 0; c < 3; ++c) {
         add_weighted(std::span(emitted).subspan(c * batch * stride, batch * stride), weights,
                      functions, stride, b * block, std::min((b + 1) * block, stride),
@@ -98,7 +98,7 @@ std::vector<float> incident_light(const GridNodes& nodes, std::span<const float>
                       optics.fog_density, job);
   const auto scale = static_cast<float>(optics.scattered);
   std::vector<float> values(4 * functions * nodes.size(), 0.0f);
-  job.each((nodes.size() + block - 1) / block, [&](std::size_t b) {
+  job.parallel_for((nodes.size() + block - 1) / block, [&](std::size_t b) {
     const std::size_t end = std::min((b + 1) * block, nodes.size());
     for (int l = 0; l < grid_bands; ++l) {
       const auto transmittance =

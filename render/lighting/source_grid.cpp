@@ -89,11 +89,11 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
     const auto batch_lights = lights.subspan(first, std::min(batch, lights.size() - first));
     std::vector<float> weights;
     for (const SourceLight& light : batch_lights) append_weights(light, bands, clusters, weights);
-    job.each(batch_lights.size(), [&](std::size_t k) {
+    job.parallel_for(batch_lights.size(), [&](std::size_t k) {
       sweep_transmittance(level.nodes, density, glm::vec3(batch_lights[k].light.direction),
                           std::span(transmittances).subspan(k * stride, nodes));
     });
-    job.each((stride + block - 1) / block, [&](std::size_t b) {
+    job.parallel_for((stride + block - 1) / block, [&](std::size_t b) {
       add_weighted(transmittances, weights, channels, stride, b * block,
                    std::min((b + 1) * block, stride), sums);
     });
@@ -101,7 +101,7 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
   const std::size_t functions = sh_size(content.bands);
   const std::size_t size = SourceGrid::node_size(content.bands);
   level.values.assign(size * nodes, 0.0f);
-  job.each((nodes + block - 1) / block, [&](std::size_t b) {
+  job.parallel_for((nodes + block - 1) / block, [&](std::size_t b) {
     for (std::size_t i = b * block; i < std::min((b + 1) * block, nodes); ++i) {
       for (std::size_t c = 0; c < 3 * functions; ++c) {
         level.values[size * i + 4 * (c / 3) + c % 3] = sums[c * stride + i];

@@ -64,7 +64,7 @@ std::optional<Frame> render_groups(const Scene& scene, ExtinctionMedia& media, c
       return static_cast<double>(n) / static_cast<double>(groups.size());
     };
     std::optional<Frame> group_frame =
-        render(absorbing, i, groups[i].albedo, job.part(progress_at(i), progress_at(i + 1)));
+        render(absorbing, i, groups[i].albedo, job.subrange(progress_at(i), progress_at(i + 1)));
     if (!group_frame) return std::nullopt;
     if (!frame) {
       frame = *group_frame;

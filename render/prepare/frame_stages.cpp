@@ -23,7 +23,7 @@ void FrameContext::make_layers() {
       [&] {
         if (plan.has_medium()) frame.statistics.pixel_pairs.resize(pixels);
       }};
-  Job().each(layers.size(), [&](std::size_t i) { layers[i](); });
+  Job().parallel_for(layers.size(), [&](std::size_t i) { layers[i](); });
 }
 
 bool FrameStages::begin(FrameContext& work, StageClock& clock) {
@@ -40,8 +40,8 @@ bool FrameStages::begin(FrameContext& work, StageClock& clock) {
 // False if stopped.
 bool FrameStages::make_transfers(FrameContext& work) {
   if (!work.own_transfers || work.transfers.has(work.plan.transfers)) return true;
-  const Job job = std::exchange(work.job, work.job.part(0.5, 1.0));
-  return work.own_transfers->make(work.plan.transfers, {}, job.part(0.0, 0.5));
+  const Job job = std::exchange(work.job, work.job.subrange(0.5, 1.0));
+  return work.own_transfers->make(work.plan.transfers, {}, job.subrange(0.0, 0.5));
 }
 
 namespace {
@@ -50,7 +50,7 @@ namespace {
 template <class Keep>
 void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep) {
   const Tiles tiles(work.frame.film);
-  work.job.each(tiles.count(), [&](std::size_t tile) {
+  work.job.parallel_for(tiles.count(), [&](std::size_t tile) {
     const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
     std::array<glm::dvec3, Tiles::pixels> directions;
     std::array<SurfaceHit, Tiles::pixels> hits;
@@ -78,8 +78,8 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
   const RayCaster& ray_caster = prepared_.ray_caster();
   if (work.plan.rasterizes && ray_caster.can_rasterize(work.rays)) {
     const Raster raster = ray_caster.raster(work.rays, work.frame.film, work.job);
-    work.job.each(raster.bands(),
-                  [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
+    work.job.parallel_for(raster.bands(),
+                          [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
   } else {
     distances_.resize(hits_.size());
     trace_hits(ray_caster, work, [&](int x, int y, const SurfaceHit& hit) {

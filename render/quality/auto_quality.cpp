@@ -68,7 +68,7 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
                                         const std::function<void(double)>& progress) {
   // The sample takes most of the time, then each trial about as much as all before it.
   const Job job{stop, progress};
-  const Job measuring = job.part(0.0, 0.6);
+  const Job measuring = job.subrange(0.0, 0.6);
   double begin = 0.6;
   const Film small = small_film(film);
   const std::vector<Settings> ladder = quality_ladder(settings);
@@ -108,8 +108,8 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
                                          const std::function<void(double)>& progress) {
   const Job job{stop, progress};
   double begin = 0.4;
-  std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings,
-                                                  max_error, stop, job.part(0.0, begin).progress);
+  std::optional<Settings> tried = choose_settings(
+      renderer, scene, camera, film, settings, max_error, stop, job.subrange(0.0, begin).progress);
   FrameErrors errors(scene, camera, evaluation_seed);
   std::optional<MeasuredFrame> result;
   std::vector<double> found;
@@ -118,10 +118,10 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
     const double end = begin + 0.8 * (1.0 - begin);
     const double center = 0.5 * (begin + end);
     std::optional<Frame> frame =
-        renderer.render(scene, camera, film, *tried, stop, job.part(begin, center).progress);
+        renderer.render(scene, camera, film, *tried, stop, job.subrange(begin, center).progress);
     if (!frame) return std::nullopt;
     const std::optional<ErrorEstimate> error =
-        errors.measure(*frame, max_error, stop, job.part(center, end).progress);
+        errors.measure(*frame, max_error, stop, job.subrange(center, end).progress);
     if (!error) return std::nullopt;
     // Finer settings that are no surer of the bound are only slower.
     const bool may_keep = result && result->error.rel_rmse <= max_error;

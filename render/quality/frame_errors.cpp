@@ -34,7 +34,7 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
   double begin = 0.0;
   const auto next_part = [&] {
     const double end = begin + 0.5 * (1.0 - begin);
-    return job.part(std::exchange(begin, end), end).progress;
+    return job.subrange(std::exchange(begin, end), end).progress;
   };
   if (!sample_) {
     sample_ = ErrorSample::create(scene_, camera_, frame, sample_pixels(scene_), seed_,

@@ -43,7 +43,7 @@ void QualityControl::set_max_error(double max_error) {
   move();
 }
 
-void QualityControl::follow(const Scene& scene, const Camera& camera) {
+void QualityControl::begin_frame(const Scene& scene, const Camera& camera) {
   if (camera != camera_) {
     camera_ = camera;
     for (Trial& trial : trials_) trial.in_other_view = true;
@@ -57,14 +57,14 @@ void QualityControl::follow(const Scene& scene, const Camera& camera) {
   for (Trial& trial : trials_) trial.error.reset();
 }
 
-void QualityControl::forget() {
+void QualityControl::reset() {
   measures_.reset();
   step_ = first_step;
   for (Trial& trial : trials_) trial.error.reset();
 }
 
-void QualityControl::learn(const Settings& settings, const ErrorEstimate& error,
-                           double milliseconds) {
+void QualityControl::record(const Settings& settings, const ErrorEstimate& error,
+                            double milliseconds) {
   for (Trial& trial : trials_) {
     if (trial.settings == settings) trial = {settings, error, false, milliseconds};
   }

@@ -49,8 +49,8 @@ std::vector<glm::dvec3> ReferencePixels::airlight(
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
     const auto before = static_cast<double>(g);
-    job.part(before / group_count, (before + 1.0) / group_count)
-        .each_reported(pixels.size(), [&](std::size_t k) {
+    job.subrange(before / group_count, (before + 1.0) / group_count)
+        .parallel_for_with_progress(pixels.size(), [&](std::size_t k) {
           const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
                                                static_cast<double>(pixels[k] / width_) + 0.5);
           const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);

@@ -126,7 +126,7 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
     if (!material_->is_diffuse()) sides_[s].incident.resize(transfer.vertices * sh_size(order_));
   }
   std::atomic<std::uint64_t> pair_count = 0;
-  job.each((transfer.vertices + block - 1) / block, [&](std::size_t b) {
+  job.parallel_for((transfer.vertices + block - 1) / block, [&](std::size_t b) {
     const SurfacePoints points = places(surface, b * block);
     Light light(points.count, ShVector<glm::dvec3>(order_));
     Light traced = light;

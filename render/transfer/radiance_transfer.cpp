@@ -195,7 +195,7 @@ class Transfer {
 
   template <class Body>
   void each_vertex(const Job& job, Body body) const {
-    job.each_reported((result_.vertices + block - 1) / block, [&](std::size_t b) {
+    job.parallel_for_with_progress((result_.vertices + block - 1) / block, [&](std::size_t b) {
       const std::size_t end = std::min(result_.vertices, (b + 1) * block);
       for (std::size_t v = b * block; v < end; ++v) body(v);
     });
@@ -300,7 +300,7 @@ std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const Tr
   const auto next_part = [&](double cost) {
     const double done_before = done;
     done += cost;
-    return job.part(done_before / total_cost, done / total_cost);
+    return job.subrange(done_before / total_cost, done / total_cost);
   };
   if (job.stop.stop_requested()) return std::nullopt;
   Transfer transfer(mesh, settings);

@@ -55,9 +55,9 @@ bool TransferStore::make(std::span<const TransferRequest> requests,
   for (const TransferRequest& request : missing) {
     const double done_before = done;
     done += cost(request);
-    auto transfer =
-        cached_radiance_transfer(request.mesh, request.settings, folder,
-                                 job.part(done_before / total_cost, done / total_cost), warnings);
+    auto transfer = cached_radiance_transfer(
+        request.mesh, request.settings, folder,
+        job.subrange(done_before / total_cost, done / total_cost), warnings);
     if (!transfer) return false;
     const std::scoped_lock lock(mutex_);
     entries_.push_back({request, std::make_shared<const RadianceTransfer>(std::move(*transfer))});

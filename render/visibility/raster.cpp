@@ -412,7 +412,7 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            film.height};
   const std::size_t vertices = triangles.x.size();
   vertices_.resize(vertices);
-  job.each((vertices + chunk - 1) / chunk, [&](std::size_t i) {
+  job.parallel_for((vertices + chunk - 1) / chunk, [&](std::size_t i) {
     HWY_DYNAMIC_DISPATCH(Project)
     (triangles, view_, i * chunk, std::min((i + 1) * chunk, vertices), vertices_.data());
   });
@@ -439,7 +439,7 @@ void Raster::sort(const Job& job) {
   windings_.resize(count);
   std::vector<WindingDepths> depths(chunks);
   std::vector<std::size_t> next(chunks * lists, 0);
-  job.each(chunks, [&](std::size_t c) {
+  job.parallel_for(chunks, [&](std::size_t c) {
     depths[c] = HWY_DYNAMIC_DISPATCH(FindBounds)(triangles_, view_, vertices_, c * chunk,
                                                  std::min((c + 1) * chunk, count), bounds_.data(),
                                                  windings_.data());
@@ -455,7 +455,7 @@ void Raster::sort(const Job& job) {
   }
   offsets_.push_back(sum);
   sorted_.resize(sum);
-  job.each(chunks, [&](std::size_t c) {
+  job.parallel_for(chunks, [&](std::size_t c) {
     each(c, [&](std::uint32_t i, std::size_t list) { sorted_[next[c * lists + list]++] = i; });
   });
 }

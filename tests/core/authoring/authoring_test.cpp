@@ -225,12 +225,12 @@ TEST(Contributions, SharesAreWhatTheRayLoses) {
     const double expected = optical_depth(GaussianTerm<double>(medium.gaussian(c.index)),
                                           glm::dvec3(0), glm::dvec3(0, 0, -1000));
     EXPECT_NEAR(c.optical_depth, expected, 1e-12);
-    sum += c.share;
+    sum += c.fraction;
     depth += c.optical_depth;
   }
   EXPECT_NEAR(sum, 1.0 - std::exp(-depth), 1e-12);
   EXPECT_EQ(met[0].index, 1u);  // the thinner one, but it stands before the other
-  EXPECT_GT(met[0].share, met[1].share);
+  EXPECT_GT(met[0].fraction, met[1].fraction);
   // A surface between them hides the far one.
   EXPECT_EQ(contributions(medium, {0, 0, 0}, {0, 0, -1}, 15.0).size(), 1u);
 }
