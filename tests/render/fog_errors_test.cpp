@@ -45,8 +45,8 @@ TEST(NoiseErrors, PreserveTheMeanOpticalDepth) {
 
 TEST(NoiseErrors, MatchTheFogWithoutNoise) {
   for (const ComparedError& row : measure_noise_errors(60)) {
-    EXPECT_LT(row.error.rel_rmse, 1.25 * row.other->rel_rmse) << row.what;
-    EXPECT_NE(row.error.rel_rmse, row.other->rel_rmse) << row.what;
+    EXPECT_LT(row.error.rel_rmse, 1.25 * row.other->rel_rmse) << row.label;
+    EXPECT_NE(row.error.rel_rmse, row.other->rel_rmse) << row.label;
   }
 }
 

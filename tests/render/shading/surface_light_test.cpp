@@ -103,8 +103,8 @@ TEST(SurfaceLight, MatchesTheReferenceForALightInFog) {
   const std::vector<ComparedError> rows = measure_surface_light(2'000);
   ASSERT_EQ(rows.size(), std::size(bounds));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].what;
-    EXPECT_GT(rows[i].other->rel_rmse, bounds[i].paper) << rows[i].what;
+    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].label;
+    EXPECT_GT(rows[i].other->rel_rmse, bounds[i].paper) << rows[i].label;
   }
 }
 

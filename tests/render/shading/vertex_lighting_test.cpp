@@ -91,9 +91,9 @@ TEST(VertexLighting, MatchesTheReference) {
   const std::vector<ComparedError> rows = measure_transfer(250);
   ASSERT_EQ(rows.size(), std::size(bounds));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].what;
+    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].label;
     if (rows[i].other) {
-      EXPECT_GT(rows[i].other->rel_rmse, bounds[i].without) << rows[i].what;
+      EXPECT_GT(rows[i].other->rel_rmse, bounds[i].without) << rows[i].label;
     }
   }
 }
