@@ -348,8 +348,8 @@ HWY_INLINE void StoreRows(const Raster::View& view, int first_row, const Raster:
         }
         for (std::size_t i = 0; i < static_cast<std::size_t>(view.width - x); ++i) {
           hits[target + i] = {buffer.distance[source + i], buffer.triangle[source + i],
-                              buffer.u[source + i], buffer.v[from + i]};
-          distances[to + i] = buffer.distance[from + i];
+                              buffer.u[source + i], buffer.v[source + i]};
+          distances[target + i] = buffer.distance[source + i];
         }
       }
     }
@@ -456,7 +456,7 @@ void Raster::sort(const Job& job) {
   offsets_.push_back(sum);
   sorted_.resize(sum);
   job.parallel_for(chunks, [&](std::size_t c) {
-    each(c, [&](std::uint32_t i, std::size_t list) { sorted_[next[c * lists + list]++] = i; });
+    for_each(c, [&](std::uint32_t i, std::size_t list) { sorted_[next[c * lists + list]++] = i; });
   });
 }
 

@@ -79,7 +79,7 @@ float entry(vec3 low, vec3 high, vec3 o, vec3 inverse, float tnear, float tfar) 
   const vec3 last = max(a, b);
   const float t_enter = max(max(max(first.x, first.y), first.z), tnear);
   const float t_exit = far_share * min(min(last.x, last.y), last.z);
-  return begin <= t_exit ? begin : tfar;
+  return t_enter <= t_exit ? t_enter : tfar;
 }
 
 // The nearest hit in [tnear, tfar), or with `any` the first that is found; t = tfar for none.

@@ -80,8 +80,8 @@ void MeshBuilder::cylinder(const glm::dvec3& start, const glm::dvec3& end, doubl
     return center + r * (std::cos(2 * pi * u) * x + std::sin(2 * pi * u) * y);
   };
   grid(n, 2, true, [&](double u, double v) { return ring(start + v * (end - start), radius, u); });
-  for (const glm::dvec3& end : {start, end}) {
-    grid(n, 2, true, [&](double u, double v) { return ring(end, v * radius, u); });
+  for (const glm::dvec3& center : {start, end}) {
+    grid(n, 2, true, [&](double u, double v) { return ring(center, v * radius, u); });
   }
 }
 
