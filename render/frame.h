@@ -49,7 +49,7 @@ struct FrameStatistics {
 // distance; elsewhere `depth` is optical depth.
 struct Frame {
   Film film;
-  double time = 0.0;                 // Settings::time [s]
+  double time = 0.0;                 // Scene::time [s]
   std::vector<float> beauty;         // RGBA per pixel; A = 1 on surfaces, else 1 - transmittance
   std::vector<float> airlight;       // RGB per pixel
   std::vector<float> transmittance;  // RGB per pixel, eye to first surface or through the medium

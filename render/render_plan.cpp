@@ -167,9 +167,10 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
 RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
                        const TransferStore* shared) {
   const Content content(scene);
-  const AirlightMethod method = requested.airlight;
+  settings = without_auto(requested);
+  const AirlightMethod method = settings.airlight;
   const bool is_reference = method == AirlightMethod::reference;
-  settings = limit_light_map_memory(requested, content.lights.size(), content.surfaces);
+  settings = limit_light_map_memory(settings, content.lights.size(), content.surfaces);
   lights = content.lights;
   transfers = content.transfers(scene);
 

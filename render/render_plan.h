@@ -20,7 +20,7 @@ struct RenderPlan {
   RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
              const TransferStore* shared = nullptr);
 
-  Settings settings;                       // as requested, with light maps limited to memory
+  Settings settings;  // as requested, without `auto_`, with light maps limited to memory
   std::vector<PointLight> lights;          // that are on and not black
   std::vector<TransferRequest> transfers;  // without duplicates
 
@@ -52,8 +52,9 @@ struct RenderPlan {
   // Of point lights at surfaces: from the optical depth tables, or summed exactly. Neither: zero.
   enum class SurfaceDepths { none, tables, exact };
   SurfaceDepths surface_depths = SurfaceDepths::none;
-  // Shadows on the other side of closed meshes and behind slivers, for the reference.
+  // Occlusion of view rays from lights is found analytically, for the reference.
   bool has_exact_occlusion = false;
+  // Of `paper`, and of exact sums at surfaces.
   Settings::Precision precision = Settings::Precision::simd_float;
   double depth_error = 0.0;  // see Settings
 

@@ -101,6 +101,7 @@ AirlightIntegrator Renderer::Impl::airlight_method(FrameContext& work, StageCloc
   switch (work.settings.airlight) {
     case AirlightMethod::paper:
       return paper(work, clock);
+    case AirlightMethod::auto_:
     case AirlightMethod::sliced:
       return sliced(work, clock);
     case AirlightMethod::march:

@@ -7,6 +7,8 @@ namespace brume {
 
 const char* to_string(AirlightMethod method) {
   switch (method) {
+    case AirlightMethod::auto_:
+      return "auto";
     case AirlightMethod::paper:
       return "paper";
     case AirlightMethod::sliced:
@@ -59,6 +61,11 @@ Settings limit_light_map_memory(Settings settings, std::size_t lights, bool shad
     shrink(table.radii, wanted.optical_depth_table.radii, min_light_table.radii, eighths);
     shrink(settings.shadow_cells, wanted.shadow_cells, min_shadow_cells, eighths);
   }
+  return settings;
+}
+
+Settings without_auto(Settings settings) {
+  if (settings.airlight == AirlightMethod::auto_) settings.airlight = AirlightMethod::sliced;
   return settings;
 }
 

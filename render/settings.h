@@ -6,6 +6,7 @@
 namespace brume {
 
 enum class AirlightMethod {
+  auto_,      // the cheapest settings of `sliced` that keep max_error, see render_requested()
   paper,      // the paper's approximation, as published
   sliced,     // exact optical depths per slice of the ray, light from a table
   march,      // ray marching: midpoint rule with exact optical depths, for comparison
@@ -42,10 +43,10 @@ struct PaperOptions {
 
 // Parameters of rendering; the content is in Scene.
 struct Settings {
-  AirlightMethod airlight = AirlightMethod::paper;
-
-  // Time [s]; moves the noise with the wind.
-  double time = 0.0;
+  // A FrameRenderer measures nothing: it renders `auto_` as `sliced`, with what is given below.
+  AirlightMethod airlight = AirlightMethod::auto_;
+  // `auto_`: maximum relative RMSE of the airlight.
+  double max_error = 0.02;
 
   // Worker threads; 0: all.
   int threads = 0;
@@ -55,15 +56,15 @@ struct Settings {
   int airlight_scale = 1;
   double upsampling_tolerance = 0.01;
 
-  PaperOptions paper;
+  PaperOptions paper{};
 
   // `sliced`: slices per ray, and the optical depth tables of lights.
   int slices = 24;
-  OpticalDepthTableSize optical_depth_table;
+  OpticalDepthTableSize optical_depth_table{};
   // `sliced`: cells of a light's shadow map = shadow_cells^2.
   int shadow_cells = 384;
   // `sliced` and `march`: environment light in the medium.
-  SourceGridSize source_grid;
+  SourceGridSize source_grid{};
 
   // Uses the paper's single point spread function for light scattered onto surfaces and environment
   // inscattering, instead of one per optical depth.
@@ -100,6 +101,9 @@ std::string airlight_name(const Settings& settings);
 // max_light_map_bytes, down to a minimum.
 inline constexpr std::size_t max_light_map_bytes = std::size_t{1} << 30;
 Settings limit_light_map_memory(Settings settings, std::size_t lights, bool shadows);
+
+// What a FrameRenderer renders: `auto_` becomes `sliced`.
+Settings without_auto(Settings settings);
 
 // `sliced` with a number of slices and balanced table sizes and tolerances.
 Settings sliced_settings(Settings settings, int slices);

@@ -66,9 +66,11 @@ app/jobs/*.[hc]*:app/widgets/
 app/files/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/
 app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
-app/viewport/*.[hc]*:app/document/ app/widgets/ app/jobs/
-app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/viewport/
-app/panels/*.[hc]*:app/document/ app/commands/ app/widgets/ app/files/ app/viewport/ app/tools/
+app/view/*.[hc]*:app/document/ app/widgets/ app/jobs/
+app/frames/*.[hc]*:app/document/ app/jobs/ app/view/
+app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/view/
+app/panels/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/view/ app/frames/
+app/viewport/*.[hc]*:app/document/ app/widgets/ app/view/ app/frames/
 tools/bench/scenes/*.[hc]*:tools/make_scenes/
 tools/bench/measure/*.[hc]*:tools/bench/scenes/
 tools/bench/errors/*.[hc]*:tools/make_scenes/ tools/bench/scenes/ tools/bench/measure/

@@ -50,6 +50,32 @@ bool SelectCommand::mergeWith(const QUndoCommand* later) {
   return true;
 }
 
+std::vector<GaussianId> combined(const std::vector<GaussianId>& selection,
+                                 const std::vector<GaussianId>& chosen, SelectMode mode) {
+  std::vector<GaussianId> result;
+  const auto combine = [&](auto set_operation) {
+    set_operation(selection.begin(), selection.end(), chosen.begin(), chosen.end(),
+                  std::back_inserter(result));
+  };
+  switch (mode) {
+    case SelectMode::set:
+      return chosen;
+    case SelectMode::add:
+      combine([](auto... a) { std::set_union(a...); });
+      break;
+    case SelectMode::remove:
+      combine([](auto... a) { std::set_difference(a...); });
+      break;
+    case SelectMode::intersect:
+      combine([](auto... a) { std::set_intersection(a...); });
+      break;
+    case SelectMode::toggle:
+      combine([](auto... a) { std::set_symmetric_difference(a...); });
+      break;
+  }
+  return result;
+}
+
 void select_gaussians(Document& document, std::vector<GaussianId> ids, MergeId merge_id) {
   ids = document.selectable(std::move(ids));
   if (ids == document.selection()) return;

@@ -27,6 +27,13 @@ class SelectCommand : public QUndoCommand {
   MergeId merge_id_;
 };
 
+// How a chosen set combines with the selection.
+enum class SelectMode { set, add, remove, intersect, toggle };
+
+// Combines two sorted sets of ids.
+std::vector<GaussianId> combined(const std::vector<GaussianId>& selection,
+                                 const std::vector<GaussianId>& chosen, SelectMode mode);
+
 // Selects Gaussians (ids in any order); missing and unselectable ones are skipped. No step if
 // unchanged.
 void select_gaussians(Document& document, std::vector<GaussianId> ids, MergeId merge_id = no_merge);

@@ -1,7 +1,5 @@
 #include "app/export/frame_export.h"
 
-#include <exception>
-
 #include "app/document/paths.h"
 #include "app/export/frame_source.h"
 #include "app/export/video_file.h"
@@ -16,14 +14,15 @@ struct Cancelled {};
 // The work of one export, in its thread. Every function throws InputError, and Cancelled.
 class Exporter {
  public:
-  Exporter(const FrameExportRequest& request, const Job& job)
+  Exporter(const FrameExportRequest& request, const Job& job, int& written)
       : request_(request),
         job_(job),
+        written_(written),
         source_(request.scene, request.camera, request.settings, request.backend) {}
 
   void run() {
     if (!request_.range) {
-      write(request_.file, frame(request_.settings.time, 0, 1));
+      write(request_.file, frame(request_.time, 0, 1));
     } else if (lower_case_extension(request_.file) == ".mp4") {
       write_video();
     } else {
@@ -32,8 +31,6 @@ class Exporter {
       });
     }
   }
-
-  [[nodiscard]] int written() const { return written_; }
 
  private:
   // The k-th of `count` frames.
@@ -73,63 +70,25 @@ class Exporter {
   }
 
   const FrameExportRequest& request_;
-  Job job_;
+  const Job& job_;
+  int& written_;
   FrameSource source_;
-  int written_ = 0;
 };
 
 }  // namespace
 
-FrameExport::FrameExport(QWidget* parent) : JobBar(parent) {
-  connect(this, &JobBar::cancel_clicked, this, &FrameExport::cancel);
+FrameExport::FrameExport(QObject* parent) : QObject(parent) {
+  connect(&job_, &BackgroundJob::cancelled, this, [this] { Q_EMIT cancelled(written_); });
+  connect(&job_, &BackgroundJob::failed, this, &FrameExport::failed);
 }
-
-FrameExport::~FrameExport() = default;
 
 void FrameExport::start(const FrameExportRequest& request) {
-  if (running_) return;
-  running_ = true;
-  show_job(tr("Exporting %1").arg(to_qstring(request.file.filename())));
-  thread_ = std::jthread([=, this](const std::stop_token& stop) {
-    Outcome outcome = Outcome::written;
-    QString text = to_qstring(request.file);
-    int written = 0;
-    try {
-      Exporter exporter(request, {stop, progress()});
-      try {
-        exporter.run();
-      } catch (const Cancelled&) {
-        outcome = Outcome::cancelled;
-      }
-      written = exporter.written();
-    } catch (const std::exception& error) {
-      outcome = Outcome::failed;
-      text = QString::fromUtf8(error.what());
-    }
-    QMetaObject::invokeMethod(
-        this, [=, this] { end(outcome, written, text); }, Qt::QueuedConnection);
-  });
-}
-
-void FrameExport::cancel() {
-  thread_.request_stop();
-}
-
-void FrameExport::end(Outcome outcome, int written, const QString& text) {
-  thread_.join();
-  running_ = false;
-  hide();
-  switch (outcome) {
-    case Outcome::written:
-      Q_EMIT finished(text);
-      break;
-    case Outcome::cancelled:
-      Q_EMIT cancelled(written);
-      break;
-    case Outcome::failed:
-      Q_EMIT failed(text);
-      break;
-  }
+  const auto work = [this, request](const Job& job) {
+    written_ = 0;
+    Exporter(request, job, written_).run();
+    return [this, file = to_qstring(request.file)] { Q_EMIT finished(file); };
+  };
+  job_.start(work, tr("Exporting %1").arg(to_qstring(request.file.filename())));
 }
 
 }  // namespace brume

@@ -3,10 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "app/files/numbered_file.h"
-#include "app/jobs/job_bar.h"
+#include "app/jobs/background_job.h"
 #include "core/scene/scene.h"
 #include "render/gl_renderer.h"
 #include "render/output/frame_file.h"
@@ -18,8 +17,8 @@ namespace brume {
 struct FrameExportRequest {
   std::shared_ptr<const Scene> scene;  // with its animation
   std::optional<Camera> camera;        // nullopt: the scene's camera at each time
-  Settings settings;                   // time applies to a single frame
-  FrameInfo info;                      // without the backend, set per frame
+  Settings settings;
+  FrameInfo info;  // without the backend, set per frame
   Backend backend = Backend::auto_;
   // The extension decides the format: .exr or .png, or .mp4 of several frames.
   std::filesystem::path file;
@@ -29,19 +28,18 @@ struct FrameExportRequest {
     double frames_per_second = 30.0;
   };
   std::optional<Range> range;  // nullopt: one frame
+  double time = 0.0;           // of that [s]
 };
 
 // Renders a frame, a sequence or a video to files in the background. Files are written atomically;
 // complete frames of a cancelled sequence stay.
-class FrameExport : public JobBar {
+class FrameExport : public QObject {
   Q_OBJECT
  public:
-  explicit FrameExport(QWidget* parent = nullptr);
-  ~FrameExport() override;  // cancels
+  explicit FrameExport(QObject* parent = nullptr);
 
-  [[nodiscard]] bool is_running() const { return running_; }
   void start(const FrameExportRequest& request);  // one at a time
-  void cancel();
+  [[nodiscard]] BackgroundJob& job() { return job_; }
 
  Q_SIGNALS:
   void finished(const QString& file);
@@ -49,11 +47,8 @@ class FrameExport : public JobBar {
   void failed(const QString& message);
 
  private:
-  enum class Outcome { written, cancelled, failed };
-  void end(Outcome outcome, int written, const QString& text);
-
-  bool running_ = false;
-  std::jthread thread_;
+  int written_ = 0;  // by the work
+  BackgroundJob job_{BackgroundJob::Policy::one_at_a_time};
 };
 
 }  // namespace brume

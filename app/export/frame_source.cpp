@@ -14,7 +14,6 @@ FrameSource::FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camer
 }
 
 std::optional<Frame> FrameSource::at(double time, const Job& job) {
-  settings_.time = time;
   const Scene scene = evaluate_at(*scene_, time);
   const std::vector<TransferRequest> needed = needed_transfers(scene);
   const double first = transfers_->has(needed) ? 0.0 : 0.5;

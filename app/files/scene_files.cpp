@@ -27,19 +27,13 @@ QString filter() {
 }  // namespace
 
 SceneFiles::SceneFiles(Document& document, QWidget* window)
-    : QObject(window),
-      document_(document),
-      window_(window),
-      loading_(new SceneLoad(window)),
-      version_reader_(this, FileVersion::read) {
-  connect(loading_, &SceneLoad::loaded, this,
-          [this](const std::shared_ptr<LoadedScene>& loaded) { adopt(*loaded); });
-  connect(loading_, &SceneLoad::failed, this, &SceneFiles::failed);
+    : QObject(window), document_(document), window_(window) {
+  connect(&loading_, &BackgroundJob::failed, this, &SceneFiles::failed);
 }
 
 bool SceneFiles::create() {
   if (!may_discard()) return false;
-  loading_->cancel();
+  loading_.cancel();
   document_.create();
   return true;
 }
@@ -54,20 +48,28 @@ void SceneFiles::open_file(const std::filesystem::path& file) {
   if (!may_discard()) return;
   discard_index_ = document_.undo_stack().index();
   restoring_.reset();
-  loading_->start(file);
+  load(file);
 }
 
 void SceneFiles::restore(const RecoveryFile& work) {
   if (!may_discard()) return;
   discard_index_ = document_.undo_stack().index();
   restoring_ = work;
-  loading_->start(work.scene);
+  load(work.scene);
+}
+
+void SceneFiles::load(const std::filesystem::path& file, const FoundFiles& found) {
+  const auto work = [this, file, found](const Job&) {
+    return
+        [this, loaded = std::make_shared<LoadedScene>(read_scene(file, found))] { adopt(*loaded); };
+  };
+  loading_.start(work, tr("Opening %1").arg(to_qstring(file.filename())));
 }
 
 void SceneFiles::adopt(LoadedScene& loaded) {
   // Changes made meanwhile need a new question.
   if (document_.undo_stack().index() != discard_index_ && !may_discard()) return;
-  version_reader_.cancel();
+  version_check_.cancel();
   other_version_.reset();
   missing_ = loaded.missing.missing;
   const std::optional<RecoveryFile> work = std::exchange(restoring_, std::nullopt);
@@ -122,15 +124,14 @@ SceneFiles::Replace SceneFiles::may_replace() {
 }
 
 void SceneFiles::check_file_version() {
-  if (!document_.file_version() || loading_->is_running()) return;
-  version_reader_.start(
-      document_.file(),
-      [this](const std::optional<FileVersion>& present) {
-        if (!present || present == document_.file_version() || present == other_version_) return;
-        other_version_ = present;
-        Q_EMIT changed_on_disk();
-      },
-      [](const QString&) {});
+  if (!document_.file_version() || loading_.is_running()) return;
+  version_check_.start([this, file = document_.file()](const Job&) {
+    return [this, present = FileVersion::read(file)] {
+      if (!present || present == document_.file_version() || present == other_version_) return;
+      other_version_ = present;
+      Q_EMIT changed_on_disk();
+    };
+  });
 }
 
 void SceneFiles::reload() {
@@ -163,7 +164,7 @@ void SceneFiles::find_missing() {
   if (!may_discard() || document_.file().empty()) return;
   discard_index_ = document_.undo_stack().index();
   restoring_.reset();
-  loading_->start(document_.file(), files);
+  load(document_.file(), files);
 }
 
 bool SceneFiles::save_as() {
@@ -178,7 +179,7 @@ bool SceneFiles::save_as() {
 }
 
 bool SceneFiles::save_to(const std::filesystem::path& file) {
-  version_reader_.cancel();
+  version_check_.cancel();
   try {
     document_.save(file);
   } catch (const std::exception& error) {

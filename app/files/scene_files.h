@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "app/document/autosave.h"
-#include "app/files/file_reader.h"
+#include "app/jobs/background_job.h"
+#include "core/io/scene/missing_files.h"
 
 class QMenu;
 class QWidget;
@@ -14,7 +15,6 @@ class QWidget;
 namespace brume {
 
 class Document;
-class SceneLoad;
 struct LoadedScene;
 
 // New, open, save, recent files, and the question about unsaved work. Functions return whether they
@@ -54,8 +54,7 @@ class SceneFiles : public QObject {
 
   void fill_recent_menu(QMenu& menu);
 
-  // The background loader and its progress bar.
-  [[nodiscard]] SceneLoad& loading() { return *loading_; }
+  [[nodiscard]] BackgroundJob& loading() { return loading_; }
 
  Q_SIGNALS:
   void opened();
@@ -66,6 +65,8 @@ class SceneFiles : public QObject {
   void opened_without(const QStringList& missing, const QString& warnings);
 
  private:
+  // In the background. Files are read from their new location in `found`.
+  void load(const std::filesystem::path& file, const FoundFiles& found = {});
   void adopt(LoadedScene& loaded);
   // Whether the scene's file may be overwritten; asks if another program has changed it.
   enum class Replace { yes, elsewhere, no };
@@ -74,12 +75,12 @@ class SceneFiles : public QObject {
 
   Document& document_;
   QWidget* window_;
-  SceneLoad* loading_;
-  FileReader<std::optional<FileVersion>> version_reader_;
   std::optional<FileVersion> other_version_;    // reported by changed_on_disk()
   std::optional<RecoveryFile> restoring_;       // recovery file being loaded
   std::vector<std::filesystem::path> missing_;  // missing files of the scene
   int discard_index_ = 0;  // undo index at which unsaved work was discarded for the load
+  BackgroundJob loading_{BackgroundJob::Policy::latest_wins};
+  BackgroundJob version_check_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

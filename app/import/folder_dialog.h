@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <filesystem>
 
-#include "app/import/scene_import.h"
+#include "app/import/frame_run.h"
 
 class QFormLayout;
 class QLineEdit;

@@ -73,24 +73,6 @@ Surface read_surface(const fs::path& file) {
 
 }  // namespace
 
-FrameRun frames_around(const fs::path& file) {
-  const auto files = FramePattern::around(file.string());
-  if (!files) {
-    throw InputError(file, "",
-                     "is not a frame of a sequence; allowed: one of several files whose names "
-                     "differ in a number");
-  }
-  const std::vector<int> numbers = files->frames();
-  const auto at = std::find_if(numbers.begin(), numbers.end(),
-                               [&](int number) { return files->file_of(number) == file.string(); });
-  if (at == numbers.end()) throw InputError(file, "", "does not exist");
-  auto first = at;
-  while (first != numbers.begin() && *(first - 1) == *first - 1) --first;
-  auto last = at;
-  while (last + 1 != numbers.end() && *(last + 1) == *last + 1) ++last;
-  return {*files, *first, *last};
-}
-
 SceneImport::SceneImport(Document& document, BackgroundJob& job, QWidget* window)
     : QObject(window), document_(document), job_(job), window_(window) {}
 
@@ -117,7 +99,7 @@ void SceneImport::ask_sequence() {
 }
 
 void SceneImport::start(const fs::path& file, const BackgroundJob::Work& work) {
-  if (!job_.start(tr("Importing %1").arg(to_qstring(file.filename())), work)) {
+  if (!job_.start(work, tr("Importing %1").arg(to_qstring(file.filename())))) {
     Q_EMIT failed(tr("Another import or export is still running."));
   }
 }
@@ -235,12 +217,8 @@ void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
   });
 }
 
-double SceneImport::start_time() const {
-  return document_.time();
-}
-
 void SceneImport::add_sequence(MediumSequence sequence) {
-  sequence.start = start_time();
+  sequence.start = document_.time();
   Sequences sequences = document_.scene().sequences;
   const QString name = to_qstring(sequence.file.filename());
   sequences.push_back(std::move(sequence));

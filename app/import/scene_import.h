@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/import/frame_run.h"
 #include "app/import/volume_fit.h"
 #include "app/jobs/background_job.h"
-#include "core/io/frame_pattern.h"
 #include "core/scene/medium_sequence.h"
 
 class QWidget;
@@ -16,13 +16,6 @@ class QWidget;
 namespace brume {
 
 class Document;
-
-// A run of frames: the files of a pattern, without a gap.
-struct FrameRun {
-  FramePattern files;
-  int first = 0;
-  int last = 0;
-};
 
 // Imports files in the background, each as one undo step: Gaussians (.csv, .ply, .vtp, .vtu),
 // volumes (.vdb, fitted), meshes (.obj, .ply, .stl, .off), environments (.exr, .hdr); Gaussians and
@@ -66,14 +59,10 @@ class SceneImport : public QObject {
   // written if it returns fewer.
   using MakeFrames = std::function<std::vector<SequenceFrame>(const Job& job)>;
   void start_sequence(const FrameRun& run, const std::filesystem::path& folder, MakeFrames make);
-  [[nodiscard]] double start_time() const;
 
   Document& document_;
   BackgroundJob& job_;
   QWidget* window_;
 };
-
-// The contiguous frames around a file. Throws InputError if it is no frame.
-FrameRun frames_around(const std::filesystem::path& file);
 
 }  // namespace brume

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/import/scene_import.h"
+#include "app/import/frame_run.h"
 #include "app/import/volume_fit.h"
 
 class QComboBox;

@@ -1,48 +1,38 @@
 #include "app/jobs/job_bar.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QProgressBar>
 #include <QToolButton>
-#include <utility>
 
+#include "app/jobs/background_job.h"
 #include "app/widgets/plain_text.h"
 
 namespace brume {
 
-JobBar::JobBar(QWidget* parent)
-    : QWidget(parent), label_(new PlainLabel(this)), bar_(new QProgressBar(this)) {
-  bar_->setFixedWidth(90);
-  bar_->setTextVisible(false);
+JobBar::JobBar(BackgroundJob& job, QWidget* parent) : QWidget(parent), job_(job) {
+  auto* label = new PlainLabel(this);
+  auto* bar = new QProgressBar(this);
+  bar->setFixedWidth(90);
+  bar->setTextVisible(false);
   auto* stop = new QToolButton(this);
   stop->setText(tr("Cancel"));
-  connect(stop, &QToolButton::clicked, this, &JobBar::cancel_clicked);
+  connect(stop, &QToolButton::clicked, &job, &BackgroundJob::cancel);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(label_);
-  layout->addWidget(bar_);
+  layout->addWidget(label);
+  layout->addWidget(bar);
   layout->addWidget(stop);
   hide();
-}
-
-void JobBar::show_job(const QString& text) {
-  label_->setText(text);
-  bar_->setRange(0, 0);
-  show();
-}
-
-void JobBar::show_progress(int percent) {
-  bar_->setRange(0, 100);
-  bar_->setValue(percent);
-}
-
-std::function<void(double)> JobBar::progress() {
-  return [this, told = 0](double done) mutable {
-    const int percent = static_cast<int>(100.0 * done);
-    if (percent == std::exchange(told, percent)) return;
-    QMetaObject::invokeMethod(
-        this, [this, percent] { show_progress(percent); }, Qt::QueuedConnection);
-  };
+  connect(&job, &BackgroundJob::started, this, [this, label, bar](const QString& title) {
+    label->setText(title);
+    bar->setRange(0, 0);  // indeterminate, until progress is reported
+    setVisible(!title.isEmpty());
+  });
+  connect(&job, &BackgroundJob::progressed, bar, [bar](int percent) {
+    bar->setRange(0, 100);
+    bar->setValue(percent);
+  });
+  connect(&job, &BackgroundJob::ended, this, &JobBar::hide);
 }
 
 }  // namespace brume

@@ -1,31 +1,21 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
-
-class QLabel;
-class QProgressBar;
 
 namespace brume {
 
-// A status-bar widget for a running background job, with a cancel button.
+class BackgroundJob;
+
+// A status-bar widget that shows a background job while it runs, with a cancel button. Work without
+// a title is not shown.
 class JobBar : public QWidget {
   Q_OBJECT
  public:
-  explicit JobBar(QWidget* parent = nullptr);
-
- Q_SIGNALS:
-  void cancel_clicked();
-
- protected:
-  void show_job(const QString& text);
-  void show_progress(int percent);  // without it the bar is indeterminate
-  // A callback for the completed fraction, callable from other threads.
-  [[nodiscard]] std::function<void(double)> progress();
+  explicit JobBar(BackgroundJob& job, QWidget* parent = nullptr);
+  [[nodiscard]] const BackgroundJob& job() const { return job_; }
 
  private:
-  QLabel* label_;
-  QProgressBar* bar_;
+  const BackgroundJob& job_;
 };
 
 }  // namespace brume

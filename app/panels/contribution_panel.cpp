@@ -11,7 +11,8 @@
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
-#include "app/viewport/view_grid.h"
+#include "app/view/surface_picker.h"
+#include "app/view/view.h"
 #include "app/widgets/application.h"
 #include "app/widgets/color_button.h"
 
@@ -34,13 +35,12 @@ QString name_of(GaussianId id) {
 
 }  // namespace
 
-ContributionPanel::ContributionPanel(Document& document, ViewGrid& views, QWidget* parent)
+ContributionPanel::ContributionPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
   setMinimumHeight(100);
   timer_.setSingleShot(true);
   timer_.setInterval(look_after);
   connect(&timer_, &QTimer::timeout, this, &ContributionPanel::compute);
-  connect(&views, &ViewGrid::pointed_at, this, &ContributionPanel::inspect);
   const auto again = [this] { timer_.start(); };
   connect(&document_, &Document::medium_changed, this, again);
   connect(&document_, &Document::part_changed, this, again);
@@ -48,7 +48,7 @@ ContributionPanel::ContributionPanel(Document& document, ViewGrid& views, QWidge
   connect(&document_, &Document::scene_replaced, this, again);
 }
 
-void ContributionPanel::inspect(Viewport& view, QPointF position) {
+void ContributionPanel::inspect(View& view, QPointF position) {
   view_ = &view;
   position_ = position;
   if (!timer_.isActive()) timer_.start();

@@ -11,8 +11,7 @@
 namespace brume {
 
 class Document;
-class ViewGrid;
-class Viewport;
+class View;
 
 // Shows what a Gaussian contributes to the pixel under the mouse: optical depth, absorbed fraction
 // of the background, and scattered radiance per light. Shows the selected Gaussian, or the dominant
@@ -20,7 +19,10 @@ class Viewport;
 class ContributionPanel : public QWidget {
   Q_OBJECT
  public:
-  ContributionPanel(Document& document, ViewGrid& views, QWidget* parent);
+  ContributionPanel(Document& document, QWidget* parent);
+
+  // Shows what is at a position of the mouse.
+  void inspect(View& view, QPointF position);
 
   struct LightShare {
     QString name;
@@ -43,13 +45,12 @@ class ContributionPanel : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  void inspect(Viewport& view, QPointF position);
   void compute();
   [[nodiscard]] int row_height() const;
 
   Document& document_;
   QTimer timer_;  // throttles mouse moves
-  Viewport* view_ = nullptr;
+  View* view_ = nullptr;
   QPointF position_;
   std::optional<Facts> facts_;
   int first_met_row_ = 0;

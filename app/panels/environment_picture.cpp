@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewport/view_mode.h"
+#include "app/frames/view_mode.h"
 #include "core/scene/environment.h"
 #include "core/scene/radiance_map.h"
 #include "render/frame.h"

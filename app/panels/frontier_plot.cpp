@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewport/frame_quality.h"
+#include "app/frames/frame_quality.h"
 #include "app/widgets/frame_text.h"
 
 namespace brume {
@@ -45,7 +45,7 @@ void FrontierPlot::show_quality(const FrameQuality& quality) {
   const QualityControl& control = quality.control();
   for (const FrameQuality::Tried& tried : quality.tried()) {
     points.push_back({tried.settings, tried.error, std::max(tried.milliseconds, 0.1),
-                      quality.is_measured() && tried.settings == quality.settings_at_any_time(),
+                      quality.is_measured() && tried.settings == quality.settings(),
                       tried.settings == control.settings()});
   }
   show_points(std::move(points), quality.max_error());

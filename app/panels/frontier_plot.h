@@ -57,7 +57,7 @@ class FrontierPlot : public QWidget {
   [[nodiscard]] double height_of(double error) const;
 
   std::vector<Point> points_;
-  double max_error_ = 0.02;
+  double max_error_ = Settings{}.max_error;
   Range milliseconds_;
   Range errors_;
 };

@@ -7,7 +7,6 @@
 
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
-#include "app/tools/selection_tool.h"
 #include "app/widgets/application.h"
 
 namespace brume {

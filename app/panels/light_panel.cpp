@@ -13,7 +13,7 @@
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/panels/environment_picture.h"
-#include "app/viewport/view_grid.h"
+#include "app/view/view.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/image/radiance_map_file.h"
@@ -25,18 +25,22 @@ constexpr int picture_width = 180;
 
 }  // namespace
 
-LightPanel::LightPanel(Document& document, const ViewGrid& views, QWidget* parent)
+LightPanel::LightPanel(Document& document, std::function<const View&()> active_view,
+                       QWidget* parent)
     : SceneForm(document, parent),
-      views_(views),
-      list_(new QListWidget(this)),
-      reader_(this, read_radiance_map) {
+      active_view_(std::move(active_view)),
+      list_(new QListWidget(this)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
   add_light_fields(*form);
   add_environment_fields(*form);
   connect(&document_, &Document::active_light_changed, this, &LightPanel::refresh);
-  connect(&document_, &Document::scene_replaced, this, [this] { reader_.cancel(); });
+  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
+    show_environment();
+    Q_EMIT refused(problem);
+  });
   refresh();
 }
 
@@ -59,8 +63,8 @@ void LightPanel::add_light_list(QFormLayout& form) {
   form.addRow(buttons);
   connect(add, &QPushButton::clicked, this, [this] {
     // Above what the view looks at.
-    const Viewport& view = views_.active();
-    const glm::dvec3 above = view.shift_on_film({0.0, -0.3 * view.height()});
+    const View& view = active_view_();
+    const glm::dvec3 above = view.shift_on_film({0.0, -0.3 * view.film().height});
     add_light(document_, view.pivot() + above);
     document_.set_active_light(document_.scene().lights.size() - 1);
   });
@@ -198,18 +202,14 @@ void LightPanel::choose_environment() {
 void LightPanel::load_environment(const QString& file) {
   const std::filesystem::path path = std::filesystem::absolute(to_path(file));
   picture_->setText(tr("Reading %1 …").arg(to_qstring(path.filename())));
-  reader_.start(
-      path,
-      [this, path](const std::shared_ptr<const RadianceMap>& map) {
-        Environment environment = document_.scene().environment.value_or(Environment{});
-        environment.file = path;
-        environment.map = map;
-        set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
-      },
-      [this](const QString& problem) {
-        show_environment();
-        Q_EMIT refused(problem);
-      });
+  reading_.start([this, path](const Job&) {
+    return [this, path, map = read_radiance_map(path)] {
+      Environment environment = document_.scene().environment.value_or(Environment{});
+      environment.file = path;
+      environment.map = map;
+      set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
+    };
+  });
 }
 
 void LightPanel::show_environment() {

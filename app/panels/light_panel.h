@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/file_reader.h"
+#include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
 #include "core/scene/scene.h"
 
@@ -9,13 +9,14 @@ class QListWidget;
 
 namespace brume {
 
-class ViewGrid;
+class View;
 
 // List of lights, parameters of the active one, and the environment.
 class LightPanel : public SceneForm {
   Q_OBJECT
  public:
-  LightPanel(Document& document, const ViewGrid& views, QWidget* parent);
+  // `active_view`: where lights are added.
+  LightPanel(Document& document, std::function<const View&()> active_view, QWidget* parent);
 
   // Loads an environment map in the background.
   void load_environment(const QString& file);
@@ -29,12 +30,12 @@ class LightPanel : public SceneForm {
   void show_environment();
   [[nodiscard]] const PointLight* light() const;  // the active one; may be null
 
-  const ViewGrid& views_;
+  std::function<const View&()> active_view_;
   QListWidget* list_;
   QLabel* picture_ = nullptr;            // of the environment
   std::optional<Environment> pictured_;  // the environment of picture_
   bool showing_ = false;
-  FileReader<std::shared_ptr<const RadianceMap>> reader_;
+  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

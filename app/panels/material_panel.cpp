@@ -16,8 +16,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     : SceneForm(document, parent),
       surfaces_(new QComboBox(this)),
       type_(new QComboBox(this)),
-      transfer_(new QComboBox(this)),
-      reader_(this, read_merl) {
+      transfer_(new QComboBox(this)) {
   surfaces_->setObjectName("surface");
   type_->setObjectName("material_type");
   type_->addItems({tr("Diffuse"), tr("Phong"), tr("Measured…")});
@@ -52,7 +51,8 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     change_surface(tr("Set radiance transfer of %1"), no_merge,
                    [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
-  connect(&document_, &Document::scene_replaced, this, [this] { reader_.cancel(); });
+  connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
+  connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
   // After the list, which says what surface the fields are about.
   add_fields(*form);
   form->addRow(tr("Radiance transfer"), transfer_);
@@ -133,12 +133,11 @@ void MaterialPanel::choose_type(int index) {
 }
 
 void MaterialPanel::load_measured(const std::filesystem::path& file) {
-  reader_.start(
-      file,
-      [this, file, index = surfaces_->currentIndex()](const auto& measured) {
-        set_type(index, Material::Type::measured, file, measured);
-      },
-      [this](const QString& problem) { Q_EMIT refused(problem); });
+  reading_.start([this, file, index = surfaces_->currentIndex()](const Job&) {
+    return [this, file, index, measured = read_merl(file)] {
+      set_type(index, Material::Type::measured, file, measured);
+    };
+  });
 }
 
 void MaterialPanel::set_type(int index, Material::Type type, const std::filesystem::path& file,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/file_reader.h"
+#include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
 #include "core/scene/scene.h"
 
@@ -32,7 +32,7 @@ class MaterialPanel : public SceneForm {
   QComboBox* surfaces_;
   QComboBox* type_;
   QComboBox* transfer_;
-  FileReader<std::shared_ptr<const MeasuredBrdf>> reader_;
+  BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

@@ -4,8 +4,8 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/frames/frame_scheduler.h"
 #include "app/panels/frontier_plot.h"
-#include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
 
@@ -16,7 +16,7 @@ constexpr const char* max_error_key = "view/max_error";
 
 // Why auto shows what it shows.
 QString reason(const FrameQuality& quality) {
-  if (quality.airlight()) return PerformancePanel::tr("Chosen in the View menu.");
+  if (!quality.is_auto()) return PerformancePanel::tr("Chosen in the View menu.");
   const QualityControl& control = quality.control();
   const QString bound = bound_text(control.max_error());
   if (!control.trials()[control.step()].error) {
@@ -42,9 +42,10 @@ QString reason(const FrameQuality& quality) {
 
 }  // namespace
 
-PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
+PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active_frames,
+                                   QWidget* parent)
     : QWidget(parent),
-      views_(views),
+      active_frames_(std::move(active_frames)),
       max_error_(new QComboBox(this)),
       frontier_(new FrontierPlot(this)),
       stages_(new QTreeWidget(this)) {
@@ -83,9 +84,6 @@ PerformancePanel::PerformancePanel(ViewGrid& views, QWidget* parent)
   layout->addWidget(stages_, 1);
 
   fill_max_error();
-  connect(&views_, &ViewGrid::frame_shown, this, &PerformancePanel::update_frame);
-  connect(&views_, &ViewGrid::active_changed, this, &PerformancePanel::update_frame);
-  connect(&views_, &ViewGrid::error_changed, this, &PerformancePanel::update_quality);
 }
 
 QLabel* PerformancePanel::add_row(QFormLayout& form, const QString& title, const char* name) {
@@ -100,14 +98,18 @@ void PerformancePanel::fill_max_error() {
   const double remembered = QSettings().value(max_error_key).toDouble();
   for (const double bound : {0.01, 0.02, 0.05, 0.1}) {
     max_error_->addItem(tr("%1").arg(bound_text(bound)), bound);
-    if (bound == remembered) views_.set_max_error(bound);
   }
-  max_error_->setCurrentIndex(max_error_->findData(views_.active().quality().max_error()));
+  const int chosen = max_error_->findData(remembered);
+  max_error_->setCurrentIndex(
+      chosen >= 0 ? chosen : max_error_->findData(active_frames_().quality().max_error()));
   connect(max_error_, &QComboBox::activated, this, [this] {
-    const double bound = max_error_->currentData().toDouble();
-    views_.set_max_error(bound);
-    QSettings().setValue(max_error_key, bound);
+    QSettings().setValue(max_error_key, max_error());
+    Q_EMIT max_error_changed(max_error());
   });
+}
+
+double PerformancePanel::max_error() const {
+  return max_error_->currentData().toDouble();
 }
 
 void PerformancePanel::showEvent(QShowEvent* event) {
@@ -117,10 +119,10 @@ void PerformancePanel::showEvent(QShowEvent* event) {
 
 void PerformancePanel::update_quality() {
   if (!isVisible()) return;
-  const FrameQuality& quality = views_.active().quality();
+  const FrameQuality& quality = active_frames_().quality();
   why_->setText(reason(quality));
   frontier_->show_quality(quality);
-  for (QLabel* label : {error_, interval_}) label->setEnabled(views_.active().is_measured());
+  for (QLabel* label : {error_, interval_}) label->setEnabled(active_frames_().is_measured());
   if (const std::optional<ErrorEstimate>& error = quality.error()) {
     error_->setText(error_text(*error));
     interval_->setText(tr("%1 (%2 pixels)").arg(interval_text(*error), count_text(error->pixels)));
@@ -133,7 +135,7 @@ void PerformancePanel::update_quality() {
 void PerformancePanel::update_frame() {
   if (!isVisible()) return;
   update_quality();
-  const RenderedFrame* frame = views_.active().shown();
+  const RenderedFrame* frame = active_frames_().shown();
   if (!frame) return;
   const FrameStatistics& statistics = frame->frame.statistics;
   const Film& film = frame->frame.film;
@@ -144,8 +146,9 @@ void PerformancePanel::update_frame() {
   pairs_->setText(tr("%1 eye, %2 lights")
                       .arg(count_text(statistics.view_pairs), count_text(statistics.light_pairs)));
   const QString size = tr("%1 × %2").arg(film.width).arg(film.height);
-  picture_->setText(
-      frame->request.moving && !views_.active().is_settled() ? tr("%1 in motion").arg(size) : size);
+  picture_->setText(frame->request.moving && !active_frames_().is_settled()
+                        ? tr("%1 in motion").arg(size)
+                        : size);
   const QString why_not_gl = fallback_text(statistics);
   const QString backend = backend_text(statistics);
   backend_->setText(why_not_gl.isEmpty() ? backend : tr("%1: %2").arg(backend, why_not_gl));

@@ -5,17 +5,29 @@
 #include <QLabel>
 #include <QTreeWidget>
 #include <QWidget>
+#include <functional>
 
 namespace brume {
 
 class FrontierPlot;
-class ViewGrid;
+class FrameScheduler;
 
 // Cost and error of the current frame, and the state of auto.
 class PerformancePanel : public QWidget {
   Q_OBJECT
  public:
-  explicit PerformancePanel(ViewGrid& views, QWidget* parent = nullptr);
+  // `active_frames`: those of the active view.
+  explicit PerformancePanel(std::function<const FrameScheduler&()> active_frames,
+                            QWidget* parent = nullptr);
+
+  // The bound that is chosen here, and kept for the next session.
+  [[nodiscard]] double max_error() const;
+  // To be told when the frame shown, or its error, is another.
+  void update_frame();
+  void update_quality();
+
+ Q_SIGNALS:
+  void max_error_changed(double max_error);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -23,10 +35,8 @@ class PerformancePanel : public QWidget {
  private:
   QLabel* add_row(QFormLayout& form, const QString& title, const char* name);
   void fill_max_error();
-  void update_quality();
-  void update_frame();
 
-  ViewGrid& views_;
+  std::function<const FrameScheduler&()> active_frames_;
   QComboBox* max_error_;
   QLabel* shown_;
   QLabel* why_;

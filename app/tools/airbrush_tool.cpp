@@ -9,8 +9,9 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
-#include "app/viewport/navigation.h"
-#include "app/viewport/viewport.h"
+#include "app/view/navigation.h"
+#include "app/view/surface_picker.h"
+#include "app/view/view.h"
 
 namespace brume {
 namespace {
@@ -27,7 +28,7 @@ qint64 now() {
 
 }  // namespace
 
-AirbrushTool::AirbrushTool(Document& document, Viewport& view)
+AirbrushTool::AirbrushTool(Document& document, View& view)
     : FogBrushTool(document, view), clock_(now) {
   timer_.setInterval(static_cast<int>(1000 / steps_per_second));
   connect(&timer_, &QTimer::timeout, this, &AirbrushTool::spray);

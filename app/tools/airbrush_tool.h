@@ -13,7 +13,7 @@ namespace brume {
 class AirbrushTool : public FogBrushTool {
   Q_OBJECT
  public:
-  AirbrushTool(Document& document, Viewport& view);
+  AirbrushTool(Document& document, View& view);
 
   [[nodiscard]] const Airbrush& airbrush() const { return airbrush_; }
   void set_airbrush(const Airbrush& airbrush);

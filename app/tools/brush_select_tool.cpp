@@ -6,7 +6,7 @@
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
-#include "app/viewport/viewport.h"
+#include "app/view/view.h"
 #include "app/widgets/application.h"
 
 namespace brume {

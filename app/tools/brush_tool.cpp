@@ -1,12 +1,11 @@
 #include "app/tools/brush_tool.h"
 
 #include "app/document/document.h"
-#include "app/viewport/viewport.h"
+#include "app/view/view.h"
 
 namespace brume {
 
-BrushTool::BrushTool(Document& document, Viewport& view)
-    : Tool(document, view), gesture_(document) {
+BrushTool::BrushTool(Document& document, View& view) : Tool(document, view), gesture_(document) {
   connect(this, &Tool::options_changed, this, &Tool::appearance_changed);
 }
 

@@ -5,7 +5,7 @@
 #include "app/commands/edit_gesture.h"
 #include "app/tools/paint_plane.h"
 #include "app/tools/stroke_path.h"
-#include "app/viewport/tool.h"
+#include "app/view/tool.h"
 
 namespace brume {
 
@@ -13,7 +13,7 @@ namespace brume {
 class BrushTool : public Tool {
   Q_OBJECT
  public:
-  BrushTool(Document& document, Viewport& view);
+  BrushTool(Document& document, View& view);
 
   void hover(QPointF position) override;
   void leave() override;

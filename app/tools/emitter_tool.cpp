@@ -6,8 +6,8 @@
 #include "app/commands/edit_emitters.h"
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
-#include "app/viewport/gizmo.h"
-#include "app/viewport/viewport.h"
+#include "app/view/gizmo.h"
+#include "app/view/view.h"
 #include "app/widgets/application.h"
 #include "core/limits.h"
 

@@ -4,7 +4,7 @@
 
 #include "app/commands/merge_id.h"
 #include "app/tools/paint_plane.h"
-#include "app/viewport/tool.h"
+#include "app/view/tool.h"
 #include "core/scene/emitter.h"
 
 namespace brume {

@@ -8,7 +8,7 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
-#include "app/viewport/viewport.h"
+#include "app/view/view.h"
 
 namespace brume {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
-#include "app/viewport/navigation.h"
-#include "app/viewport/viewport.h"
+#include "app/view/navigation.h"
+#include "app/view/view.h"
 
 namespace brume {
 namespace {
@@ -15,7 +15,7 @@ constexpr NumberDomain seed_domain{0.0, 1e9, "an integer from 0 to 1e9"};
 
 }  // namespace
 
-FogBrushTool::FogBrushTool(Document& document, Viewport& view) : BrushTool(document, view) {
+FogBrushTool::FogBrushTool(Document& document, View& view) : BrushTool(document, view) {
   connect(&document, &Document::scene_replaced, this,
           [this] { fit_to(target_distance(document_.scene().camera)); });
 }

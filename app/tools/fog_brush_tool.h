@@ -9,7 +9,7 @@ namespace brume {
 class FogBrushTool : public BrushTool {
   Q_OBJECT
  public:
-  FogBrushTool(Document& document, Viewport& view);
+  FogBrushTool(Document& document, View& view);
 
   void set_plane(PaintPlane plane) { set_target({plane, target_.position}); }
   void set_target(const PaintTarget& target);

@@ -1,7 +1,7 @@
 #include "app/tools/lasso_tool.h"
 
 #include "app/document/document.h"
-#include "app/viewport/viewport.h"
+#include "app/view/view.h"
 #include "app/widgets/application.h"
 
 namespace brume {

@@ -8,8 +8,8 @@
 
 #include "app/commands/edit_lights.h"
 #include "app/document/document.h"
-#include "app/viewport/gizmo.h"
-#include "app/viewport/overlay.h"
+#include "app/view/gizmo.h"
+#include "app/view/overlay.h"
 #include "app/widgets/color_button.h"
 #include "core/limits.h"
 

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "app/tools/paint_plane.h"
-#include "app/viewport/tool.h"
+#include "app/view/tool.h"
 #include "app/widgets/value_field.h"
 
 namespace brume {

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "app/viewport/overlay.h"
-#include "app/viewport/surface_picker.h"
+#include "app/view/overlay.h"
+#include "app/view/surface_picker.h"
 #include "app/widgets/application.h"
 #include "core/math/basis.h"
 

@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
-#include "app/viewport/navigation.h"
+#include "app/view/navigation.h"
 
 namespace brume {
 namespace {
@@ -15,7 +15,7 @@ constexpr NumberDomain spacing_domain{0.05, 100.0, "a number from 0.05 to 100"};
 
 }  // namespace
 
-PaintbrushTool::PaintbrushTool(Document& document, Viewport& view) : FogBrushTool(document, view) {
+PaintbrushTool::PaintbrushTool(Document& document, View& view) : FogBrushTool(document, view) {
   PaintbrushTool::fit_to(target_distance(document.scene().camera));
 }
 

@@ -9,7 +9,7 @@ namespace brume {
 class PaintbrushTool : public FogBrushTool {
   Q_OBJECT
  public:
-  PaintbrushTool(Document& document, Viewport& view);
+  PaintbrushTool(Document& document, View& view);
 
   [[nodiscard]] const Paintbrush& brush() const { return brush_; }
   void set_brush(const Paintbrush& brush);

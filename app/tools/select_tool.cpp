@@ -7,7 +7,7 @@
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
-#include "app/viewport/viewport.h"
+#include "app/view/view.h"
 
 namespace brume {
 namespace {

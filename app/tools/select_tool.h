@@ -18,8 +18,7 @@ namespace brume {
 class SelectTool : public SelectionTool {
   Q_OBJECT
  public:
-  SelectTool(Document& document, Viewport& viewport)
-      : SelectionTool(document, viewport), lights_(document) {}
+  SelectTool(Document& document, View& view) : SelectionTool(document, view), lights_(document) {}
 
   [[nodiscard]] QString hint() const override;
   void hover(QPointF position) override;

@@ -1,39 +1,11 @@
 #include "app/tools/selection_tool.h"
 
 #include <algorithm>
-#include <iterator>
 
-#include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/tools/option_widgets.h"
 
 namespace brume {
-
-std::vector<GaussianId> combined(const std::vector<GaussianId>& selection,
-                                 const std::vector<GaussianId>& chosen, SelectMode mode) {
-  std::vector<GaussianId> result;
-  const auto combine = [&](auto set_operation) {
-    set_operation(selection.begin(), selection.end(), chosen.begin(), chosen.end(),
-                  std::back_inserter(result));
-  };
-  switch (mode) {
-    case SelectMode::set:
-      return chosen;
-    case SelectMode::add:
-      combine([](auto... a) { std::set_union(a...); });
-      break;
-    case SelectMode::remove:
-      combine([](auto... a) { std::set_difference(a...); });
-      break;
-    case SelectMode::intersect:
-      combine([](auto... a) { std::set_intersection(a...); });
-      break;
-    case SelectMode::toggle:
-      combine([](auto... a) { std::set_symmetric_difference(a...); });
-      break;
-  }
-  return result;
-}
 
 void SelectionTool::add_options(QHBoxLayout& row) {
   add_choice(

@@ -2,18 +2,10 @@
 
 #include <vector>
 
-#include "app/commands/merge_id.h"
-#include "app/viewport/tool.h"
-#include "core/medium/gaussian.h"
+#include "app/commands/select_command.h"
+#include "app/view/tool.h"
 
 namespace brume {
-
-// How a chosen set combines with the selection.
-enum class SelectMode { set, add, remove, intersect, toggle };
-
-// Combines two sorted sets of ids.
-std::vector<GaussianId> combined(const std::vector<GaussianId>& selection,
-                                 const std::vector<GaussianId>& chosen, SelectMode mode);
 
 // Base of selection tools: the mode, from options or modifiers. Shift adds, Ctrl removes, both
 // intersect.

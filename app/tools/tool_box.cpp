@@ -8,14 +8,14 @@
 #include "app/tools/lasso_tool.h"
 #include "app/tools/paintbrush_tool.h"
 #include "app/tools/transform_tool.h"
-#include "app/viewport/view_grid.h"
+#include "app/view/view.h"
 
 namespace brume {
 
-ToolBox::ToolBox(Document& document, ViewGrid& views, QObject* parent)
-    : QObject(parent), views_(views) {
+ToolBox::ToolBox(Document& document, View& view, std::function<void(Tool*)> use, QObject* parent)
+    : QObject(parent), use_(std::move(use)) {
   const auto add = [&]<class T>(const char* name, const QString& title, std::type_identity<T>) {
-    entries_.push_back({name, title, std::make_unique<T>(document, views.perspective())});
+    entries_.push_back({name, title, std::make_unique<T>(document, view)});
   };
   add("select", tr("Select"), std::type_identity<SelectTool>());
   add("lasso", tr("Lasso"), std::type_identity<LassoTool>());
@@ -27,19 +27,19 @@ ToolBox::ToolBox(Document& document, ViewGrid& views, QObject* parent)
   add("eraser", tr("Eraser"), std::type_identity<EraserTool>());
   add("airbrush", tr("Airbrush"), std::type_identity<AirbrushTool>());
   add("emitter", tr("Emitter"), std::type_identity<EmitterTool>());
-  views_.set_tool(entries_[active_].tool.get());
+  use_(entries_[active_].tool.get());
   connect(&document, &Document::scene_replaced, this, [this] { tool().abandon(); });
   connect(&document, &Document::medium_changed, this, [this] { tool().medium_changed(); });
 }
 
 ToolBox::~ToolBox() {
-  views_.set_tool(nullptr);
+  use_(nullptr);
 }
 
 void ToolBox::activate(std::size_t index) {
   if (index == active_) return;
   active_ = index;
-  views_.set_tool(entries_[index].tool.get());
+  use_(entries_[index].tool.get());
   Q_EMIT activated(index);
 }
 

@@ -2,21 +2,23 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <vector>
 
-#include "app/viewport/tool.h"
+#include "app/view/tool.h"
 
 namespace brume {
 
-class ViewGrid;
+class View;
 
 // All tools and the active one. A name in the table of tool_box.cpp is also the tool's icon and, as
 // tool.<name>, its shortcut.
 class ToolBox : public QObject {
   Q_OBJECT
  public:
-  ToolBox(Document& document, ViewGrid& views, QObject* parent);
+  // `use`: makes all views work with a tool, or with none. `view`: the first one of the tools.
+  ToolBox(Document& document, View& view, std::function<void(Tool*)> use, QObject* parent);
   ~ToolBox() override;
 
   struct Entry {
@@ -33,7 +35,7 @@ class ToolBox : public QObject {
   void activated(std::size_t index);
 
  private:
-  ViewGrid& views_;
+  std::function<void(Tool*)> use_;
   std::vector<Entry> entries_;
   std::size_t active_ = 0;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/tools/select_tool.h"
-#include "app/viewport/gizmo.h"
+#include "app/view/gizmo.h"
 
 namespace brume {
 
@@ -9,8 +9,8 @@ namespace brume {
 class TransformTool : public SelectTool {
   Q_OBJECT
  public:
-  TransformTool(Gizmo::Kind kind, Document& document, Viewport& viewport)
-      : SelectTool(document, viewport), kind_(kind) {}
+  TransformTool(Gizmo::Kind kind, Document& document, View& view)
+      : SelectTool(document, view), kind_(kind) {}
 
   void hover(QPointF position) override;
   void leave() override;
@@ -47,8 +47,7 @@ class TransformTool : public SelectTool {
 class MoveTool : public TransformTool {
   Q_OBJECT
  public:
-  MoveTool(Document& document, Viewport& viewport)
-      : TransformTool(Gizmo::Kind::move, document, viewport) {}
+  MoveTool(Document& document, View& view) : TransformTool(Gizmo::Kind::move, document, view) {}
   [[nodiscard]] QString hint() const override;
 
  protected:
@@ -59,8 +58,7 @@ class MoveTool : public TransformTool {
 class RotateTool : public TransformTool {
   Q_OBJECT
  public:
-  RotateTool(Document& document, Viewport& viewport)
-      : TransformTool(Gizmo::Kind::rotate, document, viewport) {}
+  RotateTool(Document& document, View& view) : TransformTool(Gizmo::Kind::rotate, document, view) {}
   [[nodiscard]] QString hint() const override;
 
  protected:
@@ -72,8 +70,7 @@ class RotateTool : public TransformTool {
 class ScaleTool : public TransformTool {
   Q_OBJECT
  public:
-  ScaleTool(Document& document, Viewport& viewport)
-      : TransformTool(Gizmo::Kind::scale, document, viewport) {}
+  ScaleTool(Document& document, View& view) : TransformTool(Gizmo::Kind::scale, document, view) {}
   [[nodiscard]] QString hint() const override;
 
  protected:

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "app/viewport/view_mode.h"
+#include "app/frames/view_mode.h"
 
 namespace brume {
 

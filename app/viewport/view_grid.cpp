@@ -9,10 +9,7 @@
 namespace brume {
 
 ViewGrid::ViewGrid(Document& document, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      services_(document, this),
-      layout_(new QGridLayout(this)) {
+    : QWidget(parent), document_(document), services_(document), layout_(new QGridLayout(this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(2);
   make_pane(Projection::perspective);
@@ -41,30 +38,33 @@ void ViewGrid::make_pane(Projection projection) {
   title->move(6, 4);
   auto* menu = new QMenu(title);
   for (const ViewMode mode : view_modes) {
-    menu->addAction(view_mode_title(mode), pane, [pane, mode] { pane->set_mode(mode); });
+    menu->addAction(view_mode_title(mode), pane, [pane, mode] { pane->frames().set_mode(mode); });
   }
   title->setMenu(menu);
 
   connect(pane, &Viewport::used, this, [this, pane] { activate(*pane); });
-  connect(pane, &Viewport::failed, this, &ViewGrid::failed);
+  connect(&pane->frames(), &FrameScheduler::failed, this, &ViewGrid::failed);
   connect(pane, &Viewport::pointed_at, this,
           [this, pane](QPointF position) { Q_EMIT pointed_at(*pane, position); });
-  connect(pane, &Viewport::mode_changed, this, &ViewGrid::update_titles);
+  connect(&pane->frames(), &FrameScheduler::mode_changed, this, &ViewGrid::update_titles);
   const auto pass_on = [this, pane](auto signal) {
     return [this, pane, signal] {
       if (pane == active_) Q_EMIT(this->*signal)();
     };
   };
-  connect(pane, &Viewport::frame_shown, this, pass_on(&ViewGrid::frame_shown));
-  connect(pane, &Viewport::mode_changed, this, pass_on(&ViewGrid::mode_changed));
-  connect(&pane->quality(), &FrameQuality::error_changed, this, pass_on(&ViewGrid::error_changed));
+  connect(&pane->frames(), &FrameScheduler::frame_shown, this, pass_on(&ViewGrid::frame_shown));
+  connect(&pane->frames(), &FrameScheduler::mode_changed, this, pass_on(&ViewGrid::mode_changed));
+  connect(&pane->frames().quality(), &FrameQuality::error_changed, this,
+          pass_on(&ViewGrid::error_changed));
 
   if (pane != panes_.front()) {
     pane->set_time(perspective().time());
-    pane->set_exposure(perspective().exposure());
-    pane->quality().set_airlight(perspective().quality().airlight());
-    pane->quality().set_max_error(perspective().quality().max_error());
-    pane->set_navigation(perspective().navigation());
+    FrameScheduler& frames = pane->frames();
+    const FrameScheduler& first = perspective().frames();
+    frames.set_exposure(first.exposure());
+    frames.quality().set_airlight(first.quality().airlight());
+    frames.quality().set_max_error(first.quality().max_error());
+    pane->camera_controller().set_navigation(perspective().camera_controller().navigation());
     pane->set_tool(tool_);
     Q_EMIT pane_made(pane);
   }
@@ -79,10 +79,10 @@ Viewport& ViewGrid::pointed() const {
 
 void ViewGrid::activate(Viewport& pane) {
   if (active_ == &pane) return;
-  if (active_) active_->set_active(false);
+  if (active_) active_->frames().set_active(false);
   active_ = &pane;
   setFocusProxy(&pane);
-  pane.set_active(true);
+  pane.frames().set_active(true);
   update_titles();
   Q_EMIT active_changed();
   Q_EMIT mode_changed();
@@ -109,7 +109,8 @@ void ViewGrid::update_titles() {
   for (std::size_t k = 0; k < panes_.size(); ++k) {
     const Viewport& pane = *panes_[k];
     QString text = projection_title(pane.projection());
-    if (pane.mode() != ViewMode::final) text += " · " + view_mode_title(pane.mode());
+    if (pane.frames().mode() != ViewMode::final)
+      text += " · " + view_mode_title(pane.frames().mode());
     titles_[k]->setText(text);
     QPalette colors = palette();
     const bool marked = &pane == active_ && shows_four_;
@@ -129,16 +130,16 @@ void ViewGrid::set_time(double time) {
   for (Viewport* pane : panes_) pane->set_time(time);
 }
 
-void ViewGrid::set_airlight(std::optional<AirlightMethod> method) {
-  for (Viewport* pane : panes_) pane->quality().set_airlight(method);
+void ViewGrid::set_airlight(AirlightMethod method) {
+  for (Viewport* pane : panes_) pane->frames().quality().set_airlight(method);
 }
 
 void ViewGrid::set_navigation(NavigationPreset preset) {
-  for (Viewport* pane : panes_) pane->set_navigation(preset);
+  for (Viewport* pane : panes_) pane->camera_controller().set_navigation(preset);
 }
 
 void ViewGrid::set_max_error(double max_error) {
-  for (Viewport* pane : panes_) pane->quality().set_max_error(max_error);
+  for (Viewport* pane : panes_) pane->frames().quality().set_max_error(max_error);
 }
 
 }  // namespace brume

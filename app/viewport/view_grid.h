@@ -33,17 +33,17 @@ class ViewGrid : public QWidget {
   // Settings of all views.
   void set_tool(Tool* tool);
   void set_time(double time);
-  void set_airlight(std::optional<AirlightMethod> method);
+  void set_airlight(AirlightMethod method);
   void set_max_error(double max_error);
   void set_navigation(NavigationPreset preset);
-  void set_backend(Backend backend) { services_.frames.set_backend(backend); }
-  [[nodiscard]] Backend backend() const { return services_.frames.backend(); }
+  void set_backend(Backend backend) { services_.frames.service.set_backend(backend); }
+  [[nodiscard]] Backend backend() const { return services_.frames.service.backend(); }
 
-  [[nodiscard]] TransferJob& transfer_job() { return *services_.transfer_job; }
+  [[nodiscard]] TransferJob& transfer_job() { return services_.frames.transfer_job; }
 
  Q_SIGNALS:
   void pane_made(brume::Viewport* pane);
-  void pointed_at(brume::Viewport& pane, QPointF position);
+  void pointed_at(brume::View& view, QPointF position);
   // Signals of the active view; also emitted when it changes.
   void active_changed();
   void frame_shown();

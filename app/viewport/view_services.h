@@ -1,25 +1,19 @@
 #pragma once
 
-#include "app/jobs/transfer_job.h"
-#include "app/viewport/error_map.h"
-#include "app/viewport/frame_service.h"
-#include "app/viewport/surface_picker.h"
+#include "app/frames/frame_services.h"
+#include "app/view/surface_picker.h"
 #include "app/viewport/viewport_surface.h"
 
 namespace brume {
 
 // Services shared by all panes.
 struct ViewServices {
-  ViewServices(const Document& document, QWidget* parent)
-      : transfer_job(new TransferJob(parent)),
-        surfaces(document),
-        frames(transfer_job->transfers(), [this] { return screens.create_context(); }) {}
+  explicit ViewServices(const Document& document)
+      : surfaces(document), frames([this] { return screens.create_context(); }) {}
 
-  TransferJob* transfer_job;  // computes radiance transfer; shown in the status bar
   SurfacePicker surfaces;
   ViewportSurfaces screens;
-  FrameService frames;
-  ErrorMapper error_mapper;  // for the active pane
+  FrameServices frames;
 };
 
 }  // namespace brume

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "app/view/overlay.h"
 #include "app/viewport/hosted_render_window.h"
-#include "app/viewport/overlay.h"
 #include "render/gl/picture_pool.h"
 
 class vtkOpenGLTexture;

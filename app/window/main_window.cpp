@@ -4,9 +4,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
-#include <QMenuBar>
 #include <QScreen>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -24,24 +22,13 @@
 #include "app/export/frame_export.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/import/scene_import.h"
 #include "app/jobs/background_job.h"
-#include "app/panels/contribution_panel.h"
-#include "app/panels/emitter_panel.h"
 #include "app/panels/gaussian_panel.h"
-#include "app/panels/history_panel.h"
-#include "app/panels/light_panel.h"
-#include "app/panels/material_panel.h"
-#include "app/panels/medium_panel.h"
-#include "app/panels/outliner.h"
-#include "app/panels/performance_panel.h"
 #include "app/panels/timeline_bar.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
-#include "app/widgets/frame_text.h"
-#include "app/widgets/plain_text.h"
 #include "app/window/message_bar.h"
 #include "app/window/recovery_bar.h"
 
@@ -68,15 +55,6 @@ QSize first_size(const QScreen& screen, const QStyle& style) {
   return QSize(1280, 800).boundedTo(screen.availableSize() - frame);
 }
 
-// Panels that a small screen may be too low for.
-QWidget* scrolled(QWidget* panel) {
-  auto* area = new QScrollArea;
-  area->setWidget(panel);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  return area;
-}
-
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -86,7 +64,8 @@ MainWindow::MainWindow(QWidget* parent)
       message_bar_(new MessageBar(this)),
       views_(new ViewGrid(document_, this)),
       viewport_(&views_->perspective()),
-      tools_(new ToolBox(document_, *views_, this)),
+      tools_(new ToolBox(
+          document_, *viewport_, [this](Tool* tool) { views_->set_tool(tool); }, this)),
       timeline_(new Timeline(this)) {
   auto* center = new QWidget(this);
   auto* layout = new QVBoxLayout(center);
@@ -127,115 +106,13 @@ MainWindow::~MainWindow() {
   qDeleteAll(findChildren<QDockWidget*>());
 }
 
-void MainWindow::create_docks() {
-  const auto dock = [this](const QString& title, const char* name, QWidget* panel) {
-    auto* made = new QDockWidget(title, this);
-    made->setObjectName(name);  // restoreState() knows it by this
-    made->setWidget(panel);
-    addDockWidget(Qt::RightDockWidgetArea, made);
-    return made;
-  };
-  auto* outliner = new Outliner(document_, this);
-  auto* light_panel = new LightPanel(document_, *views_, this);
-  auto* medium_panel = new MediumPanel(document_, this);
-  auto* material_panel = new MaterialPanel(document_, this);
-  auto* emitter_panel = new EmitterPanel(document_, this);
-  gaussian_panel_ = new GaussianPanel(document_, this);
-  QDockWidget* outline = dock(tr("Outliner"), "outliner", outliner);
-  QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", scrolled(gaussian_panel_));
-  QDockWidget* lights = dock(tr("Lighting"), "lighting", scrolled(light_panel));
-  QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
-  QDockWidget* material = dock(tr("Material"), "material", scrolled(material_panel));
-  QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
-  QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
-  QDockWidget* performance =
-      dock(tr("Performance"), "performance", scrolled(new PerformancePanel(*views_)));
-  tabifyDockWidget(gaussians, lights);
-  tabifyDockWidget(lights, medium);
-  tabifyDockWidget(medium, material);
-  tabifyDockWidget(material, emitters);
-  gaussians->raise();
-  QDockWidget* at_cursor = dock(tr("At the Cursor"), "at_cursor",
-                                scrolled(new ContributionPanel(document_, *views_, this)));
-  tabifyDockWidget(performance, history);
-  tabifyDockWidget(performance, at_cursor);
-  performance->raise();
-  resizeDocks({gaussians}, {400}, Qt::Horizontal);
-  resizeDocks({outline, gaussians, performance}, {110, 400, 230}, Qt::Vertical);
-
-  connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::show_status);
-  for (SceneForm* form : findChildren<SceneForm*>()) {
-    connect(form, &SceneForm::refused, this, &MainWindow::show_status);
-  }
-  auto* timeline_dock = new QDockWidget(tr("Timeline"), this);
-  timeline_dock->setObjectName("timeline");
-  timeline_bar_ = new TimelineBar(
-      *timeline_, document_, [this] { return viewport_->camera(); }, this);
-  timeline_dock->setWidget(timeline_bar_);
-  addDockWidget(Qt::BottomDockWidgetArea, timeline_dock);
-
-  connect(outliner, &Outliner::asked_for, this,
-          [this, gaussians, lights, medium, material, emitters, material_panel](Outliner::Kind kind,
-                                                                                std::size_t index) {
-            using Kind = Outliner::Kind;
-            if (kind == Kind::light) document_.set_active_light(index);
-            if (kind == Kind::emitter) document_.set_active_emitter(index);
-            if (kind == Kind::surface) material_panel->show_surface(index);
-            QDockWidget* panel = kind == Kind::gaussians ? gaussians
-                                 : kind == Kind::medium  ? medium
-                                 : kind == Kind::surface ? material
-                                 : kind == Kind::emitter ? emitters
-                                                         : lights;
-            panel->show();
-            panel->raise();
-          });
-}
-
-void MainWindow::create_status_bar() {
-  hint_ = new PlainLabel(this);
-  numbers_ = new PlainLabel(this);
-  error_ = new PlainLabel(this);
-  error_->setObjectName("error");
-  error_->setToolTip(
-      tr("Relative RMSE of the airlight against the reference, measured on this frame; grey while "
-         "measuring"));
-  quality_ = new PlainLabel(this);
-  quality_->setObjectName("quality");
-  // Menu bars do not follow when what is in their corner grows.
-  quality_->setMinimumWidth(quality_->fontMetrics().horizontalAdvance("reference 128 · < .01 %"));
-  quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  quality_->setContentsMargins(0, 4, 8, 0);
-  menuBar()->setCornerWidget(quality_);
-  frame_export_ = new FrameExport(this);
-  file_job_ = new BackgroundJob(this);
-  import_ = new SceneImport(document_, *file_job_, this);
-  connect(file_job_, &BackgroundJob::cancelled, this, [this] { show_status(tr("Cancelled")); });
-  connect(file_job_, &BackgroundJob::failed, message_bar_, &MessageBar::show_error);
-  connect(import_, &SceneImport::failed, message_bar_, &MessageBar::show_error);
-  connect(&document_, &Document::refused, message_bar_, &MessageBar::show_error);
-  statusBar()->addWidget(hint_, 1);
-  statusBar()->addPermanentWidget(&files_->loading());
-  statusBar()->addPermanentWidget(&views_->transfer_job());
-  statusBar()->addPermanentWidget(frame_export_);
-  statusBar()->addPermanentWidget(file_job_);
-  statusBar()->addPermanentWidget(numbers_);
-  statusBar()->addPermanentWidget(error_);
-  connect(frame_export_, &FrameExport::finished, this,
-          [this](const QString& file) { show_status(tr("Exported %1").arg(file)); });
-  connect(frame_export_, &FrameExport::cancelled, this, [this](int written) {
-    show_status(written == 0 ? tr("Export cancelled")
-                             : tr("Export cancelled after %1 files").arg(written));
-  });
-  connect(frame_export_, &FrameExport::failed, message_bar_, &MessageBar::show_error);
-}
-
 void MainWindow::connect_document() {
   const auto fail = [this](const QString& message) {
     std::fprintf(stderr, "%s\n", qUtf8Printable(message));
     message_bar_->show_error(message);
   };
   connect(files_, &SceneFiles::failed, this, fail);
-  connect(&files_->loading(), &SceneLoad::cancelled, this,
+  connect(&files_->loading(), &BackgroundJob::cancelled, this,
           [this] { show_status(tr("Not opened")); });
   connect(files_, &SceneFiles::warned, message_bar_, &MessageBar::show_note);
   connect(files_, &SceneFiles::changed_on_disk, this, [this] {
@@ -258,13 +135,16 @@ void MainWindow::connect_document() {
   connect(files_, &SceneFiles::opened_without, this, show_missing_files);
   connect(views_, &ViewGrid::failed, this, fail);
   connect(&views_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
+  connect(&views_->transfer_job().job(), &BackgroundJob::failed, message_bar_,
+          &MessageBar::show_error);
   for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
     connect(views_, signal, this, &MainWindow::update_status);
     connect(views_, signal, this, &MainWindow::update_error);
     connect(views_, signal, this, &MainWindow::show_fallback);
   }
   connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
-  connect(viewport_, &Viewport::frame_shown, this, &MainWindow::save_current_picture);
+  connect(&viewport_->frames(), &FrameScheduler::frame_shown, this,
+          &MainWindow::save_current_picture);
   connect(&document_, &Document::scene_replaced, message_bar_, [this] {
     message_bar_->hide();
     fallback_.clear();
@@ -306,70 +186,23 @@ void MainWindow::update_title() {
   setWindowModified(document_.is_modified());
 }
 
-void MainWindow::update_status() {
-  const std::size_t count = document_.medium().size();
-  const std::size_t selected = document_.selection().size();
-  QString text = count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count));
-  if (selected > 0) text += tr(", %1 selected").arg(count_text(selected));
-  if (const RenderedFrame* frame = views_->active().shown()) {
-    const bool gl = frame->frame.statistics.backend == "gl";
-    text += tr(" · %1 ms%2 ·").arg(frame->milliseconds, 0, 'f', 1).arg(gl ? tr(", OpenGL") : "");
-  }
-  numbers_->setText(text);
-  const bool is_select = tools_->active() == 0;
-  hint_->setText(count == 0 && is_select ? tr("No fog yet. Press B to paint fog, or Shift+A to add "
-                                              "a Gaussian at the centre of the view.")
-                                         : tools_->tool().hint());
-}
-
-void MainWindow::update_error() {
-  const Viewport& view = views_->active();
-  const RenderedFrame* frame = view.shown();
-  if (!frame) return;
-  const FrameQuality& quality = view.quality();
-  QString status = tr("measuring the error");
-  QString corner = settings_text(frame->request.settings);
-  if (const std::optional<ErrorEstimate>& error = quality.error()) {
-    status = tr("error %1").arg(error_text(*error));
-    corner += " · " + percent_text(error->rel_rmse);
-    if (quality.is_exhausted()) {
-      const QString bound = bound_text(quality.max_error());
-      status += quality.control().may_keep_bound() ? tr(", may exceed %1").arg(bound)
-                                                   : tr(", cannot meet %1").arg(bound);
-    }
-  }
-  error_->setText(status);
-  quality_->setText(corner);
-  for (QLabel* label : {error_, quality_}) label->setEnabled(view.is_measured());
-}
-
-void MainWindow::show_fallback() {
-  const RenderedFrame* frame = views_->active().shown();
-  if (!frame) return;
-  const QString why = fallback_text(frame->frame.statistics);
-  if (why == fallback_) return;
-  fallback_ = why;
-  if (!why.isEmpty()) {
-    message_bar_->show_note(tr("Rendered on the CPU instead of OpenGL: %1").arg(why));
-  }
-}
-
 void MainWindow::show_time() {
   const bool looks_through_camera = viewport_->camera() == document_.scene().camera;
   views_->set_time(timeline_->time());
   document_.set_time(timeline_->time());
   if (looks_through_camera && viewport_->camera() != document_.scene().camera) {
-    viewport_->set_camera(document_.scene().camera);
+    viewport_->camera_controller().set_camera(document_.scene().camera);
   }
 }
 
 void MainWindow::save_current_picture() {
-  const RenderedFrame* frame = viewport_->shown();
+  const RenderedFrame* frame = viewport_->frames().shown();
   const std::filesystem::path& file = document_.file();
-  if (!viewport_->is_settled() || file.empty() || document_.is_modified()) return;
+  if (!viewport_->frames().is_settled() || file.empty() || document_.is_modified()) return;
   if (pictured_ == std::pair(file, document_.revision())) return;
   pictured_ = {file, document_.revision()};
-  save_recent_picture(file, to_picture(frame->frame, viewport_->exposure(), ViewMode::final));
+  save_recent_picture(file,
+                      to_picture(frame->frame, viewport_->frames().exposure(), ViewMode::final));
 }
 
 void MainWindow::show_status(const QString& message) {
@@ -386,15 +219,16 @@ void MainWindow::add_gaussian_in_view() {
 
 void MainWindow::change_exposure(double stops) {
   Viewport& view = views_->active();
-  view.set_exposure(std::clamp(view.exposure() + stops, -max_exposure, max_exposure));
-  show_status(tr("Exposure %1 stops").arg(view.exposure(), 0, 'f', 1));
+  view.frames().set_exposure(
+      std::clamp(view.frames().exposure() + stops, -max_exposure, max_exposure));
+  show_status(tr("Exposure %1 stops").arg(view.frames().exposure(), 0, 'f', 1));
 }
 
 void MainWindow::quit_with_screenshot(const QString& file) {
   const auto take = [this, file] {
-    if (!viewport_->is_measured() || files_->loading().is_running()) return;
-    if (viewport_->transfer_job().is_running()) return;
-    viewport_->quality().disconnect(this);
+    if (!viewport_->frames().is_measured() || files_->loading().is_running()) return;
+    if (views_->transfer_job().job().is_running()) return;
+    viewport_->frames().quality().disconnect(this);
     // Once more through the event loop: all has come, but is not painted yet.
     QTimer::singleShot(200, this, [this, file] {
       const bool saved = grab().save(file);
@@ -402,7 +236,7 @@ void MainWindow::quit_with_screenshot(const QString& file) {
       QApplication::exit(saved ? 0 : 1);
     });
   };
-  connect(&viewport_->quality(), &FrameQuality::error_changed, this, take);
+  connect(&viewport_->frames().quality(), &FrameQuality::error_changed, this, take);
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -60,9 +60,9 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void create_docks();
-  void create_status_bar();
-  void create_actions();  // main_window_actions.cpp
+  void create_docks();       // main_window_docks.cpp
+  void create_status_bar();  // main_window_status.cpp
+  void create_actions();     // main_window_actions.cpp
   void fill_airlight_menu(QMenu* menu);
   void fill_backend_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);

@@ -72,7 +72,7 @@ void MainWindow::create_actions() {
   add(file, tr("Export Me&dium…"), "", [this] { export_medium(); });
   add(file, tr("&Gather into Folder…"), "", [this] { gather(); });
   connect(file, &QMenu::aboutToShow, this, [this, exporting, animation] {
-    for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->is_running());
+    for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->job().is_running());
   });
   connect(file, &QMenu::aboutToHide, this, [exporting, animation] {
     for (QAction* a : {exporting, animation}) a->setEnabled(true);
@@ -147,11 +147,12 @@ void MainWindow::create_actions() {
       [this] { set_scene_part(document_, Sequences{}, tr("Remove sequences")); });
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  add(view, tr("Frame &All"), "view.frame_all", [this] { views_->active().frame_all(); });
+  add(view, tr("Frame &All"), "view.frame_all",
+      [this] { views_->active().camera_controller().frame_all(); });
   add(view, tr("&Frame Selection"), "view.frame_selection",
-      [this] { views_->active().frame_selection(); });
+      [this] { views_->active().camera_controller().frame_selection(); });
   add(view, tr("&Scene Camera"), "view.scene_camera",
-      [this] { viewport_->set_camera(document_.scene().camera); });
+      [this] { viewport_->camera_controller().set_camera(document_.scene().camera); });
   add(view, tr("Set Scene Camera &to View"), "view.store_camera",
       [this] { set_scene_camera(document_, viewport_->camera(), tr("Set scene camera to view")); });
   view->addSeparator();
@@ -195,10 +196,11 @@ void MainWindow::fill_mode_menu(QMenu* menu) {
   for (const ViewMode mode : view_modes) {
     QAction* action = group->addAction(view_mode_title(mode));
     action->setCheckable(true);
-    action->setChecked(mode == viewport_->mode());
-    connect(action, &QAction::triggered, this, [this, mode] { views_->active().set_mode(mode); });
+    action->setChecked(mode == viewport_->frames().mode());
+    connect(action, &QAction::triggered, this,
+            [this, mode] { views_->active().frames().set_mode(mode); });
     connect(views_, &ViewGrid::mode_changed, action,
-            [this, action, mode] { action->setChecked(mode == views_->active().mode()); });
+            [this, action, mode] { action->setChecked(mode == views_->active().frames().mode()); });
   }
   menu->addActions(group->actions());
   menu->addSeparator();
@@ -211,29 +213,29 @@ void MainWindow::fill_mode_menu(QMenu* menu) {
   connect(views_, &ViewGrid::pane_made, next, [next](Viewport* pane) { pane->addAction(next); });
   connect(next, &QAction::triggered, this, [this] {
     Viewport& view = views_->active();
-    view.set_mode(next_view_mode(view.mode()));
-    show_status(view_mode_title(view.mode()));
+    view.frames().set_mode(next_view_mode(view.frames().mode()));
+    show_status(view_mode_title(view.frames().mode()));
   });
 }
 
 void MainWindow::fill_airlight_menu(QMenu* menu) {
   const QString remembered = QSettings().value(airlight_key).toString();
   auto* group = new QActionGroup(this);
-  const auto add = [&](const char* name, const QString& text,
-                       std::optional<AirlightMethod> method) {
+  const auto add = [&](AirlightMethod method, const QString& text) {
+    const char* const name = to_string(method);
     if (remembered == name) views_->set_airlight(method);
     QAction* action = group->addAction(text);
     action->setCheckable(true);
     action->setObjectName(QString("airlight_") + name);
-    action->setChecked(viewport_->quality().airlight() == method);
+    action->setChecked(viewport_->frames().quality().airlight() == method);
     connect(action, &QAction::triggered, this, [this, name, method] {
       views_->set_airlight(method);
       QSettings().setValue(airlight_key, name);
     });
   };
-  add("auto", tr("&Auto"), std::nullopt);
-  add(to_string(AirlightMethod::paper), tr("&Paper"), AirlightMethod::paper);
-  add(to_string(AirlightMethod::sliced), tr("&Sliced"), AirlightMethod::sliced);
+  add(AirlightMethod::auto_, tr("&Auto"));
+  add(AirlightMethod::paper, tr("&Paper"));
+  add(AirlightMethod::sliced, tr("&Sliced"));
   menu->addActions(group->actions());
 }
 

@@ -58,14 +58,16 @@ void MainWindow::export_animation_to(const std::filesystem::path& file, int firs
 }
 
 FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
-  const Settings settings = viewport_->quality().settings();
-  return {document_.snapshot(),
-          viewport_->camera(),
-          settings,
-          {document_.file().string(), to_string(settings.airlight), {}, viewport_->exposure()},
-          views_->backend(),
-          file,
-          std::nullopt};
+  const Settings settings = viewport_->frames().quality().settings();
+  return {
+      document_.snapshot(),
+      viewport_->camera(),
+      settings,
+      {document_.file().string(), to_string(settings.airlight), {}, viewport_->frames().exposure()},
+      views_->backend(),
+      file,
+      std::nullopt,
+      viewport_->time()};
 }
 
 void MainWindow::export_medium() {
@@ -102,7 +104,7 @@ void MainWindow::gather_to(const std::filesystem::path& folder) {
 }
 
 void MainWindow::start_file_job(const QString& title, const BackgroundJob::Work& work) {
-  if (!file_job_->start(title, work)) {
+  if (!file_job_->start(work, title)) {
     show_status(tr("Another import or export is still running."));
   }
 }

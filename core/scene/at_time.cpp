@@ -8,7 +8,9 @@
 namespace brume {
 
 bool is_animated(const Scene& scene) {
-  return !scene.emitters.empty() || !scene.sequences.empty() || has_keys(scene);
+  const Noise& noise = scene.optics.noise;
+  const bool has_wind = noise.amplitude > 0.0 && noise.velocity != glm::dvec3(0.0);
+  return !scene.emitters.empty() || !scene.sequences.empty() || has_wind || has_keys(scene);
 }
 
 double last_moment(const Scene& scene) {
@@ -26,6 +28,7 @@ std::size_t gaussian_count(const Scene& scene) {
 
 Scene evaluate_at(const Scene& scene, double time) {
   Scene result = scene;
+  result.time = time;
   apply_keys(result, time);
   clear_keys(result);
   for (const Emitter& emitter : scene.emitters) {

@@ -4,7 +4,7 @@
 
 namespace brume {
 
-// Whether a scene depends on time, ignoring its noise.
+// Whether a scene depends on time.
 bool is_animated(const Scene& scene);
 
 // Time of the last keyframe or sequence frame, at least 0 [s].
@@ -15,7 +15,7 @@ double last_moment(const Scene& scene);
 std::size_t gaussian_count(const Scene& scene);
 
 // Evaluates a scene at a time [s]: keyframed values are evaluated, particles and sequences are
-// added to the medium; the result has no keys, emitters or sequences.
+// added to the medium; the result has no keys, emitters or sequences, and shows this time.
 Scene evaluate_at(const Scene& scene, double time);
 
 }  // namespace brume

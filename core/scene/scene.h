@@ -154,6 +154,7 @@ struct Scene {
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
   std::optional<Playback> playback;  // absent: all that moves, again and again
+  double time = 0.0;                 // that it shows [s], see evaluate_at(); not saved
 
   bool operator==(const Scene&) const = default;
 };

@@ -14,7 +14,7 @@ double rate(const Program& program, Buffer& results, int kind, double operations
   constexpr std::size_t max_groups = 8192;
   const int group = program.group_size().x;
   results.reserve(max_groups * static_cast<std::size_t>(group) * sizeof(float));
-  results.bind(0);
+  program.bind("Results", results);
   program.set("kind", kind);
   program.set("seed", 1e-4f);
   std::size_t groups = 16;

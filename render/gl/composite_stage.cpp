@@ -27,11 +27,11 @@ void CompositeStage::run(Programs& programs, const FrameContext& work, FilmTextu
     program.set("sky_rotation", glm::vec2(std::cos(angle), std::sin(angle)));
     program.set("sky_intensity", static_cast<float>(environment.intensity));
   }
-  sky_.bind(0);
-  textures.behind.bind(1);
-  textures.airlight.bind_image(0);
-  textures.beauty.bind_image(1);
-  textures.depth.bind_image(2);
+  program.bind("Sky", sky_);
+  program.bind("Behind", textures.behind);
+  program.bind("airlight", textures.airlight);
+  program.bind("beauty", textures.beauty);
+  program.bind("depths", textures.depth);
   program.dispatch_over({work.frame.film.width, work.frame.film.height});
 }
 

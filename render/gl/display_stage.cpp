@@ -19,19 +19,20 @@ void DisplayStage::run(Programs& programs, const FilmTextures& film, const Displ
   program.set("is_first", which == 0 ? 1 : 0);
   program.set("is_last", which + 1 == groups.size() ? 1 : 0);
   program.set("gain", exposure_gain(options.exposure));
-  film.airlight.bind_image(0);
-  film.beauty.bind_image(1);
-  channels_.bind_image(2);
-  picture.bind_image(3);
+  program.bind("airlight", film.airlight);
+  program.bind("beauty", film.beauty);
+  program.bind("channels_so_far", channels_);
+  program.bind("picture", picture);
   program.dispatch_over(picture.size());
 }
 
 std::uint64_t DisplayStage::sum_pairs(Programs& programs, const FilmTextures& film) {
   std::vector<float> rows(static_cast<std::size_t>(film.pairs.size().y));
   rows_.reserve(rows.size() * sizeof(float));
-  film.pairs.bind_image(0);
-  rows_.bind(0);
-  programs["sum_pairs"].dispatch(rows.size());
+  const Program& program = programs["sum_pairs"];
+  program.bind("pairs", film.pairs);
+  program.bind("Rows", rows_);
+  program.dispatch(rows.size());
   rows_.download(std::span<float>(rows));
   double sum = 0.0;
   for (const float row : rows) sum += static_cast<double>(row);

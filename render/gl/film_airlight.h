@@ -37,8 +37,9 @@ struct FilmView {
 class FilmAirlight {
  public:
   // Dispatches `method` for all tiles, and again for pixels that upsampling requests; `bind` binds
-  // storage blocks 0, 1, 6 and 7. Its other uniforms must be set. Fills airlight and pairs. Returns
-  // the number of pixels evaluated exactly; waits for the device if airlight is upsampled.
+  // what film.glsl and tile_list.glsl do not have. Its other uniforms must be set. Fills airlight
+  // and pairs. Returns the number of pixels evaluated exactly; waits for the device if airlight is
+  // upsampled.
   std::size_t run(Programs& programs, DeviceClock& clock, const Program& method,
                   const std::function<void()>& bind, TileLists& lists, const FilmView& view,
                   FilmTextures& textures);

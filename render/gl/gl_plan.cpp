@@ -30,11 +30,12 @@ std::optional<Reason> refusal(const RenderPlan& plan) {
       return Reason::march_on_cpu;
     case AirlightMethod::reference:
       return Reason::reference_on_cpu;
+    case AirlightMethod::auto_:  // plans have none
     case AirlightMethod::sliced:
       break;
   }
   if (settings.slices > max_slices) return Reason::too_many_slices;
-  if (settings.optical_depth_table.radii > 1024) return Reason::too_many_radii;
+  if (settings.optical_depth_table.radii > max_table_radii) return Reason::too_many_radii;
   return std::nullopt;
 }
 

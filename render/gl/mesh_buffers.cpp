@@ -38,8 +38,8 @@ void MeshBuffers::bind(const Program& program) {
   program.set("node_count", static_cast<int>(node_count_));
   program.set("surfaces_radius", radius_);
   program.set("triangle_count", static_cast<int>(places_.size()));
-  nodes_.bind(4);
-  corners_.bind(5);
+  program.bind("Nodes", nodes_);
+  program.bind("Corners", corners_);
 }
 
 void MeshBuffers::find_hits(Programs& programs, const CameraRays& rays, const Film& film,
@@ -50,8 +50,8 @@ void MeshBuffers::find_hits(Programs& programs, const CameraRays& rays, const Fi
   set_rays(program, rays);
   program.set("eye", rays.eye() - center_);
   bind(program);
-  hits_.bind(2);
-  depth.bind_image(0);
+  program.bind("Hits", hits_);
+  program.bind("depths", depth);
   program.dispatch_over({film.width, film.height});
 }
 

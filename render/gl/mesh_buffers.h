@@ -17,7 +17,7 @@ class MeshBuffers {
   void update(const RayCaster& ray_caster);
 
   [[nodiscard]] Revision revision() const { return revision_; }
-  // Binds storage blocks 4 and 5 and the uniforms of shaders/trace.glsl.
+  // Binds the storage blocks and sets the uniforms of shaders/trace.glsl.
   void bind(const Program& program);
   // Origin of ray coordinates.
   [[nodiscard]] const glm::dvec3& center() const { return center_; }

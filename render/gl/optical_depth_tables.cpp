@@ -8,6 +8,7 @@
 
 #include "render/gl/shader_constants.h"
 #include "render/gl/shadow_maps.h"
+#include "render/lighting/shadow_map.h"
 
 namespace brume::gl {
 namespace {
@@ -95,9 +96,9 @@ std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& mediu
     program.set("first_radius", static_cast<float>(table.layout.radii.first));
     program.set("radii_per_unit", static_cast<float>(table.layout.radii.per_unit));
     program.set("curvature", static_cast<float>(table.layout.radii.curvature));
-    medium.bind();
-    values_.bind(2);
-    pairs_.bind(4);
+    medium.bind(program);
+    program.bind("Tables", values_);
+    program.bind("Totals", pairs_);
     dispatch_bundles(program, {table.layout.map.columns + 2, table.layout.map.rows + 2});
     table.made = true;
   }
@@ -129,15 +130,15 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     if (shadows && !shadows->empty()) {
       u.has_shadows = 1;
       u.shadows = map_data(shadows->map(l), shadows->first(l));
-      u.shadow_share = 1.0f - 2.0f * static_cast<float>(shadows->map(l).cell_angle());
+      u.shadow_share = brume::shadow_share(shadows->map(l));
     }
   }
   lights_.upload(std::span<const LightData>(data));
 }
 
-void OpticalDepthTables::bind() {
-  lights_.bind(0);
-  values_.bind(1);
+void OpticalDepthTables::bind(const Program& program) {
+  program.bind("Lights", lights_);
+  program.bind("Tables", values_);
 }
 
 }  // namespace brume::gl

@@ -38,8 +38,8 @@ class OpticalDepthTables {
   // may be null.
   void upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
               const glm::dvec3& origin);
-  // As storage blocks 0 and 1.
-  void bind();
+  // As `Lights` and `Tables`.
+  void bind(const Program& program);
 
  private:
   struct Table {

@@ -27,9 +27,9 @@ std::size_t PaperStage::run(FrameStages& stages, FrameContext& work, StageClock&
   return film_.run(
       device.programs, device.clock, program,
       [&] {
-        lights_.bind(0);
-        frozen_.bind(1);
-        inscattering_.bind(7);
+        program.bind("Lights", lights_);
+        program.bind("Frozen", frozen_);
+        program.bind("Inscattering", inscattering_);
       },
       device.lists, device.view, device.textures);
 }

@@ -245,6 +245,24 @@ void Program::set(const char* uniform, const glm::ivec4& value) const {
   glProgramUniform4iv(object_.name(), location(uniform), 1, glm::value_ptr(value));
 }
 
+void Program::bind(const char* block, Buffer& buffer) const {
+  const GLuint index = glGetProgramResourceIndex(object_.name(), GL_SHADER_STORAGE_BLOCK, block);
+  if (index == GL_INVALID_INDEX) return;
+  constexpr GLenum property = GL_BUFFER_BINDING;
+  GLint binding = 0;
+  glGetProgramResourceiv(object_.name(), GL_SHADER_STORAGE_BLOCK, index, 1, &property, 1, nullptr,
+                         &binding);
+  buffer.bind(static_cast<unsigned>(binding));
+}
+
+void Program::bind(const char* image, const Texture& texture) const {
+  const GLint uniform = location(image);
+  if (uniform < 0) return;
+  GLint unit = 0;
+  glGetUniformiv(object_.name(), uniform, &unit);
+  texture.bind_image(static_cast<unsigned>(unit));
+}
+
 void Program::dispatch_linear(std::size_t groups) const {
   constexpr std::size_t across = 32768;
   dispatch(std::min(groups, across), (groups + across - 1) / across);

@@ -141,6 +141,10 @@ class Program {
   void set(const char* uniform, const glm::dvec3& value) const;
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::ivec4& value) const;
+  // Binds what a shader calls so: a storage block or an image. What the compiler has removed is
+  // ignored, as uniforms are.
+  void bind(const char* block, Buffer& buffer) const;
+  void bind(const char* image, const Texture& texture) const;
   // Dispatches work groups, followed by a memory barrier.
   void dispatch(std::size_t x, std::size_t y = 1) const;
   // Dispatches at least that many work groups in a linear order; see shaders/linear.glsl.

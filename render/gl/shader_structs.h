@@ -27,7 +27,7 @@ struct LightData {
   glm::vec3 position{0.0f};  // relative to the eye, or to the center of the surfaces
   float h_min = 0.0f;        // see PointLightRay
   glm::vec3 intensity{0.0f};
-  float shadow_share = 0.0f;  // points nearer than this share of their distance are lit
+  float shadow_share = 0.0f;  // see shadow_share()
   // Of the table, see TableRadii.
   float first_radius = 0.0f;
   float radii_per_unit = 0.0f;

@@ -25,7 +25,7 @@ void ShadowMaps::make(Programs& programs, MeshBuffers& mesh, std::span<const Sli
     program.set("light", map.light - mesh.center());
     program.set("nearest", static_cast<float>(mesh.min_gap()));
     mesh.bind(program);
-    values_.bind(2);
+    program.bind("Shadows", values_);
     program.dispatch_over({map.directions.columns + 2, map.directions.rows + 2});
   }
 }

@@ -35,26 +35,24 @@ void SliceTexture::choose(Programs& programs, DeviceClock& clock, OpticalDepthTa
     choose.set("per_light", slices_per_light(slices, light_count));
     choose.set("b0", static_cast<float>(view.b0));
     choose.set("stride", stride_);
-    lights.bind();
-    lists.seen().bind(2);
-    lists.offsets().bind(3);
-    lists.entries().bind(4);
-    chosen_.bind(5);
-    textures.depth.bind_image(0);
+    lights.bind(choose);
+    lists.bind(choose);
+    choose.bind("Chosen", chosen_);
+    choose.bind("depths", textures.depth);
     choose.dispatch_linear(tile_count);
 
     const Program& merge = programs["merge_slices"];
     merge.set("tiles", tiles);
     merge.set("stride", stride_);
-    chosen_.bind(5);
-    nodes_.bind_image(4);
+    merge.bind("Chosen", chosen_);
+    merge.bind("slice_nodes", nodes_);
     merge.dispatch_linear(node_count);
   });
 }
 
 void SliceTexture::bind(const Program& program) const {
   program.set("stride", stride_);
-  nodes_.bind_image(4);
+  program.bind("slice_nodes", nodes_);
 }
 
 std::vector<std::vector<float>> SliceTexture::download_tiles() const {

@@ -42,9 +42,9 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   return film_.run(
       device.programs, device.clock, program,
       [&] {
-        lights_.bind();
-        shadows_.values().bind(6);
-        source_.bind(7);
+        lights_.bind(program);
+        program.bind("Shadows", shadows_.values());
+        program.bind("Source", source_);
         slices_.bind(program);
       },
       device.lists, device.view, device.textures);

@@ -94,12 +94,12 @@ std::uint64_t SurfaceStage::run(const FrameStages& stages, const FrameContext& w
   upload_light(stages, work, lighting, device.mesh.center(), program);
   upload_values(stages, work, lighting, device.mesh.center(), program);
   device.mesh.bind(program);
-  lights.bind();
-  if (sums) depths_.bind(1);
-  device.mesh.hits().bind(2);
-  device.textures.behind.bind(3);
-  light_.bind(6);
-  values_.bind(7);
+  lights.bind(program);
+  if (sums) program.bind("Tables", depths_);
+  program.bind("Hits", device.mesh.hits());
+  program.bind("Behind", device.textures.behind);
+  program.bind("Arriving", light_);
+  program.bind("Values", values_);
   program.dispatch_over({work.frame.film.width, work.frame.film.height});
   return pairs;
 }
@@ -120,10 +120,10 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
     program.set("light_at", glm::vec3(light - device.mesh.center()));
     program.set("first", static_cast<int>(l * pixels));
     device.mesh.bind(program);
-    device.medium.bind();
-    device.mesh.hits().bind(2);
-    depths_.bind(3);
-    totals_.bind(6);
+    device.medium.bind(program);
+    program.bind("Hits", device.mesh.hits());
+    program.bind("Depths", depths_);
+    program.bind("Totals", totals_);
     dispatch_bundles(program, {film.width, film.height});
   }
   std::array<std::uint32_t, 1> pairs{};

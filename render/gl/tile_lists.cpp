@@ -30,9 +30,15 @@ void MediumBuffers::update(const MediumIndex& medium) {
   revision_ = medium.revision();
 }
 
-void MediumBuffers::bind() {
-  centers_.bind(0);
-  shapes_.bind(1);
+void MediumBuffers::bind(const Program& program) {
+  program.bind("Centers", centers_);
+  program.bind("Shapes", shapes_);
+}
+
+void TileLists::bind(const Program& program) {
+  program.bind("Seen", seen_);
+  program.bind("Offsets", offsets_);
+  program.bind("Entries", entries_);
 }
 
 void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumIndex& index,
@@ -50,13 +56,6 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   cursors_.reserve(tile_count * sizeof(std::uint32_t));
   cursors_.clear();
   offsets_.reserve((tile_count + 1) * sizeof(std::uint32_t));
-  medium.bind();
-  seen_.bind(2);
-  rectangles_.bind(3);
-  totals_.bind(4);
-  cursors_.bind(5);
-  entries_.bind(6);
-  offsets_.bind(7);
 
   const CameraRays::FilmPlane plane = rays.plane();
   const Program& project = programs["project"];
@@ -73,6 +72,10 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   const RayNoise& noise = index.noise();
   project.set("farther",
               noise.on() ? static_cast<float>(RayNoise::max_shift * noise.amplitude()) : 0.0f);
+  medium.bind(project);
+  project.bind("Seen", seen_);
+  project.bind("Rectangles", rectangles_);
+  project.bind("Totals", totals_);
   project.dispatch_linear_over(count);
 
   // Every Gaussian counts at least one part of `coarse_entries`.
@@ -83,9 +86,16 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
   list.set("columns", tiles_.x);
   list.set("max_coarse", static_cast<unsigned>(std::min<std::uint64_t>(max_coarse, ~0u)));
   list.set("fill", 0);
+  list.bind("Rectangles", rectangles_);
+  list.bind("Totals", totals_);
+  list.bind("Cursors", cursors_);
+  list.bind("Entries", entries_);
   list.dispatch_linear_over(invocations_per_gaussian * count);
   const Program& scan = programs["scan"];
   scan.set("tiles", static_cast<int>(tile_count));
+  scan.bind("Totals", totals_);
+  scan.bind("Cursors", cursors_);
+  scan.bind("Offsets", offsets_);
   scan.dispatch(1);
 
   TileTotals totals;
@@ -96,11 +106,16 @@ void TileLists::build(Programs& programs, MediumBuffers& medium, const MediumInd
     throw OutOfMemory("the Gaussians of all tiles do not fit into device memory");
   }
   entries_.reserve(bytes);
-  entries_.bind(6);
   list.set("fill", 1);
+  list.bind("Rectangles", rectangles_);
+  list.bind("Totals", totals_);
+  list.bind("Cursors", cursors_);
+  list.bind("Entries", entries_);
   list.dispatch_linear_over(invocations_per_gaussian * count);
   const Program& sort = programs["sort_list"];
   sort.set("tiles", static_cast<unsigned>(tile_count));
+  sort.bind("Entries", entries_);
+  sort.bind("Offsets", offsets_);
   sort.dispatch_linear(tile_count);
 }
 

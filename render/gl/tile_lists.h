@@ -16,8 +16,8 @@ class MediumBuffers {
   void update(const MediumIndex& medium);
 
   [[nodiscard]] std::size_t count() const { return count_; }
-  // As storage blocks 0 and 1.
-  void bind();
+  // As `Centers` and `Shapes`.
+  void bind(const Program& program);
 
  private:
   Revision revision_ = 0;  // of the index
@@ -38,7 +38,8 @@ class TileLists {
   [[nodiscard]] std::size_t used() const { return used_; }  // Gaussians in any list
   [[nodiscard]] const glm::ivec2& tiles() const { return tiles_; }
   [[nodiscard]] const glm::ivec2& sample_film() const { return sample_film_; }
-  Buffer& seen() { return seen_; }        // SeenGaussian per Gaussian
+  // As `Seen`, `Offsets` and `Entries`.
+  void bind(const Program& program);
   Buffer& offsets() { return offsets_; }  // start of each list
   Buffer& entries() { return entries_; }
 

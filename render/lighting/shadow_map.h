@@ -7,6 +7,13 @@
 
 namespace brume {
 
+// A point is lit where this share of its distance from the light is no more than a shadow map's. A
+// cell stands for its neighbourhood, where a slanting surface is nearer and farther by about the
+// cells' width: so much behind the surface is still lit, or all surfaces would be darkened.
+inline float shadow_share(const DirectionMap& map) {
+  return 1.0f - 2.0f * static_cast<float>(map.cell_angle());
+}
+
 // Shadow map of a point light: distance to the first surface per direction, for shadows of surfaces
 // in the medium (light shafts). Traced in parallel by Embree.
 class ShadowMap {

@@ -189,8 +189,7 @@ HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
   const hn::RebindToSigned<D> di;
   const MapPosition position(shadows.map(), q, distance);
   // Slope bias of the shadow map: avoids self-shadowing.
-  const V near =
-      hn::Mul(distance, set(1.0f - 2.0f * static_cast<float>(shadows.map().cell_angle())));
+  const V near = hn::Mul(distance, set(shadow_share(shadows.map())));
   // Mostly all four cells agree.
   const float* const ranges = &shadows.ranges()->min_distance;
   const auto range = hn::ShiftLeft<1>(position.cell);

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {
@@ -27,10 +27,7 @@ FogExtent::FogExtent(const Scene& scene) : distance_(infinity) {
     add(g.center, 3.0 * g.radius);
   }
   for (const Surface& surface : scene.surfaces) {
-    for (const auto vertex : surface.mesh->vertices()) {
-      const auto& p = surface.mesh->point(vertex);
-      add(surface.translate + surface.rotate * (surface.scale * glm::dvec3(p[0], p[1], p[2])), 0.0);
-    }
+    for (const glm::dvec3& p : world_points(surface)) add(p, 0.0);
   }
   const double diameter = glm::length(high - low);
   if (low.x <= high.x && diameter > 0.0) {

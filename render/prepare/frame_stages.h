@@ -65,7 +65,7 @@ struct FrameContext {
         fog_extent(extent),
         rays(frame_camera, film) {
     frame.film = film;
-    frame.time = settings.time;
+    frame.time = scene.time;
     frame.statistics.skipped = plan.skipped;
     frame.statistics.on_cpu = plan.on_cpu;
     frame.statistics.gaussians_total = scene.medium.size();

@@ -68,7 +68,7 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
     index_ = std::move(index);
     index_inputs_ = inputs;
   }
-  index_->set_noise(RayNoise(scene.optics.noise, settings.time));
+  index_->set_noise(RayNoise(scene.optics.noise, scene.time));
   if (!ray_caster_ || !ray_caster_->shows(scene.surfaces)) {
     ray_caster_.reset();
     exact_occlusion_.reset();

@@ -63,8 +63,7 @@ std::vector<Settings> quality_ladder(const Settings& settings) {
 
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
-                                        const Settings& settings, double max_error,
-                                        std::stop_token stop,
+                                        const Settings& settings, std::stop_token stop,
                                         const std::function<void(double)>& progress) {
   // The sample takes most of the time, then each trial about as much as all before it.
   const Job job{stop, progress};
@@ -84,7 +83,7 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     if (progress) progress(begin);
     // By the estimate and not by its interval, which is wide on a few pixels and would make finer
     // settings look needed; the frame is judged by the interval.
-    if (error->rel_rmse <= likely_fraction * max_error) return tried;
+    if (error->rel_rmse <= likely_fraction * settings.max_error) return tried;
     found.push_back(error->rel_rmse);
     if (is_vain(found) && *std::ranges::min_element(found) > hopeless_error) break;
   }
@@ -101,17 +100,22 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
   return FrameErrors(scene, camera, evaluation_seed).measure(frame, std::nullopt, stop, progress);
 }
 
-std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
-                                         const Camera& camera, const Film& film,
-                                         const Settings& settings, double max_error,
-                                         std::stop_token stop,
-                                         const std::function<void(double)>& progress) {
+std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
+                                               const Camera& camera, const Film& film,
+                                               const Settings& settings, std::stop_token stop,
+                                               const std::function<void(double)>& progress) {
+  if (settings.airlight != AirlightMethod::auto_) {
+    std::optional<Frame> frame = renderer.render(scene, camera, film, settings, stop, progress);
+    if (!frame) return std::nullopt;
+    return RequestedFrame{std::move(*frame), settings, std::nullopt};
+  }
+  const double max_error = settings.max_error;
   const Job job{stop, progress};
   double begin = 0.4;
-  std::optional<Settings> tried = choose_settings(
-      renderer, scene, camera, film, settings, max_error, stop, job.subrange(0.0, begin).progress);
+  std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings, stop,
+                                                  job.subrange(0.0, begin).progress);
   FrameErrors errors(scene, camera, evaluation_seed);
-  std::optional<MeasuredFrame> result;
+  std::optional<RequestedFrame> result;
   std::vector<double> found;
   while (tried) {
     // Seldom is more than one frame needed.
@@ -124,9 +128,9 @@ std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& s
         errors.measure(*frame, max_error, stop, job.subrange(center, end).progress);
     if (!error) return std::nullopt;
     // Finer settings that are no surer of the bound are only slower.
-    const bool may_keep = result && result->error.rel_rmse <= max_error;
+    const bool may_keep = result && result->error->rel_rmse <= max_error;
     if (error->high <= max_error || !may_keep) {
-      result = MeasuredFrame{std::move(*frame), *tried, *error};
+      result = RequestedFrame{std::move(*frame), *tried, *error};
     }
     if (error->high <= max_error) break;
     found.push_back(error->rel_rmse);

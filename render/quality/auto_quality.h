@@ -18,20 +18,19 @@ inline constexpr std::uint64_t evaluation_seed = 2;
 // (threads, tolerances).
 std::vector<Settings> quality_ladder(const Settings& settings);
 
-// Tries the candidates on a small frame of the view until one probably meets `max_error`; if none
-// does, returns the cheapest of those with about the lowest error. nullopt if `stop` was requested.
-// `progress`, here and below: see FrameRenderer.
+// Tries the candidates on a small frame of the view until one probably meets settings.max_error; if
+// none does, returns the cheapest of those with about the lowest error. nullopt if `stop` was
+// requested. `progress`, here and below: see FrameRenderer.
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
-                                        const Settings& settings, double max_error,
-                                        std::stop_token stop = {},
+                                        const Settings& settings, std::stop_token stop = {},
                                         const std::function<void(double)>& progress = {});
 
-// A frame with the settings that made it and its measured error.
-struct MeasuredFrame {
+// A frame with the settings that made it, and its error if `auto` measured it.
+struct RequestedFrame {
   Frame frame;
   Settings settings;
-  ErrorEstimate error;
+  std::optional<ErrorEstimate> error;
 };
 
 // Estimates the error of a frame on an independent sample of its pixels.
@@ -39,13 +38,12 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
                                            const Frame& frame, std::stop_token stop = {},
                                            const std::function<void(double)>& progress = {});
 
-// Chooses settings, renders and measures. While the measured error exceeds the bound, continues
-// with finer settings. If none meets the bound, returns the cheapest frame that may meet it within
-// the confidence interval, or else the last.
-std::optional<MeasuredFrame> render_auto(FrameRenderer& renderer, const Scene& scene,
-                                         const Camera& camera, const Film& film,
-                                         const Settings& settings, double max_error,
-                                         std::stop_token stop = {},
-                                         const std::function<void(double)>& progress = {});
+// Renders with the settings; if they say `auto_`, chooses them, renders and measures. While the
+// measured error exceeds max_error, continues with finer settings. If none meets it, returns the
+// cheapest frame that may meet it within the confidence interval, or else the last.
+std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
+                                               const Camera& camera, const Film& film,
+                                               const Settings& settings, std::stop_token stop = {},
+                                               const std::function<void(double)>& progress = {});
 
 }  // namespace brume

@@ -56,8 +56,8 @@ std::optional<ErrorSample> ErrorSample::create(const Scene& scene, const Camera&
                                                std::uint64_t seed, double tolerance,
                                                std::stop_token stop,
                                                const std::function<void(double)>& progress) {
-  return create(std::make_shared<ViewReference>(scene, camera, guide.film, guide.time, tolerance),
-                scene, camera, guide, count, seed, std::move(stop), progress);
+  return create(std::make_shared<ViewReference>(scene, camera, guide.film, tolerance), scene,
+                camera, guide, count, seed, std::move(stop), progress);
 }
 
 std::optional<ErrorSample> ErrorSample::create(std::shared_ptr<ViewReference> reference,

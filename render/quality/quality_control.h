@@ -70,7 +70,7 @@ class QualityControl {
 
   std::vector<Trial> trials_;
   std::size_t step_;
-  double max_error_ = 0.02;
+  double max_error_ = Settings{}.max_error;
   // Lights and environment, Gaussians, sum of their optical depths, homogeneous density, at the
   // last reset of errors.
   std::optional<Measures> measures_;

@@ -10,7 +10,7 @@
 namespace brume {
 
 ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const Film& film,
-                                 double time, double tolerance)
+                                 double tolerance)
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
       tolerance_(tolerance),
@@ -29,7 +29,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
     MediumIndex medium(extinction, culling_tolerance(extinction, plan.depth_error),
                        scene.optics.anisotropy);
-    medium.set_noise(RayNoise(scene.optics.noise, time));
+    medium.set_noise(RayNoise(scene.optics.noise, scene.time));
     std::optional<ReferenceEnvironment> environment;
     if (plan.has_environment) {
       environment.emplace(*scene.environment, scene.optics.anisotropy,

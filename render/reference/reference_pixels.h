@@ -17,9 +17,8 @@ namespace brume {
 // Converged airlight of arbitrary pixels of one view.
 class ReferencePixels {
  public:
-  // `time`: Settings::time [s]; `tolerance`: relative, of each ray's quadrature.
-  ReferencePixels(const Scene& scene, const Camera& camera, const Film& film, double time,
-                  double tolerance);
+  // `tolerance`: relative, of each ray's quadrature.
+  ReferencePixels(const Scene& scene, const Camera& camera, const Film& film, double tolerance);
 
   // Airlight of pixels (row-major indices), in parallel, milliseconds each. Empty if `stop` was
   // requested. `progress`: see FrameRenderer.

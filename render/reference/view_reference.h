@@ -11,9 +11,8 @@ namespace brume {
 class ViewReference {
  public:
   // See ReferencePixels.
-  ViewReference(const Scene& scene, const Camera& camera, const Film& film, double time,
-                double tolerance)
-      : reference_(scene, camera, film, time, tolerance) {}
+  ViewReference(const Scene& scene, const Camera& camera, const Film& film, double tolerance)
+      : reference_(scene, camera, film, tolerance) {}
 
   // Evaluates pixels that are not cached, in parallel, milliseconds each. False if `stop` was
   // requested. `progress`: see FrameRenderer.

@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "render/shading/surface_shading.h"
 
 namespace brume {
@@ -13,10 +13,7 @@ namespace {
 Box bounds(const Surface& surface) {
   Box box{glm::dvec3(std::numeric_limits<double>::infinity()),
           glm::dvec3(-std::numeric_limits<double>::infinity())};
-  for (const auto vertex : surface.mesh->vertices()) {
-    const auto& v = surface.mesh->point(vertex);
-    const glm::dvec3 p =
-        surface.translate + surface.rotate * (surface.scale * glm::dvec3(v[0], v[1], v[2]));
+  for (const glm::dvec3& p : world_points(surface)) {
     box.low = glm::min(box.low, p);
     box.high = glm::max(box.high, p);
   }
@@ -26,8 +23,7 @@ Box bounds(const Surface& surface) {
 }  // namespace
 
 bool PreparedShading::Depths::matches(const Surface& surface) const {
-  return mesh == surface.mesh && translate == surface.translate && rotate == surface.rotate &&
-         scale == surface.scale;
+  return mesh == surface.mesh && placement == Placement(surface);
 }
 
 void PreparedShading::update(const Scene& scene, const RenderPlan& plan,
@@ -126,9 +122,8 @@ const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface
   std::vector<GaussianTerm<double>> gaussians;
   for (std::size_t i = 0; i < medium.size(); ++i) gaussians.emplace_back(medium.gaussian(i));
   light_revision_ = new_revision();
-  depths_.push_back(std::make_unique<Depths>(Depths{surface.mesh, surface.translate, surface.rotate,
-                                                    surface.scale,
-                                                    AverageDepthGrid(gaussians, bounds(surface))}));
+  depths_.push_back(std::make_unique<Depths>(
+      Depths{surface.mesh, Placement(surface), AverageDepthGrid(gaussians, bounds(surface))}));
   return depths_.back()->grid;
 }
 

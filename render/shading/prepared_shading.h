@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/revision.h"
+#include "core/scene/placement.h"
 #include "core/scene/scene.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/average_depth_grid.h"
@@ -54,9 +55,7 @@ class PreparedShading {
   };
   struct Depths {
     std::shared_ptr<const TriangleMesh> mesh;
-    glm::dvec3 translate;
-    glm::dquat rotate;
-    double scale;
+    Placement placement;
     AverageDepthGrid grid;
 
     [[nodiscard]] bool matches(const Surface& surface) const;

@@ -8,7 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
+#include "core/scene/placement.h"
 #include "render/shading/surface_shading.h"
 #include "render/simd/reflection_kernels.h"
 #include "render/simd/surface_kernels.h"
@@ -20,24 +21,21 @@ using Light = std::vector<ShVector<glm::dvec3>>;  // at some points
 
 constexpr auto block = static_cast<std::size_t>(Tiles::pixels);  // vertices taken together
 
-glm::dvec3 to_dvec3(const OpenMesh::Vec3f& v) {
-  return {v[0], v[1], v[2]};
-}
-
 // Beyond any light, and sums of some of these stay in the range of float.
 glm::vec3 bounded(const glm::dvec3& x) {
   return glm::vec3(glm::clamp(x, -1e30, 1e30));
 }
 
 // The places of a block of vertices; they have neither normals nor an eye.
-SurfacePoints places(const Surface& surface, std::size_t first) {
+SurfacePoints places(const Surface& surface, std::span<const glm::vec3> vertices,
+                     std::size_t first) {
+  const Placement placement(surface);
   const auto place = [&](std::size_t vertex) {
-    const OpenMesh::VertexHandle v(static_cast<int>(vertex));
-    return surface.translate + surface.rotate * (surface.scale * to_dvec3(surface.mesh->point(v)));
+    return placement.point_to_world(glm::dvec3(vertices[vertex]));
   };
   SurfacePoints points{};
   points.surface = &surface;
-  points.count = std::min(block, surface.mesh->n_vertices() - first);
+  points.count = std::min(block, vertices.size() - first);
   points.origin = place(first);
   for (std::size_t k = 0; k < points.padded_size(); ++k) {
     const std::size_t vertex = first + std::min(k, points.count - 1);
@@ -116,10 +114,11 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
                                const Surface& surface, const SurfaceShading& shading,
                                Settings::Precision precision, const Job& job, std::uint64_t& pairs)
     : rotate_(surface.rotate),
-      triangles_(triangles_of(*surface.mesh)),
       material_(shading.material),
       order_(shading.transfer->settings.order) {
   const RadianceTransfer& transfer = *shading.transfer;
+  MeshArrays mesh = to_arrays(*surface.mesh);
+  triangles_ = std::move(mesh.triangles);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     if (transfer.sides[s].visibility.empty()) continue;
     sides_[s].radiance.resize(transfer.vertices);
@@ -127,7 +126,7 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
   }
   std::atomic<std::uint64_t> pair_count = 0;
   job.parallel_for((transfer.vertices + block - 1) / block, [&](std::size_t b) {
-    const SurfacePoints points = places(surface, b * block);
+    const SurfacePoints points = places(surface, mesh.points, b * block);
     Light light(points.count, ShVector<glm::dvec3>(order_));
     Light traced = light;
     for (const SurfaceLight& surface_light : lighting.lights) {

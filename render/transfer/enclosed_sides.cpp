@@ -9,35 +9,30 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {
 
 using Index = std::uint32_t;
 
-template <class Vector>
-glm::dvec3 to_dvec3(const Vector& v) {
-  return {v[0], v[1], v[2]};
-}
-
 // Vertices within this share of the mesh's size are at the same place: the poles of tessellated
 // balls differ by roundings.
 constexpr double same_place = 1e-6;
 
 // For each vertex the first one at the same place.
-std::vector<Index> places(const TriangleMesh& mesh) {
+std::vector<Index> places(const MeshArrays& mesh) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  for (const auto v : mesh.vertices()) {
-    low = glm::min(low, to_dvec3(mesh.point(v)));
-    high = glm::max(high, to_dvec3(mesh.point(v)));
+  for (const glm::vec3& p : mesh.points) {
+    low = glm::min(low, glm::dvec3(p));
+    high = glm::max(high, glm::dvec3(p));
   }
   const double size = std::max(glm::length(high - low), std::numeric_limits<double>::min());
   std::vector<std::tuple<glm::i64vec3, Index>> order;
-  for (const auto v : mesh.vertices()) {
-    const glm::dvec3 cell = (to_dvec3(mesh.point(v)) - 0.5 * (low + high)) / (same_place * size);
-    order.emplace_back(glm::i64vec3(glm::round(cell)), static_cast<Index>(v.idx()));
+  for (const glm::vec3& p : mesh.points) {
+    const glm::dvec3 cell = (glm::dvec3(p) - 0.5 * (low + high)) / (same_place * size);
+    order.emplace_back(glm::i64vec3(glm::round(cell)), static_cast<Index>(order.size()));
   }
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
     const auto& [p, i] = a;
@@ -82,21 +77,16 @@ struct Shape {
 
 }  // namespace
 
-std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
+std::vector<Enclosed> enclosed_sides(const TriangleMesh& of) {
+  const MeshArrays mesh = to_arrays(of);
   const std::vector<Index> place = places(mesh);
   Components components(place.size());
   std::vector<Edge> edges;
-  edges.reserve(3 * mesh.n_faces());
-  const auto corners_of = [&](OpenMesh::FaceHandle face) {
-    std::array<OpenMesh::VertexHandle, 3> corners;
-    std::copy_n(mesh.cfv_begin(face), 3, corners.begin());
-    return corners;
-  };
-  for (const auto face : mesh.faces()) {
-    const auto corners = corners_of(face);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = place[static_cast<std::size_t>(corners[k].idx())];
-      const Index b = place[static_cast<std::size_t>(corners[(k + 1) % 3].idx())];
+  edges.reserve(3 * mesh.triangles.size());
+  for (const glm::uvec3& corners : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const Index a = place[corners[k]];
+      const Index b = place[corners[(k + 1) % 3]];
       components.join(a, b);
       if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
     }
@@ -114,16 +104,16 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& mesh) {
     }
     if (sum != 0) shapes[components.root(first.low)].closed = false;
   }
-  for (const auto face : mesh.faces()) {
-    const auto corners = corners_of(face);
-    const Index component = components.root(place[static_cast<std::size_t>(corners[0].idx())]);
+  for (const glm::uvec3& corners : mesh.triangles) {
+    const Index component = components.root(place[corners[0]]);
     // Beside a vertex of the part, where the volume loses no digits.
-    const auto origin = mesh.point(OpenMesh::VertexHandle(static_cast<int>(component)));
+    const glm::dvec3 origin(mesh.points[component]);
     std::array<glm::dvec3, 3> p;
     glm::dvec3 normals(0.0);
     for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = to_dvec3(mesh.point(corners[k])) - to_dvec3(origin);
-      normals += to_dvec3(mesh.normal(corners[k]));
+      const Index corner = corners[static_cast<int>(k)];
+      p[k] = glm::dvec3(mesh.points[corner]) - origin;
+      normals += glm::dvec3(mesh.normals[corner]);
     }
     shapes[component].volume += glm::dot(p[0], glm::cross(p[1], p[2]));
     shapes[component].normals += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), normals);

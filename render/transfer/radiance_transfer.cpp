@@ -12,6 +12,7 @@
 #include "core/math/sphere_rule.h"
 #include "core/scene/brdf.h"
 #include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/scene/scene.h"
 #include "render/visibility/ray_caster.h"
 
@@ -27,41 +28,39 @@ constexpr double self_hit_margin = 1e-5;
 // the wall, and would see behind it: rays start this share of the way into its triangles.
 constexpr double border_inset = 0.01;
 
-glm::dvec3 to_dvec3(const OpenMesh::Vec3f& v) {
-  return {v[0], v[1], v[2]};
-}
-
 class MeshGeometry {
  public:
-  explicit MeshGeometry(const TriangleMesh& mesh) : mesh_(mesh) {
+  explicit MeshGeometry(const TriangleMesh& mesh) : mesh_(mesh), arrays_(to_arrays(mesh)) {
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high(-std::numeric_limits<double>::infinity());
-    for (const auto v : mesh.vertices()) {
-      low = glm::min(low, position(v));
-      high = glm::max(high, position(v));
+    for (const glm::vec3& p : arrays_.points) {
+      low = glm::min(low, glm::dvec3(p));
+      high = glm::max(high, glm::dvec3(p));
     }
     margin_ = self_hit_margin * 0.5 * glm::length(high - low);
   }
 
-  [[nodiscard]] glm::dvec3 position(OpenMesh::VertexHandle v) const {
-    return to_dvec3(mesh_.point(v));
+  [[nodiscard]] const std::vector<glm::uvec3>& triangles() const { return arrays_.triangles; }
+  [[nodiscard]] glm::dvec3 position(std::size_t vertex) const {
+    return glm::dvec3(arrays_.points[vertex]);
   }
   // Any direction where the mesh has none.
-  [[nodiscard]] glm::dvec3 normal(OpenMesh::VertexHandle v) const {
-    const glm::dvec3 n = to_dvec3(mesh_.normal(v));
+  [[nodiscard]] glm::dvec3 normal(std::size_t vertex) const {
+    const glm::dvec3 n(arrays_.normals[vertex]);
     const double length = glm::length(n);
     return length > 0.0 ? n / length : glm::dvec3(0.0, 0.0, 1.0);
   }
 
   // Where rays from a vertex start on the side of n.
-  [[nodiscard]] glm::dvec3 ray_origin(OpenMesh::VertexHandle v, const glm::dvec3& n) const {
-    glm::dvec3 origin = position(v) + margin_ * n;
+  [[nodiscard]] glm::dvec3 ray_origin(std::size_t vertex, const glm::dvec3& n) const {
+    const OpenMesh::VertexHandle v(static_cast<int>(vertex));
+    glm::dvec3 origin = position(vertex) + margin_ * n;
     if (!mesh_.is_boundary(v)) return origin;
     glm::dvec3 inward(0.0);
     double corners = 0.0;
     for (const auto face : mesh_.vf_range(v)) {
       for (const auto corner : mesh_.fv_range(face)) {
-        inward += position(corner) - position(v);
+        inward += position(static_cast<std::size_t>(corner.idx())) - position(vertex);
         corners += 1.0;
       }
     }
@@ -75,9 +74,8 @@ class MeshGeometry {
     std::array<glm::dvec3, 3> p;
     glm::dvec3 smooth(0.0);
     for (int k = 0; k < 3; ++k) {
-      const OpenMesh::VertexHandle v(static_cast<int>(point.corners[k]));
-      p[static_cast<std::size_t>(k)] = position(v);
-      smooth += point.weights[k] * normal(v);
+      p[static_cast<std::size_t>(k)] = position(point.corners[k]);
+      smooth += point.weights[k] * normal(point.corners[k]);
     }
     const glm::dvec3 flat = glm::cross(p[1] - p[0], p[2] - p[0]);
     const bool against = (glm::dot(flat, w) < 0.0) == (glm::dot(flat, smooth) > 0.0);
@@ -86,6 +84,7 @@ class MeshGeometry {
 
  private:
   const TriangleMesh& mesh_;
+  MeshArrays arrays_;
   double margin_;
 };
 
@@ -136,11 +135,7 @@ ShVector<double> interpolate(int order, const std::vector<float>& values, const 
 class Transfer {
  public:
   Transfer(const std::shared_ptr<const TriangleMesh>& mesh, const TransferSettings& settings)
-      : mesh_(*mesh),
-        geometry_(*mesh),
-        triangles_(triangles_of(*mesh)),
-        enclosed_(enclosed_sides(*mesh)),
-        rays_(rays_around_z(settings)) {
+      : geometry_(*mesh), enclosed_(enclosed_sides(*mesh)), rays_(rays_around_z(settings)) {
     result_.settings = settings;
     result_.vertices = mesh->n_vertices();
     Surface surface;
@@ -172,7 +167,7 @@ class Transfer {
       for (const Exchange& e : exchanges[v]) {
         const auto& source = result_.sides[e.from_back].reflected;
         if (source.empty()) continue;
-        const glm::uvec3& corners = triangles_[e.triangle];
+        const glm::uvec3& corners = geometry_.triangles()[e.triangle];
         const std::array weights{(1.0f - e.u - e.v) * e.weight, e.u * e.weight, e.v * e.weight};
         for (int k = 0; k < 3; ++k) {
           const std::size_t term = corners[k] * terms() + static_cast<std::size_t>(bounce) - 1;
@@ -203,15 +198,14 @@ class Transfer {
 
   // The rays of one vertex.
   void cast(MeshSide which, std::size_t vertex) {
-    const OpenMesh::VertexHandle v(static_cast<int>(vertex));
     const auto s = static_cast<std::size_t>(which);
-    const glm::dvec3 n = (which == MeshSide::front ? 1.0 : -1.0) * geometry_.normal(v);
+    const glm::dvec3 n = (which == MeshSide::front ? 1.0 : -1.0) * geometry_.normal(vertex);
     const glm::dquat frame = surface_frame(n, n);
     const glm::dmat3 matrix = glm::mat3_cast(frame);
     std::vector<glm::dvec3> directions(rays_.size());
     for (std::size_t k = 0; k < rays_.size(); ++k) directions[k] = matrix * rays_[k].direction;
     std::vector<SurfaceHit> hits(rays_.size());
-    ray_caster_->first_hits(geometry_.ray_origin(v, n), directions, hits);
+    ray_caster_->first_hits(geometry_.ray_origin(vertex, n), directions, hits);
 
     ShVector<double> open(result_.settings.order);
     ShVector<double> irradiance(result_.settings.order);
@@ -236,15 +230,14 @@ class Transfer {
   }
 
   [[nodiscard]] Exchange exchange(const SurfaceHit& hit, const glm::dvec3& w, double weight) const {
-    const MeshPoint point =
-        mesh_point(mesh_, hit.triangle, static_cast<double>(hit.u), static_cast<double>(hit.v));
+    const double u = static_cast<double>(hit.u);
+    const double v = static_cast<double>(hit.v);
+    const MeshPoint point{geometry_.triangles()[hit.triangle], {1.0 - u - v, u, v}};
     const MeshSide seen = geometry_.seen_side(point, w);
     return {hit.triangle, seen == MeshSide::back, hit.u, hit.v, static_cast<float>(weight)};
   }
 
-  const TriangleMesh& mesh_;
   MeshGeometry geometry_;
-  std::vector<glm::uvec3> triangles_;
   std::vector<Enclosed> enclosed_;
   std::vector<Ray> rays_;
   std::optional<RayCaster> ray_caster_;
@@ -253,24 +246,6 @@ class Transfer {
 };
 
 }  // namespace
-
-MeshPoint mesh_point(const TriangleMesh& mesh, std::uint32_t triangle, double u, double v) {
-  MeshPoint point{glm::uvec3(0), {1.0 - u - v, u, v}};
-  int k = 0;
-  for (const auto corner : mesh.fv_range(OpenMesh::FaceHandle(static_cast<int>(triangle)))) {
-    point.corners[k++] = static_cast<unsigned>(corner.idx());
-  }
-  return point;
-}
-
-std::vector<glm::uvec3> triangles_of(const TriangleMesh& mesh) {
-  std::vector<glm::uvec3> triangles;
-  triangles.reserve(mesh.n_faces());
-  for (const auto face : mesh.faces()) {
-    triangles.push_back(mesh_point(mesh, static_cast<std::uint32_t>(face.idx()), 0, 0).corners);
-  }
-  return triangles;
-}
 
 MeshPoint at_vertex(std::uint32_t vertex) {
   return {glm::uvec3(vertex), {1.0, 0.0, 0.0}};

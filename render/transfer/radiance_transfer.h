@@ -33,10 +33,6 @@ struct MeshPoint {
   glm::dvec3 weights;
 };
 
-// u and v: barycentric, of the second and third corner, as in SurfaceHit.
-MeshPoint mesh_point(const TriangleMesh& mesh, std::uint32_t triangle, double u, double v);
-// The vertices of all triangles.
-std::vector<glm::uvec3> triangles_of(const TriangleMesh& mesh);
 MeshPoint at_vertex(std::uint32_t vertex);
 
 // Transfer at the vertices of a mesh, in object space: invariant under rotation, translation and

@@ -16,6 +16,7 @@
 #include "core/io/file_bytes.h"
 #include "core/limits.h"
 #include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -35,11 +36,10 @@ std::uint64_t hash_of(const TriangleMesh& mesh, const TransferSettings& settings
   hash.add(settings.order);
   hash.add(settings.directions);
   hash.add(settings.bounces);
-  hash.add(std::span(mesh.points(), mesh.n_vertices()));
-  hash.add(std::span(mesh.vertex_normals(), mesh.n_vertices()));
-  for (const auto face : mesh.faces()) {
-    hash.add(mesh_point(mesh, static_cast<std::uint32_t>(face.idx()), 0.0, 0.0).corners);
-  }
+  const MeshArrays arrays = to_arrays(mesh);
+  hash.add(std::span(arrays.points));
+  hash.add(std::span(arrays.normals));
+  for (const glm::uvec3& corners : arrays.triangles) hash.add(corners);
   return hash.value();
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {
@@ -53,14 +53,10 @@ ExactOcclusion::ExactOcclusion(std::span<const Surface> surfaces) {
   std::vector<glm::dvec3> centers;
   std::vector<double> radii;
   for (const Surface& surface : surfaces) {
-    const auto corner = [&](OpenMesh::SmartVertexHandle v) {
-      const auto& p = surface.mesh->point(v);
-      return surface.translate + surface.rotate * (surface.scale * glm::dvec3(p[0], p[1], p[2]));
-    };
-    for (const auto face : surface.mesh->faces()) {
-      Triangle triangle;
-      std::size_t k = 0;
-      for (const auto vertex : face.vertices()) triangle[k++] = corner(vertex);
+    const MeshArrays mesh = to_arrays(*surface.mesh);
+    const std::vector<glm::dvec3> points = world_points(surface, mesh.points);
+    for (const glm::uvec3& corners : mesh.triangles) {
+      const Triangle triangle{points[corners.x], points[corners.y], points[corners.z]};
       const glm::dvec3 low = glm::min(triangle[0], glm::min(triangle[1], triangle[2]));
       const glm::dvec3 high = glm::max(triangle[0], glm::max(triangle[1], triangle[2]));
       triangles_.push_back(triangle);

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <new>
 #include <type_traits>
 #include <vector>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
+#include "core/scene/placement.h"
 #include "render/geometry/edge_on.h"
 
 #include "render/simd/surface_kernels.h"
@@ -19,24 +19,13 @@
 namespace brume {
 namespace {
 
-glm::dvec3 mesh_point(const TriangleMesh& mesh, int vertex) {
-  const auto& p = mesh.point(OpenMesh::VertexHandle(vertex));
-  return {p[0], p[1], p[2]};
-}
-
-glm::dvec3 to_world(const Surface& surface, const glm::dvec3& p) {
-  return surface.translate + surface.rotate * (surface.scale * p);
-}
-
-struct Placement {
+// What the caster was built from.
+struct Placed {
   std::shared_ptr<const TriangleMesh> mesh;
-  glm::dvec3 translate;
-  glm::dquat rotate;
-  double scale;
+  Placement placement;
 
-  explicit Placement(const Surface& s)
-      : mesh(s.mesh), translate(s.translate), rotate(s.rotate), scale(s.scale) {}
-  bool operator==(const Placement&) const = default;
+  explicit Placed(const Surface& surface) : mesh(surface.mesh), placement(surface) {}
+  bool operator==(const Placed&) const = default;
 };
 
 }  // namespace
@@ -58,7 +47,7 @@ constexpr std::size_t packet = 16;
 struct RayCaster::Impl {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::vector<Placement> placements;
+  std::vector<Placed> surfaces;
   std::vector<std::vector<glm::uvec3>> triangles;  // vertex indices, per surface
   std::vector<std::vector<Vertex>> vertices;       // per surface
   RasterTriangles raster;
@@ -67,25 +56,30 @@ struct RayCaster::Impl {
   glm::dvec3 center{0.0};
   double radius = -1.0;  // of the ball around `center` that holds all surfaces; < 0: none
 
-  explicit Impl(std::span<const Surface> surfaces) {
-    for (const Surface& surface : surfaces) placements.emplace_back(surface);
+  explicit Impl(std::span<const Surface> built_from) {
+    if (built_from.empty()) return;
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high(-std::numeric_limits<double>::infinity());
-    for (const Surface& surface : surfaces) {
-      for (int v = 0; v < static_cast<int>(surface.mesh->n_vertices()); ++v) {
-        const glm::dvec3 p = to_world(surface, mesh_point(*surface.mesh, v));
+    std::vector<MeshArrays> meshes;
+    std::vector<std::vector<glm::dvec3>> points;
+    for (const Surface& surface : built_from) {
+      surfaces.emplace_back(surface);
+      meshes.push_back(to_arrays(*surface.mesh));
+      points.push_back(world_points(surface, meshes.back().points));
+      for (const glm::dvec3& p : points.back()) {
         low = glm::min(low, p);
         high = glm::max(high, p);
       }
     }
-    if (surfaces.empty()) return;
     bounds = {low, high};
     center = 0.5 * (low + high);
     device = rtcNewDevice(nullptr);
     if (!device) throw std::bad_alloc();
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | scene_flag_filter);
-    for (const Surface& surface : surfaces) add(surface);
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      add(surfaces[s].placement, points[s], std::move(meshes[s]));
+    }
     raster.pad();
     rtcCommitScene(scene);
   }
@@ -95,23 +89,15 @@ struct RayCaster::Impl {
     if (device) rtcReleaseDevice(device);
   }
 
-  void add(const Surface& surface) {
-    const TriangleMesh& mesh = *surface.mesh;
+  void add(const Placement& placement, std::span<const glm::dvec3> points, MeshArrays mesh) {
     auto& own_vertices = vertices.emplace_back();
-    for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) {
-      const auto& n = mesh.normal(OpenMesh::VertexHandle(v));
-      const glm::dvec3 p = to_world(surface, mesh_point(mesh, v)) - center;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const glm::dvec3 p = points[v] - center;
       own_vertices.push_back(
-          {glm::vec3(p), glm::vec3(surface.rotate * glm::dvec3(n[0], n[1], n[2]))});
+          {glm::vec3(p), glm::vec3(placement.normal_to_world(glm::dvec3(mesh.normals[v])))});
       radius = std::max(radius, glm::length(p));
     }
-    auto& own_triangles = triangles.emplace_back();
-    for (const auto face : mesh.faces()) {
-      glm::uvec3 corners(0);
-      int k = 0;
-      for (const auto v : face.vertices()) corners[k++] = static_cast<unsigned>(v.idx());
-      own_triangles.push_back(corners);
-    }
+    const auto& own_triangles = triangles.emplace_back(std::move(mesh.triangles));
     const glm::uvec3 first_vertex(static_cast<unsigned>(raster.x.size()));
     first_triangles.push_back(static_cast<std::uint32_t>(raster.corners.size()));
     for (const Vertex& vertex : own_vertices) raster.add_vertex(vertex.position);
@@ -252,7 +238,7 @@ std::uint32_t RayCaster::index_of(const SurfaceHit& hit) const {
 }
 
 bool RayCaster::empty() const {
-  return impl_->placements.empty();
+  return impl_->surfaces.empty();
 }
 
 std::size_t RayCaster::size() const {
@@ -260,9 +246,9 @@ std::size_t RayCaster::size() const {
 }
 
 bool RayCaster::shows(std::span<const Surface> surfaces) const {
-  return std::equal(surfaces.begin(), surfaces.end(), impl_->placements.begin(),
-                    impl_->placements.end(),
-                    [](const Surface& s, const Placement& p) { return Placement(s) == p; });
+  return std::equal(surfaces.begin(), surfaces.end(), impl_->surfaces.begin(),
+                    impl_->surfaces.end(),
+                    [](const Surface& s, const Placed& p) { return Placed(s) == p; });
 }
 
 SurfaceHit RayCaster::first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {

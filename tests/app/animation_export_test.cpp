@@ -109,7 +109,7 @@ class AnimationExportTest : public QObject {
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     window->export_animation_to(folder / "c.png", 0, 100'000);
     QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 2; }, patience));
-    exporter->cancel();
+    exporter->job().cancel();
     QVERIFY(cancelled.wait(patience));
     const int written = cancelled[0][0].toInt();
     QCOMPARE(files_in(folder), static_cast<std::size_t>(written));
@@ -149,7 +149,7 @@ class AnimationExportTest : public QObject {
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     window->export_animation_to(folder / "v.mp4", 0, 100'000);
     QVERIFY(QTest::qWaitFor([&] { return files_in(folder) > 0; }, patience));
-    exporter->cancel();
+    exporter->job().cancel();
     QVERIFY(cancelled.wait(patience));
     QCOMPARE(files_in(folder), std::size_t{0});
   }
@@ -181,7 +181,7 @@ class AnimationExportTest : public QObject {
     window->export_animation_to(folder / "v.mp4", 0, 1);
     const QString closed = find_ffmpeg() + ".closed";
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(closed); }, 60000));
-    exporter->cancel();
+    exporter->job().cancel();
     QVERIFY(cancelled.wait(60000));
     QCOMPARE(files_in(folder), std::size_t{0});
   }

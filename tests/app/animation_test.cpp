@@ -22,7 +22,7 @@
 #include "core/io/scene/scene_file.h"
 #include "core/limits.h"
 #include "core/scene/at_time.h"
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -37,7 +37,7 @@ void enter(TestWindow& window, const char* field, const QString& text) {
 }
 
 std::size_t shown_gaussians(TestWindow& window) {
-  return window->viewport().shown()->request.scene->medium.size();
+  return window->viewport().frames().shown()->request.scene->medium.size();
 }
 
 // Holds the left button down at a place until the medium has more than some Gaussians.
@@ -124,6 +124,19 @@ class AnimationTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
+  void noise_moves_with_the_wind() {
+    Scene scene = small_scene();
+    scene.optics.noise = {.amplitude = 0.5, .velocity = {1, 0, 0}};
+    TestWindow window(scene);
+    QVERIFY(window.settle());
+    const std::vector<float> before = window->viewport().shown()->frame.beauty;
+    window->findChild<QSlider*>("frame_slider")->setValue(15);
+    QVERIFY(window.settle());
+    QCOMPARE(window->viewport().shown()->frame.time, 0.5);
+    QVERIFY(window->viewport().shown()->frame.beauty != before);
+    QVERIFY(!window->document().is_modified());
+  }
+
   void the_picture_follows_the_timeline() {
     Scene scene = small_scene();
     scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
@@ -133,7 +146,7 @@ class AnimationTest : public QObject {
     auto* slider = window->findChild<QSlider*>("frame_slider");
     slider->setValue(15);
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().shown()->request.settings.time, 0.5);
+    QCOMPARE(window->viewport().frames().shown()->request.scene->time, 0.5);
     QCOMPARE(shown_gaussians(window),
              5 + particles_at(window->document().scene().emitters[0], 0.5).size());
     QVERIFY(!window->document().is_modified());
@@ -273,24 +286,18 @@ class AnimationTest : public QObject {
 
  private:
   static std::shared_ptr<const TriangleMesh> box() {
-    auto mesh = std::make_shared<TriangleMesh>();
-    std::vector<TriangleMesh::VertexHandle> corner;
+    MeshArrays mesh;
     for (int k = 0; k < 8; ++k) {
-      corner.push_back(
-          mesh->add_vertex({k & 1 ? 1.0F : -1.0F, k & 2 ? 1.0F : -1.0F, k & 4 ? 1.0F : -1.0F}));
+      mesh.points.emplace_back(k & 1 ? 1.0F : -1.0F, k & 2 ? 1.0F : -1.0F, k & 4 ? 1.0F : -1.0F);
+      mesh.normals.push_back(glm::normalize(mesh.points.back()));
     }
-    const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    const auto at = [&](int k) { return corner[static_cast<std::size_t>(k)]; };
+    const unsigned sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& side : sides) {
-      mesh->add_face(at(side[0]), at(side[1]), at(side[2]));
-      mesh->add_face(at(side[0]), at(side[2]), at(side[3]));
+      mesh.triangles.emplace_back(side[0], side[1], side[2]);
+      mesh.triangles.emplace_back(side[0], side[2], side[3]);
     }
-    mesh->request_vertex_normals();
-    for (const auto vertex : mesh->vertices()) {
-      mesh->set_normal(vertex, mesh->point(vertex).normalized());
-    }
-    return mesh;
+    return to_mesh(mesh);
   }
 };
 

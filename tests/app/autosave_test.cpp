@@ -7,7 +7,6 @@
 #include "app/document/autosave.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/window/recovery_bar.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"

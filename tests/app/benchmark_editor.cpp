@@ -13,7 +13,6 @@
 #include "app/commands/select_command.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/viewport.h"

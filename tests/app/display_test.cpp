@@ -54,7 +54,7 @@ int furthest(const QImage& a, const QImage& b) {
 void turn(Viewport& view) {
   Camera camera = view.camera();
   camera.eye.x += 0.1;
-  view.set_camera(camera);
+  view.camera_controller().set_camera(camera);
 }
 
 // A window whose frames are OpenGL's.
@@ -62,7 +62,7 @@ class GlWindow : public TestWindow {
  public:
   explicit GlWindow(const Scene& scene = small_scene()) : TestWindow(scene) {
     choose("backend_gl");
-    if (!settle() || view().shown()->frame.statistics.backend != "gl") qFatal("no OpenGL");
+    if (!settle() || view().frames().shown()->frame.statistics.backend != "gl") qFatal("no OpenGL");
   }
   ~GlWindow() { choose("backend_auto"); }
 
@@ -73,11 +73,11 @@ class GlWindow : public TestWindow {
   static bool see_motion(Viewport& view, const std::function<void(const RenderedFrame&)>& look) {
     bool seen = false;
     const double start = view.camera().eye.x;
-    const auto connection = QObject::connect(&view, &Viewport::frame_shown, [&] {
-      const FrameRequest& request = view.shown()->request;
+    const auto connection = QObject::connect(&view.frames(), &FrameScheduler::frame_shown, [&] {
+      const FrameRequest& request = view.frames().shown()->request;
       if (!request.moving || request.camera.eye.x <= start || seen) return;
       seen = true;
-      look(*view.shown());
+      look(*view.frames().shown());
     });
     // Again and again: a frame that comes too late would be one at rest.
     const QDeadlineTimer deadline(patience);
@@ -111,7 +111,7 @@ class DisplayTest : public QObject {
       QVERIFY(stages->findItems("read_back", Qt::MatchExactly).isEmpty());
     }));
     QVERIFY(window.settle());
-    const RenderedFrame& rest = *window.view().shown();
+    const RenderedFrame& rest = *window.view().frames().shown();
     QVERIFY(!rest.on_device && !rest.picture.isNull());
     QVERIFY(has_stage(rest, Stage::read_back));
     QVERIFY(!rest.frame.beauty.empty());
@@ -186,21 +186,22 @@ class DisplayTest : public QObject {
   void exposure_and_mode_can_change_in_motion() {
     GlWindow window;
     Viewport& view = window.view();
-    QVERIFY(window.see_motion([&](const RenderedFrame&) { view.set_exposure(1.5); }));
-    QTRY_VERIFY(view.shown()->request.exposure == 1.5);
+    QVERIFY(window.see_motion([&](const RenderedFrame&) { view.frames().set_exposure(1.5); }));
+    QTRY_VERIFY(view.frames().shown()->request.exposure == 1.5);
     QVERIFY(window.settle());
-    QVERIFY(window.see_motion([&](const RenderedFrame&) { view.set_mode(ViewMode::cost); }));
-    QTRY_VERIFY(view.shown()->request.mode == ViewMode::cost);
-    QVERIFY(!view.shown()->on_device);  // its picture is the processor's
+    QVERIFY(
+        window.see_motion([&](const RenderedFrame&) { view.frames().set_mode(ViewMode::cost); }));
+    QTRY_VERIFY(view.frames().shown()->request.mode == ViewMode::cost);
+    QVERIFY(!view.frames().shown()->on_device);  // its picture is the processor's
     QVERIFY(window.settle());
     for (const ViewMode mode : {ViewMode::airlight, ViewMode::outlines, ViewMode::error}) {
-      view.set_mode(mode);
+      view.frames().set_mode(mode);
       QVERIFY(window.see_motion([&](const RenderedFrame& frame) {
         QVERIFY(frame.on_device);
         QCOMPARE(frame.request.mode, mode);
       }));
     }
-    view.set_mode(ViewMode::final);
+    view.frames().set_mode(ViewMode::final);
     QVERIFY(window.settle());
   }
 
@@ -215,13 +216,13 @@ class DisplayTest : public QObject {
         turn(window.view());
       }
       QVERIFY(window.settle());
-      QCOMPARE(window.view().shown()->frame.statistics.backend, "gl");
+      QCOMPARE(window.view().frames().shown()->frame.statistics.backend, "gl");
       window.choose("backend_cpu");
       QVERIFY(window.see_motion([](const RenderedFrame& frame) {
         QVERIFY(!frame.on_device && !frame.picture.isNull());
       }));
       QVERIFY(window.settle());
-      QCOMPARE(window.view().shown()->frame.statistics.backend, "cpu");
+      QCOMPARE(window.view().frames().shown()->frame.statistics.backend, "cpu");
     }
     QCOMPARE(gl::live_objects(), objects);
   }
@@ -234,7 +235,7 @@ class DisplayTest : public QObject {
       grid->show_four(true);
       for (int k = 0; k < 4; ++k) {
         window->resize(700 + 60 * k, 500 + 30 * k);
-        for (Viewport* pane : grid->panes()) pane->set_exposure(0.1 * k);
+        for (Viewport* pane : grid->panes()) pane->frames().set_exposure(0.1 * k);
         turn(window.view());
         QTest::qWait(60);
       }

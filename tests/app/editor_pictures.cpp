@@ -12,7 +12,6 @@
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
@@ -54,7 +53,7 @@ class Pictures {
     return is_done;
   }
   void settle() {
-    until([this] { return view().isHidden() || view().is_measured(); });
+    until([this] { return view().isHidden() || view().frames().is_measured(); });
     QTest::qWait(300);  // until it is painted
   }
 
@@ -157,17 +156,18 @@ class Pictures {
     ViewGrid& views = window_.views();
     act("view.four");
     const auto panes = views.panes();
-    panes[1]->set_mode(ViewMode::optical_depth);
-    panes[2]->set_mode(ViewMode::cost);
+    panes[1]->frames().set_mode(ViewMode::optical_depth);
+    panes[2]->frames().set_mode(ViewMode::cost);
     view().setFocus();
-    view().set_mode(ViewMode::error);
+    view().frames().set_mode(ViewMode::error);
     until([&] {
-      return std::ranges::all_of(panes, [](const Viewport* p) { return p->is_settled(); }) &&
-             view().error_map() && view().error_map()->done >= 0.2;
+      return std::ranges::all_of(panes,
+                                 [](const Viewport* p) { return p->frames().is_settled(); }) &&
+             view().frames().error_map() && view().frames().error_map()->done >= 0.2;
     });
     QTest::qWait(300);
     take("views", area(&views));
-    view().set_mode(ViewMode::final);
+    view().frames().set_mode(ViewMode::final);
     act("view.four");
     settle();
   }

@@ -13,7 +13,6 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/number_field.h"
@@ -334,14 +333,15 @@ class EditorTest : public QObject {
   void the_present_scene_stays_until_the_other_is_complete() {
     TestWindow window;
     save_document(fog_of(20000), window.file("big.brume"));
-    SceneLoad& loading = window->files().loading();
-    QVERIFY(!loading.isVisible());
+    BackgroundJob& loading = window->files().loading();
+    const JobBar& bar = window.bar(loading);
+    QVERIFY(!bar.isVisible());
     window->files().open_file(window.file("big.brume"));
-    QVERIFY(loading.isVisible());
+    QVERIFY(bar.isVisible());
     window.key(Qt::Key_Plus);  // the window goes on
     QVERIFY(window->document().medium().size() == 5 || !loading.is_running());
     QTRY_VERIFY(!loading.is_running());
-    QVERIFY(!loading.isVisible());
+    QVERIFY(!bar.isVisible());
     QCOMPARE(window->document().medium().size(), std::size_t{20000});
     QCOMPARE(window->document().name(), QString("big.brume"));
   }
@@ -352,8 +352,9 @@ class EditorTest : public QObject {
     save_document(fog_of(7), window.file("seven.brume"));
     QSignalSpy opened(&window->files(), &SceneFiles::opened);
     window->files().open_file(window.file("big.brume"));
-    QTest::mouseClick(window->files().loading().findChild<QToolButton*>(), Qt::LeftButton);
-    QVERIFY(!window->files().loading().isVisible());
+    const JobBar& bar = window.bar(window->files().loading());
+    QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
+    QVERIFY(!bar.isVisible());
     QCOMPARE(window->document().medium().size(), std::size_t{5});
     window->files().open_file(window.file("big.brume"));
     QVERIFY(window.open("seven.brume"));

@@ -11,7 +11,6 @@
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
 #include "app/import/scene_import.h"
 #include "app/widgets/plain_text.h"
 #include "app/window/message_bar.h"
@@ -78,8 +77,10 @@ void choose(const fs::path& file, SeenDialog* seen = nullptr) {
       choose(file, seen);
       return;
     }
+    // While it still reads the folder, the dialog may select the file it was opened with, which
+    // then counts for more than the text: selectFile() clears that.
+    dialog->selectFile(to_qstring(file));
     dialog->findChild<QLineEdit*>("fileNameEdit")->setText(to_qstring(file));
-    // While the dialog still reads the folder, it may go back to the file it was opened with.
     if (dialog->selectedFiles() != QStringList(to_qstring(file))) {
       choose(file, seen);
       return;

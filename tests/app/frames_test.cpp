@@ -10,8 +10,8 @@
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/export/frame_export.h"
-#include "app/viewport/frame_service.h"
-#include "app/viewport/viewport.h"
+#include "app/frames/frame_service.h"
+#include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
 #include "app/window/message_bar.h"
 #include "core/io/image/image_file.h"
@@ -90,34 +90,34 @@ class FramesTest : public QObject {
   void an_edit_updates_the_frame() {
     TestWindow window;
     Viewport& view = window->viewport();
-    QCOMPARE(view.shown()->picture.size(),
+    QCOMPARE(view.frames().shown()->picture.size(),
              (QSizeF(view.size()) * view.devicePixelRatioF()).toSize());
-    QVERIFY(all_finite(view.shown()->frame));
-    const QImage before = view.shown()->picture;
+    QVERIFY(all_finite(view.frames().shown()->frame));
+    const QImage before = view.frames().shown()->picture;
     window->document().select({5});
     window.key(Qt::Key_Delete);
     QVERIFY(window.settle());
-    QVERIFY(all_finite(view.shown()->frame));
-    QVERIFY(view.shown()->picture != before);
+    QVERIFY(all_finite(view.frames().shown()->frame));
+    QVERIFY(view.frames().shown()->picture != before);
     window.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(window.settle());
-    QCOMPARE(view.shown()->picture, before);
+    QCOMPARE(view.frames().shown()->picture, before);
   }
 
   void exposure_changes_the_picture_alone() {
     TestWindow window;
-    const RenderedFrame* frame = window->viewport().shown();
+    const RenderedFrame* frame = window->viewport().frames().shown();
     window.key(Qt::Key_Plus);
-    QCOMPARE(window->viewport().exposure(), 0.5);
-    QCOMPARE(window->viewport().shown(), frame);
+    QCOMPARE(window->viewport().frames().exposure(), 0.5);
+    QCOMPARE(window->viewport().frames().shown(), frame);
   }
 
   void exposure_has_bounds() {
     TestWindow window;
     for (int k = 0; k < 50; ++k) window.key(Qt::Key_Plus);
-    QCOMPARE(window->viewport().exposure(), 20.0);
+    QCOMPARE(window->viewport().frames().exposure(), 20.0);
     for (int k = 0; k < 100; ++k) window.key(Qt::Key_Minus);
-    QCOMPARE(window->viewport().exposure(), -20.0);
+    QCOMPARE(window->viewport().frames().exposure(), -20.0);
   }
 
   void the_airlight_is_chosen_in_the_menu_and_remembered() {
@@ -126,17 +126,17 @@ class FramesTest : public QObject {
       auto* paper = window->findChild<QAction*>("airlight_paper");
       auto* automatic = window->findChild<QAction*>("airlight_auto");
       QVERIFY(automatic->isChecked() && !paper->isChecked());
-      const QImage before = window->viewport().shown()->picture;
+      const QImage before = window->viewport().frames().shown()->picture;
       QVERIFY(shown_settings(*window).startsWith("sliced"));
       paper->trigger();
       QVERIFY(!automatic->isChecked());
       QVERIFY(window.settle());
-      QVERIFY(window->viewport().shown()->picture != before);
+      QVERIFY(window->viewport().frames().shown()->picture != before);
       QVERIFY(shown_settings(*window).startsWith("paper"));
       QVERIFY(!window->document().is_modified());
     }
     TestWindow window;
-    QCOMPARE(window->viewport().quality().airlight(), AirlightMethod::paper);
+    QCOMPARE(window->viewport().frames().quality().airlight(), AirlightMethod::paper);
     window->findChild<QAction*>("airlight_sliced")->trigger();
     QVERIFY(window.settle());
     QVERIFY(shown_settings(*window).startsWith(QString("sliced %1").arg(Settings{}.slices)));
@@ -149,11 +149,11 @@ class FramesTest : public QObject {
     window->findChild<QAction*>("airlight_sliced")->trigger();
     QVERIFY(window.settle());
     Viewport& view = window->viewport();
-    const Settings rest = view.shown()->request.settings;
+    const Settings rest = view.frames().shown()->request.settings;
     const RenderedFrame* in_motion = nullptr;
-    connect(&view, &Viewport::frame_shown, this, [&] {
-      if (view.shown()->request.moving) {
-        in_motion = view.shown();
+    connect(&view.frames(), &FrameScheduler::frame_shown, this, [&] {
+      if (view.frames().shown()->request.moving) {
+        in_motion = view.frames().shown();
         QCOMPARE(in_motion->request.settings.optical_depth_table, rest.optical_depth_table);
         QVERIFY(in_motion->request.settings.slices < rest.slices);
         QCOMPARE(in_motion->frame.statistics.light_pairs, std::uint64_t{0});
@@ -161,11 +161,11 @@ class FramesTest : public QObject {
     });
     Camera camera = view.camera();
     camera.eye.x += 0.1;
-    view.set_camera(camera);
+    view.camera_controller().set_camera(camera);
     QVERIFY(window.settle());
     QVERIFY(in_motion);
-    QVERIFY(view.shown()->request.settings == rest);
-    QCOMPARE(view.shown()->frame.statistics.light_pairs, std::uint64_t{0});
+    QVERIFY(view.frames().shown()->request.settings == rest);
+    QCOMPARE(view.frames().shown()->frame.statistics.light_pairs, std::uint64_t{0});
     window->findChild<QAction*>("airlight_auto")->trigger();
   }
 
@@ -173,12 +173,12 @@ class FramesTest : public QObject {
   void an_edit_in_motion_takes_coarse_tables() {
     TestWindow window;
     Viewport& view = window->viewport();
-    view.quality().set_max_error(1e-9);  // the finest there is
+    view.frames().quality().set_max_error(1e-9);  // the finest there is
     QVERIFY(window.settle());
-    const Settings rest = view.shown()->request.settings;
+    const Settings rest = view.frames().shown()->request.settings;
     bool edited = false;
-    connect(&view, &Viewport::frame_shown, this, [&] {
-      const FrameRequest& request = view.shown()->request;
+    connect(&view.frames(), &FrameScheduler::frame_shown, this, [&] {
+      const FrameRequest& request = view.frames().shown()->request;
       if (!request.moving) return;
       edited = true;
       QVERIFY(request.settings.optical_depth_table.directions <
@@ -187,7 +187,7 @@ class FramesTest : public QObject {
     window.key(Qt::Key_A, Qt::ShiftModifier);
     QVERIFY(window.settle());
     QVERIFY(edited);
-    QVERIFY(view.shown()->request.settings == rest);
+    QVERIFY(view.frames().shown()->request.settings == rest);
   }
 
   void slow_frames_in_motion_do_not_queue_up() {
@@ -226,7 +226,7 @@ class FramesTest : public QObject {
     service.request(endless_request(2));
     FrameRequest last = endless_request(3);
     last.film = {40, 30};
-    last.settings = {};
+    last.settings = {.airlight = AirlightMethod::paper};
     service.request(last);
     QTRY_VERIFY(!came.empty());
     QCOMPARE(came, std::vector<std::uint64_t>{3});
@@ -238,7 +238,7 @@ class FramesTest : public QObject {
     connect(&service, &FrameService::frame_ready, this,
             [&](const std::shared_ptr<const RenderedFrame>& f) { frame = f; });
     FrameRequest request = endless_request(1);
-    request.settings = {};
+    request.settings = {.airlight = AirlightMethod::paper};
     request.film = {400, 300};
     request.moving = true;
     service.request(request);
@@ -251,44 +251,46 @@ class FramesTest : public QObject {
   void radiance_transfer_is_made_in_the_background() {
     TestWindow window;
     Viewport& view = window->viewport();
+    const JobBar& bar = window.bar(window->views().transfer_job().job());
     save_document(scene_with_transfer(window.file("ball.off"), 100), window.file("transfer.brume"));
-    QSignalSpy made(&view.transfer_job(), &TransferJob::made);
+    QSignalSpy made(&window->views().transfer_job(), &TransferJob::made);
     QVERIFY(window.open("transfer.brume"));
-    QTRY_VERIFY(view.transfer_job().isVisible());
-    QTRY_VERIFY(view.shown() && !view.shown()->request.scene->surfaces.empty());
-    QVERIFY(view.transfer_job().is_running());
-    QVERIFY(misses_transfer(view.shown()->frame));
+    QTRY_VERIFY(bar.isVisible());
+    QTRY_VERIFY(view.frames().shown() && !view.frames().shown()->request.scene->surfaces.empty());
+    QVERIFY(window->views().transfer_job().job().is_running());
+    QVERIFY(misses_transfer(view.frames().shown()->frame));
     QVERIFY(made.wait(patience));
-    QVERIFY(!view.transfer_job().isVisible());
+    QVERIFY(!bar.isVisible());
     QVERIFY(window.settle());
-    QVERIFY(!misses_transfer(view.shown()->frame));
+    QVERIFY(!misses_transfer(view.frames().shown()->frame));
     // An edit of the fog asks for no other.
     window->document().select({5});
     window.key(Qt::Key_Delete);
     QVERIFY(window.settle());
-    QVERIFY(!misses_transfer(view.shown()->frame));
+    QVERIFY(!misses_transfer(view.frames().shown()->frame));
     QCOMPARE(made.count(), 1);
   }
 
   void radiance_transfer_can_be_cancelled() {
     TestWindow window;
     Viewport& view = window->viewport();
+    const JobBar& bar = window.bar(window->views().transfer_job().job());
     save_document(scene_with_transfer(window.file("big.off"), 300), window.file("transfer.brume"));
     QVERIFY(window.open("transfer.brume"));
-    QTRY_VERIFY(view.transfer_job().isVisible());
-    view.transfer_job().findChild<QToolButton*>()->click();
-    QTRY_VERIFY(!view.transfer_job().is_running());
+    QTRY_VERIFY(bar.isVisible());
+    bar.findChild<QToolButton*>()->click();
+    QTRY_VERIFY(!window->views().transfer_job().job().is_running());
     QVERIFY(window.settle());
-    QVERIFY(misses_transfer(view.shown()->frame));
+    QVERIFY(misses_transfer(view.frames().shown()->frame));
     // Another scene gives it up too.
     save_document(scene_with_transfer(window.file("small.off"), 10), window.file("small.brume"));
     QVERIFY(window.open("transfer.brume"));
-    QTRY_VERIFY(view.transfer_job().is_running());
-    QSignalSpy made(&view.transfer_job(), &TransferJob::made);
+    QTRY_VERIFY(window->views().transfer_job().job().is_running());
+    QSignalSpy made(&window->views().transfer_job(), &TransferJob::made);
     QVERIFY(window.open("small.brume"));
     QTRY_VERIFY(!made.isEmpty());  // perhaps meanwhile
     QVERIFY(window.settle());
-    QVERIFY(!misses_transfer(view.shown()->frame));
+    QVERIFY(!misses_transfer(view.frames().shown()->frame));
   }
 
   void opengl_renders_when_chosen() {
@@ -296,7 +298,7 @@ class FramesTest : public QObject {
     const auto* shown = window->findChild<QLabel*>("backend");
     const auto render_by = [&](const char* action) {
       window->findChild<QAction*>(action)->trigger();
-      return window.settle() ? window->viewport().shown()->frame : Frame{};
+      return window.settle() ? window->viewport().frames().shown()->frame : Frame{};
     };
     const Frame cpu = render_by("backend_cpu");
     QCOMPARE(cpu.statistics.backend, "cpu");
@@ -329,7 +331,9 @@ class FramesTest : public QObject {
       auto* opengl = window->findChild<QAction*>("backend_gl");
       opengl->trigger();
       QVERIFY(window.settle());
-      const auto backend = [&] { return window->viewport().shown()->frame.statistics.backend; };
+      const auto backend = [&] {
+        return window->viewport().frames().shown()->frame.statistics.backend;
+      };
       QCOMPARE(backend(), "gl");
       gl::failures().context = true;
       window->document().select({5});
@@ -337,7 +341,7 @@ class FramesTest : public QObject {
       QVERIFY(window.settle());
       gl::failures() = {};
       QCOMPARE(backend(), "cpu");
-      QVERIFY(all_finite(window->viewport().shown()->frame));
+      QVERIFY(all_finite(window->viewport().frames().shown()->frame));
       auto* bar = window->findChild<MessageBar*>();
       QVERIFY2(bar->isVisible() && bar->message().contains("lost"), qPrintable(bar->message()));
       QVERIFY(window->findChild<QLabel*>("backend")->text().contains("lost"));
@@ -353,7 +357,7 @@ class FramesTest : public QObject {
     }
     TestWindow window;
     QVERIFY(window->findChild<QAction*>("backend_gl")->isChecked());
-    QCOMPARE(window->viewport().shown()->frame.statistics.backend, "gl");
+    QCOMPARE(window->viewport().frames().shown()->frame.statistics.backend, "gl");
     QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
     window->export_frame_to(window.file("frame.exr"));
     QVERIFY(exported.wait(patience));
@@ -369,9 +373,9 @@ class FramesTest : public QObject {
     for (const char* name : {"frame.exr", "frame.png"}) {
       QSignalSpy finished(exporter, &FrameExport::finished);
       window->export_frame_to(window.file(name));
-      QVERIFY(exporter->is_running());
+      QVERIFY(exporter->job().is_running());
       QVERIFY(finished.wait(patience));
-      QVERIFY(!exporter->is_running());
+      QVERIFY(!exporter->job().is_running());
     }
     const ImageLayers layers = read_exr(window.file("frame.exr"));
     QCOMPARE(layers.width, 120);
@@ -393,7 +397,7 @@ class FramesTest : public QObject {
     QSignalSpy cancelled(exporter, &FrameExport::cancelled);
     exporter->start({std::make_shared<const Scene>(big), big.camera, Settings{}, FrameInfo{},
                      Backend::cpu, window.file("big.png"), std::nullopt});
-    exporter->cancel();
+    exporter->job().cancel();
     QVERIFY(cancelled.wait(patience));
     QVERIFY(!std::filesystem::exists(window.file("big.png")));
   }

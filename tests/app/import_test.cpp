@@ -273,7 +273,7 @@ class ImportTest : public QObject {
     QCOMPARE(sequence.start, 1.0);
     window->timeline().set_frame(31);
     QVERIFY(window.settle());
-    const Scene& seen = *window->viewport().shown()->request.scene;
+    const Scene& seen = *window->viewport().frames().shown()->request.scene;
     QCOMPARE(seen.medium.size(), std::size_t{7});
     QVERIFY(std::abs(seen.medium.centers()[5].x - 2.0) < 1e-12);
     QVERIFY(window->files().save_to(window.file("steam.brume")));

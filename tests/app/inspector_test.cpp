@@ -224,7 +224,7 @@ class InspectorTest : public QObject {
     QCOMPARE(facts.lights.size(), std::size_t{1});
     // Alone on its ray, it is all the airlight of the pixel, but for where in it the light is
     // taken.
-    const Frame& frame = view.shown()->frame;
+    const Frame& frame = view.frames().shown()->frame;
     const QPoint at = window.handle(1);
     const auto pixel = static_cast<std::size_t>(at.y() * frame.film.width + at.x());
     for (int c = 0; c < 3; ++c) {

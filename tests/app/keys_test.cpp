@@ -86,7 +86,7 @@ class KeysTest : public QObject {
     auto* field = window->findChild<ValueField*>("light_position_x")->findChild<NumberField*>();
     QCOMPARE(field->text(), QString("3"));
     QVERIFY(window.settle());
-    const auto shown = window->viewport().shown()->request.scene;
+    const auto shown = window->viewport().frames().shown()->request.scene;
     QCOMPARE(shown->lights[0].position, glm::dvec3(3, 2, 2));
     QVERIFY(shown->lights[0].keys == LightKeys{});
     QCOMPARE(document.undo_stack().count(), 2);  // looking at another moment is no edit
@@ -191,13 +191,13 @@ class KeysTest : public QObject {
     Camera aside = view.camera();
     aside.eye.x = 4.0;
     window->timeline().set_frame(60);
-    view.set_camera(aside);
+    view.camera_controller().set_camera(aside);
     window.key(Qt::Key_I);
     QVERIFY(document.scene().camera == aside);
     window->timeline().set_frame(30);
     QCOMPARE(view.camera().eye.x, 2.0);
     QVERIFY(evaluate_at(document.scene(), 1.0).camera == view.camera());
-    view.set_camera(aside);
+    view.camera_controller().set_camera(aside);
     window->timeline().set_frame(0);
     QVERIFY(view.camera() == aside);  // whoever looks from elsewhere stays there
     window.key(Qt::Key_0);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/viewport/error_map.h"
+#include "app/frames/error_map.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/view_grid.h"
 #include "render/renderer.h"
@@ -94,29 +94,29 @@ class ModesTest : public QObject {
     Viewport& view = window->viewport();
     auto* legend = view.findChild<Legend*>();
     QVERIFY(!legend->isVisible());
-    view.set_mode(ViewMode::error);
+    view.frames().set_mode(ViewMode::error);
     QVERIFY(legend->isVisible());
-    QTRY_VERIFY(view.error_map());
-    const double done = view.error_map()->done;
-    QTRY_VERIFY(view.error_map()->done > done || done == 1.0);
+    QTRY_VERIFY(view.frames().error_map());
+    const double done = view.frames().error_map()->done;
+    QTRY_VERIFY(view.frames().error_map()->done > done || done == 1.0);
     QVERIFY(legend->scale().title.startsWith("Error"));
     QCOMPARE(legend->scale().ticks, (QStringList{"0.1 %", "1 %", "10 %"}));
 
     Camera camera = view.camera();
     camera.eye.x += 0.2;
-    view.set_camera(camera);
-    QVERIFY(!view.error_map());
+    view.camera_controller().set_camera(camera);
+    QVERIFY(!view.frames().error_map());
     QVERIFY(window.settle());
-    QTRY_VERIFY(view.error_map());
+    QTRY_VERIFY(view.frames().error_map());
     window->document().select({2});
     window.key(Qt::Key_Delete);
-    QVERIFY(!view.error_map());
-    view.set_mode(ViewMode::cost);
+    QVERIFY(!view.frames().error_map());
+    view.frames().set_mode(ViewMode::cost);
     QVERIFY(window.settle());
     QTest::qWait(400);
-    QVERIFY(!view.error_map());
+    QVERIFY(!view.frames().error_map());
     QVERIFY(legend->scale().title.startsWith("Pairs"));
-    view.set_mode(ViewMode::final);
+    view.frames().set_mode(ViewMode::final);
     QVERIFY(!legend->isVisible());
   }
 };

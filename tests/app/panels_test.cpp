@@ -102,7 +102,8 @@ class PanelsTest : public QObject {
     QVERIFY(light_strength(light) > 20.0);
     // The colour stays.
     QVERIFY(glm::distance(light_color(light), glm::dvec3(12, 10, 8) / 12.0) < 1e-12);
-    QTRY_COMPARE(window->viewport().shown()->request.scene->lights[0].intensity, light.intensity);
+    QTRY_COMPARE(window->viewport().frames().shown()->request.scene->lights[0].intensity,
+                 light.intensity);
     drag_title(window, "light_intensity", 10);
     QCOMPARE(document.undo_stack().count(), 2);
   }

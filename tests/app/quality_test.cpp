@@ -10,9 +10,9 @@
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
+#include "app/frames/error_meter.h"
 #include "app/panels/frontier_plot.h"
 #include "app/panels/performance_panel.h"
-#include "app/viewport/error_meter.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/frame_text.h"
 #include "core/io/scene/scene_file.h"
@@ -55,7 +55,7 @@ QString label(MainWindow& window, const char* name) {
 }
 
 const ErrorEstimate& error_of(MainWindow& window) {
-  return *window.viewport().quality().error();
+  return *window.viewport().frames().quality().error();
 }
 
 // With the keyboard, as a user would.
@@ -82,7 +82,7 @@ class QualityTest : public QObject {
   void auto_is_the_default_and_keeps_two_per_cent() {
     TestWindow window(dense_cloud());
     QVERIFY(window->findChild<QAction*>("airlight_auto")->isChecked());
-    QCOMPARE(window->viewport().quality().max_error(), 0.02);
+    QCOMPARE(window->viewport().frames().quality().max_error(), 0.02);
     QVERIFY(error_of(*window).high <= 0.02);
     QVERIFY(error_of(*window).rel_rmse > 0.0);
     const QString error = error_text(error_of(*window));
@@ -90,7 +90,7 @@ class QualityTest : public QObject {
     QCOMPARE(label(*window, "error"), "error " + error);
     QVERIFY(window->findChild<QLabel*>("error")->isEnabled());
     QCOMPARE(label(*window, "quality"),
-             settings_text(window->viewport().shown()->request.settings) + " · " +
+             settings_text(window->viewport().frames().shown()->request.settings) + " · " +
                  percent_text(error_of(*window).rel_rmse));
   }
 
@@ -99,13 +99,13 @@ class QualityTest : public QObject {
     auto* error = window->findChild<QLabel*>("error");
     QVERIFY(error->isEnabled());
     int grey = 0;
-    connect(&window->viewport(), &Viewport::frame_shown, this, [&] {
+    connect(&window->viewport().frames(), &FrameScheduler::frame_shown, this, [&] {
       QVERIFY(!error->isEnabled());
       ++grey;
     });
     const QPoint middle = window->viewport().rect().center();
     window.drag(middle, middle + QPoint(60, 20), Qt::MiddleButton);
-    QVERIFY(!window->viewport().is_measured());
+    QVERIFY(!window->viewport().frames().is_measured());
     QVERIFY(window.settle());
     QVERIFY(grey >= 1);
     QVERIFY(error->isEnabled());
@@ -128,7 +128,7 @@ class QualityTest : public QObject {
     const Viewport& view = window->viewport();
     const auto slices_for = [&](const QString& bound) {
       choose_bound(*window, bound);
-      return window.settle() ? view.shown()->request.settings.slices : 0;
+      return window.settle() ? view.frames().shown()->request.settings.slices : 0;
     };
     const int loose = slices_for("10 %");
     QVERIFY(error_of(*window).high <= 0.1);
@@ -176,30 +176,30 @@ class QualityTest : public QObject {
   // Runs after the one above.
   void the_bound_is_remembered() {
     TestWindow window;
-    QCOMPARE(window->viewport().quality().max_error(), 0.01);
+    QCOMPARE(window->viewport().frames().quality().max_error(), 0.01);
     QCOMPARE(window->findChild<QComboBox*>("max_error")->currentText(), QString("1 %"));
     choose_bound(*window, "2 %");
   }
 
   void an_unreachable_bound_is_reported() {
     TestWindow window;
-    window->viewport().quality().set_max_error(1e-9);
+    window->viewport().frames().quality().set_max_error(1e-9);
     QVERIFY(window.settle());
-    QVERIFY(window->viewport().quality().is_exhausted());
+    QVERIFY(window->viewport().frames().quality().is_exhausted());
     QVERIFY2(label(*window, "error").contains("cannot meet"), qPrintable(label(*window, "error")));
     QVERIFY(label(*window, "why").contains("cannot meet"));
-    window->viewport().quality().set_max_error(0.02);
+    window->viewport().frames().quality().set_max_error(0.02);
     QVERIFY(window.settle());
     QVERIFY(!label(*window, "error").contains("cannot meet"));
   }
 
   void another_scene_starts_anew() {
     TestWindow window;
-    window->viewport().quality().set_max_error(1e-9);
+    window->viewport().frames().quality().set_max_error(1e-9);
     QVERIFY(window.settle());
     QVERIFY(window.open("scene.brume"));
-    QVERIFY(!window->viewport().quality().error());
-    QCOMPARE(window->viewport().quality().control().step(), QualityControl().step());
+    QVERIFY(!window->viewport().frames().quality().error());
+    QCOMPARE(window->viewport().frames().quality().control().step(), QualityControl().step());
   }
 
   void replaced_frames_are_not_measured() {
@@ -229,18 +229,18 @@ class QualityTest : public QObject {
     save_document(heavy, window.file("heavy.brume"));
     QVERIFY(window.open("heavy.brume"));
     Viewport& view = window->viewport();
-    QVERIFY(QTest::qWaitFor([&] { return view.is_settled(); }, patience));
-    QVERIFY(!view.is_measured());
-    QSignalSpy errors(&view.quality(), &FrameQuality::error_changed);
+    QVERIFY(QTest::qWaitFor([&] { return view.frames().is_settled(); }, patience));
+    QVERIFY(!view.frames().is_measured());
+    QSignalSpy errors(&view.frames().quality(), &FrameQuality::error_changed);
     window.key(Qt::Key_A, Qt::ShiftModifier);
     // Long enough for the error of what was there before to come.
     for (int k = 0; k < 60; ++k) {
-      const RenderedFrame* before = view.shown();
+      const RenderedFrame* before = view.frames().shown();
       Camera camera = view.camera();
       camera.eye.x += 0.01;
-      view.set_camera(camera);
-      QVERIFY(QTest::qWaitFor([&] { return view.shown() != before; }, patience));
-      QCOMPARE(view.shown()->request.scene->medium.size(), heavy.medium.size() + 1);
+      view.camera_controller().set_camera(camera);
+      QVERIFY(QTest::qWaitFor([&] { return view.frames().shown() != before; }, patience));
+      QCOMPARE(view.frames().shown()->request.scene->medium.size(), heavy.medium.size() + 1);
     }
     QCOMPARE(errors.count(), 0);
     QVERIFY(window.settle());
@@ -257,16 +257,16 @@ class QualityTest : public QObject {
     QVERIFY(stage(*window, "visibility")->text(1).contains("no surfaces"));
     QVERIFY(stage(*window, "visibility")->isDisabled());
     QCOMPARE(label(*window, "gaussians_used"), QString("5 of 5 used"));
-    const FrameStatistics& statistics = window->viewport().shown()->frame.statistics;
+    const FrameStatistics& statistics = window->viewport().frames().shown()->frame.statistics;
     QVERIFY(label(*window, "pairs").contains(count_text(statistics.view_pairs)));
     QCOMPARE(label(*window, "panel_error"), error_text(error_of(*window)));
     QVERIFY(label(*window, "interval").contains(count_text(error_of(*window).pixels)));
 
     // Live: in motion too, which takes other settings than the finest.
-    window->viewport().quality().set_max_error(1e-9);
+    window->viewport().frames().quality().set_max_error(1e-9);
     QVERIFY(window.settle());
     int in_motion = 0;
-    connect(&window->viewport(), &Viewport::frame_shown, this, [&] {
+    connect(&window->viewport().frames(), &FrameScheduler::frame_shown, this, [&] {
       if (label(*window, "picture").contains("in motion")) ++in_motion;
     });
     const QPoint middle = window->viewport().rect().center();

@@ -9,7 +9,7 @@
 #include "app/files/scene_files.h"
 #include "app/tools/selection_tool.h"
 #include "app/tools/tool_box.h"
-#include "app/viewport/gizmo.h"
+#include "app/view/gizmo.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene/scene_file.h"
 #include "tests/app/test_window.h"
@@ -151,7 +151,7 @@ class SelectionTest : public QObject {
     QVERIFY(document.selection().empty());
     QVERIFY(!document.is_modified());
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().shown()->request.scene->medium.size(), std::size_t{4});
+    QCOMPARE(window->viewport().frames().shown()->request.scene->medium.size(), std::size_t{4});
     QTest::mouseClick(&window->viewport(), Qt::LeftButton, {}, at);
     window.key(Qt::Key_A, Qt::ControlModifier);
     QCOMPARE(document.selection(), (Ids{1, 3, 4, 5}));
@@ -164,7 +164,7 @@ class SelectionTest : public QObject {
     window.key(Qt::Key_H, Qt::ShiftModifier);
     QVERIFY(document.hidden().empty());
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().shown()->request.scene->medium.size(), std::size_t{5});
+    QCOMPARE(window->viewport().frames().shown()->request.scene->medium.size(), std::size_t{5});
   }
 
   void isolating_toggles_the_rest() {

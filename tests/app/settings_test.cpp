@@ -114,7 +114,7 @@ class SettingsTest : public QObject {
     TestWindow window;
     QVERIFY(window->findChild<QAction*>("navigation_maya")->isChecked());
     window->views().show_four(true);
-    QVERIFY(window->views().panes()[2]->navigation() == NavigationPreset::maya);
+    QVERIFY(window->views().panes()[2]->camera_controller().navigation() == NavigationPreset::maya);
     trigger(*window, "navigation_brume");
     const glm::dvec3 eye = window->viewport().camera().eye;
     QVERIFY(eye_after(window, Qt::MiddleButton, {}) != eye);

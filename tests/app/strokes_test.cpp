@@ -72,9 +72,9 @@ class Mouse : public QObject {
     QTest::mousePress(window.windowHandle(), Qt::LeftButton, {}, in_window(places.front()));
     const std::span<const QPoint> rest = std::span(places).subspan(1);
     const std::size_t half = rest.size() / 2;
-    const RenderedFrame* shown = view_.shown();
+    const RenderedFrame* shown = view_.frames().shown();
     if (!go(rest.first(half))) return false;
-    const auto has_frame = [&] { return view_.shown() != shown; };
+    const auto has_frame = [&] { return view_.frames().shown() != shown; };
     if (frames_ && !QTest::qWaitFor(has_frame, patience)) return false;
     if (!go(rest.subspan(half))) return false;
     QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, in_window(places.back()));

@@ -4,7 +4,7 @@
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
-#include "app/files/scene_load.h"
+#include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/application.h"
 #include "core/io/scene/scene_file.h"
@@ -50,8 +50,13 @@ std::filesystem::path TestWindow::file(const char* name) const {
 
 bool TestWindow::settle() {
   Viewport& view = window_->viewport();
-  return QTest::qWaitFor([&view] { return view.is_measured() && view.surfaces().is_ready(); },
-                         patience);
+  return QTest::qWaitFor(
+      [&view] { return view.frames().is_measured() && view.surfaces().is_ready(); }, patience);
+}
+
+const JobBar& TestWindow::bar(const BackgroundJob& job) const {
+  const QList<JobBar*> bars = window_->findChildren<JobBar*>();
+  return **std::ranges::find_if(bars, [&](const JobBar* bar) { return &bar->job() == &job; });
 }
 
 QPoint TestWindow::handle(std::size_t index) {

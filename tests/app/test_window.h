@@ -4,6 +4,7 @@
 #include <QtTest/QtTest>
 #include <memory>
 
+#include "app/jobs/job_bar.h"
 #include "app/window/main_window.h"
 #include "core/scene/scene.h"
 
@@ -41,6 +42,8 @@ class TestWindow {
   bool open(const char* name);
   // Waits until the viewport shows the present state at full resolution, and how wrong it is.
   bool settle();
+  // The bar that shows a job.
+  [[nodiscard]] const JobBar& bar(const BackgroundJob& job) const;
   // Where a Gaussian's handle is in the viewport.
   QPoint handle(std::size_t index);
   // A mouse move with a button down, worked off at once: QTest::mouseMove knows of none.

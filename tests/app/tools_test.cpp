@@ -31,7 +31,7 @@ QString active_name(TestWindow& window) {
 
 // The mean brightness of the picture around a place, as it is rendered.
 double brightness(TestWindow& window, QPoint at) {
-  const QImage& picture = window->viewport().shown()->picture;
+  const QImage& picture = window->viewport().frames().shown()->picture;
   double sum = 0.0;
   for (int y = at.y() - 4; y <= at.y() + 4; ++y) {
     for (int x = at.x() - 4; x <= at.x() + 4; ++x) sum += qGray(picture.pixel(x, y));
@@ -152,7 +152,7 @@ class ToolsTest : public QObject {
     window.move(QPoint(384, 232));  // a curve is one position behind
     const std::size_t now = window->document().medium().size();
     QVERIFY(now > 6);
-    QTRY_COMPARE(window->viewport().shown()->request.scene->medium.size(), now);
+    QTRY_COMPARE(window->viewport().frames().shown()->request.scene->medium.size(), now);
     QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, QPoint(380, 230));
   }
 

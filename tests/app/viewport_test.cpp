@@ -203,17 +203,17 @@ class ViewportTest : public QObject {
     Viewport& view = window->viewport();
     const QPoint at = window.handle(1);
     const QPoint corner(5, 5);  // no fog there
-    const Frame& frame = view.shown()->frame;
+    const Frame& frame = view.frames().shown()->frame;
     const auto pixel = [&](QPoint p) {
       return static_cast<std::size_t>(p.y()) * static_cast<std::size_t>(frame.film.width) +
              static_cast<std::size_t>(p.x());
     };
     window.key(Qt::Key_Tab);
-    QVERIFY(view.mode() == ViewMode::airlight);
+    QVERIFY(view.frames().mode() == ViewMode::airlight);
     // Without surfaces the picture is airlight and nothing else.
     QVERIFY(to_picture(frame, 0.0, ViewMode::airlight) == to_picture(frame, 0.0, ViewMode::final));
     window.key(Qt::Key_Tab);
-    QVERIFY(view.mode() == ViewMode::optical_depth);
+    QVERIFY(view.frames().mode() == ViewMode::optical_depth);
     const QImage depths = to_picture(frame, 0.0, ViewMode::optical_depth);
     QCOMPARE(depths.pixel(corner), depth_color(0.0));
     QCOMPARE(depths.pixel(at), depth_color(-std::log(frame.transmittance[3 * pixel(at) + 1])));
@@ -222,11 +222,11 @@ class ViewportTest : public QObject {
     window->document().select({2});
     window.key(Qt::Key_Delete);
     QVERIFY(window.settle());
-    QVERIFY(view.shown()->request.mode == ViewMode::optical_depth);
-    QCOMPARE(view.shown()->picture.pixel(at), depth_color(0.0));
-    while (view.mode() != view_modes.back()) window.key(Qt::Key_Tab);
+    QVERIFY(view.frames().shown()->request.mode == ViewMode::optical_depth);
+    QCOMPARE(view.frames().shown()->picture.pixel(at), depth_color(0.0));
+    while (view.frames().mode() != view_modes.back()) window.key(Qt::Key_Tab);
     window.key(Qt::Key_Tab);
-    QVERIFY(view.mode() == ViewMode::final);
+    QVERIFY(view.frames().mode() == ViewMode::final);
     QVERIFY(view.hasFocus());
   }
 

@@ -15,8 +15,8 @@ namespace {
 bool settle_all(const ViewGrid& views) {
   return QTest::qWaitFor(
       [&] {
-        return std::ranges::all_of(views.panes(),
-                                   [](const Viewport* pane) { return pane->is_settled(); });
+        return std::ranges::all_of(
+            views.panes(), [](const Viewport* pane) { return pane->frames().is_settled(); });
       },
       patience);
 }
@@ -58,7 +58,7 @@ class ViewsTest : public QObject {
     for (const Viewport* one : views.panes()) {
       QVERIFY(one->isVisible());
       // Something is seen: all of the scene is framed.
-      const auto& t = one->shown()->frame.transmittance;
+      const auto& t = one->frames().shown()->frame.transmittance;
       QVERIFY(*std::min_element(t.begin(), t.end()) < 0.7F);
     }
     // The one used last is alone when it is one view again, and has the keys and the figures.
@@ -68,8 +68,8 @@ class ViewsTest : public QObject {
     window->findChild<QAction*>("view.four")->trigger();
     QVERIFY(!views.shows_four());
     QVERIFY(top.isVisible() && !views.perspective().isVisible());
-    QVERIFY(QTest::qWaitFor([&] { return top.is_measured(); }, patience));
-    QVERIFY(!views.perspective().is_measured());
+    QVERIFY(QTest::qWaitFor([&] { return top.frames().is_measured(); }, patience));
+    QVERIFY(!views.perspective().frames().is_measured());
     window->findChild<QAction*>("view.four")->trigger();
     QVERIFY(views.perspective().isVisible());
     QVERIFY(settle_all(views));
@@ -182,8 +182,8 @@ class ViewsTest : public QObject {
     Viewport& side = pane(views, Projection::side);
     side.setFocus();
     QTest::keyClick(&side, Qt::Key_Tab);
-    QVERIFY(side.mode() == ViewMode::airlight);
-    QVERIFY(views.perspective().mode() == ViewMode::final);
+    QVERIFY(side.frames().mode() == ViewMode::airlight);
+    QVERIFY(views.perspective().frames().mode() == ViewMode::final);
   }
 
   void homogeneous_fog_does_not_hide_axis_views() {
@@ -194,7 +194,7 @@ class ViewsTest : public QObject {
     views.show_four(true);
     QVERIFY(settle_all(views));
     const auto corner = [](const Viewport& view) {
-      return view.shown()->frame.transmittance.front();
+      return view.frames().shown()->frame.transmittance.front();
     };
     QVERIFY(corner(views.perspective()) < 0.6F);
     QVERIFY(corner(pane(views, Projection::top)) > 0.9F);

@@ -162,10 +162,10 @@ TEST(Noise, IsContinuousWhenTheCameraMoves) {
 
 TEST(Noise, MovesWithTimeAndRenewsNoTables) {
   Scene scene = noisy(cloud_scene(30, 1.0), 0.4);
-  Settings settings = sliced_settings({}, 16);
+  const Settings settings = sliced_settings({}, 16);
   Renderer renderer;
   const auto frame = [&](double time) {
-    settings.time = time;
+    scene.time = time;
     return *renderer.render(scene, scene.camera, scene.film, settings);
   };
   const Frame calm = frame(0.0);

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 #include "tests/random.h"
 #include "tests/render/random_scene.h"
@@ -48,10 +48,6 @@ class RandomFogScene {
     return glm::normalize(p);
   }
 
-  static OpenMesh::Vec3f vector(const glm::dvec3& p) {
-    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-  }
-
   // Some fill the picture, some are smaller than a pixel; some are thin, some opaque.
   void add_gaussian() {
     Gaussian g;
@@ -76,22 +72,19 @@ class RandomFogScene {
   }
 
   void add_wall() {
-    auto mesh = std::make_shared<TriangleMesh>();
-    mesh->request_vertex_normals();
+    MeshArrays mesh;
     const glm::dvec3 center = random_.point(1.5);
     const glm::dvec3 right = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 down = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 n = glm::normalize(glm::cross(down, right));
-    std::vector<TriangleMesh::VertexHandle> corners;
     for (const glm::dvec3& p : {center - right - down, center + right - down, center + right + down,
                                 center - right + down}) {
-      corners.push_back(mesh->add_vertex(vector(p)));
-      mesh->set_normal(corners.back(), vector(n));
+      mesh.points.emplace_back(p);
+      mesh.normals.emplace_back(n);
     }
-    mesh->add_face(corners[0], corners[1], corners[2]);
-    mesh->add_face(corners[0], corners[2], corners[3]);
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     Surface surface;
-    surface.mesh = mesh;
+    surface.mesh = to_mesh(mesh);
     scene_.surfaces.push_back(surface);
   }
 

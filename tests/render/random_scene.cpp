@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/scene/measured_brdf.h"
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 #include "tests/random.h"
 
@@ -119,8 +119,7 @@ class RandomScene {
 
   // A few triangles with any normals, some of no area.
   void add_surface() {
-    auto mesh = std::make_shared<TriangleMesh>();
-    mesh->request_vertex_normals();
+    MeshArrays mesh;
     Surface surface;
     surface.translate = point();
     surface.scale = spread_ * spread(1.0, -9, 7);
@@ -129,19 +128,17 @@ class RandomScene {
       const glm::dvec3 a = random_.point(2.0);
       const glm::dvec3 ab = random_.point(2.0);
       const glm::dvec3 ac = is_flat ? 0.5 * ab : random_.point(2.0);
-      std::vector<TriangleMesh::VertexHandle> corners;
+      const std::size_t first = mesh.points.size();
+      mesh.triangles.emplace_back(first, first + 1, first + 2);
       for (const glm::dvec3& p : {a, a + ab, a + ac}) {
-        corners.push_back(mesh->add_vertex(OpenMesh::Vec3f(
-            static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z))));
+        mesh.points.emplace_back(p);
         glm::dvec3 n = glm::normalize(random_.point(1.0) + glm::dvec3(0, 0, 1e-3));
         if (one_in(20)) n = glm::dvec3(0.0);
-        mesh->set_normal(corners.back(), {static_cast<float>(n.x), static_cast<float>(n.y),
-                                          static_cast<float>(n.z)});
+        mesh.normals.emplace_back(n);
         corners_.push_back(surface.translate + surface.scale * p);
       }
-      mesh->add_face(corners);
     }
-    surface.mesh = mesh;
+    surface.mesh = to_mesh(mesh);
     surface.material.reflectance = {random_.uniform(0, 1), one_in(3) ? 0.0 : 1.0, 0.5};
     if (one_in(4)) {
       surface.transfer = one_in(2) ? Surface::Transfer::shadow : Surface::Transfer::interreflection;

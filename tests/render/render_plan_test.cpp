@@ -83,6 +83,7 @@ StageSet expected(std::span<const StageRule> rules, const PlanCase& c) {
 }
 
 TEST(RenderPlan, RunsStagesByTheirRules) {
+  ASSERT_EQ(all_plan_cases().size(), 4u * 27u * 4u * 8u);
   for (const PlanCase& c : all_plan_cases()) {
     const RenderPlan plan = plan_of(c);
     ASSERT_EQ(to_string(plan.stages), to_string(expected(stage_rules, c))) << c.name();
@@ -257,6 +258,20 @@ TEST(RenderPlan, MatchesTheStatisticsOfFrames) {
     EXPECT_EQ(to_string(ran), to_string(plan.stages)) << c.name();
     EXPECT_EQ(in_words(statistics.skipped), in_words(plan.skipped)) << c.name();
   }
+}
+
+// Each group runs all stages; their times are added up by stage.
+TEST(RenderPlan, IsSharedByAlbedoGroups) {
+  Scene scene = cloud_scene(3, 1.0);
+  scene.film = {16, 12};
+  scene.optics.albedo = {0.9, 0.5, 0.2};
+  const RenderPlan plan(scene, scene.film, {});
+  const FrameStatistics statistics = render_frame(scene, {}).statistics;
+  StageSet ran;
+  for (const StageTime& stage : statistics.stages) ran.add(stage.stage);
+  EXPECT_EQ(to_string(ran), to_string(plan.stages));
+  EXPECT_EQ(statistics.stages.size(), 5u) << to_string(ran);
+  EXPECT_EQ(in_words(statistics.skipped), in_words(plan.skipped));
 }
 
 // Names that other programs read: each its own.

@@ -38,7 +38,7 @@ TEST(Renderer, DiffuseWallHasTheRadianceItShould) {
   const double d2 = 1.5 * 1.5 + 2.0 * 2.0;
   const double cosine = 2.0 / std::sqrt(d2);
   const double bare = 0.8 / std::numbers::pi * 50.0 * cosine / d2;
-  Frame frame = render_frame(scene, {});
+  Frame frame = render_frame(scene, paper_settings);
   const std::size_t i = center_pixel(frame);
   EXPECT_NEAR(frame.beauty[4 * i], bare, 1e-5 * bare);
   EXPECT_NEAR(frame.beauty[4 * i + 1], 0.4 * bare, 1e-5 * bare);
@@ -48,7 +48,7 @@ TEST(Renderer, DiffuseWallHasTheRadianceItShould) {
   // In fog the light is attenuated on both ways, some is scattered on the way to the wall (eq. 25),
   // and airlight is added (eq. 29).
   scene.medium.set_homogeneous_density(0.1);
-  frame = render_frame(scene, {});
+  frame = render_frame(scene, paper_settings);
   const double both_ways = bare * std::exp(-0.1 * (3.0 + std::sqrt(d2)));
   EXPECT_NEAR(frame.transmittance[3 * i], std::exp(-0.3), 1e-6);
   EXPECT_GT(frame.airlight[3 * i], 0.0f);
@@ -70,10 +70,10 @@ TEST(Renderer, SurfacesCastShadows) {
   scene.film = {31, 31};
   scene.lights.push_back({{0, 4, 4}, {50, 50, 50}, {}});
   scene.surfaces.push_back(wall(0.0, 3.0));
-  const Frame open = render_frame(scene, {});
+  const Frame open = render_frame(scene, paper_settings);
   scene.surfaces.push_back(wall(0.0, 0.5));
   scene.surfaces.back().translate = {0, 2, 2};  // between the light and the middle of the wall
-  const Frame shadowed = render_frame(scene, {});
+  const Frame shadowed = render_frame(scene, paper_settings);
   const std::size_t i = center_pixel(open);
   EXPECT_GT(open.beauty[4 * i], 0.0f);
   EXPECT_EQ(shadowed.beauty[4 * i], 0.0f);
@@ -88,12 +88,14 @@ TEST(Renderer, SurfacesArePlacedByTheirTransform) {
   ball.scale = 2.0;
   ball.translate = {0, 0, 1};
   scene.surfaces.push_back(ball);
-  EXPECT_NEAR(render_frame(scene, {}).depth[center_pixel(render_frame(scene, {}))], 7.0, 1e-2);
+  EXPECT_NEAR(
+      render_frame(scene, paper_settings).depth[center_pixel(render_frame(scene, paper_settings))],
+      7.0, 1e-2);
   // A wall turned by 90 degrees about y is seen edge on.
   scene.surfaces = {wall(0.0, 1.0)};
   scene.surfaces[0].translate = {0.3, 0, 0};
   scene.surfaces[0].rotate = glm::dquat(std::sqrt(0.5), 0, std::sqrt(0.5), 0);
-  const Frame frame = render_frame(scene, {});
+  const Frame frame = render_frame(scene, paper_settings);
   EXPECT_TRUE(std::isinf(frame.depth[center_pixel(frame)]));
 }
 
@@ -101,8 +103,8 @@ TEST(Renderer, ReusesOnlyUnchangedData) {
   Scene scene = busy_scene();
   Renderer renderer;
   const auto check = [&](const char* what) {
-    const Frame kept = *renderer.render(scene, scene.camera, scene.film, {});
-    EXPECT_EQ(kept.beauty, render_frame(scene, {}).beauty) << what;
+    const Frame kept = *renderer.render(scene, scene.camera, scene.film, paper_settings);
+    EXPECT_EQ(kept.beauty, render_frame(scene, paper_settings).beauty) << what;
   };
   check("first");
   scene.camera.eye = {0.5, 0.4, 3.5};
@@ -128,9 +130,9 @@ TEST(Renderer, ReusesOnlyUnchangedData) {
 
 TEST(Renderer, SameFrameOnAnyNumberOfThreads) {
   const Scene scene = busy_scene();
-  Settings one;
+  Settings one = paper_settings;
   one.threads = 1;
-  EXPECT_EQ(render_frame(scene, one).beauty, render_frame(scene, {}).beauty);
+  EXPECT_EQ(render_frame(scene, one).beauty, render_frame(scene, paper_settings).beauty);
 }
 
 TEST(Renderer, StopsOnRequest) {
@@ -153,7 +155,7 @@ TEST(Renderer, StopsOnRequest) {
 TEST(Renderer, ReportsSkippedStages) {
   Scene scene = cloud_scene(5, 1.0);
   scene.lights.clear();
-  const Frame frame = render_frame(scene, {});
+  const Frame frame = render_frame(scene, paper_settings);
   bool found = false;
   for (const SkippedStage& s : frame.statistics.skipped) {
     found = found || (s.stage == Stage::airlight && s.why == "nothing emits light");
@@ -171,15 +173,15 @@ TEST(Renderer, LightsSwitchedOffAreAsIfNotThere) {
   Scene one = scene;
   scene.lights[1].on = false;
   one.lights.pop_back();
-  const Frame frame = render_frame(scene, {});
-  EXPECT_EQ(frame.beauty, render_frame(one, {}).beauty);
+  const Frame frame = render_frame(scene, paper_settings);
+  EXPECT_EQ(frame.beauty, render_frame(one, paper_settings).beauty);
   bool found = false;
   for (const SkippedStage& s : frame.statistics.skipped) {
     found = found || (s.stage == Stage::lights && s.why == "switched off: 1");
   }
   EXPECT_TRUE(found);
   scene.lights[1].on = true;
-  EXPECT_NE(frame.beauty, render_frame(scene, {}).beauty);
+  EXPECT_NE(frame.beauty, render_frame(scene, paper_settings).beauty);
 }
 
 // A stage ran or was skipped, whatever the scene and the method.
@@ -210,7 +212,7 @@ TEST(Renderer, NoStageIsBothRunAndSkipped) {
 }
 
 TEST(Renderer, CountsPairs) {
-  const Frame frame = render_frame(busy_scene(), {});
+  const Frame frame = render_frame(busy_scene(), paper_settings);
   EXPECT_EQ(frame.statistics.gaussians_total, 80u);
   EXPECT_EQ(frame.statistics.gaussians_used, 80u);
   EXPECT_GT(frame.statistics.light_pairs, 0u);

@@ -29,7 +29,7 @@ TEST(RepeatableFrames, SlicedEveryPixel) {
 }
 
 TEST(RepeatableFrames, Paper) {
-  expect_repeatable(create_cpu_renderer, {});
+  expect_repeatable(create_cpu_renderer, paper_settings);
 }
 
 TEST(RepeatableFrames, March) {

@@ -10,6 +10,4 @@ namespace brume {
 // A copy turned by q about the origin.
 std::shared_ptr<TriangleMesh> turned(const TriangleMesh& mesh, const glm::dquat& q);
 
-MeshVertex vertex_of(const TriangleMesh& mesh, std::size_t index);
-
 }  // namespace brume

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/optical_depth.h"
 #include "render/renderer.h"
@@ -38,19 +38,13 @@ Scene cloud_scene(int count, double depth, unsigned seed) {
 }
 
 Surface wall(double z, double half, double reflectance) {
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->request_vertex_normals();
   const auto h = static_cast<float>(half);
-  const auto v = [&](float x, float y) { return mesh->add_vertex({x, y, static_cast<float>(z)}); };
-  const auto a = v(-h, -h);
-  const auto b = v(h, -h);
-  const auto c = v(h, h);
-  const auto d = v(-h, h);
-  mesh->add_face(a, b, c);
-  mesh->add_face(a, c, d);
-  for (const auto vertex : {a, b, c, d}) mesh->set_normal(vertex, {0, 0, 1});
+  const auto z_plane = static_cast<float>(z);
+  const MeshArrays mesh{{{-h, -h, z_plane}, {h, -h, z_plane}, {h, h, z_plane}, {-h, h, z_plane}},
+                        std::vector(4, glm::vec3(0, 0, 1)),
+                        {{0, 1, 2}, {0, 2, 3}}};
   Surface surface;
-  surface.mesh = mesh;
+  surface.mesh = to_mesh(mesh);
   surface.material.reflectance = glm::dvec3(reflectance);
   return surface;
 }
@@ -68,31 +62,27 @@ Scene cut_by_a_surface() {
 }
 
 std::shared_ptr<const TriangleMesh> ball_mesh(int rings) {
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->request_vertex_normals();
+  MeshArrays mesh;
   const int segments = 2 * rings;
-  std::vector<TriangleMesh::VertexHandle> vertices;
   for (int i = 0; i <= rings; ++i) {
     for (int j = 0; j < segments; ++j) {
       const double theta = std::numbers::pi * i / rings;
       const double phi = 2.0 * std::numbers::pi * j / segments;
-      const OpenMesh::Vec3f p(static_cast<float>(std::sin(theta) * std::cos(phi)),
-                              static_cast<float>(std::cos(theta)),
-                              static_cast<float>(std::sin(theta) * std::sin(phi)));
-      vertices.push_back(mesh->add_vertex(p));
-      mesh->set_normal(vertices.back(), p);
+      const glm::vec3 p(static_cast<float>(std::sin(theta) * std::cos(phi)),
+                        static_cast<float>(std::cos(theta)),
+                        static_cast<float>(std::sin(theta) * std::sin(phi)));
+      mesh.points.push_back(p);
+      mesh.normals.push_back(p);
     }
   }
-  const auto at = [&](int i, int j) {
-    return vertices[static_cast<std::size_t>(i * segments + j % segments)];
-  };
+  const auto at = [&](int i, int j) { return static_cast<unsigned>(i * segments + j % segments); };
   for (int i = 0; i < rings; ++i) {
     for (int j = 0; j < segments; ++j) {
-      mesh->add_face(at(i, j), at(i, j + 1), at(i + 1, j));
-      mesh->add_face(at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
+      mesh.triangles.emplace_back(at(i, j), at(i, j + 1), at(i + 1, j));
+      mesh.triangles.emplace_back(at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
     }
   }
-  return mesh;
+  return to_mesh(mesh);
 }
 
 std::shared_ptr<const RadianceMap> constant_sky(float radiance) {

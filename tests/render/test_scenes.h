@@ -27,6 +27,7 @@ std::shared_ptr<const TriangleMesh> ball_mesh(int rings);
 std::shared_ptr<const RadianceMap> constant_sky(float radiance);
 
 Frame render_frame(const Scene& scene, const Settings& settings);
+inline const Settings paper_settings{.airlight = AirlightMethod::paper};
 
 // Largest and root-mean-square difference of two frames' beauty (RGB), relative to b's rms.
 struct Difference {

@@ -127,7 +127,7 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
   report.transfer.push_back({"bowl", large, {}});
   report.curves.push_back({"lights", {{1.0, 2.0}, {10.0, 30.0}}, 1.2});
   report.thread_rows.push_back({1, {4.0, 3.0, 5.0}});
-  report.savings.push_back({"noise", "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
+  report.savings.push_back({Stage::noise, "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
   report.hard_cases.emplace_back().hard_case.breaks = "x < y";
   report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}});
   const std::vector<ReportTable> tables = bench_tables(report);

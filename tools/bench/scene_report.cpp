@@ -12,7 +12,9 @@ namespace {
 std::vector<Settings> tried_settings(const BenchOptions& options) {
   Settings base;
   base.threads = options.threads;
-  std::vector<Settings> settings = {base};
+  Settings paper = base;
+  paper.airlight = AirlightMethod::paper;
+  std::vector<Settings> settings = {paper};
   const std::vector<int> slices = options.quick ? std::vector{4, 8, 16, 32, 96}
                                                 : std::vector{4, 6, 8, 12, 16, 24, 32, 48, 64, 128};
   const std::vector<int> steps =

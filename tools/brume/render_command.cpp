@@ -33,22 +33,21 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int max_march_steps = 65'536;
 
-// Sets the method and what belongs to it; false: auto.
-bool copy_airlight(const std::string& name, Settings& settings) {
+// Sets the method and what belongs to it.
+void set_airlight(Settings& settings, const std::string& name) {
   constexpr std::string_view march = "march:";
-  if (name == "auto") return false;
-  for (const auto method :
-       {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::reference}) {
+  for (const auto method : {AirlightMethod::auto_, AirlightMethod::paper, AirlightMethod::sliced,
+                            AirlightMethod::reference}) {
     if (name != to_string(method)) continue;
     settings.airlight = method;
-    return true;
+    return;
   }
   if (name.starts_with(march)) {
     const auto steps = parse_integer(std::string_view(name).substr(march.size()));
     if (steps && *steps >= 1 && *steps <= max_march_steps) {
       settings.airlight = AirlightMethod::march;
       settings.march_steps = static_cast<int>(*steps);
-      return true;
+      return;
     }
   }
   throw UsageError("--airlight: found " + quoted_text(name) +
@@ -120,15 +119,16 @@ class RenderCommand final : public Command {
 
   ExitCode run() override {
     Settings settings = sliced_settings({}, slices_);
-    const bool is_chosen = copy_airlight(airlight_, settings);
+    set_airlight(settings, airlight_);
+    const bool is_auto = settings.airlight == AirlightMethod::auto_;
+    settings.max_error = max_error_;
     settings.paper = paper_;
     settings.paper_spread = paper_spread_;
     if (airlight_scale_ > 1 && settings.airlight == AirlightMethod::reference) {
       throw UsageError("--airlight-scale: the reference is never interpolated; allowed: 1");
     }
-    settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : is_chosen ? 1 : 4;
+    settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : is_auto ? 4 : 1;
     settings.reference_tolerance = tolerance_;
-    settings.time = time_;
     // Clamped to the available threads: TBB warns of more, and --stats reports the real number.
     const int hardware_threads = tbb::info::default_concurrency();
     settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
@@ -147,18 +147,14 @@ class RenderCommand final : public Command {
     std::string problem;
     const std::unique_ptr<FrameRenderer> made = make_renderer(backend, transfers, problem);
     FrameRenderer& renderer = *made;
-    Frame frame;
-    std::optional<ErrorEstimate> error;
-    if (is_chosen) {
-      frame = render(renderer, scene, scene.camera, film, settings, 1);
-    } else {
-      const ProgressLine line("auto");
-      MeasuredFrame measured = finished(render_auto(renderer, scene, scene.camera, film, settings,
-                                                    max_error_, interruption(), line.progress()));
-      frame = std::move(measured.frame);
-      settings = measured.settings;
-      error = measured.error;
-    }
+    const RequestedFrame rendered = [&] {
+      const ProgressLine line(is_auto ? "auto" : frame_title(1));
+      return finished(render_requested(renderer, scene, scene.camera, film, settings,
+                                       interruption(), line.progress()));
+    }();
+    const Frame& frame = rendered.frame;
+    std::optional<ErrorEstimate> error = rendered.error;
+    settings = rendered.settings;
     const std::chrono::duration<double, std::milli> first = Clock::now() - start;
     if (backend == Backend::gl) warn_of_cpu(problem, frame.statistics);
     if (error && error->high > max_error_) {
@@ -214,11 +210,14 @@ class RenderCommand final : public Command {
     return stats_file_.empty() && repeat_ == 1 ? 0 : repeat_;
   }
 
+  [[nodiscard]] std::string frame_title(int number) const {
+    return "frame " + std::to_string(number) + " of " + std::to_string(1 + moved_frames());
+  }
+
   // Renders frame `number`, with progress if interactive.
   Frame render(FrameRenderer& renderer, const Scene& scene, const Camera& camera, const Film& film,
                const Settings& settings, int number) const {
-    const ProgressLine line("frame " + std::to_string(number) + " of " +
-                            std::to_string(1 + moved_frames()));
+    const ProgressLine line(frame_title(number));
     return finished(
         renderer.render(scene, camera, film, settings, interruption(), line.progress()));
   }
@@ -245,10 +244,10 @@ class RenderCommand final : public Command {
   int airlight_scale_ = 0;  // 0: not given
   PaperOptions paper_;
   bool paper_spread_ = false;
-  double max_error_ = 0.02;
+  double max_error_ = Settings{}.max_error;
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
-  double time_ = Settings{}.time;
+  double time_ = 0.0;
   std::string backend_ = "auto";
   int threads_ = 0;
   int repeat_ = 1;

@@ -44,8 +44,8 @@ double median(std::vector<double> values) {
 // The stages that a frame's device runs; the others are the processor's.
 bool is_on_device(Stage stage) {
   static const StageSet stages{Stage::visibility, Stage::lists,    Stage::light_table,
-                               Stage::shadow_map, Stage::airlight, Stage::upsample,
-                               Stage::surfaces,   Stage::composite};
+                               Stage::shadow_map, Stage::airlight, Stage::transmittance,
+                               Stage::upsample,   Stage::surfaces, Stage::composite};
   return stages.has(stage);
 }
 

@@ -13,12 +13,10 @@
 #include "core/io/text_scanner.h"
 #include "core/limits.h"
 #include "core/number_domain.h"
+#include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {
-
-using OpenMesh::Vec3f;
-using OpenMesh::VertexHandle;
 
 RawMesh read_raw(const std::filesystem::path& file) {
   const std::string extension = lower_case_extension(file);
@@ -94,52 +92,18 @@ std::vector<glm::dvec3> unit_normals(const RawMesh& raw) {
   return smooth;
 }
 
-// Points, normals and OpenMesh's connectivity with its status bits.
-std::size_t bytes_of(std::size_t vertices, std::size_t edges, std::size_t faces) {
-  return 36 * vertices + 40 * edges + 8 * faces;
-}
-
-void check_bytes(const std::filesystem::path& file, std::size_t bytes) {
-  if (bytes <= limits::scene_bytes) return;
+std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file,
+                                               const RawMesh& raw) {
+  MeshArrays arrays;
+  arrays.points.assign(raw.points.begin(), raw.points.end());
+  const std::vector<glm::dvec3> normals = unit_normals(raw);
+  arrays.normals.assign(normals.begin(), normals.end());
+  for (const auto& [a, b, c] : raw.triangles) arrays.triangles.emplace_back(a, b, c);
+  auto mesh = to_mesh(arrays, limits::scene_bytes);
+  if (mesh) return mesh;
   throw InputError(file, "",
                    "the mesh needs more than the allowed " + std::to_string(limits::scene_bytes) +
                        " bytes of memory");
-}
-
-// OpenMesh holds manifolds only: a triangle that does not fit gets its own vertices.
-std::shared_ptr<TriangleMesh> to_triangle_mesh(const std::filesystem::path& file,
-                                               const RawMesh& raw) {
-  const std::size_t edges = raw.triangles.size() * 3 / 2;
-  check_bytes(file, bytes_of(raw.points.size(), edges, raw.triangles.size()));
-  const std::vector<glm::dvec3> normals = unit_normals(raw);
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->request_vertex_normals();
-  mesh->reserve(raw.points.size(), edges, raw.triangles.size());
-  const auto add_vertex = [&](std::uint32_t index) {
-    const VertexHandle vertex = mesh->add_vertex(Vec3f(static_cast<float>(raw.points[index].x),
-                                                       static_cast<float>(raw.points[index].y),
-                                                       static_cast<float>(raw.points[index].z)));
-    mesh->set_normal(
-        vertex, Vec3f(static_cast<float>(normals[index].x), static_cast<float>(normals[index].y),
-                      static_cast<float>(normals[index].z)));
-    return vertex;
-  };
-  for (std::uint32_t i = 0; i < raw.points.size(); ++i) add_vertex(i);
-  // OpenMesh reports each triangle that does not fit on its error stream.
-  const bool was_enabled = omerr().is_enabled();
-  omerr().disable();
-  for (const auto& corners : raw.triangles) {
-    check_bytes(file, mesh_bytes(*mesh));
-    std::array<VertexHandle, 3> vertices;
-    std::transform(corners.begin(), corners.end(), vertices.begin(),
-                   [](std::uint32_t i) { return VertexHandle(static_cast<int>(i)); });
-    if (!mesh->add_face(vertices.data(), 3).is_valid()) {
-      std::transform(corners.begin(), corners.end(), vertices.begin(), add_vertex);
-      mesh->add_face(vertices.data(), 3);
-    }
-  }
-  if (was_enabled) omerr().enable();
-  return mesh;
 }
 
 }  // namespace
@@ -189,10 +153,6 @@ std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file)
   const RawMesh raw = read_raw(file);
   if (raw.triangles.empty()) throw InputError(file, "", "the mesh has no faces");
   return to_triangle_mesh(file, raw);
-}
-
-std::size_t mesh_bytes(const TriangleMesh& mesh) {
-  return bytes_of(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces());
 }
 
 }  // namespace brume

@@ -13,7 +13,4 @@ namespace brume {
 // faces, coordinates that are not finite, a mesh of more than limits::scene_bytes.
 std::shared_ptr<const TriangleMesh> read_mesh(const std::filesystem::path& file);
 
-// Approximate memory of a mesh.
-std::size_t mesh_bytes(const TriangleMesh& mesh);
-
 }  // namespace brume

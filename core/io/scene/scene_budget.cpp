@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "core/io/mesh/mesh_file.h"
 #include "core/limits.h"
 #include "core/medium/gaussian.h"
 #include "core/scene/measured_brdf.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 
 namespace brume {

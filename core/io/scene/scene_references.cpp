@@ -13,7 +13,7 @@
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/text_scanner.h"
 #include "core/scene/measured_brdf.h"
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 
 namespace brume {
@@ -38,16 +38,10 @@ auto at_place(const JsonContext& context, const JsonPath& place, Read&& read) {
 // What stands for files that are missing.
 
 // Of no area, so that nothing is seen of it; without any triangle a scene would have no bounds.
-TriangleMesh invisible_mesh() {
-  TriangleMesh mesh;
-  mesh.request_vertex_normals();
-  std::array<OpenMesh::VertexHandle, 3> corners;
-  for (OpenMesh::VertexHandle& corner : corners) {
-    corner = mesh.add_vertex(OpenMesh::Vec3f(0.0f, 0.0f, 0.0f));
-    mesh.set_normal(corner, OpenMesh::Vec3f(0.0f, 1.0f, 0.0f));
-  }
-  mesh.add_face(corners[0], corners[1], corners[2]);
-  return mesh;
+std::shared_ptr<TriangleMesh> invisible_mesh() {
+  return to_mesh({std::vector(3, glm::vec3(0.0f)),
+                  std::vector(3, glm::vec3(0.0f, 1.0f, 0.0f)),
+                  {glm::uvec3(0, 1, 2)}});
 }
 
 RadianceMap black_map() {
@@ -140,7 +134,7 @@ std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& con
                                                           const JsonPath& place,
                                                           const fs::path& file) {
   std::shared_ptr<const TriangleMesh>& mesh = meshes_[file];
-  if (!mesh && is_missing(file)) mesh = std::make_shared<const TriangleMesh>(invisible_mesh());
+  if (!mesh && is_missing(file)) mesh = invisible_mesh();
   if (!mesh) mesh = at_place(context, place, [&] { return read_mesh(file); });
   return mesh;
 }

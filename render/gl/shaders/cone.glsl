@@ -1,16 +1,16 @@
-// A sum of directions that is shorter has no middle.
+// The cone around the rays of a work group that start at one point, and what touches it.
+#include "constants.glsl"
+
+// A sum of directions that is shorter has no center.
 const float min_length = 1e-3;
 // Roundings of cosines and distances.
 const float cosine_rounding = 1e-6;
 const float distance_share = 1.0001;
 
-// The cone around the rays of a work group that start at one point, and what touches it.
-#include "constants.glsl"
-
-shared vec4 axis;            // of the cone, and the cosine of its half angle
+shared vec4 axis;                     // of the cone, and the cosine of its half angle
 shared vec3 directions[bundle_size];  // of the rays, unit; 0: there is none
 
-// Of an invocation's ray among all.
+// Where this invocation's ray stands among those of all groups.
 ivec2 place_in_bundle() {
   const int id = int(gl_LocalInvocationID.x);
   return ivec2(gl_WorkGroupID.xy) * bundle_side + ivec2(id % bundle_side, id / bundle_side);

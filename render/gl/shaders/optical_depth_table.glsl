@@ -1,6 +1,6 @@
-// T(s, x) of the Gaussians around one light over directions and radii: OpticalDepthTable on the device. A
-// work group makes `bundle_side`^2 neighbouring directions, each along one ray; its Gaussians it finds itself,
-// those that touch the cone around its rays.
+// T(s, x) of the Gaussians around one light over directions and radii: OpticalDepthTable on the
+// device. A work group makes `bundle_side`^2 neighbouring directions, each along one ray, of the
+// Gaussians that touch the cone around its rays.
 #include "constants.glsl"
 
 layout(local_size_x = bundle_size) in;

@@ -15,8 +15,9 @@ layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // of measured materials.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 incident_values[]; };
 // A SurfaceRecord per surface. From the places named below on the elements of a quarter turn
-// (TurnElement), the polynomials of point and distant ScatterTable, the environment's
-// coefficients R G B 0 and the polynomials of its ScatterTable, and for each light the density of the medium there.
+// (TurnElement), the polynomials of point and distant ScatterTable, the environment's coefficients
+// R G B 0 and the polynomials of its ScatterTable, and for each light the density of the medium
+// there.
 layout(std430, binding = 7) readonly buffer Values { float values[]; };
 
 uniform float b0;

@@ -102,9 +102,10 @@ TEST(Animation, EvaluatesTheSceneAtATime) {
   scene.medium.set_homogeneous_density(0.5);
   scene.lights.resize(2);
   scene.environment.emplace();
-  const Scene still = scene;
-  EXPECT_EQ(evaluate_at(scene, 3.0), still);
+  Scene still = scene;
   EXPECT_FALSE(is_animated(scene));
+  still.time = 3.0;
+  EXPECT_EQ(evaluate_at(scene, 3.0), still);
 
   const auto vectors = [](const glm::dvec3& a, const glm::dvec3& b) {
     return Keys<glm::dvec3>{{.time = 0.0, .value = a}, {.time = 2.0, .value = b}};
@@ -126,6 +127,7 @@ TEST(Animation, EvaluatesTheSceneAtATime) {
   EXPECT_TRUE(is_animated(scene));
 
   Scene middle = still;  // every smooth key pair is half way at half the time
+  middle.time = 1.0;
   middle.camera = {{0, 1, 4}, {1, 0, 0}, {0, 1, 0}, 50.0};
   middle.medium.set_homogeneous_density(0.1);
   middle.optics.albedo = {0.75, 1, 1};
@@ -136,6 +138,16 @@ TEST(Animation, EvaluatesTheSceneAtATime) {
   middle.environment->intensity = 2.0;
   middle.environment->rotation = 45.0;
   EXPECT_EQ(evaluate_at(scene, 1.0), middle);
+}
+
+TEST(Animation, NoiseMovesWithTheWindOnly) {
+  Scene scene;
+  scene.optics.noise.amplitude = 0.5;
+  EXPECT_FALSE(is_animated(scene));
+  scene.optics.noise.velocity = {0, 0, 1};
+  EXPECT_TRUE(is_animated(scene));
+  scene.optics.noise.amplitude = 0.0;
+  EXPECT_FALSE(is_animated(scene));
 }
 
 TEST(Animation, KeepsEyeAndTargetApart) {

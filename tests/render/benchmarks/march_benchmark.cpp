@@ -61,7 +61,7 @@ void time_frames(const Scene& scene, Measured& measured) {
 void sliced_against_march(benchmark::State& state, Scene (*make)()) {
   Scene scene = make();
   scene.film = {200, 150};
-  Settings one_thread;
+  Settings one_thread{.airlight = AirlightMethod::paper};
   one_thread.threads = 1;
   const auto sample =
       *ErrorSample::create(scene, scene.camera, first_frame(scene, one_thread), 300, 1, 1e-4);

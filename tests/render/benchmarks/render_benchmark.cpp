@@ -34,7 +34,7 @@ double airlight_milliseconds(const Frame& frame) {
 void paper_simd_against_plain(benchmark::State& state) {
   const std::filesystem::path file = std::filesystem::path(BRUME_SCENES) / "box_3008.brume";
   const Scene scene = load_scene(file);
-  Settings simd;
+  Settings simd{.airlight = AirlightMethod::paper};
   simd.threads = 1;
   Settings plain = simd;
   plain.precision = Settings::Precision::plain_double;

@@ -74,7 +74,8 @@ void growth(benchmark::State& state, const std::vector<int>& sizes, Case (*make)
 Case gaussians(int count) {
   Scene scene = box_scene(count, 1);
   Renderer renderer;
-  const Settings settings = *choose_settings(renderer, scene, scene.camera, scene.film, {}, 0.03);
+  const Settings settings =
+      *choose_settings(renderer, scene, scene.camera, scene.film, {.max_error = 0.03});
   return {std::move(scene), settings};
 }
 Case lights(int count) {

@@ -20,8 +20,8 @@ namespace {
 
 // A ball of 70,225 vertices with bumps that shadow and light each other.
 std::shared_ptr<const TriangleMesh> bumpy_ball() {
-  auto mesh = empty_mesh();
-  add_patch(*mesh, 264, [](double u, double v) {
+  MeshArrays mesh;
+  add_patch(mesh, 264, [](double u, double v) {
     const double theta = std::numbers::pi * u;
     const double phi = -2.0 * std::numbers::pi * v;
     const auto at = [](double t, double p) {
@@ -35,7 +35,7 @@ std::shared_ptr<const TriangleMesh> bumpy_ball() {
     const glm::dvec3 p = at(theta, phi);
     return MeshVertex{p, glm::normalize(glm::dot(n, p) < 0.0 ? -n : n)};
   });
-  return mesh;
+  return to_mesh(mesh);
 }
 
 // Order 6 with 256 directions, shadows alone and with so many bounces. relative_error is that of
@@ -93,7 +93,10 @@ void light_of_70000_vertices(benchmark::State& state) {
   const auto transfers = std::make_shared<TransferStore>();
   transfers->make(std::array{transfer_request(surface)}, {});
   Renderer renderer(transfers);
-  const auto render = [&] { static_cast<void>(renderer.render(scene, scene.camera, {1, 1}, {})); };
+  const auto render = [&] {
+    static_cast<void>(
+        renderer.render(scene, scene.camera, {1, 1}, {.airlight = AirlightMethod::paper}));
+  };
   render();
   const double before = cpu_seconds();
   for (auto _ : state) {

@@ -91,7 +91,7 @@ TEST(March, WithoutLightsIsDarkAndDims) {
   Scene scene = clump();
   scene.lights.clear();
   const Frame frame = render_frame(scene, march(4));
-  const Frame paper = render_frame(scene, {});
+  const Frame paper = render_frame(scene, paper_settings);
   for (const float x : frame.airlight) ASSERT_EQ(x, 0.0f);
   EXPECT_LT(difference(frame.transmittance, paper.transmittance).relative_rmse, 1e-5);
 }

@@ -9,7 +9,7 @@ namespace brume {
 namespace {
 
 Settings plain() {
-  Settings settings;
+  Settings settings = paper_settings;
   settings.precision = Settings::Precision::plain_double;
   return settings;
 }
@@ -25,7 +25,7 @@ TEST(Paper, SimdFrameIsThePlainFrame) {
   scene.medium.set_homogeneous_density(0.03);
   scene.surfaces.push_back(wall(-0.5, 1.0));
   scene.lights.push_back({{-2, 1, 3}, {1, 5, 9}, {}});
-  const Frame fast = render_frame(scene, {});
+  const Frame fast = render_frame(scene, paper_settings);
   const Frame slow = render_frame(scene, plain());
   EXPECT_LT(difference(fast.beauty, slow.beauty).relative_rmse, 2e-5);
   // The plain path drops a Gaussian below tolerance ray by ray, the SIMD path only where all rays
@@ -45,7 +45,7 @@ TEST(Paper, HasTheDocumentedError) {
                          Row{300, 3.0, 0.2, 0.5}, Row{300, 10.0, 0.45, 0.95}}) {
     SCOPED_TRACE(row.depth);
     const Scene scene = cloud_scene(row.count, row.depth);
-    const Difference d = difference(render_frame(scene, {}).airlight,
+    const Difference d = difference(render_frame(scene, paper_settings).airlight,
                                     render_frame(scene, reference_settings()).airlight);
     EXPECT_GT(d.relative_rmse, row.low);
     EXPECT_LT(d.relative_rmse, row.high);
@@ -59,9 +59,9 @@ struct Gain {
 };
 Gain gain(const Scene& scene, const PaperOptions& options) {
   const Frame reference = render_frame(scene, reference_settings());
-  Settings settings;
+  Settings settings = paper_settings;
   const double published =
-      difference(render_frame(scene, {}).airlight, reference.airlight).relative_rmse;
+      difference(render_frame(scene, paper_settings).airlight, reference.airlight).relative_rmse;
   settings.paper = options;
   return {published,
           difference(render_frame(scene, settings).airlight, reference.airlight).relative_rmse};
@@ -77,14 +77,16 @@ TEST(PaperOptions, SimdFrameIsThePlainFrame) {
   scene.surfaces.push_back(wall(0.05, 1.0));
   scene.lights.push_back({{-2, 1, 3}, {1, 5, 9}, {}});
   for (const PaperOptions& options : {at_mean, conserve_energy, both}) {
-    Settings fast;
+    Settings fast = paper_settings;
     fast.paper = options;
     Settings slow = plain();
     slow.paper = options;
     const Frame frame = render_frame(scene, fast);
     // What culling leaves out, as above.
     EXPECT_LT(difference(frame.airlight, render_frame(scene, slow).airlight).relative_rmse, 2e-4);
-    EXPECT_GT(difference(frame.airlight, render_frame(scene, {}).airlight).relative_rmse, 1e-3);
+    EXPECT_GT(
+        difference(frame.airlight, render_frame(scene, paper_settings).airlight).relative_rmse,
+        1e-3);
   }
 }
 
@@ -125,17 +127,17 @@ TEST(PaperOptions, EnergyIsLeftAloneInDenseGaussians) {
   eye_inside.medium.append({eye_inside.camera.eye, 0.5, 20.0});
   Scene light_inside = cloud_scene(30, 1.0);
   light_inside.medium.append({light_inside.lights[0].position, 0.5, 20.0});
-  Settings settings;
+  Settings settings = paper_settings;
   settings.paper = conserve_energy;
   for (const Scene& scene : {eye_inside, light_inside}) {
-    EXPECT_EQ(render_frame(scene, settings).airlight, render_frame(scene, {}).airlight);
+    EXPECT_EQ(render_frame(scene, settings).airlight, render_frame(scene, paper_settings).airlight);
   }
 }
 
 // What culling leaves out of a ray is at most the stated 1e-3 of optical depth.
 TEST(Paper, CullingKeepsTheDepthOfEveryRay) {
   const Scene scene = cloud_scene(3000, 3.0);
-  const Frame culled = render_frame(scene, {});
+  const Frame culled = render_frame(scene, paper_settings);
   const Frame exact = render_frame(scene, reference_settings());
   for (std::size_t i = 0; i < culled.transmittance.size(); ++i) {
     const double depth = -std::log(static_cast<double>(culled.transmittance[i]));
@@ -150,8 +152,8 @@ TEST(Paper, ThinMediaAreNotCulledAway) {
   Scene thin = cloud_scene(100, 1e-3);
   Scene thinner = cloud_scene(100, 1e-9);
   for (PointLight& light : thinner.lights) light.intensity *= 1e6;
-  const Frame a = render_frame(thin, {});
-  const Frame b = render_frame(thinner, {});
+  const Frame a = render_frame(thin, paper_settings);
+  const Frame b = render_frame(thinner, paper_settings);
   EXPECT_LT(difference(a.airlight, b.airlight).relative_rmse, 3e-3);
 }
 

@@ -151,10 +151,9 @@ TEST_P(KindsOfScenes, SlicedAndAutoKeepTheirBounds) {
     Settings settings;
     settings.airlight_scale = scale;
     Renderer renderer;
-    const auto result =
-        render_auto(renderer, scene(), scene().camera, scene().film, settings, 0.02);
+    const auto result = render_requested(renderer, scene(), scene().camera, scene().film, settings);
     ASSERT_TRUE(result);
-    EXPECT_LE(result->error.high, 0.02);
+    EXPECT_LE(result->error->high, 0.02);
     EXPECT_LE(error_of(result->frame), 0.02);
   }
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/scene/mesh.h"
+#include "core/scene/mesh_arrays.h"
 #include "render/quality/auto_quality.h"
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
@@ -18,28 +18,24 @@ namespace {
 
 // A floor at y = 0 of cells x cells squares, 2 u to each side.
 Surface make_floor(int cells) {
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->request_vertex_normals();
-  std::vector<TriangleMesh::VertexHandle> vertices;
+  MeshArrays mesh;
   for (int i = 0; i <= cells; ++i) {
     for (int j = 0; j <= cells; ++j) {
       const auto x = 4.0f * static_cast<float>(j) / static_cast<float>(cells) - 2.0f;
       const auto z = 4.0f * static_cast<float>(i) / static_cast<float>(cells) - 2.0f;
-      vertices.push_back(mesh->add_vertex({x, 0.0f, z}));
-      mesh->set_normal(vertices.back(), {0, 1, 0});
+      mesh.points.emplace_back(x, 0.0f, z);
+      mesh.normals.emplace_back(0, 1, 0);
     }
   }
-  const auto at = [&](int i, int j) {
-    return vertices[static_cast<std::size_t>(i * (cells + 1) + j)];
-  };
+  const auto at = [&](int i, int j) { return static_cast<unsigned>(i * (cells + 1) + j); };
   for (int i = 0; i < cells; ++i) {
     for (int j = 0; j < cells; ++j) {
-      mesh->add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh->add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   }
   Surface surface;
-  surface.mesh = mesh;
+  surface.mesh = to_mesh(mesh);
   return surface;
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "tests/render/gl/gl_frames.h"
+#include "tests/render/plan_cases.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume::gl {
@@ -72,8 +74,8 @@ TEST(GlPlan, ListsWhatSurfacesAndEnvironmentsNeed) {
   scene.environment.emplace();
   scene.environment->map = constant_sky(1.0f);
   EXPECT_TRUE(is_on_cpu(plan_of(scene, sliced_settings({}, 12)), Stage::environment));
-  EXPECT_FALSE(is_on_cpu(plan_of(scene, {}), Stage::environment));
-  EXPECT_TRUE(is_on_cpu(plan_of(scene, {}), Stage::average_depth));
+  EXPECT_FALSE(is_on_cpu(plan_of(scene, paper_settings), Stage::environment));
+  EXPECT_TRUE(is_on_cpu(plan_of(scene, paper_settings), Stage::average_depth));
 }
 
 // Only what a frame is for leaves the device.
@@ -92,6 +94,71 @@ TEST(GlPlan, ReadsBackWhatIsNotDisplayed) {
   scene.surfaces.push_back(wall(-1.0, 1.0));
   EXPECT_TRUE(stages(&with_depth).has(Stage::read_depth));
   EXPECT_FALSE(stages(&picture).has(Stage::read_depth));
+}
+
+std::string in_words(const std::vector<SkippedStage>& stages) {
+  std::string words;
+  for (const SkippedStage& stage : stages) {
+    words += std::string(to_string(stage.stage)) + ": " + stage.why + '\n';
+  }
+  return words;
+}
+
+// Whatever a scene has: the stages of the CPU's plan run, some of its parts as stages.
+TEST(GlPlan, MovesStagesByTheirRules) {
+  for (const PlanCase& c : all_plan_cases()) {
+    const Scene scene = c.scene();
+    const RenderPlan cpu(scene, scene.film, c.settings());
+    const bool is_paper = c.is(AirlightMethod::paper);
+    if (!is_paper && !c.is(AirlightMethod::sliced)) {
+      ASSERT_TRUE(refusal(cpu)) << c.name();
+      continue;
+    }
+    ASSERT_FALSE(refusal(cpu)) << c.name();
+    const RenderPlan plan = device_plan(cpu, nullptr);
+
+    StageSet stages = cpu.stages;
+    StageSet parts = cpu.parts;
+    for (const Stage added : {Stage::submit, Stage::read_back}) stages.add(added);
+    stages.add(Stage::lists, c.has_medium());
+    stages.add(Stage::upsample, c.has_medium() && c.scale > 1);
+    stages.add(Stage::vertex_light, !cpu.transfers.empty());
+    for (const Stage timed : {Stage::upsample, Stage::vertex_light}) parts.remove(timed);
+    ASSERT_EQ(to_string(plan.stages), to_string(stages)) << c.name();
+    ASSERT_EQ(to_string(plan.parts), to_string(parts)) << c.name();
+
+    std::vector<SkippedStage> left;
+    const auto leave = [&](Stage stage, Reason why, bool is_left) {
+      if (is_left) left.push_back({stage, to_string(why)});
+    };
+    const bool lit_gaussians = c.has_lights() && c.has_gaussians();
+    leave(Stage::light_depth, Reason::center_depths_on_cpu, is_paper && lit_gaussians);
+    leave(Stage::eye_depth, Reason::center_depths_on_cpu, is_paper && lit_gaussians);
+    leave(Stage::vertex_light, Reason::vertex_light_on_cpu, !cpu.transfers.empty());
+    leave(Stage::environment, Reason::environment_on_cpu,
+          !is_paper && c.has_sky() && c.has_medium());
+    leave(Stage::average_depth, Reason::average_depth_on_cpu,
+          is_paper && c.has_sky() && c.has_gaussians() && c.surfaces);
+    ASSERT_EQ(in_words(plan.on_cpu), in_words(left)) << c.name();
+  }
+}
+
+using GlPlanOfFrames = GlFrames;
+
+TEST_F(GlPlanOfFrames, MatchesTheirStatistics) {
+  for (const PlanCase& c : few_plan_cases({AirlightMethod::paper, AirlightMethod::sliced})) {
+    const Scene scene = c.scene();
+    const RenderPlan plan = plan_of(scene, c.settings());
+    const FrameStatistics statistics = render(scene, c.settings()).statistics;
+    StageSet ran;
+    for (const StageTime& stage : statistics.stages) {
+      EXPECT_FALSE(ran.has(stage.stage)) << to_string(stage.stage) << " twice, " << c.name();
+      ran.add(stage.stage);
+    }
+    EXPECT_EQ(to_string(ran), to_string(plan.stages)) << c.name();
+    EXPECT_EQ(in_words(statistics.skipped), in_words(plan.skipped)) << c.name();
+    EXPECT_EQ(in_words(statistics.on_cpu), in_words(plan.on_cpu)) << c.name();
+  }
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ Scene rounded(Scene scene) {
 }
 
 TEST_F(GlFrames, SampleScenes) {
-  Settings paper;
+  Settings paper = paper_settings;
   paper.paper = {true, true};
   Settings scaled = quick_slices();
   scaled.airlight_scale = 4;
@@ -69,7 +69,7 @@ TEST_F(GlFrames, SampleScenes) {
     // Made once: it takes longer than all frames.
     const auto transfers = std::make_shared<TransferStore>();
     transfers->make(needed_transfers(scene), {});
-    for (const Settings& settings : {Settings{}, paper, quick_slices(), scaled}) {
+    for (const Settings& settings : {paper_settings, paper, quick_slices(), scaled}) {
       const std::string name = entry.path().filename().string() + ", " + airlight_name(settings) +
                                ", scale " + std::to_string(settings.airlight_scale);
       const Frame gl = render_on_device(scene, settings, name);
@@ -91,7 +91,7 @@ TEST_F(GlFrames, RandomScenes) {
     const Scene scene = random_scene(seed);
     Settings sliced = quick_slices();
     sliced.airlight_scale = seed % 4 == 0 ? 2 : 1;
-    Settings paper;
+    Settings paper = paper_settings;
     paper.paper = {seed % 2 == 1, seed % 4 > 1};
     for (const Settings& settings : {sliced, paper}) {
       const std::string name = "seed " + std::to_string(seed) + ", " + airlight_name(settings);
@@ -121,7 +121,7 @@ TEST_F(GlFrames, Environments) {
       scene.optics.anisotropy = anisotropy;
       scene.medium.set_homogeneous_density(b0);
       if (b0 > 0.0) scene.surfaces.push_back(wall(-0.5, 0.7));
-      for (Settings settings : {Settings{}, quick_slices()}) {
+      for (Settings settings : {paper_settings, quick_slices()}) {
         const std::string name = airlight_name(settings) + ", g = " + std::to_string(anisotropy) +
                                  ", b0 = " + std::to_string(b0);
         settings.source_grid = {1000, 24};
@@ -142,9 +142,9 @@ TEST_F(GlFrames, ShortRaysInALargeGaussian) {
   scene.medium.append({{0.4, 0.2, -1.5}, 1.5, 0.8});
   scene.lights.emplace_back().position = {0.03, 0.08, -0.2};
   scene.surfaces.push_back(wall(-0.4, 1.0));
-  Settings mean;
+  Settings mean = paper_settings;
   mean.paper.at_mean = true;
-  for (const Settings& settings : {Settings{}, mean, quick_slices()}) {
+  for (const Settings& settings : {paper_settings, mean, quick_slices()}) {
     const std::string name = airlight_name(settings);
     const Frame cpu = on_cpu(scene, settings);
     expect_within({render_on_device(scene, settings, name), cpu}, bound, name);
@@ -160,13 +160,13 @@ class GlSurfaces : public GlFrames {
     scene_.camera.eye = {2.5, -4.0, 2.5};
     scene_.camera.target = {0.0, 0.0, 0.3};
     scene_.camera.up = {0.0, 0.0, 1.0};
-    auto ball = empty_mesh();
-    add_ball(*ball, 12, {0.0, 0.0, 0.9}, 0.7, 3.0, false);
-    auto floor = empty_mesh();
-    add_floor(*floor, 4, 3.0);
+    MeshArrays ball;
+    add_ball(ball, 12, {0.0, 0.0, 0.9}, 0.7, 3.0, false);
+    MeshArrays floor;
+    add_floor(floor, 4, 3.0);
     for (const auto& mesh : {ball, floor}) {
       Surface& surface = scene_.surfaces.emplace_back();
-      surface.mesh = mesh;
+      surface.mesh = to_mesh(mesh);
       surface.material.reflectance = {0.7, 0.5, 0.3};
     }
     scene_.lights.assign(2, {});
@@ -210,7 +210,7 @@ TEST_F(GlSurfaces, MatchTheCpuUnderLights) {
   const Scene in_fog = scene_;
   Settings of_the_paper = quick_slices();
   of_the_paper.paper_spread = true;
-  for (const Settings& settings : {Settings{}, quick_slices(), of_the_paper}) {
+  for (const Settings& settings : {paper_settings, quick_slices(), of_the_paper}) {
     make_glossy();
     expect_same(settings, "Gaussians, glossy");
     scene_.surfaces.back().material.type = Material::Type::diffuse;
@@ -428,7 +428,7 @@ class GlFailures : public GlFrames {
     const Frame frame = render(scene_, settings_);
     EXPECT_EQ(frame.statistics.backend, "cpu");
     ASSERT_FALSE(frame.statistics.on_cpu.empty());
-    EXPECT_EQ(frame.statistics.on_cpu[0].stage, "frame");
+    EXPECT_EQ(frame.statistics.on_cpu[0].stage, Stage::frame);
     EXPECT_NE(frame.statistics.on_cpu[0].why.find(why), std::string::npos)
         << frame.statistics.on_cpu[0].why;
     EXPECT_EQ(frame.beauty, on_cpu(scene_, settings_).beauty);

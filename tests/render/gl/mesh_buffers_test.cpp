@@ -13,18 +13,18 @@
 namespace brume::gl {
 namespace {
 
-Surface surface_of(std::shared_ptr<const TriangleMesh> mesh) {
+Surface surface_of(const MeshArrays& mesh) {
   Surface surface;
-  surface.mesh = std::move(mesh);
+  surface.mesh = to_mesh(mesh);
   return surface;
 }
 
 // A ball over a floor, both of many triangles that share edges.
 std::vector<Surface> ball_over_floor(const glm::dvec3& at) {
-  auto ball = empty_mesh();
-  add_ball(*ball, 20, {0.0, 0.0, 1.0}, 0.8, 3.0, false);
-  auto floor = empty_mesh();
-  add_floor(*floor, 30, 3.0);
+  MeshArrays ball;
+  add_ball(ball, 20, {0.0, 0.0, 1.0}, 0.8, 3.0, false);
+  MeshArrays floor;
+  add_floor(floor, 30, 3.0);
   std::vector<Surface> surfaces{surface_of(ball), surface_of(floor)};
   for (Surface& surface : surfaces) surface.translate = at;
   return surfaces;
@@ -33,18 +33,18 @@ std::vector<Surface> ball_over_floor(const glm::dvec3& at) {
 // Triangles of any size and place, some of no area, some of them twice.
 std::vector<Surface> random_triangles(int count) {
   Random random(5);
-  auto mesh = empty_mesh();
+  MeshArrays mesh;
   for (int i = 0; i < count; ++i) {
     const glm::dvec3 a = random.point(1.0);
     const glm::dvec3 ab = random.point(1.0) * random.power(-3, 0);
     const glm::dvec3 ac = i % 10 == 0 ? 0.5 * ab : random.point(1.0) * random.power(-3, 0);
     for (int copies = i % 7 == 0 ? 2 : 1; copies > 0; --copies) {
-      std::vector<TriangleMesh::VertexHandle> corners;
+      const std::size_t first = mesh.points.size();
       for (const glm::dvec3& p : {a, a + ab, a + ac}) {
-        corners.push_back(mesh->add_vertex(
-            {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}));
+        mesh.points.emplace_back(p);
+        mesh.normals.emplace_back(0.0f, 1.0f, 0.0f);
       }
-      mesh->add_face(corners);
+      mesh.triangles.emplace_back(first, first + 1, first + 2);
     }
   }
   return {surface_of(mesh)};
@@ -108,8 +108,8 @@ TEST_F(DeviceRays, MatchEmbree) {
   EXPECT_GT(expect_same_hits(ball_over_floor({0.0, 0.0, 0.0}), camera), 5000);
   EXPECT_GT(expect_same_hits(random_triangles(3000), camera), 1000);
   EXPECT_GT(expect_same_hits(random_triangles(30), camera), 0);
-  auto pair = empty_mesh();  // in one leaf
-  add_floor(*pair, 1, 1.0);
+  MeshArrays pair;  // in one leaf
+  add_floor(pair, 1, 1.0);
   EXPECT_GT(expect_same_hits({surface_of(pair)}, camera), 1000);
   EXPECT_EQ(expect_same_hits({}, camera), 0);
 }
@@ -121,8 +121,8 @@ TEST_F(DeviceRays, PassBetweenNoTriangles) {
   camera.target = {0.0, 0.0, 0.0};
   camera.up = {0.0, 1.0, 0.0};
   camera.vertical_fov = 60.0;
-  auto floor = empty_mesh();
-  add_floor(*floor, 64, 2.0);
+  MeshArrays floor;
+  add_floor(floor, 64, 2.0);
   EXPECT_EQ(expect_same_hits({surface_of(floor)}, camera), 160 * 120);
 }
 

@@ -2,7 +2,8 @@
 
 #include "render/gl/tile_lists.h"
 
-#include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "tests/random.h"
 #include "tests/render/gl/gl_frames.h"
@@ -30,29 +31,38 @@ Scene crowded_scene(int gaussians) {
   return scene;
 }
 
-class TileListsTest : public GlTest {};
+class SortedLists : public GlTest {};
 
-TEST_F(TileListsTest, AscendAtAnyLength) {
-  Programs programs;
-  MediumBuffers medium;
-  TileLists lists;
-  std::uint64_t revision = 0;
-  for (const int count : {1, 2047, 2048, 2049, 3000, 5000}) {
-    const Scene scene = crowded_scene(count);
-    const MediumIndex index(scene.medium, 1e-6);
-    const CameraRays rays(scene.camera, scene.film);
-    medium.update(index, ++revision);
-    lists.build(programs, medium, index, rays, scene.film, 1, 1 << 28);
-    const auto tiles = static_cast<std::size_t>(lists.tiles().x * lists.tiles().y);
-    std::vector<std::uint32_t> offsets(tiles + 1);
-    lists.offsets().download(std::span(offsets));
-    std::vector<std::uint32_t> entries(offsets.back());
-    lists.entries().download(std::span(entries));
-    ASSERT_EQ(entries.size(), tiles * static_cast<std::size_t>(count));
-    for (std::size_t tile = 0; tile < tiles; ++tile) {
-      for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(count); ++k) {
-        ASSERT_EQ(entries[offsets[tile] + k], k) << "tile " << tile << " of " << count;
-      }
+// The order in which list.glsl finds Gaussians is that of the device; here it is as bad as can be.
+TEST_F(SortedLists, AscendAtAnyLength) {
+  Random random(3);
+  const std::vector<std::size_t> counts{
+      0, 1, 2, 100, max_shared - 1, max_shared, max_shared + 1, 3000, 5000};
+  std::vector<std::uint32_t> offsets{0};
+  std::vector<std::uint32_t> entries;
+  for (const std::size_t count : counts) {
+    std::vector<std::uint32_t> list(count);
+    std::iota(list.begin(), list.end(), 7u);
+    for (std::size_t i = count; i > 1; --i) {
+      std::swap(list[i - 1],
+                list[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(i)))]);
+    }
+    entries.insert(entries.end(), list.begin(), list.end());
+    offsets.push_back(static_cast<std::uint32_t>(entries.size()));
+  }
+  Buffer entry_buffer;
+  Buffer offset_buffer;
+  entry_buffer.upload(std::span<const std::uint32_t>(entries));
+  offset_buffer.upload(std::span<const std::uint32_t>(offsets));
+  const Program sort("sort_list.glsl");
+  sort.set("tiles", static_cast<unsigned>(counts.size()));
+  sort.bind("Entries", entry_buffer);
+  sort.bind("Offsets", offset_buffer);
+  sort.dispatch_linear(counts.size());
+  entry_buffer.download(std::span(entries));
+  for (std::size_t tile = 0; tile < counts.size(); ++tile) {
+    for (std::uint32_t k = 0; k < counts[tile]; ++k) {
+      ASSERT_EQ(entries[offsets[tile] + k], 7u + k) << k << " of " << counts[tile];
     }
   }
 }
@@ -61,8 +71,7 @@ class GlLongLists : public GlFrames {};
 
 TEST_F(GlLongLists, MatchTheCpuAndRepeat) {
   const Scene scene = crowded_scene(static_cast<int>(max_shared) + 700);
-  for (const AirlightMethod method :
-       {AirlightMethod::sliced, AirlightMethod::paper}) {
+  for (const AirlightMethod method : {AirlightMethod::sliced, AirlightMethod::paper}) {
     Settings settings = quick_slices();
     settings.airlight = method;
     settings.optical_depth_table = {12, 8};

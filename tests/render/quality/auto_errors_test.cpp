@@ -38,7 +38,7 @@ double true_error(const Scene& scene, const Frame& frame) {
   std::vector<std::size_t> all(frame.depth.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const std::vector<glm::dvec3> reference =
-      ReferencePixels(scene, scene.camera, frame.film, 0.0, 1e-3).airlight(all, {});
+      ReferencePixels(scene, scene.camera, frame.film, 1e-3).airlight(all, {});
   double error = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < frame.airlight.size(); ++i) {
@@ -69,18 +69,19 @@ Tally tally_auto(unsigned first, unsigned count) {
     Settings settings;
     settings.threads = 1;  // scenes run side by side
     settings.airlight_scale = 4;
+    settings.max_error = bound;
     Renderer renderer;
-    const MeasuredFrame made =
-        *render_auto(renderer, scene, scene.camera, scene.film, settings, bound);
+    const RequestedFrame made =
+        *render_requested(renderer, scene, scene.camera, scene.film, settings);
     const double actual_error = true_error(scene, made.frame);
     if (actual_error == 0.0) return;  // black
-    const bool passes = made.error.high <= bound;
+    const bool passes = made.error->high <= bound;
     const std::scoped_lock lock(mutex);
     if (actual_error > black_error_threshold) {
       tally.black_accepted += passes ? 1 : 0;
       return;
     }
-    const bool covered = made.error.low <= actual_error && actual_error <= made.error.high;
+    const bool covered = made.error->low <= actual_error && actual_error <= made.error->high;
     const bool false_pass = passes && actual_error > bound;
     ++tally.lit;
     tally.covered += covered ? 1 : 0;
@@ -88,7 +89,7 @@ Tally tally_auto(unsigned first, unsigned count) {
     if (covered) return;
     std::ostringstream text;
     text << (false_pass ? "false pass" : "not covered") << " in " << seed << ": " << actual_error
-         << " not in " << made.error.low << " to " << made.error.high;
+         << " not in " << made.error->low << " to " << made.error->high;
     tally.failures.push_back(text.str());
   });
   std::ranges::sort(tally.failures);

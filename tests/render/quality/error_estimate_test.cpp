@@ -41,7 +41,7 @@ TEST(ErrorEstimate, IntervalHoldsTheTruth) {
     scene.film = {40, 40};
     const Frame reference = render_frame(scene, method(AirlightMethod::reference));
     const auto view_reference =
-        std::make_shared<ViewReference>(scene, scene.camera, scene.film, 0.0, 1e-4);
+        std::make_shared<ViewReference>(scene, scene.camera, scene.film, 1e-4);
     for (const Settings& settings :
          {method(AirlightMethod::paper), method(AirlightMethod::sliced, 8),
           method(AirlightMethod::sliced, 16)}) {
@@ -78,8 +78,7 @@ class WrongFrame {
   explicit WrongFrame(const Scene& scene)
       : scene_(on_film(scene)),
         frame(render_frame(scene_, method(AirlightMethod::reference))),
-        reference_(std::make_shared<ViewReference>(scene_, scene_.camera, scene_.film, 0.0, 1e-4)) {
-  }
+        reference_(std::make_shared<ViewReference>(scene_, scene_.camera, scene_.film, 1e-4)) {}
 
   [[nodiscard]] std::size_t pixel(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(scene_.film.width) +
@@ -273,19 +272,38 @@ TEST(AutoQuality, MeetsTheRequestedError) {
     const Frame reference = render_frame(scene, method(AirlightMethod::reference));
     Renderer renderer;
     for (const double asked : {0.05, 0.01}) {
-      const MeasuredFrame made =
-          *render_auto(renderer, scene, scene.camera, scene.film, Settings{}, asked);
-      EXPECT_LE(made.error.high, asked);
+      const RequestedFrame made =
+          *render_requested(renderer, scene, scene.camera, scene.film, {.max_error = asked});
+      EXPECT_EQ(made.settings.airlight, AirlightMethod::sliced);
+      EXPECT_LE(made.error->high, asked);
       EXPECT_LT(difference(made.frame.airlight, reference.airlight).relative_rmse, asked);
     }
   }
 }
 
+TEST(AutoQuality, LeavesGivenSettingsAlone) {
+  const Scene scene = cloud_scene(30, 1.0);
+  Renderer renderer;
+  const RequestedFrame made =
+      *render_requested(renderer, scene, scene.camera, scene.film, paper_settings);
+  EXPECT_EQ(made.frame.beauty, render_frame(scene, paper_settings).beauty);
+  EXPECT_EQ(made.settings, paper_settings);
+  EXPECT_FALSE(made.error);
+}
+
+TEST(AutoQuality, RenderersRenderItAsSliced) {
+  const Scene scene = cloud_scene(30, 1.0);
+  EXPECT_EQ(Settings{}.airlight, AirlightMethod::auto_);
+  EXPECT_EQ(render_frame(scene, {}).beauty,
+            render_frame(scene, sliced_settings({}, Settings{}.slices)).beauty);
+}
+
 TEST(AutoQuality, CostsLessForALooserBound) {
   const Scene scene = cloud_scene(300, 3.0);
   Renderer renderer;
-  const auto loose = choose_settings(renderer, scene, scene.camera, scene.film, {}, 0.1);
-  const auto tight = choose_settings(renderer, scene, scene.camera, scene.film, {}, 0.003);
+  const auto loose = choose_settings(renderer, scene, scene.camera, scene.film, {.max_error = 0.1});
+  const auto tight =
+      choose_settings(renderer, scene, scene.camera, scene.film, {.max_error = 0.003});
   EXPECT_LT(loose->slices, tight->slices);
 }
 

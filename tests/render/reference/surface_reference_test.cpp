@@ -224,7 +224,7 @@ TEST(SurfaceReference, MatchesAFrameForPointLights) {
   ASSERT_TRUE(hit);
   const SurfacePoint point = ray_caster.point(hit, scene.camera.eye, w, scene.surfaces);
   const glm::dvec3 reference = reflected_light(scene, ray_caster, point, {.samples = 2}).attenuated;
-  const Frame frame = render_frame(scene, Settings{});
+  const Frame frame = render_frame(scene, paper_settings);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(static_cast<double>(frame.beauty[static_cast<std::size_t>(c)]), reference[c],
                 1e-5 * reference[c]);

@@ -130,7 +130,8 @@ TEST(SurfaceLight, MatchesTheReferenceForASkyInSmoke) {
     scene.film = {5, 5};
     const SurfaceTruth reference(scene, {.samples = 40});
     ASSERT_GT(reference.size(), 10u);
-    EXPECT_LT(reference.error(render_frame(scene, {})).rel_rmse, row.paper_error) << row.depth;
+    EXPECT_LT(reference.error(render_frame(scene, paper_settings)).rel_rmse, row.paper_error)
+        << row.depth;
     EXPECT_LT(reference.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, row.error)
         << row.depth;
   }
@@ -156,7 +157,7 @@ TEST(SurfaceLight, AWhiteBallMatchesItsEnvironment) {
   scene.camera = {{0, 0.5, 4}, {0, 0, 0}, {0, 1, 0}, 40.0};
   scene.film = {32, 24};
   scene.environment.emplace().map = constant_sky(1.0f);
-  const Frame frame = render_frame(scene, {});
+  const Frame frame = render_frame(scene, paper_settings);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     const bool is_open = !std::isfinite(frame.depth[i]);
     EXPECT_EQ(frame.beauty[4 * i + 3], is_open ? 0.0f : 1.0f);
@@ -184,7 +185,7 @@ TEST(SurfaceLight, HighlightsSoftenAndWidenWithOpticalDepth) {
   double last_width = 0.0;
   for (const double b0 : {0.0, 0.1, 0.3, 0.8, 2.0}) {
     scene.medium.set_homogeneous_density(b0);
-    const Frame frame = render_frame(scene, {});
+    const Frame frame = render_frame(scene, paper_settings);
     double peak = 0.0;
     double sum = 0.0;
     std::vector<double> values;
@@ -216,7 +217,7 @@ TEST(Environment, PaperInscatteringMatchesThePublishedFormula) {
   scene.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 1.0};
   scene.film = {1, 1};
   scene.medium.append({{0, 0, 0}, 1.0, 1.0});
-  Settings settings;
+  Settings settings = paper_settings;
   settings.paper_spread = true;
   const Frame frame = render_frame(scene, settings);
   const double T = std::sqrt(pi);
@@ -258,7 +259,7 @@ TEST(Environment, UpdatesWhenItsInputsChange) {
   scene.surfaces = {ball(0.4)};
   set_type(Material::Type::phong, scene.surfaces[0].material);
   Renderer renderer;
-  Settings settings;
+  Settings settings = paper_settings;
   const auto expect_as_new = [&](const char* what) {
     const Frame kept = *renderer.render(scene, scene.camera, scene.film, settings);
     expect_finite(kept);
@@ -291,7 +292,9 @@ TEST(Environment, UpdatesWhenItsInputsChange) {
 TEST(Environment, CostsNothingWhenAbsent) {
   const auto skipped = [](const Scene& scene) {
     StageSet stages;
-    for (const SkippedStage& s : render_frame(scene, {}).statistics.skipped) stages.add(s.stage);
+    for (const SkippedStage& s : render_frame(scene, paper_settings).statistics.skipped) {
+      stages.add(s.stage);
+    }
     return stages;
   };
   Scene scene;

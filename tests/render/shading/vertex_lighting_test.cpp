@@ -30,7 +30,7 @@ constexpr auto interreflection = Surface::Transfer::interreflection;
 
 Frame with(Scene scene, Surface::Transfer transfer) {
   for (Surface& surface : scene.surfaces) surface.transfer = transfer;
-  return render_frame(scene, {});
+  return render_frame(scene, paper_settings);
 }
 
 TEST(VertexLighting, AWhiteBallMatchesItsEnvironment) {
@@ -59,7 +59,7 @@ TEST(VertexLighting, ABowlInAFurnaceIsAGeometricSeries) {
     scene.surfaces[0].material.reflectance = {0.9, 0.6, 0.2};
     scene.environment.emplace().map = constant_sky(1.0f);
     const auto expect = [&](const auto& wanted) {
-      const Frame frame = render_frame(scene, {});
+      const Frame frame = render_frame(scene, paper_settings);
       for (std::size_t i = 0; i < frame.depth.size(); ++i) {
         if (!(frame.depth[i] > 5.0f && std::isfinite(frame.depth[i]))) continue;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -101,16 +101,16 @@ TEST(VertexLighting, MatchesTheReference) {
 TEST(VertexLighting, RotatesWithSceneAndEnvironment) {
   Scene scene = ball_over_floor(interreflection);
   scene.environment.emplace().map = smooth_sky();
-  const Frame before = render_frame(scene, {});
+  const Frame before = render_frame(scene, paper_settings);
   const double degrees = 50.0;
   scene.environment->rotation += degrees;
-  const Frame sky_alone = render_frame(scene, {});
+  const Frame sky_alone = render_frame(scene, paper_settings);
   const glm::dquat turn = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 1, 0));
   scene.surfaces[0].rotate = turn;
   scene.camera.eye = turn * scene.camera.eye;
   scene.camera.target = turn * scene.camera.target;
   scene.camera.up = turn * scene.camera.up;
-  const Frame after = render_frame(scene, {});
+  const Frame after = render_frame(scene, paper_settings);
   EXPECT_LT(difference(after.beauty, before.beauty).relative_rmse, 1e-5);
   EXPECT_GT(difference(sky_alone.beauty, before.beauty).relative_rmse, 1e-2);
 }
@@ -125,7 +125,7 @@ TEST(VertexLighting, UpdatesWhenItsInputsChange) {
   surface.transfer = shadow;
   scene.surfaces = {surface};
   Renderer renderer;
-  Settings settings;
+  Settings settings = paper_settings;
   settings.source_grid = {1000, 24};  // everything is made anew each time
   std::vector<float> last;
   const auto expect_as_new = [&](const char* what) {
@@ -203,7 +203,9 @@ TEST(VertexLighting, UsesOnlyAvailableTransfer) {
   scene.environment.emplace().map = smooth_sky();
   const auto transfers = std::make_shared<TransferStore>();
   Renderer renderer(transfers);
-  const auto render = [&] { return *renderer.render(scene, scene.camera, scene.film, {}); };
+  const auto render = [&] {
+    return *renderer.render(scene, scene.camera, scene.film, paper_settings);
+  };
   const auto why_skipped = [](const Frame& frame) {
     for (const SkippedStage& s : frame.statistics.skipped) {
       if (s.stage == Stage::transfer) return s.why;
@@ -225,7 +227,7 @@ TEST(VertexLighting, UsesOnlyAvailableTransfer) {
   EXPECT_TRUE(transfers->has(needed));
   const Frame shadowed = render();
   EXPECT_EQ(why_skipped(shadowed), "");
-  EXPECT_EQ(shadowed.beauty, render_frame(scene, {}).beauty);
+  EXPECT_EQ(shadowed.beauty, render_frame(scene, paper_settings).beauty);
   EXPECT_NE(shadowed.beauty, without.beauty);
 
   EXPECT_TRUE(transfers->make({}, {}));
@@ -256,7 +258,7 @@ TEST(VertexLighting, IsComputedOnlyWithLight) {
   EXPECT_EQ(why(scene), "");
   scene.surfaces.push_back(scene.surfaces[0]);
   EXPECT_EQ(needed_transfers(scene).size(), 1u) << "made once";
-  const Frame frame = render_frame(scene, {});
+  const Frame frame = render_frame(scene, paper_settings);
   EXPECT_EQ(frame.statistics.stages.at(0).stage, Stage::transfer);
 }
 
@@ -266,7 +268,7 @@ TEST(VertexLighting, CanBeStopped) {
   scene.film = {64, 48};
   scene.environment.emplace().map = smooth_sky();
   scene.medium.set_homogeneous_density(0.05);
-  const Frame uninterrupted = render_frame(scene, {});
+  const Frame uninterrupted = render_frame(scene, paper_settings);
   for (const double stop_fraction : {0.0, 0.2, 0.45, 0.6, 0.95}) {
     Renderer renderer;
     std::stop_source stop;
@@ -276,10 +278,12 @@ TEST(VertexLighting, CanBeStopped) {
       last = fraction;
       if (fraction >= stop_fraction) stop.request_stop();
     };
-    EXPECT_FALSE(renderer.render(scene, scene.camera, scene.film, {}, stop.get_token(), progress));
+    EXPECT_FALSE(renderer.render(scene, scene.camera, scene.film, paper_settings, stop.get_token(),
+                                 progress));
     EXPECT_GE(last, stop_fraction);
     EXPECT_LT(last, stop_fraction + 0.3);
-    EXPECT_EQ(renderer.render(scene, scene.camera, scene.film, {})->beauty, uninterrupted.beauty);
+    EXPECT_EQ(renderer.render(scene, scene.camera, scene.film, paper_settings)->beauty,
+              uninterrupted.beauty);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "core/scene/environment.h"
+#include "core/scene/placement.h"
 #include "core/scene/radiance_map.h"
 #include "render/reference/surface_reference.h"
 #include "render/transfer/sh_material.h"
@@ -71,13 +72,13 @@ TEST(EnclosedSides, AreInsideClosedParts) {
     return enclosed_sides(mesh)[vertex];
   };
   EXPECT_EQ(sides(*ball_mesh(8), 20), Enclosed::back);
-  auto mesh = empty_mesh();
-  const std::size_t outward = add_ball(*mesh, 8, {5, 0, 0}, 1.0, pi, false);
-  const std::size_t inward = add_ball(*mesh, 8, {0, 5, 0}, 1.0, pi, true);
-  const std::size_t bowl = add_ball(*mesh, 8, {0, 0, 5}, 1.0, 2.0, true);
-  const std::size_t floor = add_floor(*mesh, 4, 1.0);
-  const std::vector<Enclosed> all = enclosed_sides(*mesh);
-  ASSERT_EQ(all.size(), mesh->n_vertices());
+  MeshArrays mesh;
+  const std::size_t outward = add_ball(mesh, 8, {5, 0, 0}, 1.0, pi, false);
+  const std::size_t inward = add_ball(mesh, 8, {0, 5, 0}, 1.0, pi, true);
+  const std::size_t bowl = add_ball(mesh, 8, {0, 0, 5}, 1.0, 2.0, true);
+  const std::size_t floor = add_floor(mesh, 4, 1.0);
+  const std::vector<Enclosed> all = enclosed_sides(*to_mesh(mesh));
+  ASSERT_EQ(all.size(), mesh.points.size());
   for (std::size_t v = 0; v < all.size(); ++v) {
     EXPECT_EQ(all[v], v < inward ? Enclosed::back : v < bowl ? Enclosed::front : Enclosed::none);
   }
@@ -85,18 +86,16 @@ TEST(EnclosedSides, AreInsideClosedParts) {
   EXPECT_LT(bowl, floor);
 
   // One triangle less opens a part, and no other.
-  mesh->request_face_status();
-  mesh->request_edge_status();
-  mesh->request_vertex_status();
-  mesh->delete_face(OpenMesh::FaceHandle(40), false);
-  mesh->garbage_collection();
-  EXPECT_EQ(sides(*mesh, outward + 30), Enclosed::none);
-  EXPECT_EQ(sides(*mesh, inward + 30), Enclosed::front);
+  mesh.triangles.erase(mesh.triangles.begin() + 40);
+  const auto open = to_mesh(mesh);
+  EXPECT_EQ(sides(*open, outward + 30), Enclosed::none);
+  EXPECT_EQ(sides(*open, inward + 30), Enclosed::front);
 }
 
 // What is seen from a ball, whose own lower hemispheres are mirrored from the upper ones: all.
 TEST(RadianceTransfer, ABallHasNoShadows) {
   const auto ball = ball_mesh(16);
+  const MeshArrays arrays = to_arrays(*ball);
   for (int order = 1; order <= sh_max_bands; ++order) {
     const RadianceTransfer t = transfer_of(ball, {.order = order, .bounces = 1});
     EXPECT_TRUE(t.side(MeshSide::back).visibility.empty());
@@ -105,7 +104,7 @@ TEST(RadianceTransfer, ABallHasNoShadows) {
       const MeshPoint point = at_vertex(v);
       // Roundings of float.
       EXPECT_LT(distance(t.visibility(MeshSide::front, point), fully_visible(order)), 2e-6);
-      const glm::dvec3 n = vertex_of(*ball, v).normal;
+      const glm::dvec3 n = glm::dvec3(arrays.normals[v]);
       EXPECT_LT(distance(t.reflected(MeshSide::front, 0, point), cosine_lobe(order, n)), 2e-6);
       EXPECT_EQ(distance(t.reflected(MeshSide::front, 1, point), ShVector<double>(order)), 0.0);
       EXPECT_EQ(distance(t.visibility(MeshSide::back, point), ShVector<double>(order)), 0.0);
@@ -142,11 +141,11 @@ struct Ball {
 
 // A floor with a ball above it.
 std::shared_ptr<TriangleMesh> floor_and_ball(int n) {
-  auto mesh = empty_mesh();
-  add_floor(*mesh, n, 1.0);
+  MeshArrays mesh;
+  add_floor(mesh, n, 1.0);
   const Ball ball;
-  add_ball(*mesh, 48, ball.center, ball.radius, pi, false);
-  return mesh;
+  add_ball(mesh, 48, ball.center, ball.radius, pi, false);
+  return to_mesh(mesh);
 }
 
 struct Counted {
@@ -178,10 +177,11 @@ Counted counted(int order, const glm::dvec3& p) {
 
 TEST(RadianceTransfer, AFloorUnderABallMatchesCountedRays) {
   const auto mesh = floor_and_ball(6);
+  const MeshArrays arrays = to_arrays(*mesh);
   constexpr std::size_t floor = 7 * 7;
   std::vector<Counted> reference;
   for (std::size_t v = 0; v < floor; v += 6)
-    reference.push_back(counted(6, vertex_of(*mesh, v).position));
+    reference.push_back(counted(6, glm::dvec3(arrays.points[v])));
   double min_seen = 1.0;
   std::array<double, 3> error{};
   const std::array<std::size_t, 3> directions = {64, 256, 1024};
@@ -213,11 +213,11 @@ TEST(RadianceTransfer, AFloorUnderABallMatchesCountedRays) {
 TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
   for (const double to : {0.5 * pi, 2.4}) {
     const double f = 0.5 * (1.0 - std::cos(to));
-    auto bowl = empty_mesh();
-    add_ball(*bowl, 40, {0, 0, 0}, 2.0, to, true);
+    MeshArrays bowl;
+    add_ball(bowl, 40, {0, 0, 0}, 2.0, to, true);
     constexpr int bounces = 6;
     const RadianceTransfer t =
-        transfer_of(bowl, {.order = 4, .directions = 1024, .bounces = bounces});
+        transfer_of(to_mesh(bowl), {.order = 4, .directions = 1024, .bounces = bounces});
     for (int bounce = 0; bounce <= bounces; ++bounce) {
       double mean = 0.0;
       double worst = 0.0;
@@ -241,7 +241,7 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
     white.reflectance = {1.0, 0.5, 0.25};
     const ShMaterial material(white, 4);
     const MeshPoint point = at_vertex(837);
-    const glm::dvec3 n = vertex_of(*bowl, 837).normal;
+    const glm::dvec3 n = glm::dvec3(bowl.normals[837]);
     const glm::dvec3 got =
         transferred(material, constant_light(4), t, MeshSide::front, point, n, n);
     for (int c = 0; c < 3; ++c) {
@@ -273,15 +273,15 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
 
 // The foot of a wall: its edge lies in the plane of the wall and must not see behind it.
 TEST(RadianceTransfer, AFloorIsShadowedByTheWall) {
-  auto mesh = empty_mesh();
-  const std::size_t floor = add_floor(*mesh, 8, 1.0);
-  add_patch(*mesh, 8, [](double u, double v) {
+  MeshArrays mesh;
+  const std::size_t floor = add_floor(mesh, 8, 1.0);
+  add_patch(mesh, 8, [](double u, double v) {
     return MeshVertex{{-1.0, 200.0 * u - 100.0, 100.0 * v}, {1.0, 0.0, 0.0}};
   });
-  const RadianceTransfer t = transfer_of(mesh, {.order = 3});
+  const RadianceTransfer t = transfer_of(to_mesh(mesh), {.order = 3});
   for (std::uint32_t j = 0; j <= 8; ++j) {
     const auto v = static_cast<std::uint32_t>(floor) + j;
-    ASSERT_EQ(vertex_of(*mesh, v).position.x, -1.0);
+    ASSERT_EQ(mesh.points[v].x, -1.0f);
     const double seen = t.reflected(MeshSide::front, 0, at_vertex(v))[0] * everywhere;
     EXPECT_NEAR(seen, 0.5, 0.02);
   }
@@ -321,10 +321,12 @@ TEST(RadianceTransfer, ShadowsASkyAsTheReferenceDoes) {
   scene.environment.emplace().map = sky;
   Surface surface;
   const auto mesh = floor_and_ball(6);
+  const MeshArrays arrays = to_arrays(*mesh);
   surface.mesh = mesh;
   surface.rotate = glm::normalize(glm::dquat(0.8, -0.6, 0.2, 0.1));
   surface.translate = {3, -2, 1};
   surface.scale = 0.2;
+  const Placement placement(surface);
   const ShVector<glm::dvec3> in_world = environment_sh(*scene.environment, 6);
   const ShVector<glm::dvec3> light = sh_rotate(in_world, glm::conjugate(surface.rotate));
   const RadianceTransfer t = transfer_of(mesh, {.order = 6, .directions = 1024});
@@ -346,19 +348,19 @@ TEST(RadianceTransfer, ShadowsASkyAsTheReferenceDoes) {
     double error = 0.0;
     double unshadowed = 0.0;
     for (std::uint32_t v = 0; v < 49; v += 4) {
-      const MeshVertex vertex = vertex_of(*mesh, v);
+      const glm::dvec3 normal(arrays.normals[v]);
       const glm::dvec3 to_eye = glm::normalize(glm::dvec3(0.5, -0.6, 0.5));
       SurfacePoint point;
-      point.position = surface.translate + surface.rotate * (surface.scale * vertex.position);
-      point.normal = surface.rotate * vertex.normal;
-      point.to_eye = surface.rotate * to_eye;
+      point.position = placement.point_to_world(glm::dvec3(arrays.points[v]));
+      point.normal = placement.normal_to_world(normal);
+      point.to_eye = placement.normal_to_world(to_eye);
       point.shadow_origin = point.position + 1e-4 * point.normal;
       point.surface = &scene.surfaces[0];
       const glm::dvec3 reference =
           reflected_light(scene, visibility, point, {.samples = 40'000}).attenuated;
       const glm::dvec3 got =
-          transferred(material, light, t, MeshSide::front, at_vertex(v), vertex.normal, to_eye);
-      const glm::dvec3 without = material.unshadowed(light, vertex.normal, to_eye);
+          transferred(material, light, t, MeshSide::front, at_vertex(v), normal, to_eye);
+      const glm::dvec3 without = material.unshadowed(light, normal, to_eye);
       squares += glm::dot(reference, reference);
       error += glm::dot(got - reference, got - reference);
       unshadowed += glm::dot(without - reference, without - reference);

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "core/io/content_hash.h"
+#include "core/scene/mesh.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/render/test_meshes.h"
 
@@ -21,9 +22,9 @@ namespace fs = std::filesystem;
 constexpr TransferSettings settings{.order = 2, .directions = 64, .bounces = 1};
 
 std::shared_ptr<TriangleMesh> small_bowl() {
-  auto mesh = empty_mesh();
-  add_ball(*mesh, 6, {0, 0, 0}, 1.0, 2.0, true);
-  return mesh;
+  MeshArrays mesh;
+  add_ball(mesh, 6, {0, 0, 0}, 1.0, 2.0, true);
+  return to_mesh(mesh);
 }
 
 bool same(const RadianceTransfer& a, const RadianceTransfer& b) {
@@ -64,11 +65,11 @@ TEST(TransferCache, RoundTrips) {
   EXPECT_TRUE(first.warnings.empty() && second.warnings.empty());
 
   // A side that is not there.
-  auto ball = empty_mesh();
-  add_ball(*ball, 6, {0, 0, 0}, 1.0, std::numbers::pi, false);
-  const RadianceTransfer made = cached(ball, cache).transfer;
+  MeshArrays ball;
+  add_ball(ball, 6, {0, 0, 0}, 1.0, std::numbers::pi, false);
+  const RadianceTransfer made = cached(to_mesh(ball), cache).transfer;
   ASSERT_TRUE(made.side(MeshSide::back).visibility.empty());
-  const Cached read = cached(ball, cache);
+  const Cached read = cached(to_mesh(ball), cache);
   EXPECT_TRUE(read.was_read && same(read.transfer, made));
 }
 
@@ -78,12 +79,12 @@ TEST(TransferCache, DistinguishesMeshesAndSettings) {
   names.insert(transfer_file("", *mesh, {.order = 3, .directions = 64, .bounces = 1}));
   names.insert(transfer_file("", *mesh, {.order = 2, .directions = 72, .bounces = 1}));
   names.insert(transfer_file("", *mesh, {.order = 2, .directions = 64, .bounces = 2}));
-  auto moved = std::make_shared<TriangleMesh>(*mesh);
-  moved->point(OpenMesh::VertexHandle(7))[1] += 1e-6f;
-  names.insert(transfer_file("", *moved, settings));
-  auto bent = std::make_shared<TriangleMesh>(*mesh);
-  bent->set_normal(OpenMesh::VertexHandle(7), {1, 0, 0});
-  names.insert(transfer_file("", *bent, settings));
+  MeshArrays moved = to_arrays(*mesh);
+  moved.points[7].y += 1e-6f;
+  names.insert(transfer_file("", *to_mesh(moved), settings));
+  MeshArrays bent = to_arrays(*mesh);
+  bent.normals[7] = {1, 0, 0};
+  names.insert(transfer_file("", *to_mesh(bent), settings));
   auto more = std::make_shared<TriangleMesh>(*mesh);
   for (const auto edge : more->edges()) {
     if (!more->is_flip_ok(edge)) continue;

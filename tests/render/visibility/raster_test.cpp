@@ -23,18 +23,12 @@ namespace {
 
 // Of three corners for each triangle.
 Surface surface_of(const std::vector<glm::dvec3>& corners) {
-  const auto mesh = empty_mesh();
-  std::vector<OpenMesh::VertexHandle> triangle;
-  for (const glm::dvec3& corner : corners) {
-    const glm::vec3 p(corner);
-    triangle.push_back(mesh->add_vertex({p.x, p.y, p.z}));
-    mesh->set_normal(triangle.back(), {0, 1, 0});
-    if (triangle.size() < 3) continue;
-    mesh->add_face(triangle);
-    triangle.clear();
-  }
+  MeshArrays mesh;
+  mesh.points.assign(corners.begin(), corners.end());
+  mesh.normals.assign(corners.size(), {0, 1, 0});
+  for (unsigned v = 0; v < corners.size(); v += 3) mesh.triangles.emplace_back(v, v + 1, v + 2);
   Surface surface;
-  surface.mesh = mesh;
+  surface.mesh = to_mesh(mesh);
   return surface;
 }
 

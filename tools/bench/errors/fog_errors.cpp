@@ -53,11 +53,11 @@ std::vector<ThicknessRow> measure_thickness(std::size_t pixels) {
     const Settings sliced = sliced_settings({}, 24);
     const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced);
     const ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, 1e-4);
-    Settings energy;
+    const Settings published{.airlight = AirlightMethod::paper};
+    Settings energy = published;
     energy.paper.conserve_energy = true;
-    rows.push_back({factor, summarize(medium).max_optical_depth,
-                    error_of(sample, scene, Settings{}), error_of(sample, scene, energy),
-                    sample.measure(guide)});
+    rows.push_back({factor, summarize(medium).max_optical_depth, error_of(sample, scene, published),
+                    error_of(sample, scene, energy), sample.measure(guide)});
   }
   return rows;
 }

@@ -10,7 +10,8 @@ namespace brume {
 namespace {
 
 double mean_depth(const Scene& scene) {
-  const Frame frame = *Renderer().render(scene, scene.camera, scene.film, {});
+  const Frame frame =
+      *Renderer().render(scene, scene.camera, scene.film, {.airlight = AirlightMethod::paper});
   double sum = 0.0;
   for (const float t : frame.transmittance) sum -= std::log(static_cast<double>(t));
   return sum / static_cast<double>(frame.transmittance.size());

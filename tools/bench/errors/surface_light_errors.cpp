@@ -16,10 +16,10 @@ namespace {
 constexpr double ball_radius = 0.3;  // in clouds
 
 Surface ball(double radius) {
-  auto mesh = empty_mesh();
-  add_ball(*mesh, 64, {0, 0, 0}, radius, std::numbers::pi, false);
+  MeshArrays mesh;
+  add_ball(mesh, 64, {0, 0, 0}, radius, std::numbers::pi, false);
   Surface surface;
-  surface.mesh = mesh;
+  surface.mesh = to_mesh(mesh);
   return surface;
 }
 
@@ -59,8 +59,7 @@ double depth_to_light(const Scene& scene) {
 }
 
 Frame frame_of(const Scene& scene, bool paper_spread) {
-  Settings settings;
-  settings.paper_spread = paper_spread;
+  const Settings settings{.airlight = AirlightMethod::paper, .paper_spread = paper_spread};
   return *Renderer().render(scene, scene.camera, scene.film, settings);
 }
 

@@ -19,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 
 Frame frame_with(Scene scene, Surface::Transfer transfer) {
   for (Surface& surface : scene.surfaces) surface.transfer = transfer;
-  return *Renderer().render(scene, scene.camera, scene.film, {});
+  return *Renderer().render(scene, scene.camera, scene.film, {.airlight = AirlightMethod::paper});
 }
 
 ComparedError shadow_error(const char* label, const Scene& scene, std::size_t samples) {

@@ -42,11 +42,10 @@ Frame frame_of(const HardCase& hard_case, const Settings& settings) {
 
 HardCaseAuto auto_error(FrameRenderer& renderer, const HardCase& hard_case) {
   const Scene& scene = hard_case.scene;
-  Settings settings;
-  settings.airlight_scale = 4;
-  const MeasuredFrame result =
-      *render_auto(renderer, scene, scene.camera, scene.film, settings, hard_case_max_error);
-  return {error_of(result.frame, hard_case).airlight, result.error.high > hard_case_max_error};
+  const Settings settings{.max_error = hard_case_max_error, .airlight_scale = 4};
+  const RequestedFrame result =
+      *render_requested(renderer, scene, scene.camera, scene.film, settings);
+  return {error_of(result.frame, hard_case).airlight, result.error->high > hard_case_max_error};
 }
 
 }  // namespace
@@ -90,8 +89,7 @@ HardCaseErrors measure_hard_case(const HardCase& hard_case, FrameRenderer* gl) {
   Settings reference;
   reference.airlight = AirlightMethod::reference;
   // Lanes of a vector keep what one of them needs: nothing must be left out to compare them.
-  Settings paper;
-  paper.depth_error = 1e-7;
+  const Settings paper{.airlight = AirlightMethod::paper, .depth_error = 1e-7};
   Settings plain = paper;
   plain.precision = Settings::Precision::plain_double;
   HardCaseErrors errors;

@@ -19,6 +19,7 @@ const char* color_of(const Settings& settings) {
   switch (settings.airlight) {
     case AirlightMethod::paper:
       return "#c4a000";
+    case AirlightMethod::auto_:
     case AirlightMethod::sliced:
       return settings.airlight_scale > 1 ? "#1f77b4" : "#6baed6";
     case AirlightMethod::march:

@@ -2,51 +2,36 @@
 
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace brume {
-namespace {
 
-OpenMesh::Vec3f to_vec3f(const glm::dvec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-}  // namespace
-
-std::shared_ptr<TriangleMesh> empty_mesh() {
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->request_vertex_normals();
-  return mesh;
-}
-
-std::size_t add_patch(TriangleMesh& mesh, int n,
+std::size_t add_patch(MeshArrays& mesh, int n,
                       const std::function<MeshVertex(double, double)>& vertex) {
-  const std::size_t first = mesh.n_vertices();
-  std::vector<TriangleMesh::VertexHandle> vertices;
+  const std::size_t first = mesh.points.size();
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n; ++j) {
       const MeshVertex v = vertex(static_cast<double>(i) / n, static_cast<double>(j) / n);
-      vertices.push_back(mesh.add_vertex(to_vec3f(v.position)));
-      mesh.set_normal(vertices.back(), to_vec3f(v.normal));
+      mesh.points.emplace_back(v.position);
+      mesh.normals.emplace_back(v.normal);
     }
   }
-  const auto at = [&](int i, int j) { return vertices[static_cast<std::size_t>(i * (n + 1) + j)]; };
+  const auto at = [&](int i, int j) { return first + static_cast<std::size_t>(i * (n + 1) + j); };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
     }
   }
   return first;
 }
 
-std::size_t add_floor(TriangleMesh& mesh, int n, double half) {
+std::size_t add_floor(MeshArrays& mesh, int n, double half) {
   return add_patch(mesh, n, [half](double u, double v) {
     return MeshVertex{{half * (2.0 * u - 1.0), half * (2.0 * v - 1.0), 0.0}, {0.0, 0.0, 1.0}};
   });
 }
 
-std::size_t add_ball(TriangleMesh& mesh, int n, const glm::dvec3& center, double radius, double to,
+std::size_t add_ball(MeshArrays& mesh, int n, const glm::dvec3& center, double radius, double to,
                      bool inward) {
   return add_patch(mesh, n, [=](double u, double v) {
     const double theta = to * u;

@@ -7,11 +7,11 @@
 namespace brume {
 
 Scene bowl_scene(double to, Surface::Transfer transfer) {
-  auto mesh = empty_mesh();
-  add_ball(*mesh, 40, {0, 0, 0}, 1.0, to, true);
+  MeshArrays mesh;
+  add_ball(mesh, 40, {0, 0, 0}, 1.0, to, true);
   Scene scene;
   Surface& surface = scene.surfaces.emplace_back();
-  surface.mesh = mesh;
+  surface.mesh = to_mesh(mesh);
   surface.transfer = transfer;
   scene.camera = {{0.4, -0.3, 5.0}, {0, 0, 0}, {0, 1, 0}, 14.0};
   scene.film = {12, 12};
@@ -19,12 +19,12 @@ Scene bowl_scene(double to, Surface::Transfer transfer) {
 }
 
 Scene ball_over_floor(Surface::Transfer transfer) {
-  auto mesh = empty_mesh();
-  add_floor(*mesh, 40, 1.0);
-  add_ball(*mesh, 32, {0.3, 0.1, 0.7}, 0.4, std::numbers::pi, false);
+  MeshArrays mesh;
+  add_floor(mesh, 40, 1.0);
+  add_ball(mesh, 32, {0.3, 0.1, 0.7}, 0.4, std::numbers::pi, false);
   Scene scene;
   Surface& surface = scene.surfaces.emplace_back();
-  surface.mesh = mesh;
+  surface.mesh = to_mesh(mesh);
   surface.transfer = transfer;
   scene.camera = {{-1.2, -2.5, 2.6}, {0, 0, 0.2}, {0, 0, 1}, 34.0};
   scene.film = {16, 12};

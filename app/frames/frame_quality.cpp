@@ -1,0 +1,100 @@
+#include "app/frames/frame_quality.h"
+
+#include "app/frames/frame_service.h"
+
+namespace brume {
+namespace {
+
+// Airlight is interpolated where that is good enough: the picture is there several times sooner.
+Settings interpolated() {
+  Settings settings;
+  settings.airlight_scale = 4;
+  return settings;
+}
+
+}  // namespace
+
+FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpolated()) {
+  connect(&meter_, &ErrorMeter::measured, this, &FrameQuality::set_measured);
+  connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
+}
+
+void FrameQuality::set_airlight(AirlightMethod method) {
+  if (method == airlight_) return;
+  airlight_ = method;
+  stop_measuring();
+  error_.reset();  // not even a hint of the new one
+  chosen_.reset();
+  Q_EMIT settings_changed();
+}
+
+void FrameQuality::set_max_error(double max_error) {
+  if (max_error == control_.max_error()) return;
+  const Settings before = settings();
+  control_.set_max_error(max_error);
+  if (settings() != before) {
+    stop_measuring();
+    Q_EMIT settings_changed();
+  }
+  Q_EMIT error_changed();
+}
+
+Settings FrameQuality::settings() const {
+  if (is_auto()) return control_.settings();
+  Settings settings = interpolated();
+  settings.airlight = airlight_;
+  return settings;
+}
+
+std::vector<FrameQuality::Tried> FrameQuality::tried() const {
+  std::vector<Tried> result;
+  for (const QualityControl::Trial& trial : control_.trials()) {
+    if (trial.error) result.push_back({trial.settings, *trial.error, trial.milliseconds});
+  }
+  if (chosen_) result.push_back(*chosen_);
+  return result;
+}
+
+void FrameQuality::picture_changes(const Scene& scene, const Camera& camera) {
+  stop_measuring();
+  chosen_.reset();
+  control_.begin_frame(scene, camera);
+}
+
+void FrameQuality::scene_replaced() {
+  stop_measuring();
+  error_.reset();
+  control_.reset();
+}
+
+void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
+  stop_measuring();
+  frame_ = std::move(frame);
+  const std::optional<double> max_error =
+      is_auto() ? std::optional(control_.max_error()) : std::nullopt;
+  meter_.measure(frame_, max_error);
+}
+
+void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& frame,
+                                const ErrorEstimate& error) {
+  if (frame != frame_) return;  // cancelled meanwhile
+  frame_.reset();
+  error_ = error;
+  const Settings& used = frame->request.settings;
+  if (is_auto()) {
+    control_.record(used, error, frame->milliseconds);
+  } else {
+    chosen_ = {used, error, frame->milliseconds};
+  }
+  measured_ = settings() == used;
+  if (!measured_) Q_EMIT settings_changed();
+  Q_EMIT error_changed();
+}
+
+void FrameQuality::stop_measuring() {
+  meter_.cancel();
+  frame_.reset();
+  measured_ = false;
+}
+
+}  // namespace brume

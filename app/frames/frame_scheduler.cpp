@@ -1,0 +1,150 @@
+#include "app/frames/frame_scheduler.h"
+
+#include <QWidget>
+#include <algorithm>
+
+#include "app/document/document.h"
+#include "app/frames/frame_services.h"
+
+namespace brume {
+namespace {
+
+constexpr int rest_after = 150;  // milliseconds without a change
+constexpr int motion_slices = 8;
+
+}  // namespace
+
+FrameScheduler::FrameScheduler(const Document& document, FrameServices& services, const View& view,
+                               const QWidget& pane)
+    : document_(document), services_(services), view_(view), pane_(pane) {
+  rest_timer_.setSingleShot(true);
+  connect(&rest_timer_, &QTimer::timeout, this, &FrameScheduler::request_at_rest);
+  connect(&services.service, &FrameService::frame_ready, this, &FrameScheduler::use_frame);
+  // Even if they are again those of the frame shown: another one may be on its way.
+  connect(&quality_, &FrameQuality::settings_changed, this, [this] {
+    if (!pane_.isHidden()) services_.service.request(frame_request(false));
+  });
+  connect(&quality_, &FrameQuality::failed, this, &FrameScheduler::failed);
+  connect(&quality_, &FrameQuality::error_changed, this, &FrameScheduler::map_error);
+  connect(&services.error_mapper, &ErrorMapper::grown, this,
+          [this](const auto& frame, const auto& map) {
+            if (frame != shown_ || mode_ != ViewMode::error) return;
+            error_map_ = map;
+            Q_EMIT picture_changed();
+          });
+  connect(&services.error_mapper, &ErrorMapper::failed, this, [this](const QString& message) {
+    if (active_) Q_EMIT failed(message);
+  });
+  connect(&services.transfer_job, &TransferJob::made, this, &FrameScheduler::request);
+  connect(&services.service, &FrameService::backend_changed, this, &FrameScheduler::request);
+  connect(&document, &Document::scene_replaced, this, [this] {
+    quality_.scene_replaced();
+    oldest_serial_ = serial_ + 1;
+  });
+  connect(&document, &Document::medium_changed, this, &FrameScheduler::request);
+  connect(&document, &Document::part_changed, this, &FrameScheduler::request);
+  connect(&document, &Document::hidden_or_locked_changed, this, &FrameScheduler::request);
+}
+
+void FrameScheduler::set_active(bool active) {
+  if (active == active_) return;
+  active_ = active;
+  if (active) {
+    services_.service.set_active(index());
+    if (is_settled()) measure();
+  } else {
+    quality_.stop_measuring();
+    if (mode_ == ViewMode::error) services_.error_mapper.cancel();
+  }
+}
+
+void FrameScheduler::set_exposure(double stops) {
+  exposure_ = stops;
+  Q_EMIT picture_changed();
+}
+
+void FrameScheduler::set_mode(ViewMode mode) {
+  if (mode == mode_) return;
+  mode_ = mode;
+  forget_error_map();
+  Q_EMIT picture_changed();
+  map_error();
+  Q_EMIT mode_changed();
+}
+
+bool FrameScheduler::is_settled() const {
+  return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
+         !shown_->on_device && shown_->request.settings == quality_.settings();
+}
+
+FrameRequest FrameScheduler::frame_request(bool moving) const {
+  const auto scene = view_.shown_scene();
+  const Settings rest = quality_.settings();
+  Settings settings = rest;
+  if (moving) {
+    settings = sliced_settings(rest, motion_slices);
+    settings.airlight = rest.airlight;
+    settings.patch_light_tables = true;
+    if (scene == rested_scene_) {
+      // Keeps prepared data: alternating between two would rebuild it each time.
+      settings.optical_depth_table = rest.optical_depth_table;
+      settings.shadow_cells = rest.shadow_cells;
+      settings.depth_error = rest.depth_error;
+    }
+  }
+  const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
+  return {.scene = scene,
+          .camera = view_.camera(),
+          .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
+          .settings = settings,
+          .exposure = exposure_,
+          .mode = mode_,
+          .view = index(),
+          .serial = serial_,
+          .moving = moving,
+          .depth = view_.shown_handles().use_depth()};
+}
+
+void FrameScheduler::request() {
+  ++serial_;
+  forget_error_map();
+  if (pane_.isHidden()) return;
+  quality_.picture_changes(*view_.shown_scene(), view_.camera());
+  services_.transfer_job.follow(document_.scene());
+  services_.service.request(frame_request(true));
+  rest_timer_.start(rest_after);
+}
+
+void FrameScheduler::request_at_rest() {
+  if (!is_settled() && !pane_.isHidden()) services_.service.request(frame_request(false));
+}
+
+void FrameScheduler::forget() {
+  services_.service.forget(index());
+}
+
+void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame) {
+  if (frame->request.view != index() || frame->request.serial < oldest_serial_) return;
+  shown_ = frame;
+  forget_error_map();
+  if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
+  if (is_settled()) measure();
+  Q_EMIT frame_shown();
+}
+
+// One view at a time: each measurement takes all cores.
+void FrameScheduler::measure() {
+  if (active_) quality_.frame_shown(shown_);
+}
+
+// Once the frame is measured, auto will not choose another.
+void FrameScheduler::map_error() {
+  if (mode_ == ViewMode::error && active_ && is_measured()) services_.error_mapper.start(shown_);
+}
+
+void FrameScheduler::forget_error_map() {
+  if (active_) services_.error_mapper.cancel();
+  error_map_.reset();
+}
+
+}  // namespace brume

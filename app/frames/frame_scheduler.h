@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QTimer>
+
+#include "app/frames/error_map.h"
+#include "app/frames/frame_quality.h"
+#include "app/frames/frame_service.h"
+#include "app/view/view.h"
+
+namespace brume {
+
+struct FrameServices;
+
+// The frames of one view: when to request which, and what is displayed of them.
+class FrameScheduler : public QObject {
+  Q_OBJECT
+ public:
+  // `pane`: the widget that displays them.
+  FrameScheduler(const Document& document, FrameServices& services, const View& view,
+                 const QWidget& pane);
+
+  // Something that changes the picture: requests a frame soon, the full one once the view rests.
+  // None for a hidden pane.
+  void request();
+  void forget();  // drops what is pending
+  // Whether it is the view that keys, panels and the error meter are about.
+  void set_active(bool active);
+
+  [[nodiscard]] double exposure() const { return exposure_; }
+  void set_exposure(double stops);
+  [[nodiscard]] ViewMode mode() const { return mode_; }
+  void set_mode(ViewMode mode);
+
+  // Render settings and error.
+  [[nodiscard]] FrameQuality& quality() { return quality_; }
+  [[nodiscard]] const FrameQuality& quality() const { return quality_; }
+
+  // The displayed frame; nullptr initially. May have no layers in motion.
+  [[nodiscard]] const RenderedFrame* shown() const { return shown_.get(); }
+  // Whether it is up to date at full resolution.
+  [[nodiscard]] bool is_settled() const;
+  // Whether its error is known too, so auto has settled.
+  [[nodiscard]] bool is_measured() const { return is_settled() && quality_.is_measured(); }
+  // Error map of the displayed frame; may be incomplete; nullptr if not shown.
+  [[nodiscard]] const ErrorMap* error_map() const { return error_map_.get(); }
+
+ Q_SIGNALS:
+  void frame_shown();      // another frame is to be displayed
+  void picture_changed();  // the same frame, in another way
+  void mode_changed();
+  void failed(const QString& message);
+
+ private:
+  [[nodiscard]] FrameRequest frame_request(bool moving) const;
+  [[nodiscard]] int index() const { return static_cast<int>(view_.projection()); }
+  void request_at_rest();
+  void use_frame(const std::shared_ptr<const RenderedFrame>& frame);
+  void measure();
+  void map_error();  // if visible and idle
+  void forget_error_map();
+
+  const Document& document_;
+  FrameServices& services_;
+  const View& view_;
+  const QWidget& pane_;
+  bool active_ = false;
+  double exposure_ = 0.0;
+  ViewMode mode_ = ViewMode::final;
+  std::uint64_t serial_ = 0;         // of the current state
+  std::uint64_t oldest_serial_ = 0;  // older frames belong to another scene
+  std::shared_ptr<const RenderedFrame> shown_;
+  std::shared_ptr<const ErrorMap> error_map_;  // of the displayed frame
+  std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest
+  QTimer rest_timer_;
+  FrameQuality quality_;
+};
+
+}  // namespace brume

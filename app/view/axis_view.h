@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QString>
+
+#include "app/view/bounds.h"
+#include "core/scene/camera.h"
+
+namespace brume {
+
+// Projection of a pane: free perspective camera, or along an axis.
+enum class Projection { perspective, top, front, side };
+
+QString projection_title(Projection projection);  // "Top"
+
+// A camera along an axis that shows `half_height` [u] above and below `target`, from outside
+// `scene`. Approximates an orthographic view by a distant camera with a narrow field of view, its
+// rays parallel within one degree, since the renderer's rays share an origin.
+Camera axis_camera(Projection projection, const glm::dvec3& target, double half_height,
+                   const Sphere& scene);
+
+// Of such a camera [u].
+double half_height(const Camera& camera);
+
+}  // namespace brume

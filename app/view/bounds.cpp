@@ -1,0 +1,55 @@
+#include "app/view/bounds.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/scene/mesh_arrays.h"
+
+namespace brume {
+namespace {
+
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void include(const glm::dvec3& point, double radius = 0.0) {
+    low = glm::min(low, point - radius);
+    high = glm::max(high, point + radius);
+  }
+
+  [[nodiscard]] std::optional<Sphere> sphere() const {
+    if (!(low.x <= high.x)) return std::nullopt;
+    const double radius = 0.5 * glm::distance(low, high);
+    return Sphere{0.5 * (low + high), std::max(radius, 1e-6)};
+  }
+};
+
+}  // namespace
+
+std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids) {
+  Box box;
+  for (const GaussianId id : ids) {
+    if (const auto index = medium.index_of(id)) {
+      box.include(medium.centers()[*index], medium.radii()[*index]);
+    }
+  }
+  return box.sphere();
+}
+
+std::optional<Sphere> bounding_sphere(const Scene& scene) {
+  Box box;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    box.include(scene.medium.centers()[i], scene.medium.radii()[i]);
+  }
+  for (const Surface& surface : scene.surfaces) {
+    for (const glm::dvec3& p : world_points(surface)) box.include(p);
+  }
+  if (!box.sphere()) {
+    for (const PointLight& light : scene.lights) box.include(light.position, 1.0);
+  }
+  return box.sphere();
+}
+
+}  // namespace brume

@@ -1,0 +1,103 @@
+#include "app/view/camera_controller.h"
+
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+
+#include "app/document/document.h"
+#include "app/view/bounds.h"
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+bool can_be_stored(const Camera& camera) {
+  for (int k = 0; k < 3; ++k) {
+    if (!domain::coordinate.contains(camera.eye[k])) return false;
+    if (!domain::coordinate.contains(camera.target[k])) return false;
+  }
+  return camera.eye != camera.target;
+}
+
+}  // namespace
+
+CameraController::CameraController(const Document& document, Projection projection,
+                                   const QWidget& pane)
+    : document_(document),
+      projection_(projection),
+      pane_(pane),
+      camera_(document.scene().camera) {}
+
+void CameraController::set_camera(const Camera& camera) {
+  if (!can_be_stored(camera)) return;
+  camera_ = camera;
+  Q_EMIT moved();
+}
+
+Film CameraController::film() const {
+  return {std::max(1, pane_.width()), std::max(1, pane_.height())};
+}
+
+double CameraController::distance() const {
+  if (projection_ == Projection::perspective) return target_distance(camera_);
+  return half_height(camera_) / std::tan(0.5 * glm::radians(Camera{}.vertical_fov));
+}
+
+void CameraController::reset() {
+  if (projection_ == Projection::perspective) {
+    set_camera(document_.scene().camera);
+  } else {
+    // The fog, which a large floor would make small.
+    auto sphere = bounding_sphere(document_.medium(), document_.medium().ids());
+    if (!sphere) sphere = bounding_sphere(document_.scene());
+    frame(sphere.value_or(Sphere{glm::dvec3(0.0), 1.0}));
+  }
+}
+
+void CameraController::frame(const Sphere& sphere) {
+  if (projection_ == Projection::perspective) {
+    set_camera(frame_sphere(camera_, film(), sphere.center, sphere.radius));
+    return;
+  }
+  const double aspect = static_cast<double>(film().height) / film().width;
+  set_camera(axis_camera(projection_, sphere.center, sphere.radius * std::max(1.0, aspect),
+                         bounding_sphere(document_.scene()).value_or(sphere)));
+}
+
+void CameraController::frame_all() {
+  if (const auto sphere = bounding_sphere(document_.scene())) frame(*sphere);
+}
+
+void CameraController::frame_selection() {
+  if (const auto sphere = bounding_sphere(document_.medium(), document_.selection())) {
+    frame(*sphere);
+  } else {
+    frame_all();
+  }
+}
+
+void CameraController::zoom_by(double factor) {
+  if (projection_ == Projection::perspective) {
+    set_camera(zoom(camera_, factor));
+    return;
+  }
+  const Sphere around = bounding_sphere(document_.scene()).value_or(Sphere{camera_.target, 1.0});
+  const double half =
+      std::clamp(factor * half_height(camera_), 1e-5 * around.radius, 1e3 * around.radius);
+  set_camera(axis_camera(projection_, camera_.target, half, around));
+}
+
+void CameraController::drag(NavigationDrag drag, QPointF movement) {
+  const double half_turn = std::numbers::pi / film().height;
+  if (drag == NavigationDrag::zoom) {
+    zoom_by(std::exp(0.005 * (movement.y() - movement.x())));
+  } else if (drag == NavigationDrag::orbit && projection_ == Projection::perspective) {
+    set_camera(orbit(camera_, {movement.x() * half_turn, movement.y() * half_turn}));
+  } else {
+    set_camera(pan(camera_, film(), {movement.x(), movement.y()}));
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QPointF>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/view/overlay.h"
+#include "core/medium/medium.h"
+#include "core/scene/camera.h"
+#include "render/frame.h"
+
+namespace brume {
+
+// Handles of Gaussians: a dot per center, and for selected ones the outline at 1/e of the density.
+// Works in film space, so picking needs no OpenGL.
+class Handles {
+ public:
+  // Projects centers to the film; hidden Gaussians are excluded, locked ones cannot be picked. Ids
+  // are sorted.
+  void project(const Medium& medium, const CameraRays& rays, std::span<const GaussianId> hidden,
+               std::span<const GaussianId> locked);
+
+  // Classifies Gaussians as behind surfaces by the depth of a frame and its camera; none without
+  // depth.
+  void classify_depth(const Medium& medium, const CameraRays& rays, const Frame& frame);
+
+  // Indices of Gaussians: the one under the mouse (the front one of ties), and all with center
+  // inside an area.
+  [[nodiscard]] std::optional<std::size_t> pick(QPointF position) const;
+  [[nodiscard]] std::vector<std::size_t> inside(const std::function<bool(QPointF)>& area) const;
+
+  // Film position and depth of a Gaussian's centre; depth <= 0 is behind the eye.
+  [[nodiscard]] const glm::dvec3& position(std::size_t index) const { return positions_[index]; }
+
+  // `selected`: sorted ids. Without centers, draws only their outlines.
+  void draw(Overlay& overlay, const Medium& medium, const CameraRays& rays,
+            std::span<const GaussianId> selected, std::optional<GaussianId> hovered,
+            bool with_centers) const;
+
+  // Draws outlines of all visible Gaussians, only the nearest if many.
+  void draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const;
+
+ private:
+  std::vector<glm::dvec3> positions_;
+  std::vector<bool> behind_;  // behind a surface; empty while unknown
+  std::vector<bool> locked_;
+};
+
+}  // namespace brume

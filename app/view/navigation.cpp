@@ -1,0 +1,96 @@
+#include "app/view/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace brume {
+
+double target_distance(const Camera& camera) {
+  return glm::distance(camera.eye, camera.target);
+}
+
+Camera orbit(const Camera& camera, glm::dvec2 angles) {
+  const glm::dvec3 offset = camera.eye - camera.target;
+  const double distance = glm::length(offset);
+  if (!(distance > 0.0)) return camera;
+  const glm::dvec3 up = glm::normalize(camera.up);
+  glm::dvec3 right = glm::cross(up, offset);
+  if (glm::length(right) < 1e-9 * distance) {
+    right = glm::cross(up, std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1));
+  }
+  right = glm::normalize(right);
+  // Stopping short of the poles keeps "up" meaningful.
+  constexpr double margin = 0.02;
+  const double polar = std::acos(std::clamp(glm::dot(offset, up) / distance, -1.0, 1.0));
+  const double moved = std::clamp(polar - angles.y, margin, glm::radians(180.0) - margin);
+  const glm::dvec3 tilted = glm::angleAxis(moved - polar, right) * offset;
+  Camera result = camera;
+  result.eye = camera.target + glm::angleAxis(-angles.x, up) * tilted;
+  return result;
+}
+
+Camera pan(const Camera& camera, const Film& film, glm::dvec2 pixels) {
+  const CameraRays rays(camera, film);
+  const double distance = std::max(target_distance(camera), 1e-12);
+  const double cx = 0.5 * film.width;
+  const double cy = 0.5 * film.height;
+  const auto at = [&](double x, double y) {
+    const glm::dvec3 direction = rays.direction(x, y);
+    return direction * (distance / glm::dot(direction, rays.forward()));
+  };
+  const glm::dvec3 shift = at(cx, cy) - at(cx + pixels.x, cy + pixels.y);
+  Camera result = camera;
+  result.eye += shift;
+  result.target += shift;
+  return result;
+}
+
+Camera zoom(const Camera& camera, double factor) {
+  Camera result = camera;
+  const glm::dvec3 offset = (camera.eye - camera.target) * factor;
+  // Further in, the eye could no longer be told from the target.
+  const double scale = std::max(
+      {1.0, std::abs(camera.target.x), std::abs(camera.target.y), std::abs(camera.target.z)});
+  if (glm::length(offset) > 1e-9 * scale) result.eye = camera.target + offset;
+  return result;
+}
+
+Camera frame_sphere(const Camera& camera, const Film& film, const glm::dvec3& center,
+                    double radius) {
+  const CameraRays rays(camera, film);
+  const double vertical = 0.5 * glm::radians(camera.vertical_fov);
+  const double horizontal = std::atan(std::tan(vertical) * film.width / film.height);
+  const double distance = radius / std::sin(std::min(vertical, horizontal));
+  Camera result = camera;
+  result.target = center;
+  result.eye = center - rays.forward() * distance;
+  return result;
+}
+
+std::optional<NavigationDrag> navigation_drag(NavigationPreset preset, Qt::MouseButton button,
+                                              Qt::KeyboardModifiers modifiers) {
+  using Drag = NavigationDrag;
+  const bool alt = modifiers.testFlag(Qt::AltModifier);
+  const bool shift = modifiers.testFlag(Qt::ShiftModifier);
+  const bool control = modifiers.testFlag(Qt::ControlModifier);
+  const bool middle = button == Qt::MiddleButton;
+  switch (preset) {
+    case NavigationPreset::brume:
+      if (middle) return alt || shift ? Drag::pan : Drag::orbit;
+      break;
+    case NavigationPreset::blender:
+      if (middle) return shift ? Drag::pan : control ? Drag::zoom : Drag::orbit;
+      break;
+    case NavigationPreset::maya:
+      if (middle && alt) return Drag::pan;
+      break;
+  }
+  if (alt && button == Qt::LeftButton) return Drag::orbit;
+  if (alt && button == Qt::RightButton && preset != NavigationPreset::blender) return Drag::zoom;
+  return std::nullopt;
+}
+
+}  // namespace brume

@@ -1,0 +1,108 @@
+#include "app/view/overlay.h"
+
+#include <QLineF>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "core/math/basis.h"
+
+namespace brume {
+
+void Overlay::add_circle(double x, double y, double radius, QRgb color) {
+  const int segments = std::clamp(static_cast<int>(radius * 2.0), 12, 64);
+  const auto at = [&](int k) {
+    const double angle = glm::two_pi<double>() * k / segments;
+    return Vertex{static_cast<float>(x + radius * std::cos(angle)),
+                  static_cast<float>(y + radius * std::sin(angle)), color};
+  };
+  for (int k = 0; k < segments; ++k) {
+    lines.push_back(at(k));
+    lines.push_back(at(k + 1));
+  }
+}
+
+void Overlay::add_line(const CameraRays& rays, const glm::dvec3& start, const glm::dvec3& end,
+                       QRgb color) {
+  const glm::dvec3 a = rays.project(start);
+  const glm::dvec3 b = rays.project(end);
+  if (a.z <= 0.0 || b.z <= 0.0) return;
+  lines.push_back({static_cast<float>(a.x), static_cast<float>(a.y), color});
+  lines.push_back({static_cast<float>(b.x), static_cast<float>(b.y), color});
+}
+
+void Overlay::add_ball_outline(const CameraRays& rays, const glm::dvec3& center, double radius,
+                               QRgb color) {
+  const glm::dvec3 view = center - rays.eye();
+  const double distance = glm::length(view);
+  if (!(distance > radius)) return;
+  // The circle in which the cone from the eye touches the ball.
+  const glm::dvec3 axis = view / distance;
+  const double sine = radius / distance;
+  const glm::dvec3 middle = center - axis * (radius * sine);
+  const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
+  const auto [u, v] = make_basis(axis);
+  constexpr int segments = 64;
+  const auto at = [&](int k) {
+    const double angle = glm::two_pi<double>() * k / segments;
+    return middle + circle * (std::cos(angle) * u + std::sin(angle) * v);
+  };
+  for (int k = 0; k < segments; ++k) add_line(rays, at(k), at(k + 1), color);
+}
+
+void add_axes(Overlay& overlay, const CameraRays& rays, const Film& film) {
+  constexpr double length = 26.0;
+  const glm::dvec3 forward = rays.forward();
+  // Right and up of the film, from rays through it: CameraRays keeps its own to itself.
+  const auto at = [&](double x, double y) {
+    const glm::dvec3 d = rays.direction(x, y);
+    return d / glm::dot(d, forward);
+  };
+  const double cx = 0.5 * film.width;
+  const double cy = 0.5 * film.height;
+  const glm::dvec3 right = glm::normalize(at(cx + 1.0, cy) - at(cx, cy));
+  const glm::dvec3 up = glm::normalize(at(cx, cy - 1.0) - at(cx, cy));
+  const float x = 38.0F;
+  const float y = static_cast<float>(film.height) - 38.0F;
+  struct Axis {
+    glm::dvec3 direction;
+    QRgb color;
+  };
+  std::array<Axis, 3> axes{{{{1, 0, 0}, qRgba(226, 92, 92, 230)},
+                            {{0, 1, 0}, qRgba(126, 196, 92, 230)},
+                            {{0, 0, 1}, qRgba(96, 146, 236, 230)}}};
+  // Far ends first, so that the axis towards the eye is on top.
+  std::sort(axes.begin(), axes.end(), [&](const Axis& a, const Axis& b) {
+    return glm::dot(a.direction, forward) > glm::dot(b.direction, forward);
+  });
+  for (const Axis& axis : axes) {
+    const auto ex = static_cast<float>(x + length * glm::dot(axis.direction, right));
+    const auto ey = static_cast<float>(y - length * glm::dot(axis.direction, up));
+    overlay.lines.push_back({x, y, axis.color});
+    overlay.lines.push_back({ex, ey, axis.color});
+    overlay.marks.push_back({ex, ey, axis.color});
+  }
+}
+
+void paint(const Overlay& overlay, QPainter& painter) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (std::size_t k = 0; k + 1 < overlay.lines.size(); k += 2) {
+    const auto& a = overlay.lines[k];
+    const auto& b = overlay.lines[k + 1];
+    painter.setPen(QPen(QColor::fromRgba(a.color), Overlay::line_width));
+    painter.drawLine(QLineF(a.x, a.y, b.x, b.y));
+  }
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  const auto squares = [&painter](const std::vector<Overlay::Vertex>& vertices, float size) {
+    for (const auto& v : vertices) {
+      painter.fillRect(QRectF(v.x - 0.5F * size, v.y - 0.5F * size, size, size),
+                       QColor::fromRgba(v.color));
+    }
+  };
+  squares(overlay.dots, Overlay::dot_size);
+  squares(overlay.marks, Overlay::mark_size);
+}
+
+}  // namespace brume

@@ -1,0 +1,92 @@
+#include "app/view/view.h"
+
+#include <QCursor>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "app/document/document.h"
+#include "app/view/bounds.h"
+#include "app/view/gizmo.h"
+#include "app/view/surface_picker.h"
+#include "core/authoring/contribution.h"
+#include "core/scene/at_time.h"
+
+namespace brume {
+namespace {
+
+constexpr double min_depth = 0.02;  // optical depth of a Gaussian that can be pointed at
+
+}  // namespace
+
+View::View(const Document& document, SurfacePicker& surfaces, Projection projection,
+           const QWidget& pane)
+    : document_(document),
+      surfaces_(surfaces),
+      pane_(pane),
+      camera_(document, projection, pane),
+      handles_(document, camera_) {}
+
+void View::set_time(double time) {
+  time_ = time;
+  at_time_of_.reset();
+}
+
+std::shared_ptr<const Scene> View::shown_scene() const {
+  auto scene = document_.visible_snapshot();
+  const bool is_clear =
+      projection() == Projection::perspective || scene->medium.homogeneous_density() == 0.0;
+  if (!is_animated(*scene) && is_clear) return scene;
+  if (at_time_of_ != scene) {
+    Scene shown = evaluate_at(*scene, time_);
+    if (!is_clear) shown.medium.set_homogeneous_density(0.0);
+    at_time_ = std::make_shared<const Scene>(std::move(shown));
+    at_time_of_ = std::move(scene);
+  }
+  return at_time_;
+}
+
+glm::dvec3 View::pivot() const {
+  const auto sphere = bounding_sphere(document_.medium(), document_.selection());
+  return sphere ? sphere->center : camera().target;
+}
+
+glm::dvec3 View::place_under_mouse(double radius) {
+  const CameraRays view = rays();
+  const QPointF position = pane_.underMouse() ? pane_.mapFromGlobal(QPointF(QCursor::pos()))
+                                              : 0.5 * QPointF(pane_.width(), pane_.height());
+  const glm::dvec3 direction = view.direction(position.x(), position.y());
+  const double depth = glm::dot(camera().target - view.eye(), view.forward());
+  double distance = depth / glm::dot(direction, view.forward());
+  if (const auto surface = surfaces_.hit(view.eye(), direction)) {
+    const double hit_distance = glm::distance(surface->position, view.eye());
+    // The sphere touches the surface, but moves at most half way to the eye.
+    const double back = radius / std::abs(glm::dot(direction, surface->normal));
+    distance = std::min(distance, std::max(hit_distance - back, 0.5 * hit_distance));
+  }
+  return view.eye() + distance * direction;
+}
+
+glm::dvec3 View::shift_on_film(QPointF pixels) const {
+  const QPointF middle = QRectF(pane_.rect()).center();
+  return dragged_across(pivot(), rays(), middle, middle + pixels);
+}
+
+std::optional<GaussianId> View::max_visible(QPointF position) {
+  const CameraRays view = rays();
+  const glm::dvec3 direction = view.direction(position.x(), position.y());
+  const auto surface = surfaces_.hit(view.eye(), direction);
+  const double distance = surface ? glm::distance(surface->position, view.eye())
+                                  : std::numeric_limits<double>::infinity();
+  const auto scene = document_.visible_snapshot();
+  for (const Contribution& met :
+       contributions(scene->medium, view.eye(), direction, distance, min_depth)) {
+    const GaussianId id = scene->medium.ids()[met.index];
+    if (document_.is_editable(id)) return id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace brume

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+
+#include "app/view/camera_controller.h"
+#include "app/view/shown_handles.h"
+
+namespace brume {
+
+class SurfacePicker;
+
+// One view of the document as tools and panels know it: camera, handles, and what is under the
+// mouse. Knows nothing of frames.
+class View {
+ public:
+  // `pane`: the widget that shows it.
+  View(const Document& document, SurfacePicker& surfaces, Projection projection,
+       const QWidget& pane);
+  virtual ~View() = default;
+  View(const View&) = delete;
+  View& operator=(const View&) = delete;
+
+  [[nodiscard]] CameraController& camera_controller() { return camera_; }
+  [[nodiscard]] Projection projection() const { return camera_.projection(); }
+  [[nodiscard]] const Camera& camera() const { return camera_.camera(); }
+  [[nodiscard]] Film film() const { return camera_.film(); }
+  [[nodiscard]] CameraRays rays() const { return camera_.rays(); }
+  [[nodiscard]] double distance() const { return camera_.distance(); }
+
+  [[nodiscard]] ShownHandles& shown_handles() { return handles_; }
+  [[nodiscard]] const ShownHandles& shown_handles() const { return handles_; }
+  [[nodiscard]] const Handles& handles() const { return handles_.handles(); }
+  void set_hovered(std::optional<GaussianId> id) { handles_.set_hovered(id); }
+  virtual void show_band(const QRect& rectangle) = 0;  // null: none
+
+  // Displayed time [s].
+  [[nodiscard]] double time() const { return time_; }
+  virtual void set_time(double time);
+  // The scene at that time, including particles, without hidden Gaussians. Axis views hide
+  // homogeneous fog, which would be opaque from so far away.
+  [[nodiscard]] std::shared_ptr<const Scene> shown_scene() const;
+
+  // Pivot of tools: the selection's center, or the camera's target.
+  [[nodiscard]] glm::dvec3 pivot() const;
+  // Placement of a sphere under the mouse (or the film's center): on the view plane through the
+  // target, or in front of a nearer surface.
+  [[nodiscard]] glm::dvec3 place_under_mouse(double radius);
+  // World-space vector of a pixel offset at the pivot's depth.
+  [[nodiscard]] glm::dvec3 shift_on_film(QPointF pixels) const;
+  // The unlocked Gaussian that absorbs most light at a position; nullopt if negligible.
+  [[nodiscard]] std::optional<GaussianId> max_visible(QPointF position);
+  [[nodiscard]] SurfacePicker& surfaces() { return surfaces_; }
+
+ private:
+  const Document& document_;
+  SurfacePicker& surfaces_;
+  const QWidget& pane_;
+  CameraController camera_;
+  ShownHandles handles_;
+  double time_ = 0.0;
+  // Cache of shown_scene() and the snapshot it derives from.
+  mutable std::shared_ptr<const Scene> at_time_;
+  mutable std::shared_ptr<const Scene> at_time_of_;
+};
+
+}  // namespace brume

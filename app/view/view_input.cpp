@@ -1,0 +1,115 @@
+#include "app/view/view_input.h"
+
+#include <QCoreApplication>
+#include <QMouseEvent>
+#include <utility>
+
+#include "app/view/tool.h"
+#include "app/view/view.h"
+
+namespace brume {
+
+ViewInput::ViewInput(View& view) : view_(view) {
+  // Runs out when no events of the mouse wait any more.
+  timer_.setSingleShot(true);
+  timer_.setInterval(0);
+  connect(&timer_, &QTimer::timeout, this, &ViewInput::flush_moves);
+}
+
+void ViewInput::set_tool(Tool* tool) {
+  flush_moves();
+  if (tool_) {
+    if (drag_ == Drag::tool) tool_->cancel();
+    tool_->leave();
+  }
+  end_gesture();
+  tool_ = tool;
+}
+
+// Qt on X11 merges moves that wait, as they do while a frame is drawn. Here each one counts;
+// elsewhere only the newest, and what it changes may take long.
+void ViewInput::enter() {
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+}
+
+void ViewInput::press(const QMouseEvent& event) {
+  if (drag_ != Drag::none) return;  // one gesture at a time
+  flush_moves();
+  if (tool_) tool_->set_view(view_);
+  last_position_ = event.position();
+  start_drag(event);
+}
+
+void ViewInput::start_drag(const QMouseEvent& event) {
+  const bool left = event.button() == Qt::LeftButton;
+  const NavigationPreset preset = view_.camera_controller().navigation();
+  const bool tools_own = left && tool_ && tool_->uses_alt() &&
+                         event.modifiers().testFlag(Qt::AltModifier) &&
+                         preset != NavigationPreset::maya;
+  const auto navigation = navigation_drag(preset, event.button(), event.modifiers());
+  if (navigation && !tools_own) {
+    drag_ = Drag::camera;
+    camera_drag_ = *navigation;
+  } else if (left && tool_) {
+    drag_ = Drag::tool;
+    tool_->press(event.position(), event.modifiers());
+  }
+}
+
+void ViewInput::move(QPointF position) {
+  path_.push_back(position);
+  if (!timer_.isActive()) timer_.start();
+}
+
+void ViewInput::flush_moves() {
+  timer_.stop();
+  if (path_.empty()) return;
+  const std::vector<QPointF> path = std::exchange(path_, {});
+  const QPointF step = path.back() - std::exchange(last_position_, path.back());
+  switch (drag_) {
+    case Drag::none:
+      Q_EMIT pointed_at(path.back());
+      if (tool_) {
+        tool_->set_view(view_);
+        tool_->hover(path.back());
+      }
+      break;
+    case Drag::tool:
+      tool_->move(path);
+      break;
+    case Drag::camera:
+      view_.camera_controller().drag(camera_drag_, step);
+      break;
+  }
+}
+
+void ViewInput::release(const QMouseEvent& event) {
+  flush_moves();
+  const Qt::MouseButtons held = event.buttons();
+  if (drag_ == Drag::tool && !held.testFlag(Qt::LeftButton)) {
+    tool_->release(event.position());
+    drag_ = Drag::none;
+  } else if (held == Qt::NoButton) {
+    drag_ = Drag::none;
+  }
+}
+
+void ViewInput::leave() {
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, true);
+  flush_moves();
+  if (tool_ && &tool_->view() == &view_) tool_->leave();
+}
+
+bool ViewInput::cancel() {
+  if (drag_ != Drag::tool) return false;
+  flush_moves();
+  tool_->cancel();
+  return true;
+}
+
+void ViewInput::end_gesture() {
+  path_.clear();
+  if (drag_ == Drag::tool) drag_ = Drag::none;
+}
+
+}  // namespace brume

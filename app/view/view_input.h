@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <vector>
+
+#include "app/view/navigation.h"
+
+class QMouseEvent;
+
+namespace brume {
+
+class Tool;
+class View;
+
+// Mouse input of a view: camera or tool drags. Moves are collected and delivered together once the
+// event queue is empty: no position is lost, and slow views do not lag behind.
+class ViewInput : public QObject {
+  Q_OBJECT
+ public:
+  explicit ViewInput(View& view);
+
+  // Cancels a running gesture. nullptr: none.
+  void set_tool(Tool* tool);
+  [[nodiscard]] Tool* tool() const { return tool_; }
+
+  void enter();
+  void press(const QMouseEvent& event);
+  void move(QPointF position);
+  void release(const QMouseEvent& event);
+  void leave();
+  // Cancels the tool's gesture; false if there is none.
+  bool cancel();
+  // Ends the gesture on behalf of the tool.
+  void end_gesture();
+
+  // Delivers collected moves now.
+  void flush_moves();
+
+ Q_SIGNALS:
+  void pointed_at(QPointF position);  // with no button down
+
+ private:
+  enum class Drag { none, camera, tool };
+  void start_drag(const QMouseEvent& event);
+
+  View& view_;
+  Tool* tool_ = nullptr;
+  Drag drag_ = Drag::none;
+  NavigationDrag camera_drag_ = NavigationDrag::orbit;
+  std::vector<QPointF> path_;  // collected mouse positions
+  QPointF last_position_;
+  QTimer timer_;
+};
+
+}  // namespace brume

@@ -1,0 +1,107 @@
+// The panels of the window, and what connects them to the views.
+
+#include <QDockWidget>
+#include <QScrollArea>
+
+#include "app/panels/contribution_panel.h"
+#include "app/panels/emitter_panel.h"
+#include "app/panels/gaussian_panel.h"
+#include "app/panels/history_panel.h"
+#include "app/panels/light_panel.h"
+#include "app/panels/material_panel.h"
+#include "app/panels/medium_panel.h"
+#include "app/panels/outliner.h"
+#include "app/panels/performance_panel.h"
+#include "app/panels/timeline_bar.h"
+#include "app/viewport/view_grid.h"
+#include "app/window/main_window.h"
+
+namespace brume {
+namespace {
+
+// Panels that a small screen may be too low for.
+QWidget* scrolled(QWidget* panel) {
+  auto* area = new QScrollArea;
+  area->setWidget(panel);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  return area;
+}
+
+}  // namespace
+
+void MainWindow::create_docks() {
+  const auto dock = [this](const QString& title, const char* name, QWidget* panel) {
+    auto* made = new QDockWidget(title, this);
+    made->setObjectName(name);  // restoreState() knows it by this
+    made->setWidget(panel);
+    addDockWidget(Qt::RightDockWidgetArea, made);
+    return made;
+  };
+  auto* outliner = new Outliner(document_, this);
+  auto* light_panel = new LightPanel(
+      document_, [this]() -> const View& { return views_->active(); }, this);
+  auto* medium_panel = new MediumPanel(document_, this);
+  auto* material_panel = new MaterialPanel(document_, this);
+  auto* emitter_panel = new EmitterPanel(document_, this);
+  gaussian_panel_ = new GaussianPanel(document_, this);
+  QDockWidget* outline = dock(tr("Outliner"), "outliner", outliner);
+  QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", scrolled(gaussian_panel_));
+  QDockWidget* lights = dock(tr("Lighting"), "lighting", scrolled(light_panel));
+  QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
+  QDockWidget* material = dock(tr("Material"), "material", scrolled(material_panel));
+  QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
+  QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
+  auto* performance_panel =
+      new PerformancePanel([this]() -> const FrameScheduler& { return views_->active().frames(); });
+  views_->set_max_error(performance_panel->max_error());
+  connect(performance_panel, &PerformancePanel::max_error_changed, views_,
+          &ViewGrid::set_max_error);
+  for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
+    connect(views_, signal, performance_panel, &PerformancePanel::update_frame);
+  }
+  connect(views_, &ViewGrid::error_changed, performance_panel, &PerformancePanel::update_quality);
+  QDockWidget* performance = dock(tr("Performance"), "performance", scrolled(performance_panel));
+  tabifyDockWidget(gaussians, lights);
+  tabifyDockWidget(lights, medium);
+  tabifyDockWidget(medium, material);
+  tabifyDockWidget(material, emitters);
+  gaussians->raise();
+  auto* contribution_panel = new ContributionPanel(document_, this);
+  connect(views_, &ViewGrid::pointed_at, contribution_panel, &ContributionPanel::inspect);
+  QDockWidget* at_cursor = dock(tr("At the Cursor"), "at_cursor", scrolled(contribution_panel));
+  tabifyDockWidget(performance, history);
+  tabifyDockWidget(performance, at_cursor);
+  performance->raise();
+  resizeDocks({gaussians}, {400}, Qt::Horizontal);
+  resizeDocks({outline, gaussians, performance}, {110, 400, 230}, Qt::Vertical);
+
+  connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::show_status);
+  for (SceneForm* form : findChildren<SceneForm*>()) {
+    connect(form, &SceneForm::refused, this, &MainWindow::show_status);
+  }
+  auto* timeline_dock = new QDockWidget(tr("Timeline"), this);
+  timeline_dock->setObjectName("timeline");
+  timeline_bar_ = new TimelineBar(
+      *timeline_, document_, [this] { return viewport_->camera(); }, this);
+  timeline_dock->setWidget(timeline_bar_);
+  addDockWidget(Qt::BottomDockWidgetArea, timeline_dock);
+
+  connect(outliner, &Outliner::asked_for, this,
+          [this, gaussians, lights, medium, material, emitters, material_panel](Outliner::Kind kind,
+                                                                                std::size_t index) {
+            using Kind = Outliner::Kind;
+            if (kind == Kind::light) document_.set_active_light(index);
+            if (kind == Kind::emitter) document_.set_active_emitter(index);
+            if (kind == Kind::surface) material_panel->show_surface(index);
+            QDockWidget* panel = kind == Kind::gaussians ? gaussians
+                                 : kind == Kind::medium  ? medium
+                                 : kind == Kind::surface ? material
+                                 : kind == Kind::emitter ? emitters
+                                                         : lights;
+            panel->show();
+            panel->raise();
+          });
+}
+
+}  // namespace brume

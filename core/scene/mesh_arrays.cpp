@@ -1,0 +1,105 @@
+#include "core/scene/mesh_arrays.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/scene/mesh.h"
+#include "core/scene/placement.h"
+
+namespace brume {
+namespace {
+
+using OpenMesh::Vec3f;
+using OpenMesh::VertexHandle;
+
+glm::vec3 to_vec3(const Vec3f& v) {
+  return {v[0], v[1], v[2]};
+}
+
+// Points, normals and OpenMesh's connectivity with its status bits.
+std::size_t bytes_of(std::size_t vertices, std::size_t edges, std::size_t faces) {
+  return 36 * vertices + 40 * edges + 8 * faces;
+}
+
+// OpenMesh reports each triangle that does not fit on its error stream.
+class QuietErrors {
+ public:
+  QuietErrors() { omerr().disable(); }
+  ~QuietErrors() {
+    if (was_enabled_) omerr().enable();
+  }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  const bool was_enabled_ = omerr().is_enabled();
+};
+
+std::vector<glm::vec3> points_of(const TriangleMesh& mesh) {
+  std::vector<glm::vec3> points;
+  points.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) points.push_back(to_vec3(mesh.point(v)));
+  return points;
+}
+
+}  // namespace
+
+MeshArrays to_arrays(const TriangleMesh& mesh) {
+  MeshArrays arrays{points_of(mesh), {}, {}};
+  arrays.normals.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) arrays.normals.push_back(to_vec3(mesh.normal(v)));
+  arrays.triangles.reserve(mesh.n_faces());
+  for (const auto face : mesh.faces()) {
+    glm::uvec3& corners = arrays.triangles.emplace_back(0);
+    int k = 0;
+    for (const auto v : face.vertices()) corners[k++] = static_cast<unsigned>(v.idx());
+  }
+  return arrays;
+}
+
+std::shared_ptr<TriangleMesh> to_mesh(const MeshArrays& arrays, std::size_t max_bytes) {
+  const std::size_t edges = arrays.triangles.size() * 3 / 2;
+  if (bytes_of(arrays.points.size(), edges, arrays.triangles.size()) > max_bytes) return nullptr;
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->request_vertex_normals();
+  mesh->reserve(arrays.points.size(), edges, arrays.triangles.size());
+  const auto add_vertex = [&](unsigned i) {
+    const glm::vec3& p = arrays.points[i];
+    const glm::vec3& n = arrays.normals[i];
+    const VertexHandle vertex = mesh->add_vertex(Vec3f(p.x, p.y, p.z));
+    mesh->set_normal(vertex, Vec3f(n.x, n.y, n.z));
+    return vertex;
+  };
+  for (unsigned i = 0; i < arrays.points.size(); ++i) add_vertex(i);
+  const QuietErrors quiet;
+  for (const glm::uvec3& triangle : arrays.triangles) {
+    if (mesh_bytes(*mesh) > max_bytes) return nullptr;
+    const std::array corners{triangle.x, triangle.y, triangle.z};
+    std::array<VertexHandle, 3> vertices;
+    std::ranges::transform(corners, vertices.begin(),
+                           [](unsigned i) { return VertexHandle(static_cast<int>(i)); });
+    if (mesh->add_face(vertices.data(), 3).is_valid()) continue;
+    std::ranges::transform(corners, vertices.begin(), add_vertex);
+    mesh->add_face(vertices.data(), 3);
+  }
+  return mesh;
+}
+
+std::size_t mesh_bytes(const TriangleMesh& mesh) {
+  return bytes_of(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces());
+}
+
+std::vector<glm::dvec3> world_points(const Surface& surface, std::span<const glm::vec3> points) {
+  const Placement placement(surface);
+  std::vector<glm::dvec3> result(points.size());
+  std::ranges::transform(points, result.begin(), [&](const glm::vec3& p) {
+    return placement.point_to_world(glm::dvec3(p));
+  });
+  return result;
+}
+
+std::vector<glm::dvec3> world_points(const Surface& surface) {
+  return world_points(surface, points_of(*surface.mesh));
+}
+
+}  // namespace brume

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace brume {
+
+struct Surface;
+struct TriangleMesh;
+
+// A mesh as flat arrays, in its file's own coordinates. The only place where OpenMesh's vertices
+// and faces become these, and these a mesh of OpenMesh.
+struct MeshArrays {
+  std::vector<glm::vec3> points;
+  std::vector<glm::vec3> normals;  // unit; as many as points
+  std::vector<glm::uvec3> triangles;
+
+  bool operator==(const MeshArrays&) const = default;
+};
+
+MeshArrays to_arrays(const TriangleMesh& mesh);
+
+// Vertices and triangles keep their order. OpenMesh holds manifolds only: where a triangle does not
+// fit, it gets vertices of its own, behind all others. Null: the mesh needs more than `max_bytes`.
+std::shared_ptr<TriangleMesh> to_mesh(
+    const MeshArrays& arrays, std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
+
+// Approximate memory of a mesh.
+std::size_t mesh_bytes(const TriangleMesh& mesh);
+
+// The points of a surface's mesh in the world.
+std::vector<glm::dvec3> world_points(const Surface& surface, std::span<const glm::vec3> points);
+std::vector<glm::dvec3> world_points(const Surface& surface);
+
+}  // namespace brume

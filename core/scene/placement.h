@@ -1,0 +1,41 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Where a surface's mesh stands in the world: world = translate + rotate * (scale * mesh). The one
+// place where that is written.
+struct Placement {
+  glm::dvec3 translate;
+  glm::dquat rotate;  // unit
+  double scale;       // > 0
+
+  explicit Placement(const Surface& surface)
+      : translate(surface.translate), rotate(surface.rotate), scale(surface.scale) {}
+  bool operator==(const Placement&) const = default;
+
+  [[nodiscard]] glm::dvec3 point_to_world(const glm::dvec3& p) const {
+    return translate + rotate * (scale * p);
+  }
+  [[nodiscard]] glm::dvec3 vector_to_world(const glm::dvec3& v) const {
+    return rotate * (scale * v);
+  }
+  // Keeps the length: the scale is the same along all axes. Directions turn in the same way.
+  [[nodiscard]] glm::dvec3 normal_to_world(const glm::dvec3& n) const { return rotate * n; }
+
+  [[nodiscard]] glm::dvec3 point_to_mesh(const glm::dvec3& p) const {
+    return vector_to_mesh(p - translate);
+  }
+  [[nodiscard]] glm::dvec3 vector_to_mesh(const glm::dvec3& v) const {
+    return normal_to_mesh(v) / scale;
+  }
+  [[nodiscard]] glm::dvec3 normal_to_mesh(const glm::dvec3& n) const {
+    return glm::conjugate(rotate) * n;
+  }
+};
+
+}  // namespace brume
