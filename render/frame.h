@@ -19,7 +19,7 @@ struct StageTime {
   double milliseconds = 0.0;
 };
 
-// Adds to the time of the stage; a new one goes to the end.
+// Adds to the time of the stage; a new one is appended.
 void add_time(std::vector<StageTime>& stages, Stage stage, double milliseconds);
 
 struct SkippedStage {
@@ -45,7 +45,8 @@ struct FrameStatistics {
   std::vector<float> pixel_pairs;
 };
 
-// A rendered frame: linear radiance, rows from the top, width * height pixels.
+// A rendered frame: linear radiance, rows from the top, width * height pixels. Its `depth` is a
+// distance; elsewhere `depth` is optical depth.
 struct Frame {
   Film film;
   double time = 0.0;                 // Scene::time [s]

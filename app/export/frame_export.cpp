@@ -35,7 +35,7 @@ class Exporter {
  private:
   // The k-th of `count` frames.
   Frame frame(double time, int k, int count) {
-    auto frame = source_.at(time, job_.part(static_cast<double>(k) / count, (k + 1.0) / count));
+    auto frame = source_.at(time, job_.subrange(static_cast<double>(k) / count, (k + 1.0) / count));
     if (!frame || job_.stop.stop_requested()) throw Cancelled();
     return std::move(*frame);
   }

@@ -17,9 +17,9 @@ std::optional<Frame> FrameSource::at(double time, const Job& job) {
   const Scene scene = evaluate_at(*scene_, time);
   const std::vector<TransferRequest> needed = needed_transfers(scene);
   const double first = transfers_->has(needed) ? 0.0 : 0.5;
-  transfers_->make(needed, cache_folder(), job.part(0.0, first));
+  transfers_->make(needed, cache_folder(), job.subrange(0.0, first));
   return renderer_->render(scene, camera_.value_or(scene.camera), scene.film, settings_, job.stop,
-                           job.part(first, 1.0).progress);
+                           job.subrange(first, 1.0).progress);
 }
 
 }  // namespace brume

@@ -65,7 +65,7 @@ BackgroundJob::Work export_medium(const MediumExport& request) {
     for (int frame = range.first; frame <= range.last && !job.stop.stop_requested(); ++frame) {
       const double k = frame - range.first;
       write(request, numbered_file(request.file, frame), frame / range.frames_per_second,
-            job.part(k / count, (k + 1.0) / count));
+            job.subrange(k / count, (k + 1.0) / count));
     }
     return {};
   };

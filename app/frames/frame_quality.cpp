@@ -58,13 +58,13 @@ std::vector<FrameQuality::Tried> FrameQuality::tried() const {
 void FrameQuality::picture_changes(const Scene& scene, const Camera& camera) {
   stop_measuring();
   chosen_.reset();
-  control_.follow(scene, camera);
+  control_.begin_frame(scene, camera);
 }
 
 void FrameQuality::scene_replaced() {
   stop_measuring();
   error_.reset();
-  control_.forget();
+  control_.reset();
 }
 
 void FrameQuality::frame_shown(std::shared_ptr<const RenderedFrame> frame) {
@@ -82,7 +82,7 @@ void FrameQuality::set_measured(const std::shared_ptr<const RenderedFrame>& fram
   error_ = error;
   const Settings& used = frame->request.settings;
   if (is_auto()) {
-    control_.learn(used, error, frame->milliseconds);
+    control_.record(used, error, frame->milliseconds);
   } else {
     chosen_ = {used, error, frame->milliseconds};
   }

@@ -36,7 +36,7 @@ std::vector<SequenceFrame> fit_volumes(const std::vector<std::filesystem::path>&
   const auto count = static_cast<double>(files.size());
   for (std::size_t k = 0; k < files.size(); ++k) {
     const Job sub_job =
-        job.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
+        job.subrange(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
     const auto fitted = fitter.next(files[k], sub_job.stop, sub_job.progress);
     if (!fitted) break;
     frames.push_back(to_frame(fitted->fit.gaussians, fitter.ids()));

@@ -75,7 +75,7 @@ void ContributionPanel::compute() {
   facts.contribution = selected != met.end() ? *selected : met.front();
   facts.id = id(facts.contribution);
   for (std::size_t k = 0; k < std::min(met.size(), max_met); ++k) {
-    facts.met.emplace_back(id(met[k]), met[k].share);
+    facts.met.emplace_back(id(met[k]), met[k].fraction);
   }
   const glm::dvec3 place = rays.eye() + facts.contribution.distance * direction;
   for (std::size_t k = 0; k < scene->lights.size(); ++k) {
@@ -137,7 +137,7 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
   const QColor plain = palette().color(QPalette::PlaceholderText);
   row(tr("Optical depth"), f.contribution.optical_depth / deepest,
       QString::number(f.contribution.optical_depth, 'g', 3), plain);
-  row(tr("Attenuates"), f.contribution.share, percent(f.contribution.share), plain);
+  row(tr("Attenuates"), f.contribution.fraction, percent(f.contribution.fraction), plain);
   double max_value = 0.0;
   for (const LightShare& light : f.lights)
     max_value = std::max(max_value, luminance(light.radiance));

@@ -12,30 +12,31 @@ namespace brume {
 
 std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& eye,
                                         const glm::dvec3& direction, double distance,
-                                        double min_value) {
+                                        double min_optical_depth) {
   std::vector<Contribution> result;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianTerm<double> g(medium.gaussian(i));
     const LineProfile<double> line = line_profile(g, eye, direction);
     // At most this: most Gaussians are far from the ray.
-    if (1.7725 * medium.radii()[i] * medium.densities()[i] * std::exp(-line.e) < min_value)
+    if (1.7725 * medium.radii()[i] * medium.densities()[i] * std::exp(-line.e) < min_optical_depth)
       continue;
     const double depth = optical_depth(g, line, distance);
-    if (depth >= min_value) {
+    if (depth >= min_optical_depth) {
       result.push_back(
           {.index = i, .optical_depth = depth, .distance = truncated_mean(g, line, distance)});
     }
   }
   std::sort(result.begin(), result.end(),
             [](const Contribution& a, const Contribution& b) { return a.distance < b.distance; });
-  double before = 0.0;
+  double depth_in_front = 0.0;
   for (Contribution& c : result) {
-    c.share = -std::exp(-before) * std::expm1(-c.optical_depth);
-    c.before = before;
-    before += c.optical_depth;
+    c.fraction = -std::exp(-depth_in_front) * std::expm1(-c.optical_depth);
+    c.depth_in_front = depth_in_front;
+    depth_in_front += c.optical_depth;
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Contribution& a, const Contribution& b) { return a.share > b.share; });
+  std::stable_sort(result.begin(), result.end(), [](const Contribution& a, const Contribution& b) {
+    return a.fraction > b.fraction;
+  });
   return result;
 }
 
@@ -47,8 +48,8 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
   const glm::dvec3 from_light = point - light.position;
   const double distance = glm::length(from_light);
   if (!(distance > 0.0)) return glm::dvec3(0.0);
-  double depth =
-      contribution.before + medium.homogeneous_density() * (contribution.distance + distance);
+  double depth = contribution.depth_in_front +
+                 medium.homogeneous_density() * (contribution.distance + distance);
   for (std::size_t i = 0; i < medium.size(); ++i) {
     depth += optical_depth(GaussianTerm<double>(medium.gaussian(i)), light.position, point);
   }

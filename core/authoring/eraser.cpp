@@ -14,9 +14,9 @@ double eraser_cover(const EraserCone& cone, const glm::dvec3& center) {
 
 MediumEdit EraserStroke::touch(const Medium& medium, std::span<const EraserCone> cones,
                                const std::function<bool(GaussianId)>& may_erase) {
-  std::vector<GaussianId> thinned;
+  std::vector<GaussianId> thinned_ids;
   std::vector<Gaussian> after;
-  std::vector<GaussianId> gone;
+  std::vector<GaussianId> erased_ids;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianId id = medium.ids()[i];
     Touched* touched = nullptr;
@@ -30,15 +30,15 @@ MediumEdit EraserStroke::touch(const Medium& medium, std::span<const EraserCone>
     if (!touched) continue;
     // Rounding shall not leave a trace of what ten tenths have taken away.
     if (touched->erased > 1.0 - 1e-9) {
-      gone.push_back(id);
+      erased_ids.push_back(id);
       continue;
     }
-    thinned.push_back(id);
+    thinned_ids.push_back(id);
     after.push_back(medium.gaussian(i));
     after.back().density = touched->density * (1.0 - touched->erased);
   }
-  MediumEdit edit = MediumEdit::change(medium, thinned, after);
-  edit.merge(MediumEdit::remove(medium, gone));
+  MediumEdit edit = MediumEdit::change(medium, thinned_ids, after);
+  edit.merge(MediumEdit::remove(medium, erased_ids));
   return edit;
 }
 

@@ -13,19 +13,19 @@ std::vector<GaussianId> touching(const Medium& medium, std::span<const GaussianI
   const auto begin_of = [&](std::size_t i) { return medium.centers()[i].x - medium.radii()[i]; };
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return begin_of(a) < begin_of(b); });
-  double max_value = 0.0;
-  for (const double radius : medium.radii()) max_value = std::max(max_value, radius);
+  double max_radius = 0.0;
+  for (const double radius : medium.radii()) max_radius = std::max(max_radius, radius);
 
   std::vector<bool> touched(medium.size(), false);
   for (const GaussianId id : ids) {
     const std::size_t i = *medium.index_of(id);
-    const double first = begin_of(i) - 2.0 * max_value;
+    const double first = begin_of(i) - 2.0 * max_radius;
     const double last = medium.centers()[i].x + medium.radii()[i];
-    auto at = std::lower_bound(order.begin(), order.end(), first,
+    auto it = std::lower_bound(order.begin(), order.end(), first,
                                [&](std::size_t k, double x) { return begin_of(k) < x; });
-    for (; at != order.end() && begin_of(*at) <= last; ++at) {
-      const double distance = glm::distance(medium.centers()[i], medium.centers()[*at]);
-      if (distance <= medium.radii()[i] + medium.radii()[*at]) touched[*at] = true;
+    for (; it != order.end() && begin_of(*it) <= last; ++it) {
+      const double distance = glm::distance(medium.centers()[i], medium.centers()[*it]);
+      if (distance <= medium.radii()[i] + medium.radii()[*it]) touched[*it] = true;
     }
   }
   std::vector<GaussianId> result;

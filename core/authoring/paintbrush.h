@@ -28,13 +28,13 @@ class PaintStroke {
   // Extends the stroke by a segment to `point`; returns the new Gaussians. A jump that needs more
   // than `longest` of them restarts the stroke.
   std::vector<Gaussian> extend(const glm::dvec3& point);
-  static constexpr int longest = 4096;
+  static constexpr int max_steps = 4096;
 
  private:
   Paintbrush brush_;
   RandomSource random_;
   std::optional<glm::dvec3> last_;  // last point of the path
-  double left_ = 0.0;               // arc length from there to the next Gaussian
+  double distance_to_next_ = 0.0;   // arc length from there to the next Gaussian
 };
 
 }  // namespace brume

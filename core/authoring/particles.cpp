@@ -23,10 +23,10 @@ Gaussian particle(const Emitter& emitter, std::uint64_t number, double age) {
   const glm::dvec3 velocity = emitter.velocity + emitter.spread * random.in_ball();
   const glm::dvec3 center =
       emitter.position + age * velocity + 0.5 * age * age * emitter.acceleration;
-  const double share = age / emitter.lifetime;
+  const double relative_age = age / emitter.lifetime;
   return {glm::clamp(center, -limits::coordinate, limits::coordinate),
-          glm::mix(emitter.radius.x, emitter.radius.y, share),
-          glm::mix(emitter.density.x, emitter.density.y, share)};
+          glm::mix(emitter.radius.x, emitter.radius.y, relative_age),
+          glm::mix(emitter.density.x, emitter.density.y, relative_age)};
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ std::vector<Gaussian> particles_at(const Emitter& emitter, double time) {
   std::vector<Gaussian> particles;
   if (!(emitter.rate > 0.0) || !(emitter.lifetime > 0.0) || !(time >= 0.0)) return particles;
   const double last = std::floor(time * emitter.rate);
-  // Beyond this, numbers of particles are no longer whole.
+  // Beyond this, particle numbers are no longer exact integers.
   if (!(last < 9e15)) return particles;
   double first = std::max(0.0, std::floor((time - emitter.lifetime) * emitter.rate));
   first = std::max(first, last - particle_limit + 1.0);

@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// Limit of an emitter's live particles; the youngest are kept.
+// Limit of an emitter's live particles; the oldest are dropped first.
 inline constexpr int particle_limit = 100'000;
 
 // Maximum number of live particles of an emitter.

@@ -30,12 +30,12 @@ std::vector<glm::dvec2> catmull_rom(const std::array<glm::dvec2, 4>& points, dou
     std::array<glm::dvec2, 4> level = points;
     for (std::size_t width = 1; width < 3; ++width) {
       for (std::size_t k = 0; k + width < 4; ++k) {
-        const double share = (t - knots[k]) / (knots[k + width] - knots[k]);
-        level[k] += share * (level[k + 1] - level[k]);
+        const double fraction = (t - knots[k]) / (knots[k + width] - knots[k]);
+        level[k] += fraction * (level[k + 1] - level[k]);
       }
     }
-    const double share = (t - knots[1]) / (knots[2] - knots[1]);
-    curve.push_back(level[0] + share * (level[1] - level[0]));
+    const double fraction = (t - knots[1]) / (knots[2] - knots[1]);
+    curve.push_back(level[0] + fraction * (level[1] - level[0]));
   }
   curve.push_back(points[2]);
   return curve;
@@ -45,7 +45,7 @@ SmoothPath::SmoothPath(const glm::dvec2& start, double spacing) : spacing_(spaci
 
 std::vector<glm::dvec2> SmoothPath::extend(const glm::dvec2& position) {
   if (glm::distance(position, last_.back()) < min_step) return {};
-  // At its ends the curve goes along the line between two positions.
+  // At its ends the curve is tangent to the line between two positions.
   if (last_.size() == 1) last_.insert(last_.begin(), 2.0 * last_.front() - position);
   last_.push_back(position);
   if (last_.size() < 4) return {};

@@ -95,11 +95,11 @@ double depth_error(const DensityGrid& grid, std::span<const Gaussian> gaussians,
 }
 
 double mass_ratio(const DensityGrid& grid, std::span<const Gaussian> gaussians) {
-  double mass = 0.0;
+  double integral = 0.0;
   for (const Gaussian& g : gaussians) {
-    mass += g.density * std::pow(std::sqrt(std::numbers::pi) * g.radius, 3.0);
+    integral += g.density * std::pow(std::sqrt(std::numbers::pi) * g.radius, 3.0);
   }
-  return mass / grid.mass();
+  return integral / grid.integral();
 }
 
 }  // namespace brume

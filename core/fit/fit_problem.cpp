@@ -18,7 +18,7 @@ constexpr int side = DensityGrid::side;
 constexpr float between = 0.7f;
 
 // Beyond this many radii a Gaussian is 1e-5 of its peak and left out.
-constexpr double cutoff_radius = 3.4;
+constexpr double cutoff_in_radii = 3.4;
 
 // A Gaussian along one axis of a block: t = a (p - b) and exp(-t^2) at its eight points.
 struct Axis {
@@ -136,7 +136,7 @@ std::vector<FitGaussian> to_fit_gaussians(const DensityGrid& grid,
   return result;
 }
 
-double FitGaussian::mass() const {
+double FitGaussian::integral() const {
   return c * std::pow(std::numbers::pi, 1.5) / (a * a * a);
 }
 
@@ -153,8 +153,8 @@ FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
     const glm::ivec3 corner(x, y, z);
     corners_.blocks.push_back({corner, {}});
     blocks_.push_back({spacing_ * glm::dvec3(corner), 1.0f});
-    const auto at = grid.find(corner);
-    const DensityGrid::Values values = at ? grid.blocks[*at].values : DensityGrid::Values{};
+    const auto index = grid.find(corner);
+    const DensityGrid::Values values = index ? grid.blocks[*index].values : DensityGrid::Values{};
     targets_.insert(targets_.end(), values.begin(), values.end());
   }
   sum_of_squares_ = square_sum(targets_);
@@ -171,19 +171,19 @@ FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
 
 template <class Visit>
 void FitProblem::each_block(const FitGaussian& g, Visit visit) const {
-  const glm::dvec3 radius = glm::dvec3(cutoff_radius / g.a) / glm::abs(spacing_);
-  const glm::dvec3 middle = g.b / spacing_;
-  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
-  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
-  const double all = cutoff_radius / g.a;
+  const glm::dvec3 radius = glm::dvec3(cutoff_in_radii / g.a) / glm::abs(spacing_);
+  const glm::dvec3 center = g.b / spacing_;
+  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - radius)));
+  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + radius)));
+  const double cutoff = cutoff_in_radii / g.a;
   for (int x = low.x; x <= high.x; x += side) {
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {
         const glm::dvec3 first = spacing_ * glm::dvec3(x, y, z);
         const glm::dvec3 last = spacing_ * (glm::dvec3(x, y, z) + (side - 0.5));
         const glm::dvec3 nearest = glm::clamp(g.b, glm::min(first, last), glm::max(first, last));
-        const glm::dvec3 gap = nearest - g.b;
-        if (glm::dot(gap, gap) > all * all) continue;
+        const glm::dvec3 offset = nearest - g.b;
+        if (glm::dot(offset, offset) > cutoff * cutoff) continue;
         if (const auto block = corners_.find({x, y, z})) {
           visit(static_cast<std::uint32_t>(*block));
           visit(static_cast<std::uint32_t>(*block + corners_.blocks.size()));
@@ -202,10 +202,10 @@ void FitProblem::set(std::span<const FitGaussian> gaussians) {
   block_offsets_.assign(1, 0);
   blocks_of_.clear();
   gaussian_offsets_.assign(blocks_.size() + 1, 0);
-  for (const auto& own : reached) {
-    blocks_of_.insert(blocks_of_.end(), own.begin(), own.end());
+  for (const auto& gaussian_blocks : reached) {
+    blocks_of_.insert(blocks_of_.end(), gaussian_blocks.begin(), gaussian_blocks.end());
     block_offsets_.push_back(blocks_of_.size());
-    for (const std::uint32_t block : own) ++gaussian_offsets_[block + 1];
+    for (const std::uint32_t block : gaussian_blocks) ++gaussian_offsets_[block + 1];
   }
   for (std::size_t b = 1; b < gaussian_offsets_.size(); ++b) {
     gaussian_offsets_[b] += gaussian_offsets_[b - 1];
@@ -220,15 +220,16 @@ void FitProblem::set(std::span<const FitGaussian> gaussians) {
 FitProblem::Squares FitProblem::residuals(std::span<float> residuals) const {
   std::vector<double> sums(blocks_.size());
   tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t block) {
-    const auto own = residuals.subspan(block * DensityGrid::block_size, DensityGrid::block_size);
+    const auto block_residuals =
+        residuals.subspan(block * DensityGrid::block_size, DensityGrid::block_size);
     const float* target = targets_.data() + block * DensityGrid::block_size;
-    for (std::size_t v = 0; v < own.size(); ++v) own[v] = -target[v];
+    for (std::size_t v = 0; v < block_residuals.size(); ++v) block_residuals[v] = -target[v];
     for (std::size_t k = gaussian_offsets_[block]; k < gaussian_offsets_[block + 1]; ++k) {
       const FitGaussian& g = gaussians_[gaussians_of_[k]];
       add_gaussian(Axes(g, blocks_[block].first, spacing_),
-                   blocks_[block].weight * static_cast<float>(g.c), own.data());
+                   blocks_[block].weight * static_cast<float>(g.c), block_residuals.data());
     }
-    sums[block] = square_sum(own);
+    sums[block] = square_sum(block_residuals);
   });
   Squares squares;
   for (std::size_t block = 0; block < sums.size(); ++block) {
@@ -240,8 +241,8 @@ FitProblem::Squares FitProblem::residuals(std::span<float> residuals) const {
 
 void FitProblem::apply(std::span<const FitStep> step, std::span<float> result) const {
   tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t block) {
-    float* own = result.data() + block * DensityGrid::block_size;
-    std::fill_n(own, DensityGrid::block_size, 0.0f);
+    float* block_values = result.data() + block * DensityGrid::block_size;
+    std::fill_n(block_values, DensityGrid::block_size, 0.0f);
     for (std::size_t k = gaussian_offsets_[block]; k < gaussian_offsets_[block + 1]; ++k) {
       const std::uint32_t i = gaussians_of_[k];
       const FitGaussian& g = gaussians_[i];
@@ -250,7 +251,7 @@ void FitProblem::apply(std::span<const FitStep> step, std::span<float> result) c
       const auto twice = [](double x) { return static_cast<float>(2.0 * x); };
       add_polynomial(Axes(g, blocks_[block].first, spacing_),
                      blocks_[block].weight * static_cast<float>(g.c), static_cast<float>(s[4]),
-                     {twice(s[0]), twice(s[1]), twice(s[2])}, -twice(s[3]), own);
+                     {twice(s[0]), twice(s[1]), twice(s[2])}, -twice(s[3]), block_values);
     }
   });
 }

@@ -17,7 +17,7 @@ struct FitGaussian {
   double a = 1.0;  // [1/u]
   double c = 0.0;  // [1/u], > 0
 
-  [[nodiscard]] double mass() const;  // [u^2]
+  [[nodiscard]] double integral() const;  // [u^2]
 };
 
 // Gaussians of the world in a grid's own axes.

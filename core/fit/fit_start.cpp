@@ -96,7 +96,8 @@ std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size
     for (const std::span<Sample> half : cut(group)) groups.emplace(half);
   }
 
-  const double own = glm::dot(grid.spacing, grid.spacing) / 12.0;  // a voxel is a little box
+  const double voxel_variance =
+      glm::dot(grid.spacing, grid.spacing) / 12.0;  // a voxel is a little box
   const double sharpest =
       FitProblem::sharpest /
       std::max({std::abs(grid.spacing.x), std::abs(grid.spacing.y), std::abs(grid.spacing.z)});
@@ -104,7 +105,7 @@ std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size
   const auto add = [&](const Group& group) {
     FitGaussian g;
     g.b = group.mean;
-    const double variance = (group.trace() / group.weight + own) / 3.0;
+    const double variance = (group.trace() / group.weight + voxel_variance) / 3.0;
     g.a = std::min(1.0 / std::sqrt(2.0 * variance), sharpest);
     g.c = group.weight * grid.voxel_volume() * std::pow(g.a, 3.0) / std::pow(std::numbers::pi, 1.5);
     gaussians.push_back(g);

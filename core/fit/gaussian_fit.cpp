@@ -51,7 +51,7 @@ class Fitting {
     renewed_.assign(gaussians_.size(), false);
     evaluate();
     damping_ = 1e-2;
-    share_ = 0.1;
+    relocated_fraction_ = 0.1;
   }
 
   [[nodiscard]] double error() const {
@@ -62,39 +62,40 @@ class Fitting {
   [[nodiscard]] double squares() const { return squares_.all; }
 
   // Up to `steps` steps, ending early where they no longer help. False when stopped.
-  bool descend(int steps, double target_error, double from, double to) {
+  bool descend(int steps, double target_error, double progress_begin, double progress_end) {
     for (int i = 0; i < steps; ++i) {
       if (stop_.stop_requested()) return false;
-      if (progress_) progress_(from + (to - from) * i / steps);
-      const double before = squares_.all;
+      if (progress_) progress_(progress_begin + (progress_end - progress_begin) * i / steps);
+      const double squares_before = squares_.all;
       if (error() <= target_error) break;
       if (!step()) break;
-      if (squares_.all > (1.0 - 1e-4) * before) break;
+      if (squares_.all > (1.0 - 1e-4) * squares_before) break;
     }
     return !stop_.stop_requested();
   }
 
   // Moves the least useful Gaussians to where the residual is largest and optimizes again. If that
   // is no better, reverts and moves fewer next time. False if stopped.
-  bool relocate_and_descend(int steps, double target_error, double from, double to) {
+  bool relocate_and_descend(int steps, double target_error, double progress_begin,
+                            double progress_end) {
     const std::vector<FitGaussian> gaussians = gaussians_;
     const std::vector<bool> renewed = renewed_;
     const double squares = squares_.all;
     relocate();
-    if (!descend(steps, target_error, from, to)) return false;
+    if (!descend(steps, target_error, progress_begin, progress_end)) return false;
     if (squares_.all < squares) return true;
     gaussians_ = gaussians;
     renewed_ = renewed;
     evaluate();
-    share_ *= 0.3;
-    return descend(steps, target_error, from, to);
+    relocated_fraction_ *= 0.3;
+    return descend(steps, target_error, progress_begin, progress_end);
   }
 
-  void scale_mass() {
-    double mass = 0.0;
-    for (const FitGaussian& g : gaussians_) mass += g.mass();
-    if (!(mass > 0.0)) return;
-    const double factor = grid_.mass() / mass;
+  void scale_integral() {
+    double integral = 0.0;
+    for (const FitGaussian& g : gaussians_) integral += g.integral();
+    if (!(integral > 0.0)) return;
+    const double factor = grid_.integral() / integral;
     for (FitGaussian& g : gaussians_) g.c *= factor;
     evaluate();
   }
@@ -127,7 +128,7 @@ class Fitting {
   const std::function<void(double)>& progress_;
   double sharpest_;
   double damping_;
-  double share_;  // fraction of Gaussians that may be moved
+  double relocated_fraction_;  // fraction of Gaussians that may be moved
   std::size_t products_ = 0;
   FitProblem::Squares squares_;
   std::vector<FitGaussian> gaussians_;
@@ -139,9 +140,9 @@ class Fitting {
 // w = integral of g^2, it is w for a db, and w ((15/4, -3/2), (-3/2, 1)) for log a and log c.
 // Returns the solution of (that, with `damping` of its diagonal added) x = r.
 FitStep solve_own(const FitStep& r, double w, double damping) {
-  const double more = 1.0 + damping;
-  const double aa = 3.75 * w * more;
-  const double cc = w * more;
+  const double damped = 1.0 + damping;
+  const double aa = 3.75 * w * damped;
+  const double cc = w * damped;
   const double ac = -1.5 * w;
   const double determinant = aa * cc - ac * ac;
   return {r[0] / cc, r[1] / cc, r[2] / cc, (cc * r[3] - ac * r[4]) / determinant,
@@ -151,7 +152,7 @@ FitStep solve_own(const FitStep& r, double w, double damping) {
 // (J^T J + damping D) x = -gradient by preconditioned conjugate gradients.
 Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   // The model holds only nearby: a more exact solution wins less than another step.
-  constexpr int max_value = 8;
+  constexpr int max_iterations = 8;
   constexpr double enough = 0.1;  // of the gradient
   const std::size_t n = gradient.size();
   Steps x(n, FitStep{});
@@ -168,7 +169,7 @@ Steps Fitting::solve(const Steps& gradient, std::span<const double> weights) {
   Steps q(n);
   double rz = dot(r, z);
   const double first = rz;
-  for (int k = 0; k < max_value && rz > enough * enough * first; ++k) {
+  for (int k = 0; k < max_iterations && rz > enough * enough * first; ++k) {
     problem_.apply(p, along_);
     problem_.apply_transposed(along_, q);
     products_ += 2;
@@ -205,19 +206,19 @@ bool Fitting::step() {
                  (g.a * g.a * g.a * grid_.voxel_volume());
   }
   // A Gaussian that is almost nothing has no weight to hold it.
-  const double min_value =
+  const double min_weight =
       1e-6 * std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(n);
-  for (double& w : weights) w = std::max(w, min_value);
+  for (double& w : weights) w = std::max(w, min_weight);
 
-  const std::vector<FitGaussian> before = gaussians_;
+  const std::vector<FitGaussian> previous = gaussians_;
   const double squares_before = squares_.all;
   for (int attempt = 0; attempt < 6; ++attempt) {
     const Steps change = solve(gradient, weights);
     for (std::size_t i = 0; i < n; ++i) {
       const auto bounded = [&](std::size_t k) { return std::clamp(change[i][k], -0.7, 0.7); };
       FitGaussian& g = gaussians_[i];
-      g = before[i];
-      g.b += glm::dvec3(bounded(0), bounded(1), bounded(2)) / before[i].a;
+      g = previous[i];
+      g.b += glm::dvec3(bounded(0), bounded(1), bounded(2)) / previous[i].a;
       g.a *= std::exp(bounded(3));
       g.c *= std::exp(bounded(4));
       limit(g);
@@ -231,7 +232,7 @@ bool Fitting::step() {
     }
     damping_ = std::max(10.0 * damping_, 1e-3);
   }
-  gaussians_ = before;
+  gaussians_ = previous;
   evaluate();
   return false;
 }
@@ -240,7 +241,7 @@ void Fitting::relocate() {
   // A Gaussian's neighbours make up for most of its loss.
   constexpr double lost = 0.3;
   const std::size_t n = gaussians_.size();
-  const auto max_value = static_cast<std::size_t>(share_ * static_cast<double>(n));
+  const auto max_relocated = static_cast<std::size_t>(relocated_fraction_ * static_cast<double>(n));
   // What a Gaussian is worth: about what the squares would grow by without it, by its own gradient.
   Steps gradient(n);
   problem_.apply_transposed(residuals_, gradient);
@@ -248,9 +249,9 @@ void Fitting::relocate() {
   std::vector<std::pair<double, std::size_t>> worth;
   for (std::size_t i = 0; i < n; ++i) {
     const FitGaussian& g = gaussians_[i];
-    const double own = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
-                       (g.a * g.a * g.a * grid_.voxel_volume());
-    worth.emplace_back(own - 2.0 * gradient[i][4], i);
+    const double self_term = g.c * g.c * std::pow(std::numbers::pi / 2.0, 1.5) /
+                             (g.a * g.a * g.a * grid_.voxel_volume());
+    worth.emplace_back(self_term - 2.0 * gradient[i][4], i);
   }
   std::sort(worth.begin(), worth.end());
 
@@ -278,7 +279,7 @@ void Fitting::relocate() {
   std::set<std::tuple<int, int, int>> cubes;
   std::size_t k = 0;
   for (const Place& place : places) {
-    if (k == max_value || place.gain < lost * worth[k].first) break;
+    if (k == max_relocated || place.gain < lost * worth[k].first) break;
     const glm::ivec3 cube(glm::floor(0.25 * (place.gaussian.b / grid_.spacing + 0.5)));
     if (!cubes.emplace(cube.x, cube.y, cube.z).second) continue;
     gaussians_[worth[k].second] = place.gaussian;
@@ -294,17 +295,17 @@ std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& opti
                                  const std::stop_token& stop,
                                  const std::function<void(double)>& progress) {
   Fitting fitting(grid, stop, progress);
-  const auto fit = [&](std::size_t count, double from, double to) {
+  const auto fit = [&](std::size_t count, double progress_begin, double progress_end) {
     constexpr int rounds = 4;
     constexpr int steps = 15;
     fitting.begin(split_into_gaussians(grid, count));
     for (int round = 0; round < rounds; ++round) {
-      const double begin = from + (to - from) * round / rounds;
-      const double end = begin + (to - from) / rounds;
-      const bool is_continuous =
+      const double begin = progress_begin + (progress_end - progress_begin) * round / rounds;
+      const double end = begin + (progress_end - progress_begin) / rounds;
+      const bool completed =
           round == 0 ? fitting.descend(steps, options.max_error, begin, end)
                      : fitting.relocate_and_descend(steps, options.max_error, begin, end);
-      if (!is_continuous) return false;
+      if (!completed) return false;
       if (fitting.error() <= options.max_error) break;
     }
     return true;
@@ -315,12 +316,12 @@ std::optional<Fit> fit_gaussians(const DensityGrid& grid, const FitOptions& opti
     // Twice as many each time: in all no more than twice the work of the last.
     for (std::size_t count = std::min<std::size_t>(options.count, 32);;
          count = std::min(2 * count, options.count)) {
-      const double share = static_cast<double>(count) / static_cast<double>(options.count);
-      if (!fit(count, 0.5 * share, share)) return std::nullopt;
+      const double fraction = static_cast<double>(count) / static_cast<double>(options.count);
+      if (!fit(count, 0.5 * fraction, fraction)) return std::nullopt;
       if (fitting.error() <= options.max_error || count == options.count) break;
     }
   }
-  fitting.scale_mass();
+  fitting.scale_integral();
   return fitting.result();
 }
 
@@ -334,11 +335,11 @@ std::optional<Refit> refit_gaussians(const DensityGrid& grid, std::span<const Ga
   for (int round = 0; round < rounds; ++round) {
     const double begin = round / static_cast<double>(rounds);
     const double end = (round + 1) / static_cast<double>(rounds);
-    const bool is_continuous = round == 0 ? fitting.descend(steps, 0.0, begin, end)
-                                          : fitting.relocate_and_descend(steps, 0.0, begin, end);
-    if (!is_continuous) return std::nullopt;
+    const bool completed = round == 0 ? fitting.descend(steps, 0.0, begin, end)
+                                      : fitting.relocate_and_descend(steps, 0.0, begin, end);
+    if (!completed) return std::nullopt;
   }
-  fitting.scale_mass();
+  fitting.scale_integral();
   return Refit{fitting.result(), fitting.renewed()};
 }
 

@@ -15,13 +15,13 @@ std::vector<Gaussian> next_start(const DensityGrid& next, std::span<const Gaussi
     return problem.residuals(residuals).all;
   };
   std::vector<Gaussian> best(gaussians.begin(), gaussians.end());
-  double min_value = squares(best);
+  double min_squares = squares(best);
   for (int halves = 0; halves <= 10; ++halves) {
     std::vector<Gaussian> moved =
         advected(gaussians, velocity, seconds * std::pow(0.5, 0.5 * halves));
     const double found = squares(moved);
-    if (!(found < min_value)) continue;
-    min_value = found;
+    if (!(found < min_squares)) continue;
+    min_squares = found;
     best = std::move(moved);
   }
   return best;

@@ -8,7 +8,7 @@
 namespace brume {
 namespace {
 
-// The fit keeps some 6 kB of each block at hand.
+// The fit needs about 6 kB of memory per block.
 constexpr std::size_t max_blocks = 200'000;
 
 // What turns the volume's axes into ours.

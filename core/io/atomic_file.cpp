@@ -25,7 +25,7 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// A new empty file beside `target`, with the permissions a new file gets from the umask.
+// A new empty file next to `target`, with the permissions a new file gets from the umask.
 fs::path create_temporary(const fs::path& file, const fs::path& target, TemporaryName& name) {
   static std::atomic<unsigned> counter = 0;
   for (;;) {

@@ -14,7 +14,7 @@ std::filesystem::path link_target(const std::filesystem::path& file);
 // folder or device. Call before long work.
 void check_writable(const std::filesystem::path& file);
 
-// Replaces a file atomically: `write` writes a temporary file beside it, which is then renamed.
+// Replaces a file atomically: `write` writes a temporary file next to it, which is then renamed.
 // Preserves permissions and symbolic links (the target is replaced). If `write` throws, the
 // temporary file is removed and the exception propagates. Throws InputError if the folder is not
 // writable.

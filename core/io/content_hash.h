@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// A 64-bit hash of bytes, to name what we made ourselves and to see whether it is still whole. The
+// A 64-bit hash of bytes, to name files that we made ourselves and to detect damage. The
 // same on every little-endian machine. No defence against someone who wants two contents to agree.
 class ContentHash {
  public:

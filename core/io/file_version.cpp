@@ -21,8 +21,8 @@ FileVersion FileVersion::of_content(std::string_view content) {
   FileVersion version;
   version.size_ = content.size();
   for (; !content.empty(); content.remove_prefix(std::min(piece, content.size()))) {
-    const std::string_view part = content.substr(0, piece);
-    hash.add(std::span<const char>(part.data(), part.size()));
+    const std::string_view chunk = content.substr(0, piece);
+    hash.add(std::span<const char>(chunk.data(), chunk.size()));
   }
   version.hash_ = hash.value();
   return version;
@@ -32,15 +32,15 @@ std::optional<FileVersion> FileVersion::read(const std::filesystem::path& file) 
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
-  std::vector<char> part(piece);
+  std::vector<char> buffer(piece);
   ContentHash hash;
   FileVersion version;
   while (in) {
-    in.read(part.data(), static_cast<std::streamsize>(part.size()));
+    in.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     const auto count = static_cast<std::size_t>(in.gcount());
     if (count == 0) break;
     version.size_ += count;
-    hash.add(std::span<const char>(part.data(), count));
+    hash.add(std::span<const char>(buffer.data(), count));
   }
   if (!in.eof()) return std::nullopt;
   version.hash_ = hash.value();

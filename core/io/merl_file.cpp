@@ -41,11 +41,11 @@ std::shared_ptr<const MeasuredBrdf> read_merl(const std::filesystem::path& file)
   const std::string bytes = read_bytes(file);
   if (bytes.size() != file_size) throw InputError(file, "", "cannot be read completely");
   std::vector<glm::vec3> values(MeasuredBrdf::samples);
-  const char* at = bytes.data() + header_size;
+  const char* position = bytes.data() + header_size;
   for (int color = 0; color < 3; ++color) {
-    for (std::size_t i = 0; i < values.size(); ++i, at += sizeof(double)) {
+    for (std::size_t i = 0; i < values.size(); ++i, position += sizeof(double)) {
       double value = 0.0;
-      std::memcpy(&value, at, sizeof(double));
+      std::memcpy(&value, position, sizeof(double));
       if (!(std::abs(value) <= 1e12)) {
         throw InputError(file, "sample " + std::to_string(i),
                          "found " + quoted_text(value) + "; allowed: a number from -1e12 to 1e12");

@@ -127,9 +127,9 @@ std::optional<std::size_t> PlyFile::Element::property(std::string_view wanted) c
 }
 
 const PlyFile::Element* PlyFile::element(std::string_view name) const {
-  const auto at = std::find_if(elements_.begin(), elements_.end(),
+  const auto it = std::find_if(elements_.begin(), elements_.end(),
                                [&](const Element& element) { return element.name == name; });
-  return at == elements_.end() ? nullptr : &*at;
+  return it == elements_.end() ? nullptr : &*it;
 }
 
 PlyFile::PlyFile(std::filesystem::path file, std::string_view bytes) : file_(std::move(file)) {

@@ -25,7 +25,7 @@ struct Slot {
 };
 
 // A handler may neither wait nor allocate. Far more than are ever written at once; what finds no
-// slot is written all the same.
+// slot is written in any case.
 std::array<Slot, 64> slots;
 static_assert(std::atomic<State>::is_always_lock_free);
 
@@ -49,10 +49,10 @@ void remove_at(int folder, const char* name, int depth) {
   for (;;) {
     const long size = ::syscall(SYS_getdents64, fd, entries, sizeof entries);
     if (size <= 0) break;
-    for (long at = 0; at < size;) {
-      const auto* entry = reinterpret_cast<const Entry*>(entries + at);
-      const char* entry_name = entries + at + offsetof(Entry, name);
-      at += entry->size;
+    for (long offset = 0; offset < size;) {
+      const auto* entry = reinterpret_cast<const Entry*>(entries + offset);
+      const char* entry_name = entries + offset + offsetof(Entry, name);
+      offset += entry->size;
       if (std::strcmp(entry_name, ".") == 0 || std::strcmp(entry_name, "..") == 0) continue;
       remove_at(fd, entry_name, depth + 1);
     }

@@ -90,9 +90,9 @@ Integral<Real> integrate(const Function& f, std::span<const Real> breakpoints, R
     std::pop_heap(pieces.begin(), pieces.end(), smaller_error);
     const Piece worst = pieces.back();
     pieces.pop_back();
-    const Real middle = Real(0.5) * (worst.a + worst.b);
-    if (!(worst.a < middle && middle < worst.b)) break;  // no numbers left between a and b
-    for (const auto& [a, b] : {std::pair{worst.a, middle}, std::pair{middle, worst.b}}) {
+    const Real center = Real(0.5) * (worst.a + worst.b);
+    if (!(worst.a < center && center < worst.b)) break;  // no numbers left between a and b
+    for (const auto& [a, b] : {std::pair{worst.a, center}, std::pair{center, worst.b}}) {
       pieces.push_back({a, b, gauss_kronrod_15<Real>(f, a, b)});
       std::push_heap(pieces.begin(), pieces.end(), smaller_error);
     }

@@ -79,10 +79,10 @@ std::vector<ShElement> quarter_turn() {
   constexpr std::size_t size = sh_size(sh_max_bands);
   std::array<double, size * size> matrix{};
   for (const auto& [d, weight] : sphere_rule(2 * (sh_max_bands - 1))) {
-    const ShVector<double> to = sh_basis(sh_max_bands, d);
-    const ShVector<double> from = sh_basis(sh_max_bands, glm::dvec3(d.x, d.z, -d.y));
+    const ShVector<double> rotated_basis = sh_basis(sh_max_bands, d);
+    const ShVector<double> basis = sh_basis(sh_max_bands, glm::dvec3(d.x, d.z, -d.y));
     for (std::size_t k = 0; k < matrix.size(); ++k) {
-      matrix[k] += weight * to[k / size] * from[k % size];
+      matrix[k] += weight * rotated_basis[k / size] * basis[k % size];
     }
   }
   std::vector<ShElement> elements;
@@ -176,9 +176,9 @@ using TriplesByOrder = std::array<std::vector<ShTriple>, bands + 1>;
 TriplesByOrder triples_by_order() {
   TriplesByOrder lists;
   for (const ShTriple& triple : all_triples()) {
-    const auto max_value = static_cast<std::size_t>(std::max({triple.i, triple.j, triple.k}));
+    const auto max_index = static_cast<std::size_t>(std::max({triple.i, triple.j, triple.k}));
     for (std::size_t order = 1; order <= bands; ++order) {
-      if (max_value < order * order) lists[order].push_back(triple);
+      if (max_index < order * order) lists[order].push_back(triple);
     }
   }
   return lists;

@@ -15,9 +15,9 @@ constexpr std::size_t max_past_edits = 64;
 }  // namespace
 
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
-  const auto at = std::lower_bound(ids_.begin(), ids_.end(), id);
-  if (at == ids_.end() || *at != id) return std::nullopt;
-  return static_cast<std::size_t>(at - ids_.begin());
+  const auto it = std::lower_bound(ids_.begin(), ids_.end(), id);
+  if (it == ids_.end() || *it != id) return std::nullopt;
+  return static_cast<std::size_t>(it - ids_.begin());
 }
 
 GaussianId Medium::append(const Gaussian& gaussian) {

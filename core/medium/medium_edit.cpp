@@ -10,16 +10,16 @@ namespace {
 // array of `size` elements, in order.
 template <class Visit>
 std::size_t compact(std::size_t size, const std::vector<std::size_t>& dropped, Visit visit) {
-  std::size_t to = 0;
+  std::size_t target = 0;
   std::size_t next = 0;
-  for (std::size_t from = 0; from < size; ++from) {
-    if (next < dropped.size() && dropped[next] == from) {
+  for (std::size_t source = 0; source < size; ++source) {
+    if (next < dropped.size() && dropped[next] == source) {
       ++next;
     } else {
-      visit(from, to++);
+      visit(source, target++);
     }
   }
-  return to;
+  return target;
 }
 
 template <class T>
@@ -122,9 +122,9 @@ void MediumEdit::apply(Medium& medium) const {
     medium.densities_.resize(size);
     medium.ids_.resize(size);
   };
-  const auto move = [&](std::size_t from, std::size_t to) {
-    put(to, medium.gaussian(from));
-    medium.ids_[to] = medium.ids_[from];
+  const auto move = [&](std::size_t source, std::size_t target) {
+    put(target, medium.gaussian(source));
+    medium.ids_[target] = medium.ids_[source];
   };
 
   if (!removed_.empty()) {
@@ -144,17 +144,17 @@ void MediumEdit::apply(Medium& medium) const {
   }
   if (!added_.empty()) {
     // A merge from the back: every Gaussian moves at most once.
-    std::size_t from = medium.size();
-    std::size_t left = added_.size();
-    resize(from + left);
-    for (std::size_t to = medium.size(); left > 0;) {
-      --to;
-      if (from > 0 && medium.ids_[from - 1] > added_[left - 1].id) {
-        move(--from, to);
+    std::size_t source = medium.size();
+    std::size_t remaining = added_.size();
+    resize(source + remaining);
+    for (std::size_t target = medium.size(); remaining > 0;) {
+      --target;
+      if (source > 0 && medium.ids_[source - 1] > added_[remaining - 1].id) {
+        move(--source, target);
       } else {
-        --left;
-        put(to, added_[left].gaussian);
-        medium.ids_[to] = added_[left].id;
+        --remaining;
+        put(target, added_[remaining].gaussian);
+        medium.ids_[target] = added_[remaining].id;
       }
     }
     medium.next_id_ = std::max(medium.next_id_, added_.back().id + 1);

@@ -17,12 +17,12 @@ struct Splat {
 };
 
 // The sphere of a splat's volume, of radius sqrt(2) (s_0 s_1 s_2)^(1/3).
-Gaussian ball_of(const Splat& splat);
+Gaussian equivalent_sphere(const Splat& splat);
 
 // Approximates a splat by up to 3 x 3 equal spheres of its mass and second moments: exact along
 // axes at least 1.25 times as long as a sphere is wide; a sphere is as wide as the shorter axes,
 // but at least the longest / 1.9. Neighbours are at most two deviations apart, so no gaps are
 // visible (the sum varies by 1.4%).
-std::vector<Gaussian> balls_along(const Splat& splat);
+std::vector<Gaussian> sphere_approximation(const Splat& splat);
 
 }  // namespace brume

@@ -28,11 +28,11 @@ template <class Real>
 Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& scattering,
                        const Vec3<Real>& eye, const Vec3<Real>& w, const Vec3<Real>& light,
                        const PointLightRay<Real>& path, Real frozen, Real anisotropy) {
-  const auto [t, depth, before] = scattering;
+  const auto [t, depth, depth_to_point] = scattering;
   if (!(depth > 0)) return 0;
-  const Real own = before + optical_depth(g, light, eye + t * w);
+  const Real self_depth = depth_to_point + optical_depth(g, light, eye + t * w);
   const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_theta(t), anisotropy) : Real(1);
-  return phase * depth * std::exp(-(frozen + own)) /
+  return phase * depth * std::exp(-(frozen + self_depth)) /
          (4 * std::numbers::pi_v<Real> * path.distance2(t));
 }
 

@@ -13,9 +13,9 @@ enum class ScatterPoint {
 // A Gaussian on the view ray as one point x_i = v + t w.
 template <class Real>
 struct PointScattering {
-  Real t;       // [u]
-  Real depth;   // T_i(v, p)
-  Real before;  // T_i(v, x_i)
+  Real t;               // [u]
+  Real depth;           // T_i(v, p)
+  Real depth_to_point;  // T_i(v, x_i)
 };
 template <class Real>
 PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LineProfile<Real>& line,
@@ -26,10 +26,10 @@ PointScattering<Real> point_scattering(const GaussianTerm<Real>& g, const LinePr
 //
 //   L_i = exp(-(frozen + T_i(s, x_i) + T_i(v, x_i))) / (4 pi |x_i - s|^2) * T_i(v, p)
 //
-// x_i is where point_scattering() says on the segment [0, d]; `frozen` is what the other Gaussians
-// and b0 take along the fixed path s -> b_i -> v, that is Tbar_i(s, b_i) + Tbar_i(v, b_i). The
-// paper's factors f0 and f1 multiply exp(+T) by exp(-T); here all depths meet in one exponent,
-// which cannot overflow.
+// x_i on the segment [0, d] is point_scattering()'s; `frozen` is the optical depth of the other
+// Gaussians and b0 along the fixed path s -> b_i -> v, that is Tbar_i(s, b_i) + Tbar_i(v, b_i). The
+// paper's factors f0 and f1 multiply exp(+T) by exp(-T); here all depths are summed in one
+// exponent, which cannot overflow.
 //
 // With an anisotropy, henyey_greenstein() at x_i is a factor.
 //
@@ -42,7 +42,7 @@ Real gaussian_airlight(const GaussianTerm<Real>& g, const Vec3<Real>& eye, const
 
 // The same where point_scattering() is known, of a view ray that noise bends.
 template <class Real>
-Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& own,
+Real gaussian_airlight(const GaussianTerm<Real>& g, const PointScattering<Real>& scattering,
                        const Vec3<Real>& eye, const Vec3<Real>& w, const Vec3<Real>& light,
                        const PointLightRay<Real>& path, Real frozen, Real anisotropy);
 

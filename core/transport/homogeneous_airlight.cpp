@@ -13,7 +13,7 @@ Real homogeneous_airlight(Real b0, const PointLightRay<Real>& path, Real d, Real
   if (!(b0 > 0) || !(d > 0)) return 0;
   // Past `reach` the path eye -> point -> light is so much longer than the shortest one that
   // nothing is left: exp(-40) in double, exp(-20) in float.
-  const Real start = path.travelled(0);
+  const Real start = path.path_length(0);
   const Real longest = start + (sizeof(Real) == 4 ? Real(20) : Real(40)) / b0;
   const Real reach =
       (longest - start) * (longest + start) / (2 * std::max(longest - path.ts, longest - start));
@@ -22,7 +22,7 @@ Real homogeneous_airlight(Real b0, const PointLightRay<Real>& path, Real d, Real
   const auto transmittance = [&](Real x) {
     const Real t = angular.t(angular.span * x);
     const Real phase = anisotropy != 0 ? henyey_greenstein(path.cos_theta(t), anisotropy) : Real(1);
-    return phase * std::exp(-b0 * (t + path.travelled(t) - start));
+    return phase * std::exp(-b0 * (t + path.path_length(t) - start));
   };
   const std::array<Real, 2> all = {0, 1};
   const Real tolerance = sizeof(Real) == 4 ? Real(1e-5) : Real(1e-11);

@@ -14,15 +14,15 @@ namespace brume {
 // size of the source, or a fraction of the pixel's footprint); falloff is 1 / ((t - ts)^2 + h^2).
 template <class Real>
 struct PointLightRay {
-  Real ts;   // [u]
-  Real h;    // [u], > 0
-  Real gap;  // unclamped distance [u]
+  Real ts;                // [u]
+  Real h;                 // [u], > 0
+  Real distance_to_line;  // unclamped h [u]
 
   PointLightRay(const Vec3<Real>& light, const Vec3<Real>& eye, const Vec3<Real>& w, Real h_min) {
     const Vec3<Real> q = light - eye;
     ts = glm::dot(q, w);
-    gap = glm::length(q - ts * w);
-    h = std::max({gap, h_min, floor(std::abs(ts))});
+    distance_to_line = glm::length(q - ts * w);
+    h = std::max({distance_to_line, h_min, floor(std::abs(ts))});
   }
 
   // Squared (clamped) distance from the light to the point at t.
@@ -30,12 +30,12 @@ struct PointLightRay {
 
   // Cosine of the scattering angle at t, towards the eye.
   [[nodiscard]] Real cos_theta(Real t) const {
-    const Real r = travelled(t);
+    const Real r = path_length(t);
     return r > 0 ? (ts - t) / r : Real(0);
   }
 
   // Length of the light's path to t; only the falloff is clamped.
-  [[nodiscard]] Real travelled(Real t) const { return std::hypot(t - ts, gap); }
+  [[nodiscard]] Real path_length(Real t) const { return std::hypot(t - ts, distance_to_line); }
 
  private:
   // A light exactly on the ray needs h > 0; radiance before the light depends on h^2 only, so this

@@ -97,23 +97,23 @@ Real truncated_mean(const GaussianTerm<Real>& g, const LineProfile<Real>& line, 
   if (s.is_short) {
     const Real m = Real(0.5) * (s.u0 + s.u1);
     using Rule = ShortRule<Real>;
-    Real mass = 0;
+    Real integral = 0;
     Real moment = 0;  // of the step from the middle
     for (std::size_t j = 0; j < Rule::node.size(); ++j) {
       const Real step = Real(0.5) * s.k * Rule::node[j];
       const Real weight = Rule::weight[j] * std::exp(-step * step);
-      mass += weight * std::cosh(2 * m * step);
+      integral += weight * std::cosh(2 * m * step);
       moment -= weight * step * std::sinh(2 * m * step);
     }
-    mean = Real(0.5) * d + moment / mass / g.a;
+    mean = Real(0.5) * d + moment / integral / g.a;
   } else if (s.straddles) {
-    const Real mass = sqrt_pi<Real> * (std::erf(s.u1) - std::erf(s.u0));
-    mean = line.t0 + (std::exp(-s.u0 * s.u0) - std::exp(-s.u1 * s.u1)) / (g.a * mass);
+    const Real integral = sqrt_pi<Real> * (std::erf(s.u1) - std::erf(s.u0));
+    mean = line.t0 + (std::exp(-s.u0 * s.u0) - std::exp(-s.u1 * s.u1)) / (g.a * integral);
   } else {
     // Scaled by exp(lo^2), so that the ratio lives on where both parts underflow.
-    const Real fall = std::exp((s.lo - s.hi) * (s.lo + s.hi));
-    const Real rest = fall > 0 ? fall * erfcx(s.hi) : Real(0);
-    const Real offset = (1 - fall) / (sqrt_pi<Real> * (erfcx(s.lo) - rest)) / g.a;
+    const Real decay = std::exp((s.lo - s.hi) * (s.lo + s.hi));
+    const Real rest = decay > 0 ? decay * erfcx(s.hi) : Real(0);
+    const Real offset = (1 - decay) / (sqrt_pi<Real> * (erfcx(s.lo) - rest)) / g.a;
     mean = s.u0 > 0 ? line.t0 + offset : line.t0 - offset;
   }
   return std::clamp(mean, Real(0), d);

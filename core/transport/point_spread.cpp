@@ -63,11 +63,11 @@ ZonalSh<double> project(double T, const Factor& factor, const Detour& detour) {
       mean += xs.weights[k] * std::exp(-T * detour(gamma, xs.nodes[k]));
     }
     // 2 pi sin(gamma) spread dgamma, in which the sine drops out.
-    const double mass = 0.5 * factor(gamma) * mean * quarter * gammas.weights[i / 2];
+    const double weight = 0.5 * factor(gamma) * mean * quarter * gammas.weights[i / 2];
     const ShVector<double> y =
         sh_basis(sh_max_bands, glm::dvec3(std::sin(gamma), 0.0, std::cos(gamma)));
     for (int l = 0; l < sh_max_bands; ++l) {
-      result[static_cast<std::size_t>(l)] += mass * y[sh_index(l, 0)];
+      result[static_cast<std::size_t>(l)] += weight * y[sh_index(l, 0)];
     }
   }
   return result;
@@ -100,14 +100,14 @@ ZonalSh<double> distant_spread_sh(double T) {
 
 namespace {
 
-// Nodes stand at equal steps in log(1 + T / knee): the coefficients go like T log T near 0 (those
-// of a point) and like log(T) / T far out. One node stands outside each end, for the cubic.
+// Nodes at equal steps in log(1 + T / knee): the coefficients behave like T log T near 0 (those of
+// a point) and like log(T) / T for large T. One node lies outside each end, for the cubic.
 constexpr double knee = 1e-4;
-constexpr double max_value = 100.0;
+constexpr double max_depth = 100.0;
 constexpr int intervals = 128;
 
 double step() {
-  return std::log1p(max_value / knee) / intervals;
+  return std::log1p(max_depth / knee) / intervals;
 }
 
 }  // namespace
@@ -133,9 +133,9 @@ const SpreadTable& SpreadTable::distant() {
 }
 
 ZonalSh<double> SpreadTable::operator()(double T) const {
-  const double at = std::log1p(std::clamp(T, 0.0, max_value) / knee) / step();
-  const double cell = std::min(std::floor(at), intervals - 1.0);
-  const double t = at - cell;
+  const double coordinate = std::log1p(std::clamp(T, 0.0, max_depth) / knee) / step();
+  const double cell = std::min(std::floor(coordinate), intervals - 1.0);
+  const double t = coordinate - cell;
   // Lagrange's cubic through the nodes at -1, 0, 1, 2.
   const std::array<double, 4> weights = {
       -t * (t - 1.0) * (t - 2.0) / 6.0, (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,

@@ -29,7 +29,7 @@ double DensityGrid::voxel_volume() const {
   return std::abs(spacing.x * spacing.y * spacing.z);
 }
 
-double DensityGrid::mass() const {
+double DensityGrid::integral() const {
   double sum = 0.0;
   for (const Block& block : blocks) {
     for (const float value : block.values) sum += static_cast<double>(value);
@@ -38,11 +38,11 @@ double DensityGrid::mass() const {
 }
 
 std::optional<std::size_t> DensityGrid::find(const glm::ivec3& corner) const {
-  const auto at = std::lower_bound(
+  const auto it = std::lower_bound(
       blocks.begin(), blocks.end(), corner,
       [](const Block& block, const glm::ivec3& c) { return order(block.corner) < order(c); });
-  if (at == blocks.end() || at->corner != corner) return std::nullopt;
-  return static_cast<std::size_t>(at - blocks.begin());
+  if (it == blocks.end() || it->corner != corner) return std::nullopt;
+  return static_cast<std::size_t>(it - blocks.begin());
 }
 
 double DensityGrid::at(const glm::dvec3& voxel) const {

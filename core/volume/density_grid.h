@@ -30,7 +30,7 @@ struct DensityGrid {
 
   [[nodiscard]] double voxel_volume() const;  // [u^3]
   // The integral of the density [u^2].
-  [[nodiscard]] double mass() const;
+  [[nodiscard]] double integral() const;
   [[nodiscard]] std::optional<std::size_t> find(const glm::ivec3& corner) const;
   // Density at a point in voxel coordinates, trilinear.
   [[nodiscard]] double at(const glm::dvec3& voxel) const;

@@ -17,16 +17,16 @@ namespace brume {
 namespace {
 
 constexpr int side = DensityGrid::side;
-constexpr double cutoff_radius = 3.035;  // radii: exp(-reach^2) = 1e-4
-constexpr double max_voxels = 1 << 28;   // from the origin, along each axis
+constexpr double cutoff_in_radii = 3.035;  // exp(-cutoff_in_radii^2) = 1e-4
+constexpr double max_voxels = 1 << 28;     // from the origin, along each axis
 
 struct CornerHash {
   std::size_t operator()(const glm::ivec3& c) const {
     // Three large primes (Teschner et al. 2003).
-    const auto part = [](int x, std::size_t prime) {
+    const auto term = [](int x, std::size_t prime) {
       return static_cast<std::size_t>(static_cast<std::uint32_t>(x / side)) * prime;
     };
-    return part(c.x, 73856093) ^ part(c.y, 19349663) ^ part(c.z, 83492791);
+    return term(c.x, 73856093) ^ term(c.y, 19349663) ^ term(c.z, 83492791);
   }
 };
 
@@ -34,12 +34,12 @@ struct CornerHash {
 // there are too many to count or certainly more than `max_blocks`.
 template <class Visit>
 bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Visit visit) {
-  const glm::dvec3 middle = g.center / voxel_size;
-  const double radius = cutoff_radius * g.radius / voxel_size;
-  const glm::dvec3 extent = glm::abs(middle) + radius;
+  const glm::dvec3 center = g.center / voxel_size;
+  const double radius = cutoff_in_radii * g.radius / voxel_size;
+  const glm::dvec3 extent = glm::abs(center) + radius;
   if (!(std::max({extent.x, extent.y, extent.z}) < max_voxels)) return false;
-  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(middle - radius)));
-  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(middle + radius)));
+  const glm::ivec3 low = block_corner(glm::ivec3(glm::floor(center - radius)));
+  const glm::ivec3 high = block_corner(glm::ivec3(glm::ceil(center + radius)));
   // A ball has 52% of its box.
   const glm::dvec3 across = glm::dvec3(high - low) / double(side) + 1.0;
   if (0.5 * across.x * across.y * across.z > static_cast<double>(max_blocks)) return false;
@@ -47,8 +47,8 @@ bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Vi
     for (int y = low.y; y <= high.y; y += side) {
       for (int z = low.z; z <= high.z; z += side) {
         const glm::dvec3 first(x, y, z);
-        const glm::dvec3 gap = glm::clamp(middle, first, first + double(side - 1)) - middle;
-        if (glm::dot(gap, gap) > radius * radius) continue;
+        const glm::dvec3 offset = glm::clamp(center, first, first + double(side - 1)) - center;
+        if (glm::dot(offset, offset) > radius * radius) continue;
         if (!visit(glm::ivec3(x, y, z))) return false;
       }
     }
@@ -77,12 +77,12 @@ void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
 }  // namespace
 
 double fitting_voxel_size(const Medium& medium) {
-  double min_value = 0.0;
+  double min_radius = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     if (!(medium.densities()[i] > 0.0)) continue;
-    if (min_value == 0.0 || medium.radii()[i] < min_value) min_value = medium.radii()[i];
+    if (min_radius == 0.0 || medium.radii()[i] < min_radius) min_radius = medium.radii()[i];
   }
-  return 0.5 * min_value;
+  return 0.5 * min_radius;
 }
 
 std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double voxel_size,

@@ -26,7 +26,7 @@ void behind_medium(const CameraRays& rays, const EnvironmentLight* environment,
 void composite(const CameraRays& rays, const EnvironmentLight* environment,
                std::span<const glm::vec3> surfaces, const Job& job, Frame& frame) {
   const auto width = static_cast<std::size_t>(frame.film.width);
-  job.each(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
+  job.parallel_for(static_cast<std::size_t>(frame.film.height), [&](std::size_t y) {
     thread_local std::vector<glm::vec3> behind;
     behind.resize(width);
     behind_medium(rays, environment, surfaces, frame, y, behind);

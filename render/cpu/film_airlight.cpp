@@ -34,7 +34,7 @@ class Batch {
     pixels_[count_] = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.film.width) +
                       static_cast<std::size_t>(x);
     lengths_[count_] = film_.ends.distance(frame_, pixels_[count_]);
-    // The last pixels of a film may stand a little beyond.
+    // The last pixels of a film may lie slightly outside the tile.
     places_[count_] = glm::min((glm::vec2(x, y) - first_) * per_pixel_, 1.0f);
     directions_[count_++] = film_.rays.direction(x + 0.5, y + 0.5);
   }
@@ -75,29 +75,31 @@ class Batch {
   std::array<double, Tiles::pixels> depths_;
 };
 
-// How much nearer or farther a surface may be than expected without the airlight telling: small
-// against the Gaussians of the tile and the fog's mean free path.
-float depth_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                      double tolerance) {
-  double min_value = std::numeric_limits<double>::infinity();
+// Depth difference [u] for which the airlight may still be interpolated: small against the
+// Gaussians of the tile and the fog's mean free path.
+float distance_tolerance(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
+                         double tolerance) {
+  double tolerance_u = std::numeric_limits<double>::infinity();
   for (const std::uint32_t i : gaussians) {
-    min_value =
-        std::min(min_value, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
+    tolerance_u =
+        std::min(tolerance_u, double{radii_per_tolerance} * tolerance / medium.gaussians()[i].a);
   }
   const double b0 = medium.homogeneous_density();
-  if (b0 > 0.0) min_value = std::min(min_value, double{free_paths_per_tolerance} * tolerance / b0);
-  return static_cast<float>(min_value);
+  if (b0 > 0.0)
+    tolerance_u = std::min(tolerance_u, double{free_paths_per_tolerance} * tolerance / b0);
+  return static_cast<float>(tolerance_u);
 }
 
 // Maximum ray length over a row of pixels.
 double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::size_t count) {
-  double max_value = 0.0;
+  double max_distance = 0.0;
   if (!ends.surfaces.empty()) {
     for (std::size_t i = first; i < first + count; ++i)
-      max_value = std::max(max_value, ends.distance(frame, i));
-    return max_value;
+      max_distance = std::max(max_distance, ends.distance(frame, i));
+    return max_distance;
   }
-  // Distances as whole numbers have the same order, and compilers compare those in vectors.
+  // The bits of distances, as integers, have the same order, and compilers vectorize their
+  // comparison.
   constexpr auto infinite = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
   std::int32_t farthest = 0;
   std::int32_t any_open = 0;
@@ -107,8 +109,8 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
     any_open |= bits ^ hit;
     farthest = farthest < hit ? hit : farthest;
   }
-  max_value = static_cast<double>(std::bit_cast<float>(farthest));
-  return any_open != 0 ? std::max(max_value, ends.open) : max_value;
+  max_distance = static_cast<double>(std::bit_cast<float>(farthest));
+  return any_open != 0 ? std::max(max_distance, ends.open) : max_distance;
 }
 
 }  // namespace
@@ -116,7 +118,7 @@ double max_end(const RayEnds& ends, const Frame& frame, std::size_t first, std::
 CameraRays::PixelRectangle FilmTiles::pixels(std::size_t tile) const {
   const CameraRays::PixelRectangle samples = tiles.rectangle(tile);
   const Film& film = frame.film;
-  // The last cells go on to the film's end.
+  // The last cells extend to the film's border.
   const auto end = [this](int last, int size) {
     return last * scale + 1 < size ? last * scale : size;
   };
@@ -163,7 +165,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
   result.gaussians_used = lists.used;
   std::atomic<std::uint64_t> pairs = 0;
   std::atomic<std::size_t> exact = 0;
-  job.each_reported(tiles.count(), [&](std::size_t tile) {
+  job.parallel_for_with_progress(tiles.count(), [&](std::size_t tile) {
     Batch batch(film, tile, frame);
     std::array<std::size_t, Tiles::pixels> order;
     std::size_t count = 0;
@@ -182,7 +184,7 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
     const TilePixels near_lights =
         sort_into_tiles(light_pixels(lights, rays, frame.film, light_block), samples.film(), scale);
     samples.measure_curvatures(settings.upsampling_tolerance, job);
-    job.each(tiles.count(), [&](std::size_t tile) {
+    job.parallel_for(tiles.count(), [&](std::size_t tile) {
       Batch batch(film, tile, frame);
       const auto evaluate = [&] {
         pairs += batch.evaluate(method, [&](std::size_t pixel, const glm::vec4& value) {
@@ -190,9 +192,9 @@ FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight
           set_airlight(frame, pixel, value);
         });
       };
-      const float tolerance =
-          depth_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
-      upsample(samples, tiles.rectangle(tile), tolerance, near_lights.pixels_of(tile), frame,
+      const float tolerance_u =
+          distance_tolerance(medium, lists.gaussians_of(tile), settings.upsampling_tolerance);
+      upsample(samples, tiles.rectangle(tile), tolerance_u, near_lights.pixels_of(tile), frame,
                [&](int x, int y) {
                  if (batch.full()) evaluate();
                  batch.add(x, y);

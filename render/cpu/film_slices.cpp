@@ -40,7 +40,7 @@ void FilmSlices::choose(const FilmTiles& film, const MediumIndex& medium,
   stride_ = max_boundaries(slices, lights.size(), medium.homogeneous_density() > 0.0);
   chosen_.resize(tiles * stride_);
   counts_.assign(tiles, 0);
-  job.each(tiles, [&](std::size_t tile) {
+  job.parallel_for(tiles, [&](std::size_t tile) {
     thread_local std::vector<double> boundaries;
     choose_slices(medium, film.lists.gaussians_of(tile), lights, film.cone(tile), slices,
                   boundaries);
@@ -53,7 +53,7 @@ void FilmSlices::choose(const FilmTiles& film, const MediumIndex& medium,
   const std::size_t nodes = node_columns * static_cast<std::size_t>(2 * rows_ + 1);
   nodes_.resize(nodes * stride_);
   node_counts_.assign(nodes, 0);
-  job.each(static_cast<std::size_t>(2 * rows_ + 1), [&](std::size_t row) {
+  job.parallel_for(static_cast<std::size_t>(2 * rows_ + 1), [&](std::size_t row) {
     for (int column = 0; column <= 2 * columns_; ++column) merge(column, static_cast<int>(row));
   });
 }

@@ -27,37 +27,37 @@ std::uint32_t InterpolateCells(const CellRow& /*cells*/, float /*fy*/, float /*t
 using D = hn::FixedTag<float, 4>;
 using V = hn::Vec<D>;
 
-HWY_INLINE V Mix(V from, V to, V share) {
-  return hn::MulAdd(share, hn::Sub(to, from), from);
+HWY_INLINE V Mix(V a, V b, V fraction) {
+  return hn::MulAdd(fraction, hn::Sub(b, a), a);
 }
 
 // Whether the four pixels of a cell are where their interpolation has them.
-HWY_INLINE bool IsLevel(const CellRow& cells, std::size_t i, float fy, V fx, V tolerance,
-                        const float* distances) {
+HWY_INLINE bool IsOnInterpolatedPlane(const CellRow& cells, std::size_t i, float fy, V fx,
+                                      V tolerance, const float* distances) {
   const D d;
   const V distance = hn::LoadU(d, distances);
   if (cells.kinds[i] == CellRow::Kind::open) {
     return hn::AllTrue(d, hn::Eq(distance, hn::Set(d, std::numeric_limits<float>::infinity())));
   }
-  const auto at = [&](std::size_t k) HWY_ATTR {
-    const float from = cells.distances_above[k];
-    return hn::Set(d, from + fy * (cells.distances_below[k] - from));
+  const auto distance_at = [&](std::size_t k) HWY_ATTR {
+    const float a = cells.distances_above[k];
+    return hn::Set(d, a + fy * (cells.distances_below[k] - a));
   };
-  const V off = hn::Abs(hn::Sub(distance, Mix(at(i), at(i + 1), fx)));
-  return hn::AllTrue(d, hn::Le(off, tolerance));
+  const V deviation = hn::Abs(hn::Sub(distance, Mix(distance_at(i), distance_at(i + 1), fx)));
+  return hn::AllTrue(d, hn::Le(deviation, tolerance));
 }
 
 std::uint32_t InterpolateCells(const CellRow& cells, float fy, float tolerance,
                                const float* distances, float* airlight, float* transmittance) {
   const D d;
-  alignas(16) constexpr float shares[] = {0.0f, 0.25f, 0.5f, 0.75f};
-  const V fx = hn::Load(d, shares);
+  alignas(16) constexpr float fractions[] = {0.0f, 0.25f, 0.5f, 0.75f};
+  const V fx = hn::Load(d, fractions);
   const V down = hn::Set(d, fy);
-  const V tolerated = hn::Set(d, tolerance);
+  const V tolerance_u = hn::Set(d, tolerance);
   std::uint32_t done = 0;
   for (std::size_t i = 0; i < cells.kinds.size(); ++i) {
     if (cells.kinds[i] == CellRow::Kind::uneven) continue;
-    if (!IsLevel(cells, i, fy, fx, tolerated, distances + 4 * i)) continue;
+    if (!IsOnInterpolatedPlane(cells, i, fy, fx, tolerance_u, distances + 4 * i)) continue;
     const auto sample = [&](std::size_t k) HWY_ATTR {
       return Mix(hn::LoadU(d, &cells.above[k].x), hn::LoadU(d, &cells.below[k].x), down);
     };

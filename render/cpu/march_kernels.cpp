@@ -32,20 +32,20 @@ HWY_INLINE std::uint64_t Samples(const GaussianBatch& g, const PathBatch& rays, 
   std::uint64_t pairs = 0;
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
     const Vector w = LoadDirection(rays, k);
-    const V at = hn::LoadU(d, t + k);
+    const V distance = hn::LoadU(d, t + k);
     V density = hn::Zero(d);
     V depth = hn::Zero(d);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing<D> crossing = BatchCrossing<kDisplaced>(d, g, j, w);
-      const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
+      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      const auto reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      depth = hn::MulAdd(set(g.scale[j]), crossing.Depth(d, a, at), depth);
-      const V u = hn::Mul(a, hn::Sub(at, crossing.t0));
+      depth = hn::MulAdd(set(g.scale[j]), line.UnitDepth(d, a, distance), depth);
+      const V u = hn::Mul(a, hn::Sub(distance, line.t0));
       constexpr float two_over_sqrt_pi = 1.12837916709551257f;
       const V peak = set(g.scale[j] * g.a[j] * two_over_sqrt_pi);
-      density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, crossing.e))), density);
+      density = hn::MulAdd(peak, hn::Exp(d, hn::Neg(hn::MulAdd(u, u, line.e))), density);
     }
     hn::StoreU(density, d, densities + k);
     hn::StoreU(depth, d, depths + k);
@@ -70,18 +70,19 @@ void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::v
     if (hn::AllFalse(d, is_lit)) continue;
     const Vector w = LoadDirection(rays, k);
     const V ts = dot(s, w);
-    const Vector gap = minus(s, ts, w);
-    const V gap2 = dot(gap, gap);
+    const Vector offset = minus(s, ts, w);
+    const V offset2 = dot(offset, offset);
     const V along = hn::Sub(hn::LoadU(d, samples.t + k), ts);
     // The path is as long as it is; only the falloff has a least distance (PointLightRay).
     const V tiny = set(1e-30f);
-    const V distance2 = hn::Max(hn::MulAdd(along, along, hn::Max(gap2, least2)), tiny);
-    const V travelled = hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2), tiny));
-    const V depth = hn::Add(hn::LoadU(d, samples.depths + k),
-                            hn::MulAdd(set(b0), travelled, hn::LoadU(d, samples.light_depths + k)));
+    const V distance2 = hn::Max(hn::MulAdd(along, along, hn::Max(offset2, least2)), tiny);
+    const V true_distance = hn::Sqrt(hn::Max(hn::MulAdd(along, along, offset2), tiny));
+    const V depth =
+        hn::Add(hn::LoadU(d, samples.depths + k),
+                hn::MulAdd(set(b0), true_distance, hn::LoadU(d, samples.light_depths + k)));
     V value = hn::Div(hn::Mul(weight, hn::Exp(d, hn::Neg(depth))), distance2);
     if (anisotropy != 0.0f) {
-      value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, travelled), anisotropy));
+      value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, true_distance), anisotropy));
     }
     constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
     const V sum =

@@ -19,9 +19,9 @@ RayRange medium_range(const MediumIndex& medium, std::span<const std::uint32_t> 
   for (const std::uint32_t i : gaussians) {
     const glm::dvec3 q = medium.gaussians()[i].b - eye;
     const double t = glm::dot(q, w);
-    const glm::dvec3 gap = q - t * w;
+    const glm::dvec3 offset = q - t * w;
     const double cutoff_radius = medium.view_cutoff_radius(i);
-    const double chord2 = cutoff_radius * cutoff_radius - glm::dot(gap, gap);
+    const double chord2 = cutoff_radius * cutoff_radius - glm::dot(offset, offset);
     if (!(chord2 > 0.0)) continue;
     range.add(t - std::sqrt(chord2), t + std::sqrt(chord2));
   }
@@ -37,14 +37,14 @@ struct Scratch {
   std::vector<double> begin, step;  // per ray [u]
   std::vector<float> t, weights, depths, light_depths, lit_weights;
   std::vector<std::vector<float>> radiance;  // per light
-  // Samples that matter, towards a light.
-  std::vector<std::size_t> kept;
+  // Samples with a relevant contribution, towards a light.
+  std::vector<std::size_t> relevant;
   std::vector<glm::dvec3> points;
   std::vector<std::int32_t> no_self;
   std::vector<double> exact;
   std::vector<SourceWeights> source_weights;
   std::vector<glm::vec3> environment;  // per ray
-  std::vector<float> along_rays;       // see SliceShares
+  std::vector<float> along_rays;       // see SliceWeights
 };
 
 // Sets up the steps of every ray and clears what is summed over them.
@@ -81,13 +81,13 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
   // A ray whose every step is as thin as this lies below what other methods leave out.
   const auto negligible = static_cast<float>(medium.negligible_depth() / steps);
   constexpr float opaque = 45.0f;
-  s.kept.clear();
+  s.relevant.clear();
   s.points.clear();
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     s.weights[k] = (s.weights[k] + b0) * static_cast<float>(s.step[k]);
     s.depths[k] += b0 * s.t[k];
     if (!(s.weights[k] > negligible) || s.depths[k] > opaque) continue;
-    s.kept.push_back(k);
+    s.relevant.push_back(k);
     s.points.push_back(rays.eye + static_cast<double>(s.t[k]) * rays.directions[k]);
   }
   return pairs;
@@ -97,13 +97,13 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
 std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
                         const MarchedLight& light, const glm::dvec3& eye, Scratch& s,
                         std::vector<float>& radiance) {
-  s.no_self.assign(s.kept.size(), -1);
-  s.exact.resize(s.kept.size());
+  s.no_self.assign(s.relevant.size(), -1);
+  s.exact.resize(s.relevant.size());
   const std::uint64_t pairs = bundle_depths(medium, light.position, s.points, s.no_self,
                                             Settings::Precision::simd_float, s.exact);
   std::fill(s.lit_weights.begin(), s.lit_weights.end(), 0.0f);
-  for (std::size_t i = 0; i < s.kept.size(); ++i) {
-    const std::size_t k = s.kept[i];
+  for (std::size_t i = 0; i < s.relevant.size(); ++i) {
+    const std::size_t k = s.relevant[i];
     s.light_depths[k] = static_cast<float>(s.exact[i]);
     if (!ray_caster.occluded(s.points[i], light.position)) s.lit_weights[k] = s.weights[k];
   }
@@ -119,10 +119,10 @@ void add_environment(const EnvironmentSource& environment, const MediumIndex& me
                      const TileRays& rays, Scratch& s) {
   const SourceLookup source(environment.grid(), rays.eye);
   const auto b0 = static_cast<float>(medium.homogeneous_density());
-  for (const std::size_t k : s.kept) {
-    const float share = s.weights[k] * std::exp(-s.depths[k]);
+  for (const std::size_t k : s.relevant) {
+    const float weight = s.weights[k] * std::exp(-s.depths[k]);
     s.environment[k] += source(glm::vec3(rays.directions[k]), std::span(&s.t[k], 1),
-                               std::span(&share, 1), s.source_weights[k]);
+                               std::span(&weight, 1), s.source_weights[k]);
     if (!environment.has_forward_lobe()) continue;
     const float fog = b0 * s.t[k];
     s.along_rays[k] +=
@@ -161,7 +161,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
   const bool is_lit = environment || !lights.empty();
   for (int index = 0; index < steps && is_lit; ++index) {
     pairs += add_samples(medium, rays, index, steps, s);
-    if (s.kept.empty()) continue;
+    if (s.relevant.empty()) continue;
     if (environment) add_environment(*environment, medium, rays, s);
     for (std::size_t l = 0; l < lights.size(); ++l) {
       pairs += add_light(medium, ray_caster, lights[l], rays.eye, s, s.radiance[l]);

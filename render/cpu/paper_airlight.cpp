@@ -21,15 +21,15 @@ bool any_conserves_energy(const PaperLights& paper) {
                      [](const PaperLight& light) { return light.conserve_energy; });
 }
 
-// What Gaussians of depth T scatter along a ray in all is 1 - exp(-T) (the integral of
-// b exp(-T(v, x))); `scattered` is what theirs sums up to. Fog is a matter of its own: it dims both
-// alike, and its airlight is exact.
+// Gaussians of total depth T scatter 1 - exp(-T) along a ray (the integral of b exp(-T(v, x)));
+// `scattered` is their estimate of it. Homogeneous fog is excluded: it attenuates both alike and
+// its airlight is exact.
 double energy_gain(double scattered, double depth) {
   constexpr double nothing = 1e-30;
   return scattered > nothing ? -std::expm1(-depth) / scattered : 1.0;
 }
 
-// Stage by stage as the formulas stand, in double: what the SIMD path is held against.
+// The formulas as written in the paper, in double: the reference for the SIMD path.
 std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                     const PaperLights& paper, const TileRays& rays, const TileAirlight& out) {
   const double b0 = medium.homogeneous_density();
@@ -45,17 +45,18 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
     for (const std::uint32_t i : gaussians) {
       const GaussianTerm<double>& g = medium.gaussians()[i];
       const LineProfile<double> line = view_line_profile(g, rays.eye, w, medium.noise());
-      const double cutoff_radius = g.a * medium.cutoff_radii()[i];
-      if (line.e > cutoff_radius * cutoff_radius) continue;
+      const double cutoff_in_radii = g.a * medium.cutoff_radii()[i];
+      if (line.e > cutoff_in_radii * cutoff_in_radii) continue;
       ++pairs;
-      const PointScattering<double> own = point_scattering(g, line, length, point);
-      depth += own.depth;
-      if (conserve) scattered += own.depth * std::exp(-(paper.from_eye[i] + own.before));
+      const PointScattering<double> scattering = point_scattering(g, line, length, point);
+      depth += scattering.depth;
+      if (conserve)
+        scattered += scattering.depth * std::exp(-(paper.from_eye[i] + scattering.depth_to_point));
       for (std::size_t l = 0; l < paper.lights.size(); ++l) {
         const PaperLight& light = paper.lights[l];
         const PointLightRay<double> path(light.position, rays.eye, w, light.h_min);
-        radiance[l] += gaussian_airlight(g, own, rays.eye, w, light.position, path, light.frozen[i],
-                                         medium.anisotropy());
+        radiance[l] += gaussian_airlight(g, scattering, rays.eye, w, light.position, path,
+                                         light.frozen[i], medium.anisotropy());
       }
     }
     const double gain = energy_gain(scattered, depth);

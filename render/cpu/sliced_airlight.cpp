@@ -16,9 +16,9 @@ struct Scratch {
   PathBatch rays;
   std::vector<float> increments;
   std::vector<float> depths;
-  std::vector<float> shares;               // of the slices of all rays
-  std::vector<float> middles, ray_shares;  // of those of one
-  PathBatch lines;                         // the rays without an end
+  std::vector<float> slice_weights;               // of the slices of all rays
+  std::vector<float> slice_centers, ray_weights;  // of those of one
+  PathBatch lines;                                // the rays without an end
   std::vector<float> along_rays, line_depths;
   std::array<std::vector<float>, light_pack> radiance;
 };
@@ -29,16 +29,16 @@ void add_environment(const EnvironmentSource& environment, const TileRays& rays,
   const SourceLookup source(environment.grid(), rays.eye);
   const std::size_t stride = s.rays.padded_size();
   const std::size_t slices = s.slices.count() - 1;
-  s.middles.resize(slices);
-  s.ray_shares.resize(slices);
+  s.slice_centers.resize(slices);
+  s.ray_weights.resize(slices);
   for (std::size_t i = 0; i < rays.directions.size(); ++i) {
     for (std::size_t k = 0; k < slices; ++k) {
-      s.middles[k] = 0.5f * (*s.slices.at(i, k) + *s.slices.at(i, k + 1));
-      s.ray_shares[k] = s.shares[k * stride + i];
+      s.slice_centers[k] = 0.5f * (*s.slices.at(i, k) + *s.slices.at(i, k + 1));
+      s.ray_weights[k] = s.slice_weights[k * stride + i];
     }
     const glm::dvec3& w = rays.directions[i];
     const SourceWeights weights = environment.weights(w);
-    glm::vec3 scattered = source(glm::vec3(w), s.middles, s.ray_shares, weights);
+    glm::vec3 scattered = source(glm::vec3(w), s.slice_centers, s.ray_weights, weights);
     if (environment.has_forward_lobe()) {
       scattered += s.along_rays[i] * environment.lobe(source, weights, s.line_depths[i]);
     }
@@ -69,13 +69,13 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   const double b0 = medium.homogeneous_density();
   const auto negligible = static_cast<float>(medium.negligible_depth());
   s.depths.resize(stride);
-  SliceShares shares;
+  SliceWeights slice_weights;
   if (environment) {
-    s.shares.resize(s.increments.size());
-    shares.of_slices = s.shares.data();
+    s.slice_weights.resize(s.increments.size());
+    slice_weights.per_slice = s.slice_weights.data();
     if (environment->has_forward_lobe()) {
       s.along_rays.resize(stride);
-      shares.along_rays = s.along_rays.data();
+      slice_weights.along_rays = s.along_rays.data();
       s.line_depths.assign(stride, 0.0f);
       if (medium.anisotropy() > 0.0) {
         s.lines = s.rays;
@@ -97,7 +97,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     }
     sum_slices(s.rays, s.slices, s.increments.data(), static_cast<float>(b0),
                static_cast<float>(medium.anisotropy()), negligible, std::span(pack).first(size),
-               s.depths.data(), first == 0 ? shares : SliceShares(), radiance);
+               s.depths.data(), first == 0 ? slice_weights : SliceWeights(), radiance);
     for (std::size_t l = 0; l < size; ++l) {
       const glm::vec3 intensity(lights[first + l].intensity);
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];
@@ -105,7 +105,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   }
   if (environment) add_environment(*environment, rays, s, out.airlight);
   for (std::size_t k = 0; k < count; ++k) {
-    // Fog goes on where slices end; the Gaussians do not.
+    // Homogeneous fog continues behind the last slice; the Gaussians do not.
     const auto sliced = static_cast<double>(*s.slices.at(k, last));
     const double rest = std::max(rays.lengths[k] - sliced, 0.0);
     out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rest : 0.0);

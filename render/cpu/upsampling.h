@@ -17,7 +17,7 @@ namespace brume {
 
 // Airlight RGB and transmittance at every scale-th pixel of each row and column, the last included,
 // and their edge-aware interpolation (section 5.4 of the paper). Distances come from the frame's
-// depth layer; keeps a reference to the frame.
+// depth layer; holds a reference to the frame.
 class AirlightSamples {
  public:
   AirlightSamples(const Frame& frame, int scale);
@@ -32,7 +32,9 @@ class AirlightSamples {
            static_cast<std::size_t>(column);
   }
   [[nodiscard]] bool is_sample(const glm::ivec2& pixel) const {
-    const auto is_on = [this](int at, int size) { return at % scale_ == 0 || at == size - 1; };
+    const auto is_on = [this](int coordinate, int size) {
+      return coordinate % scale_ == 0 || coordinate == size - 1;
+    };
     return is_on(pixel.x, frame_.film.width) && is_on(pixel.y, frame_.film.height);
   }
   glm::vec4& value(std::size_t i) { return values_[i]; }
@@ -48,23 +50,23 @@ class AirlightSamples {
   // Call when all values are set. Tolerances are relative to the airlight's rms and to a
   // transmittance of 1.
   void measure_curvatures(double tolerance, const Job& job);
-  // Error of linear interpolation beside a sample, in units of the tolerance.
+  // Error of linear interpolation next to a sample, in units of the tolerance.
   [[nodiscard]] float curvature(int column, int row) const {
     return curvatures_[index(column, row)];
   }
 
   // Linear extrapolation around a sample, on its surface or the background.
-  struct Surroundings {
-    bool known = false;
+  struct LocalFit {
+    bool is_valid = false;
     int x = 0, y = 0;  // the sample's pixel
     glm::vec4 value{0.0f}, per_x{0.0f}, per_y{0.0f};
     float distance = 0.0f, distance_per_x = 0.0f, distance_per_y = 0.0f;
 
     [[nodiscard]] glm::vec4 value_at(int px, int py) const;
     // Whether a pixel at this distance lies on this surface, to a tolerance [u].
-    [[nodiscard]] bool show(int px, int py, float at, float tolerance) const;
+    [[nodiscard]] bool lies_on_surface(int px, int py, float pixel_distance, float tolerance) const;
   };
-  [[nodiscard]] Surroundings surroundings(int column, int row) const;
+  [[nodiscard]] LocalFit local_fit(int column, int row) const;
 
  private:
   struct Slope;
@@ -78,18 +80,18 @@ class AirlightSamples {
   int scale_;
   Film film_;
   std::vector<glm::vec4> values_;
-  glm::vec4 tolerated_{1.0f};  // 1 / tolerance
+  glm::vec4 inverse_tolerance_{1.0f};  // 1 / tolerance
   std::vector<float> curvatures_;
 };
 
 // Sets airlight and transmittance of a pixel.
 void set_airlight(Frame& frame, std::size_t pixel, const glm::vec4& value);
 
-// Fills the cells right of and below the samples of a tile, after measure_curvatures(): pixels at
-// the interpolated distance, to `tolerance` [u], in nearly linear cells by bilinear interpolation;
-// others by extrapolation from those of the four surrounding samples that lie on their surface.
-// Calls exact(x, y) for pixels that neither serves, so that there are no halos and no thin objects
-// are lost, and for `exact_pixels`.
+// Fills the cells right of and below the samples of a tile, after measure_curvatures(): pixels
+// at the interpolated distance, to `tolerance` [u], in nearly linear cells by bilinear
+// interpolation; others by extrapolation from those of the four surrounding samples that lie on
+// their surface. Calls exact(x, y) for pixels for which neither applies, so that there are no halos
+// and no thin objects are lost, and for `exact_pixels`.
 void upsample(const AirlightSamples& samples, const CameraRays::PixelRectangle& tile,
               float tolerance, std::span<const glm::ivec2> exact_pixels, Frame& frame,
               const std::function<void(int x, int y)>& exact);

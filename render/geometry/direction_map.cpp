@@ -22,10 +22,10 @@ struct Interval {
 bool widen(Interval& interval, double across, double along, double radius) {
   const double distance = std::hypot(across, along);
   if (!(distance > radius)) return false;
-  const double middle = std::atan2(across, along);
+  const double center = std::atan2(across, along);
   const double half = std::asin(radius / distance);
-  interval.low = std::min(interval.low, middle - half);
-  interval.high = std::max(interval.high, middle + half);
+  interval.low = std::min(interval.low, center - half);
+  interval.high = std::max(interval.high, center + half);
   return interval.low > -widest && interval.high < widest;
 }
 
@@ -48,10 +48,10 @@ DirectionMap DirectionMap::towards(const glm::dvec3& origin, std::span<const Bal
     low = glm::min(low, ball.center - ball.radius);
     high = glm::max(high, ball.center + ball.radius);
   }
-  const glm::dvec3 middle = 0.5 * (low + high) - origin;
-  const double distance = glm::length(middle);
+  const glm::dvec3 center = 0.5 * (low + high) - origin;
+  const double distance = glm::length(center);
   if (!(distance > 0.0) || !std::isfinite(distance)) return map;
-  const glm::dvec3 axis = middle / distance;
+  const glm::dvec3 axis = center / distance;
   const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
   const glm::dvec3 up = glm::cross(right, axis);

@@ -48,7 +48,7 @@ struct DirectionMap {
   // Approximate maximum angle between neighbouring cells [radians].
   [[nodiscard]] double cell_angle() const;
 
-  // Behind this cosine to the axis of a perspective map its border answers.
+  // Below this cosine to the axis of a perspective map, lookups are clamped to its border.
   static constexpr float min_cosine = 1e-3f;
   // Look-ups end this far beyond the center of the last cell, short of the border's.
   static constexpr float border_share = 0.999f;

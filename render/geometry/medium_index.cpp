@@ -45,7 +45,7 @@ double MediumIndex::depth(const RaySegment& segment) const {
   return sum;
 }
 
-double depth_tolerance(const Medium& medium, double error) {
+double culling_tolerance(const Medium& medium, double error) {
   double deepest = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     deepest = std::max(deepest, medium.densities()[i] * medium.radii()[i]);

@@ -62,6 +62,6 @@ class MediumIndex {
 // Tolerance per Gaussian for which the optical depth of a ray is within `error`, as measured on
 // clouds (culled Gaussians add up to 1/25 of the rigorous n * tolerance). Relative to the deepest
 // Gaussian in thin media, which would be culled altogether otherwise.
-double depth_tolerance(const Medium& medium, double error);
+double culling_tolerance(const Medium& medium, double error);
 
 }  // namespace brume

@@ -57,8 +57,8 @@ void SphereBvh::fit(Node& node, std::uint32_t first, std::uint32_t count) const 
   }
 }
 
-void SphereBvh::build(std::uint32_t at, std::uint32_t first, std::uint32_t count) {
-  Node& node = nodes_[at];
+void SphereBvh::build(std::uint32_t index, std::uint32_t first, std::uint32_t count) {
+  Node& node = nodes_[index];
   fit(node, first, count);
   if (count <= leaf_size) {
     node.first = first;
@@ -81,7 +81,7 @@ void SphereBvh::build(std::uint32_t at, std::uint32_t first, std::uint32_t count
                                 ? centers_[a][axis] < centers_[b][axis]
                                 : a < b;
                    });
-  const std::uint32_t left = at + 1;
+  const std::uint32_t left = index + 1;
   const std::uint32_t right = left + node_count(half);
   node.first = left;
   node.second = right;
@@ -139,8 +139,8 @@ bool TriangleShape::touches(const glm::dvec3& center, double radius) const {
     const double length2 = glm::dot(edge, edge);
     const glm::dvec3 q = center - from;
     const double t = length2 > 0.0 ? glm::clamp(glm::dot(q, edge) / length2, 0.0, 1.0) : 0.0;
-    const glm::dvec3 gap = q - t * edge;
-    return glm::dot(gap, gap) <= radius * radius;
+    const glm::dvec3 offset = q - t * edge;
+    return glm::dot(offset, offset) <= radius * radius;
   };
   const glm::dvec3 normal = glm::cross(ab, ac);
   const double area2 = glm::dot(normal, normal);

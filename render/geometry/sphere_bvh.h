@@ -66,9 +66,9 @@ struct RaySegment {
   [[nodiscard]] bool touches(const glm::dvec3& center, double radius) const {
     const glm::dvec3 q = center - origin;
     const double t = glm::clamp(glm::dot(q, direction), 0.0, length);
-    const glm::dvec3 gap = q - t * direction;
+    const glm::dvec3 offset = q - t * direction;
     const double near = radius + width;
-    return glm::dot(gap, gap) <= near * near;
+    return glm::dot(offset, offset) <= near * near;
   }
 };
 

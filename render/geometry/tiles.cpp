@@ -26,7 +26,7 @@ Tiles::Lists Tiles::lists(const MediumIndex& medium, const CameraRays& rays, int
     if (!(medium.cutoff_radii()[i] > 0.0)) return;
     const auto b = rays.bounds(medium.gaussians()[i].b, medium.view_cutoff_radius(i));
     if (b.empty()) return;
-    // A ray of the last column or row may stand a little before its place on the grid.
+    // A ray of the last column or row may lie slightly before its grid position.
     bounds[i] = {b.x0 / scale / width, b.y0 / scale / height,
                  std::min((b.x1 + scale - 2) / scale / width + 1, columns_),
                  std::min((b.y1 + scale - 2) / scale / height + 1, rows_)};

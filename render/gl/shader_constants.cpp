@@ -179,11 +179,11 @@ void add_film(Constants& constants) {
   constants.add("coarse_entries", coarse_entries);
   constants.add("invocations_per_gaussian", invocations_per_gaussian);
   constants.add_double("pixel_rounding", CameraRays::pixel_rounding);
-  constants.add("continuous_share", continuous_share);
+  constants.add("max_relative_step", max_relative_step);
   constants.add("middle_per_second_difference", middle_per_second_difference);
   constants.add("unknown_curvature", unknown_curvature);
-  constants.add("max_curvature_of_surroundings", max_curvature_of_surroundings);
-  constants.add("min_surface_share", min_surface_share);
+  constants.add("max_local_fit_curvature", max_local_fit_curvature);
+  constants.add("min_surface_weight", min_surface_weight);
   constants.add("radii_per_tolerance", radii_per_tolerance);
   constants.add("free_paths_per_tolerance", free_paths_per_tolerance);
   constants.add("max_levels", TriangleBvh::max_levels);

@@ -123,14 +123,14 @@ static_assert(is_std430(paper_light_members, sizeof(PaperLightData)));
 
 constexpr std::array shape_members{
     BRUME_MEMBER(GaussianShape, a), BRUME_MEMBER(GaussianShape, scale),
-    BRUME_MEMBER(GaussianShape, cutoff), BRUME_MEMBER(GaussianShape, cutoff_radius)};
+    BRUME_MEMBER(GaussianShape, max_e), BRUME_MEMBER(GaussianShape, cutoff_radius)};
 static_assert(is_std430(shape_members, sizeof(GaussianShape)));
 
 constexpr std::array seen_members{BRUME_MEMBER(SeenGaussian, center),
                                   BRUME_MEMBER(SeenGaussian, a),
                                   BRUME_MEMBER(SeenGaussian, scale),
-                                  BRUME_MEMBER(SeenGaussian, cutoff),
-                                  BRUME_MEMBER(SeenGaussian, displaced_cutoff),
+                                  BRUME_MEMBER(SeenGaussian, max_e),
+                                  BRUME_MEMBER(SeenGaussian, max_undisplaced_e),
                                   BRUME_MEMBER(SeenGaussian, cutoff_radius)};
 static_assert(is_std430(seen_members, sizeof(SeenGaussian)));
 

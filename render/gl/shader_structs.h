@@ -55,7 +55,7 @@ struct PaperLightData {
 struct GaussianShape {
   float a = 0.0f;
   float scale = 0.0f;
-  float cutoff = 0.0f;
+  float max_e = 0.0f;
   float cutoff_radius = 0.0f;
 };
 
@@ -64,8 +64,8 @@ struct SeenGaussian {
   glm::vec3 center{0.0f};  // relative to the eye
   float a = 0.0f;
   float scale = 0.0f;
-  float cutoff = 0.0f;
-  float displaced_cutoff = 0.0f;  // before noise displaces the ray
+  float max_e = 0.0f;
+  float max_undisplaced_e = 0.0f;  // before noise displaces the ray
   float cutoff_radius = 0.0f;
 };
 

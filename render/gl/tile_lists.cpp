@@ -21,7 +21,7 @@ void MediumBuffers::update(const MediumIndex& medium) {
   std::vector<GaussianShape> shapes(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     centers[i] = medium.gaussians()[i].b;
-    shapes[i] = {batch.a[i], batch.scale[i], batch.cutoff[i],
+    shapes[i] = {batch.a[i], batch.scale[i], batch.max_e[i],
                  static_cast<float>(medium.cutoff_radii()[i])};
   }
   centers_.upload(std::span<const glm::dvec3>(centers));

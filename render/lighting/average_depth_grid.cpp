@@ -30,9 +30,10 @@ class UnitAverageDepth {
 
   float operator()(float u2) const {
     const float s = 1.0f / (1.0f + u2);
-    const float at = s * intervals;
-    const std::size_t cell = std::min(static_cast<std::size_t>(at), std::size_t{intervals - 1});
-    const float t = at - static_cast<float>(cell);
+    const float coordinate = s * intervals;
+    const std::size_t cell =
+        std::min(static_cast<std::size_t>(coordinate), std::size_t{intervals - 1});
+    const float t = coordinate - static_cast<float>(cell);
     return s * (values_[cell] + t * (values_[cell + 1] - values_[cell]));
   }
 
@@ -57,10 +58,10 @@ double count(const glm::ivec3& nodes) {
   return static_cast<double>(nodes.x) * nodes.y * nodes.z;
 }
 
-// The smallest spacing of at most `max_value` nodes, at least `min_value`.
-double spacing_for(const glm::dvec3& extent, double min_value, double max_value) {
-  double spacing = std::max(min_value, 1e-4 * glm::max(extent.x, glm::max(extent.y, extent.z)));
-  while (count(nodes_at(extent, spacing)) > max_value) spacing *= 1.1;
+// The smallest spacing of at most `max_count` nodes, at least `min_spacing`.
+double spacing_for(const glm::dvec3& extent, double min_spacing, double max_count) {
+  double spacing = std::max(min_spacing, 1e-4 * glm::max(extent.x, glm::max(extent.y, extent.z)));
+  while (count(nodes_at(extent, spacing)) > max_count) spacing *= 1.1;
   return spacing;
 }
 
@@ -79,9 +80,9 @@ AverageDepthGrid::AverageDepthGrid(std::span<const GaussianTerm<double>> gaussia
   }
   const glm::dvec3 extent = box.high - box.low;
   if (!terms.empty()) {
-    const double max_value =
+    const double max_count =
         std::clamp(max_evaluations / static_cast<double>(terms.size()), 64.0, max_nodes);
-    nodes_ = nodes_at(extent, spacing_for(extent, 0.25 * min_radius, max_value));
+    nodes_ = nodes_at(extent, spacing_for(extent, 0.25 * min_radius, max_count));
   }
   const glm::dvec3 cells(nodes_ - 1);
   for (int k = 0; k < 3; ++k) cells_per_unit_[k] = extent[k] > 0.0 ? cells[k] / extent[k] : 0.0;
@@ -103,10 +104,10 @@ AverageDepthGrid::AverageDepthGrid(std::span<const GaussianTerm<double>> gaussia
 }
 
 float AverageDepthGrid::operator()(const glm::dvec3& p) const {
-  const glm::dvec3 at =
+  const glm::dvec3 coordinate =
       glm::clamp((p - box_.low) * cells_per_unit_, glm::dvec3(0.0), glm::dvec3(nodes_ - 1));
-  const glm::ivec3 cell = glm::min(glm::ivec3(at), glm::max(nodes_ - 2, 0));
-  const glm::vec3 t(at - glm::dvec3(cell));
+  const glm::ivec3 cell = glm::min(glm::ivec3(coordinate), glm::max(nodes_ - 2, 0));
+  const glm::vec3 t(coordinate - glm::dvec3(cell));
   const glm::ivec3 next = glm::min(cell + 1, nodes_ - 1);
   const auto value = [&](int x, int y, int z) {
     return depths_[(static_cast<std::size_t>(z) * static_cast<std::size_t>(nodes_.y) +

@@ -11,27 +11,28 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The light of a part of the map. `moment` is the sum of the channels' flux, times direction.
+// The light of a part of the map. `moment` is the sum of the channels' irradiance, times direction.
 struct Light {
-  glm::dvec3 flux{0.0};
+  glm::dvec3 irradiance{0.0};
   glm::dvec3 moment{0.0};
 
   Light& operator+=(const Light& other) {
-    flux += other.flux;
+    irradiance += other.irradiance;
     moment += other.moment;
     return *this;
   }
   Light& operator-=(const Light& other) {
-    flux -= other.flux;
+    irradiance -= other.irradiance;
     moment -= other.moment;
     return *this;
   }
-  [[nodiscard]] double power() const { return flux.x + flux.y + flux.z; }
-  // The sum of flux |direction - mean direction|^2, and what it is less by for being together.
-  [[nodiscard]] double together() const {
+  [[nodiscard]] double power() const { return irradiance.x + irradiance.y + irradiance.z; }
+  // spread: variance of the direction, sum of irradiance |direction - mean direction|^2. reduction:
+  // reduction of that variance by grouping, |moment|^2 / power.
+  [[nodiscard]] double reduction() const {
     return power() > 0.0 ? glm::dot(moment, moment) / power() : 0.0;
   }
-  [[nodiscard]] double spread() const { return std::max(power() - together(), 0.0); }
+  [[nodiscard]] double spread() const { return std::max(power() - reduction(), 0.0); }
 };
 
 // A map on a raster of equal angles, each cell with all the light of its part of the map.
@@ -52,9 +53,9 @@ class Raster {
         const glm::dvec3 direction = map_direction(map, {(x + 0.5) / fine_x, (y + 0.5) / fine_y});
         const glm::dvec3 radiance =
             is_interpolated ? map_radiance(map, direction) : glm::dvec3(map.pixel(x, y));
-        const glm::dvec3 flux = solid_angle * radiance;
+        const glm::dvec3 irradiance = solid_angle * radiance;
         const int column = static_cast<int>(static_cast<std::int64_t>(x) * columns_ / width);
-        at(column, row) += {flux, (flux.x + flux.y + flux.z) * direction};
+        at(column, row) += {irradiance, (irradiance.x + irradiance.y + irradiance.z) * direction};
       }
     }
   }
@@ -99,15 +100,15 @@ Box box_of(const Raster& raster, int x0, int y0, int x1, int y1) {
 
 // The split of a box with minimum variance; nullopt for a single cell.
 std::optional<std::pair<Box, Box>> halves(const Raster& raster, const Box& box) {
-  double max_value = -1.0;
+  double max_reduction = -1.0;
   int cut_x = 0;
   int cut_y = 0;
   const auto try_cut = [&](const Light& before, int x, int y) {
     Light after = box.light;
     after -= before;
-    const double together = before.together() + after.together();
-    if (!(together > max_value)) return;
-    max_value = together;
+    const double reduction = before.reduction() + after.reduction();
+    if (!(reduction > max_reduction)) return;
+    max_reduction = reduction;
     cut_x = x;
     cut_y = y;
   };
@@ -121,7 +122,7 @@ std::optional<std::pair<Box, Box>> halves(const Raster& raster, const Box& box) 
     for (int x = box.x0; x < box.x1; ++x) before += raster.at(x, y);
     try_cut(before, 0, y + 1);
   }
-  if (max_value < 0.0) return std::nullopt;
+  if (max_reduction < 0.0) return std::nullopt;
   return cut_x > 0 ? std::pair{box_of(raster, box.x0, box.y0, cut_x, box.y1),
                                box_of(raster, cut_x, box.y0, box.x1, box.y1)}
                    : std::pair{box_of(raster, box.x0, box.y0, box.x1, cut_y),
@@ -131,8 +132,8 @@ std::optional<std::pair<Box, Box>> halves(const Raster& raster, const Box& box) 
 std::optional<DistantLight> distant(const Light& light) {
   if (!(light.power() > 0.0)) return std::nullopt;
   const double length = glm::length(light.moment);
-  // All around and even: any direction is as good as another.
-  return DistantLight{length > 0.0 ? light.moment / length : glm::dvec3(0, 1, 0), light.flux};
+  // A uniform map has no mean direction: any will do.
+  return DistantLight{length > 0.0 ? light.moment / length : glm::dvec3(0, 1, 0), light.irradiance};
 }
 
 void append(const Light& light, std::vector<DistantLight>& lights) {
@@ -144,7 +145,7 @@ constexpr int fine_rows = 64;
 // Splits the box of maximum variance until there are enough.
 std::vector<Box> split(const Raster& raster, const LightGrouping& grouping) {
   const int side = raster.rows() / grouping.min_rows;
-  // Where one box is enough, it goes all around.
+  // A single box covers all longitudes.
   const int width = grouping.min_rows == 1 ? raster.columns() : side;
   std::vector<Box> boxes;  // a heap, and behind it those that cannot be split
   for (int y = 0; y < raster.rows(); y += side) {
@@ -189,11 +190,11 @@ std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
   const Raster raster(map, fine_rows);
   std::vector<LightGroup> groups;
   for (const Box& box : split(raster, grouping)) {
-    const auto whole = distant(box.light);
-    if (!whole) continue;
-    LightGroup& group = groups.emplace_back(LightGroup{*whole, {}, box.cluster});
+    const auto combined = distant(box.light);
+    if (!combined) continue;
+    LightGroup& group = groups.emplace_back(LightGroup{*combined, {}, box.cluster});
     for (int y = box.y0; y < box.y1; ++y) {
-      for (int x = box.x0; x < box.x1; ++x) append(raster.at(x, y), group.parts);
+      for (int x = box.x0; x < box.x1; ++x) append(raster.at(x, y), group.lights);
     }
   }
   return groups;

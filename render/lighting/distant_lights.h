@@ -8,23 +8,23 @@
 
 namespace brume {
 
-// A directional light that stands for a solid angle of an environment.
+// A directional light that represents a solid angle of an environment.
 struct DistantLight {
-  glm::dvec3 direction;  // towards it, unit
-  glm::dvec3 flux;       // RGB: radiance times solid angle [W/u^2]
+  glm::dvec3 direction;   // towards it, unit
+  glm::dvec3 irradiance;  // RGB: radiance times solid angle [W/u^2]
 };
 
 // Approximates a map, in its own frame, by at most `count` >= 1 directional lights that preserve
-// its flux, for integrals of the map times something smoother. Splits the map like a median cut:
-// always the box whose split lowers the variance most; each box becomes a light at its
+// its irradiance, for integrals of the map times something smoother. Splits the map like a median
+// cut: always the box whose split lowers the variance most; each box becomes a light at its
 // radiance-weighted center. A uniform sky is sampled evenly, a sun exactly at its place.
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count);
 
 // A cluster of lights that a smooth function may sample at one direction.
 struct LightGroup {
-  DistantLight whole;
-  std::vector<DistantLight> parts;  // resolution 180 degrees / 64
-  int cluster = 0;                  // index of the coarser cluster that contains it
+  DistantLight combined;
+  std::vector<DistantLight> lights;  // resolution 180 degrees / 64
+  int cluster = 0;                   // index of the coarser cluster that contains it
 };
 
 struct LightGrouping {

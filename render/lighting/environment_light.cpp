@@ -64,16 +64,16 @@ glm::vec3 EnvironmentLight::environment_inscattering(const glm::dvec3& w, float 
 
 ScatterTable::Bands EnvironmentLight::incident(float Tbar, double albedo) const {
   const float unscattered = std::exp(-Tbar);
-  ScatterTable::Bands shares = (*scattering_)(Tbar);
-  for (float& share : shares) share = unscattered + static_cast<float>(albedo) * share;
-  return shares;
+  ScatterTable::Bands fractions = (*scattering_)(Tbar);
+  for (float& fraction : fractions) fraction = unscattered + static_cast<float>(albedo) * fraction;
+  return fractions;
 }
 
-ShVector<glm::dvec3> EnvironmentLight::incident(const ScatterTable::Bands& shares) const {
+ShVector<glm::dvec3> EnvironmentLight::incident(const ScatterTable::Bands& fractions) const {
   ShVector<glm::dvec3> light(light_.order());
   for (int l = 0; l < light.order(); ++l) {
-    const auto share = static_cast<double>(shares[static_cast<std::size_t>(l)]);
-    for (int m = -l; m <= l; ++m) light[sh_index(l, m)] = share * light_[sh_index(l, m)];
+    const auto fraction = static_cast<double>(fractions[static_cast<std::size_t>(l)]);
+    for (int m = -l; m <= l; ++m) light[sh_index(l, m)] = fraction * light_[sh_index(l, m)];
   }
   return light;
 }
@@ -90,9 +90,10 @@ ShVector<glm::dvec3> EnvironmentLight::incident(const NodeRadiance& incident) co
   return light;
 }
 
-glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, const ScatterTable::Bands& shares) const {
+glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n,
+                                    const ScatterTable::Bands& fractions) const {
   ScatterTable::Bands factors;
-  for (std::size_t l = 0; l < factors.size(); ++l) factors[l] = cosine_factors()[l] * shares[l];
+  for (std::size_t l = 0; l < factors.size(); ++l) factors[l] = cosine_factors()[l] * fractions[l];
   return banded(light_float_, factors, n);
 }
 
@@ -115,14 +116,14 @@ glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, const NodeRadiance& inc
 }
 
 glm::vec3 EnvironmentLight::dimming(const NodeRadiance& incident) const {
-  glm::vec3 share(0.0f);
+  glm::vec3 fraction(0.0f);
   for (int c = 0; c < 3; ++c) {
-    const float all = light_float_[0][c];
-    const float left =
+    const float total = light_float_[0][c];
+    const float direct =
         static_cast<float>(environment_.intensity) * incident[static_cast<std::size_t>(c)];
-    if (all > 0.0f) share[c] = left / all;
+    if (total > 0.0f) fraction[c] = direct / total;
   }
-  return share;
+  return fraction;
 }
 
 }  // namespace brume

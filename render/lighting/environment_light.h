@@ -42,11 +42,11 @@ class EnvironmentLight {
 
   // Incident radiance at a point: from per-band fractions, or from a SourceGrid. Bands beyond the
   // grid's are attenuated like the mean of all light.
-  [[nodiscard]] ShVector<glm::dvec3> incident(const ScatterTable::Bands& shares) const;
+  [[nodiscard]] ShVector<glm::dvec3> incident(const ScatterTable::Bands& fractions) const;
   [[nodiscard]] ShVector<glm::dvec3> incident(const NodeRadiance& light) const;
 
   // Radiance of a diffuse surface of reflectance 1 and unit normal n: irradiance / pi.
-  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ScatterTable::Bands& shares) const;
+  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ScatterTable::Bands& fractions) const;
   [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const NodeRadiance& light) const;
   // Per-band factors of the convolution with max(0, cos theta) / pi.
   static const ScatterTable::Bands& cosine_factors();

@@ -30,13 +30,14 @@ RadianceMap empty_map(double anisotropy) {
 std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
     const PhaseBands& bands, double anisotropy, std::span<const LightGroup* const> cluster,
     const Job& job) {
-  std::vector<PhasedLight> parts;
+  std::vector<PhasedLight> phased_lights;
   for (const LightGroup* group : cluster) {
-    for (const DistantLight& part : group->parts) parts.push_back({part.direction, part.flux});
+    for (const DistantLight& light : group->lights)
+      phased_lights.push_back({light.direction, light.irradiance});
   }
   auto map = std::make_shared<RadianceMap>(empty_map(anisotropy));
   const auto width = static_cast<std::size_t>(map->width);
-  job.each(static_cast<std::size_t>(map->height), [&](std::size_t y) {
+  job.parallel_for(static_cast<std::size_t>(map->height), [&](std::size_t y) {
     std::array<std::vector<float>, 3> w;
     std::array<std::vector<float>, 3> sums;
     w.fill(std::vector<float>(padded(width), 0.0f));
@@ -46,8 +47,8 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
           map_direction(*map, {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5});
       glm::dvec3 in_bands(0.0);
       for (const LightGroup* group : cluster) {
-        const DistantLight& whole = group->whole;
-        in_bands += bands.phase(glm::dot(direction, whole.direction)) * whole.flux;
+        const DistantLight& combined = group->combined;
+        in_bands += bands.phase(glm::dot(direction, combined.direction)) * combined.irradiance;
       }
       for (int c = 0; c < 3; ++c) {
         const auto k = static_cast<std::size_t>(c);
@@ -55,7 +56,7 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
         sums[k][x] = static_cast<float>(-in_bands[c]);
       }
     }
-    add_phased(parts, anisotropy, {w[0], w[1], w[2]}, {sums[0], sums[1], sums[2]});
+    add_phased(phased_lights, anisotropy, {w[0], w[1], w[2]}, {sums[0], sums[1], sums[2]});
     for (std::size_t x = 0; x < width; ++x) {
       map->pixels[y * width + x] = {sums[0][x], sums[1][x], sums[2][x]};
     }
@@ -64,7 +65,7 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
 }
 
 double power(const DistantLight& light) {
-  return light.flux.x + light.flux.y + light.flux.z;
+  return light.irradiance.x + light.irradiance.y + light.irradiance.z;
 }
 
 // Whether the light comes from within 14 degrees or so (rms) of one direction.
@@ -73,9 +74,9 @@ bool is_narrow(std::span<const LightGroup* const> cluster) {
   double sum = 0.0;
   glm::dvec3 moment(0.0);
   for (const LightGroup* group : cluster) {
-    for (const DistantLight& part : group->parts) {
-      sum += power(part);
-      moment += power(part) * part.direction;
+    for (const DistantLight& light : group->lights) {
+      sum += power(light);
+      moment += power(light) * light.direction;
     }
   }
   return glm::length(moment) > min_resultant * sum;
@@ -126,15 +127,15 @@ void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std:
       map, {.groups = directions, .clusters = static_cast<std::size_t>(source_clusters)});
   std::array<double, source_clusters> powers{};
   for (const LightGroup& group : groups) {
-    powers[static_cast<std::size_t>(group.cluster)] += power(group.whole);
+    powers[static_cast<std::size_t>(group.cluster)] += power(group.combined);
   }
   lights_.clear();
   power_ = 0.0;
   for (const LightGroup& group : groups) {
-    const double own = power(group.whole);
-    lights_.push_back(
-        {group.whole, group.cluster, own / powers[static_cast<std::size_t>(group.cluster)]});
-    power_ += own;
+    const double group_power = power(group.combined);
+    lights_.push_back({group.combined, group.cluster,
+                       group_power / powers[static_cast<std::size_t>(group.cluster)]});
+    power_ += group_power;
   }
   phase_ = PhaseBands(anisotropy);
   lobes_.clear();

@@ -45,7 +45,7 @@ class EnvironmentSource {
   [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
   [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
   [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
-  // Forward-lobe scattering of the light along a view ray, per unit of SliceShares::along_rays.
+  // Forward-lobe scattering of the light along a view ray, per unit of SliceWeights::along_rays.
   // `line_depth`: optical depth of the Gaussians from the eye to infinity.
   [[nodiscard]] glm::vec3 lobe(const SourceLookup& from_eye, const SourceWeights& weights,
                                float line_depth) const;

@@ -17,9 +17,9 @@ namespace {
 // Directions are built in square blocks, whose rays share a list of Gaussians.
 constexpr int block_side = 8;
 
-// The map is laid out for the core of each Gaussian; what lies further out gets the depth of the
-// map's border. So many radii, beyond which it is below 0.2% of the depth through its centre, or as
-// far as it has this depth.
+// The map is laid out for the core of each Gaussian; directions farther out get the depth of the
+// map's border. The core has core_radii, beyond which the depth is below 0.2% of that through the
+// center, or ends where the depth falls below core_depth.
 constexpr double core_radii = 2.5;
 constexpr double core_depth = 0.02;
 
@@ -50,7 +50,7 @@ OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, cons
   std::vector<Ball> balls;
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0.0;
-  std::vector<double> reaches;
+  std::vector<double> cutoff_radii;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const TableGaussian g(medium, i);
     if (!(g.cutoff_radius > 0.0)) continue;
@@ -58,23 +58,25 @@ OpticalDepthTableLayout::OpticalDepthTableLayout(const MediumIndex& medium, cons
     const double distance = glm::length(g.center - light);
     nearest = std::min(nearest, distance - g.cutoff_radius);
     farthest = std::max(farthest, distance + g.cutoff_radius);
-    reaches.push_back(g.cutoff_radius);
+    cutoff_radii.push_back(g.cutoff_radius);
   }
   if (balls.empty()) return;
   // A few Gaussians as large as the world must not leave the others in one cell.
-  const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2);
-  std::nth_element(reaches.begin(), middle, reaches.end());
-  double usual = 0.0;
+  const auto median = cutoff_radii.begin() + static_cast<std::ptrdiff_t>(cutoff_radii.size() / 2);
+  std::nth_element(cutoff_radii.begin(), median, cutoff_radii.end());
+  double typical_extent = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const TableGaussian g(medium, i);
-    if (!(g.cutoff_radius > 0.0) || g.cutoff_radius > 10.0 * *middle) continue;
-    usual = std::max(usual, glm::length(g.center - light) + g.cutoff_radius);
+    if (!(g.cutoff_radius > 0.0) || g.cutoff_radius > 10.0 * *median) continue;
+    typical_extent = std::max(typical_extent, glm::length(g.center - light) + g.cutoff_radius);
   }
   const double first = std::max(nearest, 0.0);
   // Nor all of the light of a point light in dense fog, which does not get far.
-  const double here = std::max(medium.density(light) - medium.homogeneous_density(), 1e-30);
-  radii = TableRadii(size.radii, first, farthest,
-                     std::min(usual - first, OpticalDepthTable::opaque / here));
+  const double density_at_light =
+      std::max(medium.density(light) - medium.homogeneous_density(), 1e-30);
+  radii =
+      TableRadii(size.radii, first, farthest,
+                 std::min(typical_extent - first, OpticalDepthTable::opaque / density_at_light));
   map = DirectionMap::towards(light, balls, size.directions);
 }
 
@@ -85,9 +87,9 @@ OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3
   const auto radii = static_cast<std::size_t>(layout_.radii.count);
   std::vector<float> exact(layout_.map.cells() * radii);
   std::atomic<std::uint64_t> all_pairs = 0;
-  tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int at) {
-    const Block part = block(at);
-    all_pairs += find_depths(medium, part, [&](std::size_t cell, const float* depths) {
+  tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int index) {
+    const Block block = block_at(index);
+    all_pairs += find_depths(medium, block, [&](std::size_t cell, const float* depths) {
       std::copy_n(depths, radii, exact.data() + cell * radii);
     });
   });
@@ -100,8 +102,8 @@ OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3
   // With room for what updates may add.
   unit_ = std::max(std::min(1.25f * deepest, opaque), 1e-30f) / 65535.0f;
   depths_.resize(exact.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, exact.size(), 1 << 16), [&](auto& part) {
-    for (std::size_t i = part.begin(); i < part.end(); ++i) depths_[i] = stored(exact[i]);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, exact.size(), 1 << 16), [&](auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) depths_[i] = stored(exact[i]);
   });
 }
 
@@ -119,22 +121,22 @@ bool OpticalDepthTable::update(const MediumIndex& medium, std::span<const TableG
   }
   if (empty()) return true;
   const auto radii = static_cast<std::size_t>(layout_.radii.count);
-  // Beyond `opaque` nothing tells.
-  const float max_value = 65535.0f * unit_ < 0.999f * opaque
-                              ? 65535.0f * unit_
-                              : std::numeric_limits<float>::infinity();
+  // Beyond `opaque` transmittance is 0, so clamping is harmless.
+  const float max_storable = 65535.0f * unit_ < 0.999f * opaque
+                                 ? 65535.0f * unit_
+                                 : std::numeric_limits<float>::infinity();
   std::atomic<std::uint64_t> all_pairs = 0;
   std::atomic<bool> fits = true;
-  tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int at) {
-    const Block part = block(at);
-    const RayBundle bundle(light_, part.ends);
+  tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int index) {
+    const Block block = block_at(index);
+    const RayBundle bundle(light_, block.ends);
     if (std::none_of(changed.begin(), changed.end(), [&](const TableGaussian& g) {
           return g.cutoff_radius > 0.0 && bundle.touches(g.center, g.cutoff_radius);
         })) {
       return;
     }
-    all_pairs += find_depths(medium, part, [&](std::size_t cell, const float* depths) {
-      if (depths[radii - 1] > max_value) fits = false;
+    all_pairs += find_depths(medium, block, [&](std::size_t cell, const float* depths) {
+      if (depths[radii - 1] > max_storable) fits = false;
       for (std::size_t k = 0; k < radii; ++k) depths_[cell * radii + k] = stored(depths[k]);
     });
   });
@@ -150,7 +152,7 @@ int OpticalDepthTable::blocks_down() const {
   return (layout_.map.rows + 2 + block_side - 1) / block_side;
 }
 
-OpticalDepthTable::Block OpticalDepthTable::block(int index) const {
+OpticalDepthTable::Block OpticalDepthTable::block_at(int index) const {
   Block result;
   const int x0 = index % blocks_across() * block_side;
   const int y0 = index / blocks_across() * block_side;
@@ -166,7 +168,7 @@ OpticalDepthTable::Block OpticalDepthTable::block(int index) const {
 }
 
 template <class Store>
-std::uint64_t OpticalDepthTable::find_depths(const MediumIndex& medium, const Block& part,
+std::uint64_t OpticalDepthTable::find_depths(const MediumIndex& medium, const Block& block,
                                              Store store) const {
   const auto radii = static_cast<std::size_t>(layout_.radii.count);
   std::vector<float> boundaries(radii);
@@ -174,22 +176,22 @@ std::uint64_t OpticalDepthTable::find_depths(const MediumIndex& medium, const Bl
     boundaries[static_cast<std::size_t>(k)] = static_cast<float>(layout_.radii.radius(k));
   }
   std::vector<std::uint32_t> candidates;
-  medium.bvh().query(RayBundle(light_, part.ends),
+  medium.bvh().query(RayBundle(light_, block.ends),
                      [&](std::uint32_t i) { candidates.push_back(i); });
   GaussianBatch batch;
   batch.assign(medium, light_, candidates);
   PathBatch rays;
-  rays.assign(light_, part.ends, std::vector<std::int32_t>(part.ends.size(), -1));
+  rays.assign(light_, block.ends, std::vector<std::int32_t>(block.ends.size(), -1));
   std::vector<float> increments((radii - 1) * rays.padded_size(), 0.0f);
   RaySlices slices;
   slices.assign(boundaries, rays);
   const std::uint64_t evaluated = accumulate_increments(batch, rays, slices, increments.data());
   std::vector<float> depths(radii, 0.0f);
-  for (std::size_t i = 0; i < part.cells.size(); ++i) {
+  for (std::size_t i = 0; i < block.cells.size(); ++i) {
     for (std::size_t k = 1; k < radii; ++k) {
       depths[k] = depths[k - 1] + increments[(k - 1) * rays.padded_size() + i];
     }
-    store(part.cells[i], depths.data());
+    store(block.cells[i], depths.data());
   }
   return evaluated;
 }

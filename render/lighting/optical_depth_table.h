@@ -98,7 +98,7 @@ class OpticalDepthTable {
   };
   [[nodiscard]] int blocks_across() const;
   [[nodiscard]] int blocks_down() const;
-  [[nodiscard]] Block block(int index) const;
+  [[nodiscard]] Block block_at(int index) const;
   // Calls store(cell, optical depths at all radii) for the cells of a block.
   template <class Store>
   std::uint64_t find_depths(const MediumIndex& medium, const Block& part, Store store) const;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t bundle_size = 32;
 
-// The place of a direction on a curve that keeps near directions near: Morton order of the
+// Position of a direction on a space-filling curve: Morton order of the
 // octahedral map.
 std::uint32_t direction_code(const glm::dvec3& q) {
   const double sum = std::abs(q.x) + std::abs(q.y) + std::abs(q.z);

@@ -27,7 +27,7 @@ struct GroupPositions {
   std::array<float, RaySlices::group> x, y;         // from 0 to 1
   bool share_cell = true;
 
-  // Rays that pad a group stand where its last one does.
+  // Padding rays repeat the last ray of a group.
   explicit GroupPositions(std::span<const glm::vec2> positions) {
     for (std::size_t i = 0; i < RaySlices::group; ++i) {
       const glm::vec2 position = 2.0f * positions[std::min(i, positions.size() - 1)];

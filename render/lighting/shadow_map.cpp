@@ -22,9 +22,9 @@ ShadowMap::ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const
   });
   ranges_.resize(map.cells());
   for (std::size_t i = 0; i + stride + 1 < distances_.size(); ++i) {
-    const auto [min_value, max_value] = std::minmax(
+    const auto [min_distance, max_distance] = std::minmax(
         {distances_[i], distances_[i + 1], distances_[i + stride], distances_[i + stride + 1]});
-    ranges_[i] = {min_value, max_value};
+    ranges_[i] = {min_distance, max_distance};
   }
 }
 

@@ -28,7 +28,7 @@ class ShadowMap {
   [[nodiscard]] const float* distances() const { return distances_.data(); }
   // Minimum and maximum over each 2 x 2 footprint of bilinear interpolation.
   struct Range {
-    float min_value, max_value;
+    float min_distance, max_distance;
   };
   [[nodiscard]] const Range* ranges() const { return ranges_.data(); }
 

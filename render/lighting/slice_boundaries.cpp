@@ -42,16 +42,16 @@ double core_radius(double r, double c) {
                                          : cutoff_radius(r, c, slice_demand::tail_depth);
 }
 
-// How a tile's rays pass a Gaussian of exponent g.a^2 at q relative to the eye, and where it needs
-// slices.
-struct Passing {
+// Closest approach of a tile's rays to a Gaussian of exponent g.a^2 at q relative to the eye: where
+// it needs slices.
+struct ClosestApproach {
   double t;  // [u]
   double h;  // in radii, of the nearest ray
 };
 
-// A Gaussian among the rays needs slices where the nearest ray passes it. If only its tail is met,
-// the light decides where; then the center's position is as good, and symmetric.
-Passing passing(const TileCone& rays, const glm::dvec3& q, double a) {
+// A Gaussian among the rays needs slices where the nearest ray passes it. If the rays only hit its
+// tail, the light determines where; then the center's projection serves as well, and is symmetric.
+ClosestApproach closest_approach(const TileCone& rays, const glm::dvec3& q, double a) {
   const TileCone::Pass nearest = rays.nearest_pass(q);
   const double center = glm::dot(q, rays.center);
   const double h = a * nearest.h;
@@ -60,7 +60,7 @@ Passing passing(const TileCone& rays, const glm::dvec3& q, double a) {
 
 // Demand for boundaries along a ray. The error of the midpoint rule is proportional to the second
 // derivative of the integrand, so the optimal density of slices is its cube root (c / r^2 within a
-// Gaussian, attenuated by what is in front), plus a uniform share that keeps thin media sampled.
+// Gaussian, attenuated by the medium in front), plus a uniform part so that thin media are sampled.
 class SliceDemand {
  public:
   SliceDemand(const RayRange& range, int bins)
@@ -76,14 +76,14 @@ class SliceDemand {
     if (line_depth(peak, r) < slice_opaque) return;
     const double last = cutoff_radius(r, peak, tail_depth) / r;
     for (double k = box_radii; k < last; k += tail_step) {
-      const double middle = k + 0.5 * tail_step;
-      const double density = peak * std::exp(-middle * middle);
-      add_box(t, (k + tail_step) * r, density, 4.0 * middle * middle * density / (r * r));
+      const double center = k + 0.5 * tail_step;
+      const double density = peak * std::exp(-center * center);
+      add_box(t, (k + tail_step) * r, density, 4.0 * center * center * density / (r * r));
     }
   }
 
-  // Appends the ends of the range and what lies between `count` slices of equal demand.
-  void cut(int count, std::vector<double>& boundaries) const {
+  // Appends the ends of the range and the boundaries between `count` slices of equal demand.
+  void place_boundaries(int count, std::vector<double>& boundaries) const {
     const std::size_t bins = rate_.size() - 1;
     thread_local std::vector<double> demand;
     demand.assign(bins, 0.0);
@@ -96,7 +96,7 @@ class SliceDemand {
       curvature += curvature_[i];
       demand[i] = std::cbrt(std::max(curvature, 0.0) /
                             (1.0 + std::clamp(depth, 0.0, slice_demand::max_front_depth)));
-      // Behind that much only rays are seen that pass beside it.
+      // Past this depth only rays that miss the opaque core contribute; damp the demand.
       if (depth > slice_opaque) demand[i] *= slice_opaque / depth;
       depth += rate * width_;
       sum += demand[i];
@@ -105,16 +105,16 @@ class SliceDemand {
         sum > 0.0 ? slice_demand::uniform_share * sum / static_cast<double>(bins) : 1.0;
     sum += uniform * static_cast<double>(bins);
     boundaries.push_back(begin_);
-    double reached = 0.0;
+    double cumulative = 0.0;
     int k = 1;
     for (std::size_t i = 0; i < bins && k < count; ++i) {
-      const double here = demand[i] + uniform;
-      for (double wanted = sum * k / count; k < count && wanted <= reached + here;
-           wanted = sum * ++k / count) {
-        boundaries.push_back(begin_ +
-                             width_ * (static_cast<double>(i) + (wanted - reached) / here));
+      const double bin_demand = demand[i] + uniform;
+      for (double target = sum * k / count; k < count && target <= cumulative + bin_demand;
+           target = sum * ++k / count) {
+        boundaries.push_back(
+            begin_ + width_ * (static_cast<double>(i) + (target - cumulative) / bin_demand));
       }
-      reached += here;
+      cumulative += bin_demand;
     }
     boundaries.push_back(begin_ + width_ * static_cast<double>(bins));
   }
@@ -122,8 +122,8 @@ class SliceDemand {
  private:
   void add_box(double t, double half, double rate, double curvature) {
     const auto bin = [this](double x) {
-      const double max_value = static_cast<double>(rate_.size() - 1);
-      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, max_value));
+      const double max_bin = static_cast<double>(rate_.size() - 1);
+      return static_cast<std::size_t>(std::clamp((x - begin_) / width_ + bin_room, 0.0, max_bin));
     };
     const std::size_t first = bin(t - half);
     const std::size_t last = bin(t + half) + 1;
@@ -162,7 +162,7 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
                    std::vector<double>& boundaries) {
   boundaries.clear();
   const glm::dvec3& w = rays.center;
-  const double longest = rays.max_length;
+  const double max_length = rays.max_length;
 
   // The Gaussians: slices over two radii or more to both sides, and one more for the tail at each
   // end.
@@ -173,60 +173,61 @@ void choose_slices(const MediumIndex& medium, std::span<const std::uint32_t> gau
     const glm::dvec3 q = g.b - rays.eye;
     const double r = medium.cutoff_radii()[i];
     extent.add(glm::dot(q, w) - r, rays.nearest_pass(q).t + r);
-    const double t = passing(rays, q, g.a).t;
+    const double t = closest_approach(rays, q, g.a).t;
     const double half = std::min(core_radius(1.0 / g.a, g.c), r);
     core.add(t - half, t + half);
   }
-  extent.clip(longest);
-  core.clip(longest);
+  extent.clip(max_length);
+  core.clip(max_length);
   const double b0 = medium.homogeneous_density();
-  RayRange whole = extent;
+  RayRange full_range = extent;
   if (b0 > 0.0) {
-    whole.begin = 0.0;
-    whole.end =
-        std::min(longest, std::max(extent.empty() ? 0.0 : extent.end, opaque_fog_depth / b0));
+    full_range.begin = 0.0;
+    full_range.end =
+        std::min(max_length, std::max(extent.empty() ? 0.0 : extent.end, opaque_fog_depth / b0));
   }
-  if (whole.empty()) return;
-  boundaries.push_back(whole.begin);
-  boundaries.push_back(whole.end);
+  if (full_range.empty()) return;
+  boundaries.push_back(full_range.begin);
+  boundaries.push_back(full_range.end);
   if (!extent.empty()) {
     if (!core.empty()) {
       SliceDemand demand(core, slice_demand::bins_per_slice * slices);
       for (const std::uint32_t i : gaussians) {
         const GaussianTerm<double>& g = medium.gaussians()[i];
         const glm::dvec3 q = g.b - rays.eye;
-        const auto [t, h] = passing(rays, q, g.a);
+        const auto [t, h] = closest_approach(rays, q, g.a);
         const double half = core_radius(1.0 / g.a, g.c);
         if (t + half < core.begin || t - half > core.end) continue;
         demand.add(t, 1.0 / g.a, g.c * std::exp(-h * h));
       }
-      demand.cut(slices - 2, boundaries);
+      demand.place_boundaries(slices - 2, boundaries);
     }
     boundaries.push_back(extent.begin);
     boundaries.push_back(extent.end);
   }
-  const RayRange& lit = b0 > 0.0 ? whole : core;
+  const RayRange& lit = b0 > 0.0 ? full_range : core;
   for (const SlicedLight& light : lights) {
     // A light in or near the medium; far ones are smooth along the ray.
     const glm::dvec3 q = light.position - rays.eye;
     const double ts = glm::dot(q, w);
     const double h = glm::length(q - ts * w);
-    const double gap = std::max({lit.begin - ts, ts - lit.end, 0.0});
-    if (lit.empty() || std::hypot(gap, h) > near_light_share * (lit.end - lit.begin)) continue;
+    const double distance_to_range = std::max({lit.begin - ts, ts - lit.end, 0.0});
+    if (lit.empty() || std::hypot(distance_to_range, h) > near_light_share * (lit.end - lit.begin))
+      continue;
     add_equi_angular(light, rays, lit, slices_per_light(slices, lights.size()), boundaries);
   }
   if (b0 > 0.0) {
     // Slices of equal loss in the fog.
-    const double opaque = -std::expm1(-b0 * whole.end);
+    const double opaque = -std::expm1(-b0 * full_range.end);
     for (int k = 1; k < slices; ++k) {
       boundaries.push_back(-std::log1p(-opaque * k / slices) / b0);
     }
   }
   std::sort(boundaries.begin(), boundaries.end());
-  const double min_gap = min_gap_of_range * (whole.end - whole.begin);
+  const double min_spacing = min_gap_of_range * (full_range.end - full_range.begin);
   boundaries.erase(std::unique(boundaries.begin(), boundaries.end(),
-                               [min_gap](double a, double b) {
-                                 return b - a < std::max(min_gap, min_gap_of_distance * b);
+                               [min_spacing](double a, double b) {
+                                 return b - a < std::max(min_spacing, min_gap_of_distance * b);
                                }),
                    boundaries.end());
 }

@@ -35,15 +35,16 @@ constexpr double max_front_depth = 4.0;
 constexpr double uniform_share = 0.3;
 }  // namespace slice_demand
 
-// Slices of equal angle at a light: for lights nearer to the range than this share of its length.
+// Slices of equal angle at a light: for lights nearer to the range than this fraction of its
+// length.
 constexpr double near_light_share = 0.5;
 // A light almost on the ray stands off it by this share of a slice, of the range or, if the medium
 // is endless, of this many of the light's distances.
 constexpr double light_slice_share = 0.25;
 constexpr double light_distances = 16.0;
 
-// Boundaries merge that are closer than this share of the range or of their distance: float tells
-// no more apart.
+// Boundaries merge that are closer than this fraction of the range or of their distance: closer
+// boundaries are equal in float.
 constexpr double min_gap_of_range = 1e-9;
 constexpr double min_gap_of_distance = 1e-6;
 

@@ -45,41 +45,41 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
     const std::span<const float> farthest = slices.farthest(i);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing<D> crossing = BatchCrossing<kDisplaced>(d, g, j, w);
-      const auto reached = hn::Le(crossing.e, set(g.cutoff[j]));
+      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      const auto reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
-      // The slices that any of the rays meets the Gaussian in.
-      const float cutoff_radius = std::sqrt(g.cutoff[j]) / g.a[j];
-      const float from = hn::GetLane(hn::MinOfLanes(d, crossing.t0)) - cutoff_radius;
-      const float to = hn::GetLane(hn::MaxOfLanes(d, crossing.t0)) + cutoff_radius;
+      // The slices in which any of the rays intersects the Gaussian.
+      const float cutoff_radius = std::sqrt(g.max_e[j]) / g.a[j];
+      const float t_min = hn::GetLane(hn::MinOfLanes(d, line.t0)) - cutoff_radius;
+      const float t_max = hn::GetLane(hn::MaxOfLanes(d, line.t0)) + cutoff_radius;
       const auto begin = farthest.begin();
-      const auto after = std::upper_bound(begin, farthest.end(), from) - begin;
+      const auto after = std::upper_bound(begin, farthest.end(), t_min) - begin;
       std::size_t k = after > 0 ? static_cast<std::size_t>(after - 1) : 0;
-      if (k >= last || nearest[0] >= to) continue;
+      if (k >= last || nearest[0] >= t_max) continue;
       const auto u = [&](std::size_t boundary) HWY_ATTR {
-        return hn::Mul(a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), crossing.t0));
+        return hn::Mul(a, hn::Sub(hn::LoadU(d, slices.at(i, boundary)), line.t0));
       };
       const auto add = [&](std::size_t slice, V depth) HWY_ATTR {
         float* increment = increments + slice * stride + i;
         hn::StoreU(hn::Add(depth, hn::LoadU(d, increment)), d, increment);
       };
-      V before = u(k);
+      V previous = u(k);
       if (g.scale[j] > exact_above) {
-        for (; k < last && nearest[k] < to; ++k) {
-          const V now = u(k + 1);
-          add(k, hn::Mul(set(g.scale[j]),
-                         SegmentIntegral(d, crossing.e, before, now, hn::Sub(now, before))));
-          before = now;
+        for (; k < last && nearest[k] < t_max; ++k) {
+          const V current = u(k + 1);
+          add(k, hn::Mul(set(g.scale[j]), SegmentIntegral(d, line.e, previous, current,
+                                                          hn::Sub(current, previous))));
+          previous = current;
         }
         continue;
       }
-      const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(crossing.e)));
-      before = FastErf(before);
-      for (; k < last && nearest[k] < to; ++k) {
-        const V now = FastErf(u(k + 1));
-        add(k, hn::Mul(scale, hn::Sub(now, before)));
-        before = now;
+      const V scale = hn::Mul(set(g.scale[j]), hn::Exp(d, hn::Neg(line.e)));
+      previous = FastErf(previous);
+      for (; k < last && nearest[k] < t_max; ++k) {
+        const V current = FastErf(u(k + 1));
+        add(k, hn::Mul(scale, hn::Sub(current, previous)));
+        previous = current;
       }
     }
   }
@@ -92,7 +92,8 @@ std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays
                       : Increments<false>(g, rays, slices, increments);
 }
 
-// Where a direction lies in a table over a map: the lower of the cells to mix, and by how much.
+// Position of a direction in a table over a map: the lower of the four cells to interpolate, and
+// the fractions.
 struct MapPosition {
   hn::Vec<hn::RebindToSigned<D>> cell;  // row by row, border included
   V fx, fy;
@@ -116,7 +117,7 @@ struct MapPosition {
       const auto along = [&](const glm::vec3& axis) HWY_ATTR {
         return dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)});
       };
-      // Behind the light there is nothing of interest; the border of the map answers.
+      // Behind the light there is nothing of interest; clamped to the map's border texel.
       const V depth = hn::Max(along(map.axis), hn::Mul(set(DirectionMap::min_cosine), distance));
       const V inverse = hn::Div(one, hn::Max(depth, set(coefficient::tiny)));
       u = hn::MulAdd(hn::Mul(along(map.right), inverse), set(map.scale.x), set(map.offset.x));
@@ -182,23 +183,24 @@ void LookupDepths(const OpticalDepthTable::View& table, const PathBatch& paths, 
   }
 }
 
-// The share of the light that no surface stops, mixed over four cells.
+// Visibility, bilinear over four cells (percentage-closer filtering).
 HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
   const D d;
   const hn::RebindToSigned<D> di;
   const MapPosition position(shadows.map(), q, distance);
+  // Slope bias of the shadow map: avoids self-shadowing.
   const V near = hn::Mul(distance, set(shadow_share(shadows.map())));
   // Mostly all four cells agree.
-  const float* const ranges = &shadows.ranges()->min_value;
+  const float* const ranges = &shadows.ranges()->min_distance;
   const auto range = hn::ShiftLeft<1>(position.cell);
   const auto lit = hn::Le(near, hn::GatherIndex(d, ranges, range));
   if (hn::AllTrue(d, lit)) return set(1.0f);
   const auto dark = hn::Gt(near, hn::GatherIndex(d, ranges, hn::Add(range, hn::Set(di, 1))));
   if (hn::AllTrue(d, hn::Or(lit, dark))) return hn::IfThenElseZero(lit, set(1.0f));
   return position.Mix(shadows.map().stride(), [&](int cell) HWY_ATTR {
-    const V cutoff_radius =
+    const V occluder_distance =
         hn::GatherIndex(d, shadows.distances(), hn::Add(position.cell, hn::Set(di, cell)));
-    return hn::IfThenElseZero(hn::Le(near, cutoff_radius), set(1.0f));
+    return hn::IfThenElseZero(hn::Le(near, occluder_distance), set(1.0f));
   });
 }
 
@@ -223,7 +225,7 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
   return hn::IfThenElse(small, direct, wide);
 }
 
-// SliceShares::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
+// SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
 // (G' + b0) exp(-b0 t) dt, or of (G' + b0) exp(-2 G - b0 t) dt for light from the eye. The exponent
 // grows evenly within a slice.
 void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments, float b0,
@@ -232,21 +234,22 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
   const V per_depth = set(from_eye ? 2.0f : 0.0f);
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     V begin = hn::LoadU(d, slices.at(i, 0));
-    V passes = hn::Exp(d, hn::Mul(set(-b0), begin));
+    V transmittance_in = hn::Exp(d, hn::Mul(set(-b0), begin));
     V sum = hn::Zero(d);
     for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
       const V end = hn::LoadU(d, slices.at(i, k + 1));
       const V fog = hn::Mul(set(b0), hn::Sub(end, begin));
       const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), hn::Zero(d));
       const V exponent = hn::MulAdd(per_depth, gaussians, fog);
-      const V left = hn::Mul(passes, hn::Exp(d, hn::Neg(exponent)));
+      const V transmittance_out = hn::Mul(transmittance_in, hn::Exp(d, hn::Neg(exponent)));
       // The mean of exp(-exponent x) over x in [0, 1], times what passes.
-      const V mean =
-          hn::IfThenElse(hn::Lt(exponent, set(coefficient::small_exponent)),
-                         hn::NegMulAdd(hn::Mul(set(0.5f), exponent), passes, passes),
-                         hn::Div(hn::Sub(passes, left), hn::Max(exponent, set(coefficient::tiny))));
+      const V mean = hn::IfThenElse(
+          hn::Lt(exponent, set(coefficient::small_exponent)),
+          hn::NegMulAdd(hn::Mul(set(0.5f), exponent), transmittance_in, transmittance_in),
+          hn::Div(hn::Sub(transmittance_in, transmittance_out),
+                  hn::Max(exponent, set(coefficient::tiny))));
       sum = hn::MulAdd(mean, hn::Add(gaussians, fog), sum);
-      passes = left;
+      transmittance_in = transmittance_out;
       begin = end;
     }
     hn::StoreU(sum, d, sums + i);
@@ -255,13 +258,13 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
 
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                float anisotropy, float negligible, std::span<const SliceLight> lights,
-               float* depths, const SliceShares& shares,
+               float* depths, const SliceWeights& weights,
                const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
-  if (shares.along_rays) {
-    SumAlongRays(slices, stride, increments, b0, anisotropy < 0.0f, shares.along_rays);
+  if (weights.along_rays) {
+    SumAlongRays(slices, stride, increments, b0, anisotropy < 0.0f, weights.along_rays);
   }
   std::array<OpticalDepthTable::View, light_pack> tables{};
   for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -277,8 +280,8 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       const Vector s{set(lights[l].position.x), set(lights[l].position.y),
                      set(lights[l].position.z)};
       ts[l] = dot(s, w);
-      const Vector gap = minus(s, ts[l], w);
-      h2[l] = hn::Max(dot(gap, gap),
+      const Vector offset = minus(s, ts[l], w);
+      h2[l] = hn::Max(dot(offset, offset),
                       set(std::max(lights[l].h_min * lights[l].h_min, coefficient::tiny)));
       sum[l] = zero;
     }
@@ -292,16 +295,17 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       const V next_depth = hn::Add(depth, increment);
       const auto matters = hn::And(hn::Gt(increment, set(negligible)),
                                    hn::Lt(depth, set(coefficient::visible_depth)));
-      if (shares.of_slices) hn::StoreU(zero, d, shares.of_slices + k * stride + i);
+      if (weights.per_slice) hn::StoreU(zero, d, weights.per_slice + k * stride + i);
       if (!hn::AllFalse(d, matters)) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
-        const V lost = hn::Mul(
+        const V scattered_fraction = hn::Mul(
             hn::Exp(d, hn::Neg(depth)),
             hn::IfThenElse(hn::Lt(increment, set(coefficient::small_increment)),
                            hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
                            hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
-        if (shares.of_slices) {
-          hn::StoreU(hn::IfThenElseZero(matters, lost), d, shares.of_slices + k * stride + i);
+        if (weights.per_slice) {
+          hn::StoreU(hn::IfThenElseZero(matters, scattered_fraction), d,
+                     weights.per_slice + k * stride + i);
         }
         const V center = hn::Mul(set(0.5f), hn::Add(begin, end));
         for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -320,7 +324,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
             light = hn::Mul(light, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
           }
           if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
-          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(lost, light)));
+          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(scattered_fraction, light)));
         }
       }
       depth = next_depth;
@@ -359,10 +363,10 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
 
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                 float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, const SliceShares& shares,
+                float* depths, const SliceWeights& weights,
                 const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, slices, increments, b0, anisotropy, negligible, lights, depths, shares, radiance);
+  (rays, slices, increments, b0, anisotropy, negligible, lights, depths, weights, radiance);
 }
 
 }  // namespace brume

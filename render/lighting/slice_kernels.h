@@ -35,10 +35,10 @@ struct SliceLight {
 };
 
 // In-scattered fractions for distant light; null: not needed.
-struct SliceShares {
-  // shares[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)) for slice k of ray i:
+struct SliceWeights {
+  // weights[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)) for slice k of ray i:
   // in-scattering of a unit uniform light.
-  float* of_slices = nullptr;
+  float* per_slice = nullptr;
   // [i]: sum over the slices of ray i for light along the ray, attenuated by Gaussians only: from
   // the eye, where it is 1, if the anisotropy is negative, else from behind, where it is
   // exp(optical depth of the ray).
@@ -53,7 +53,7 @@ struct SliceShares {
 // lights.
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                 float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, const SliceShares& shares,
+                float* depths, const SliceWeights& weights,
                 const std::array<float*, light_pack>& radiance);
 
 }  // namespace brume

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "core/math/spherical_harmonics.h"
-#include "render/lighting/density_grid.h"
+#include "render/lighting/density_samples.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
@@ -22,7 +22,7 @@ constexpr double core_radii = 2.5;
 // So many sweeps are held at a time.
 constexpr std::size_t batch = 32;
 
-// Nodes are summed in blocks of so many.
+// Nodes per block of a parallel sum.
 constexpr std::size_t block = 1024;
 
 struct Bounds {
@@ -41,13 +41,13 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
 };
 
-// Nodes from `low` to `high` at the smallest spacing, at least `min_value`, with at most
+// Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
 // `max_bands` nodes. The spacing is a float, to be identical wherever it is used.
-SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_value,
+SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
                          int max_bands) {
   SourceGrid::Level level;
   const glm::dvec3 extent = high - low;
-  double spacing = std::max(min_value, std::cbrt(extent.x * extent.y * extent.z / max_bands));
+  double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_bands));
   for (;; spacing *= 1.02) {
     level.nodes.spacing = static_cast<float>(spacing);
     const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
@@ -63,13 +63,15 @@ SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double m
 
 // Weights of a light for each basis function of incident light (R G B) and for the clusters'
 // transmittance.
-void append_weights(const SourceLight& source, int bands, int clusters, std::vector<float>& to) {
+void append_weights(const SourceLight& source, int bands, int clusters,
+                    std::vector<float>& weights) {
   const ShVector<double> basis = sh_basis(bands, source.light.direction);
   for (std::size_t i = 0; i < basis.size(); ++i) {
-    for (int c = 0; c < 3; ++c) to.push_back(static_cast<float>(basis[i] * source.light.flux[c]));
+    for (int c = 0; c < 3; ++c)
+      weights.push_back(static_cast<float>(basis[i] * source.light.irradiance[c]));
   }
   for (int f = 0; f < clusters; ++f) {
-    to.push_back(f == source.cluster ? static_cast<float>(source.share) : 0.0f);
+    weights.push_back(f == source.cluster ? static_cast<float>(source.cluster_fraction) : 0.0f);
   }
 }
 
@@ -84,14 +86,14 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
   std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
   std::vector<float> sums(channels * stride, 0.0f);
   for (std::size_t first = 0; first < lights.size(); first += batch) {
-    const auto now = lights.subspan(first, std::min(batch, lights.size() - first));
+    const auto batch_lights = lights.subspan(first, std::min(batch, lights.size() - first));
     std::vector<float> weights;
-    for (const SourceLight& light : now) append_weights(light, bands, clusters, weights);
-    job.each(now.size(), [&](std::size_t k) {
-      sweep_transmittance(level.nodes, density, glm::vec3(now[k].light.direction),
+    for (const SourceLight& light : batch_lights) append_weights(light, bands, clusters, weights);
+    job.parallel_for(batch_lights.size(), [&](std::size_t k) {
+      sweep_transmittance(level.nodes, density, glm::vec3(batch_lights[k].light.direction),
                           std::span(transmittances).subspan(k * stride, nodes));
     });
-    job.each((stride + block - 1) / block, [&](std::size_t b) {
+    job.parallel_for((stride + block - 1) / block, [&](std::size_t b) {
       add_weighted(transmittances, weights, channels, stride, b * block,
                    std::min((b + 1) * block, stride), sums);
     });
@@ -99,7 +101,7 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
   const std::size_t functions = sh_size(content.bands);
   const std::size_t size = SourceGrid::node_size(content.bands);
   level.values.assign(size * nodes, 0.0f);
-  job.each((nodes + block - 1) / block, [&](std::size_t b) {
+  job.parallel_for((nodes + block - 1) / block, [&](std::size_t b) {
     for (std::size_t i = b * block; i < std::min((b + 1) * block, nodes); ++i) {
       for (std::size_t c = 0; c < 3 * functions; ++c) {
         level.values[size * i + 4 * (c / 3) + c % 3] = sums[c * stride + i];
@@ -142,13 +144,13 @@ std::array<float, sh_size(PhaseBands::max_bands)> PhaseBands::at(const glm::dvec
 
 double PhaseBands::phase(double cosine) const {
   double sum = 0.0;
-  double before = 0.0;  // Legendre's polynomials by their recurrence
-  double now = 1.0;
+  double previous = 0.0;  // Legendre's polynomials by their recurrence
+  double current = 1.0;
   for (int l = 0; l < count_; ++l) {
-    sum += factors_[static_cast<std::size_t>(l)] * (2.0 * l + 1.0) * now;
-    const double next = ((2.0 * l + 1.0) * cosine * now - l * before) / (l + 1.0);
-    before = now;
-    now = next;
+    sum += factors_[static_cast<std::size_t>(l)] * (2.0 * l + 1.0) * current;
+    const double next = ((2.0 * l + 1.0) * cosine * current - l * previous) / (l + 1.0);
+    previous = current;
+    current = next;
   }
   return sum / (4.0 * std::numbers::pi);
 }

@@ -11,7 +11,7 @@
 #include "core/transport/optical_depth.h"
 #include "render/geometry/box.h"
 #include "render/lighting/distant_lights.h"
-#include "render/lighting/incident_light.h"
+#include "render/lighting/incident_grid.h"
 #include "render/lighting/sweep_kernels.h"
 #include "render/settings.h"
 #include "render/util/job.h"
@@ -49,8 +49,8 @@ inline constexpr int source_clusters = 16;
 
 struct SourceLight {
   DistantLight light;
-  int cluster = 0;     // cluster index, < source_clusters
-  double share = 1.0;  // fraction of the cluster's flux
+  int cluster = 0;                // cluster index, < source_clusters
+  double cluster_fraction = 1.0;  // fraction of the cluster's irradiance
 };
 
 // Source function of single scattering, without the scattering coefficient:

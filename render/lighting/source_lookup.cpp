@@ -17,45 +17,45 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct Cell {
   const float* corner;
   std::ptrdiff_t row, slab;
-  float shares[8];  // of its corners, x fastest
+  float corner_weights[8];  // of its corners, x fastest
 
   // `at`: in cells from the first node; `size`: floats in a node.
-  Cell(const SourceLookup::Level& level, const float* values, const glm::vec3& at,
+  Cell(const SourceLookup::Level& level, const float* values, const glm::vec3& coordinate,
        std::ptrdiff_t size)
       : corner(values), row(size * level.count.x), slab(row * level.count.y) {
     const std::ptrdiff_t step[] = {size, row, slab};
     float f[3];
     for (int k = 0; k < 3; ++k) {
       const auto last = static_cast<float>(level.count[k] - 2);
-      const float x = std::min(std::max(at[k], 0.0f), last + 1.0f);
+      const float x = std::min(std::max(coordinate[k], 0.0f), last + 1.0f);
       const float low = std::min(static_cast<float>(static_cast<int>(x)), last);
       corner += static_cast<std::ptrdiff_t>(low) * step[k];
       f[k] = x - low;
     }
     for (int i = 0; i < 8; ++i) {
-      shares[i] = ((i & 1) != 0 ? f[0] : 1.0f - f[0]) * ((i & 2) != 0 ? f[1] : 1.0f - f[1]) *
-                  ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
+      corner_weights[i] = ((i & 1) != 0 ? f[0] : 1.0f - f[0]) *
+                          ((i & 2) != 0 ? f[1] : 1.0f - f[1]) * ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
     }
   }
 };
 
-bool Holds(const SourceLookup::Level& level, const glm::vec3& at) {
-  return at.x >= 0.0f && at.y >= 0.0f && at.z >= 0.0f &&
-         at.x <= static_cast<float>(level.count.x - 1) &&
-         at.y <= static_cast<float>(level.count.y - 1) &&
-         at.z <= static_cast<float>(level.count.z - 1);
+bool Holds(const SourceLookup::Level& level, const glm::vec3& coordinate) {
+  return coordinate.x >= 0.0f && coordinate.y >= 0.0f && coordinate.z >= 0.0f &&
+         coordinate.x <= static_cast<float>(level.count.x - 1) &&
+         coordinate.y <= static_cast<float>(level.count.y - 1) &&
+         coordinate.z <= static_cast<float>(level.count.z - 1);
 }
 
 // The cell of the finest level that holds a point, of nodes of `size` floats.
 Cell CellAt(std::span<const SourceLookup::Level> levels, const float* SourceLookup::Level::*values,
             const glm::vec3& p, std::ptrdiff_t size) {
   const SourceLookup::Level* level = levels.data();
-  glm::vec3 at = level->per_unit * (p - level->first);
-  if (levels.size() > 1 && !Holds(*level, at)) {
+  glm::vec3 coordinate = level->per_unit * (p - level->first);
+  if (levels.size() > 1 && !Holds(*level, coordinate)) {
     ++level;
-    at = level->per_unit * (p - level->first);
+    coordinate = level->per_unit * (p - level->first);
   }
-  return {*level, level->*values, at, size};
+  return {*level, level->*values, coordinate, size};
 }
 
 // What a cell has at its point, from float i of its nodes on.
@@ -65,7 +65,7 @@ HWY_INLINE hn::Vec<D> Mixed(const Cell& cell, D d, std::size_t i) {
   for (std::size_t c = 0; c < 8; ++c) {
     const float* node =
         cell.corner + i + (c & 1) * size + (c >> 1 & 1) * cell.row + (c >> 2) * cell.slab;
-    value = hn::MulAdd(hn::Set(d, cell.shares[c]), hn::LoadU(d, node), value);
+    value = hn::MulAdd(hn::Set(d, cell.corner_weights[c]), hn::LoadU(d, node), value);
   }
   return value;
 }
@@ -73,7 +73,7 @@ HWY_INLINE hn::Vec<D> Mixed(const Cell& cell, D d, std::size_t i) {
 // In vectors of no more floats than nodes have.
 template <int bands, bool has_narrow_clusters>
 HWY_INLINE glm::vec3 Sum(std::span<const SourceLookup::Level> levels, const glm::vec3& w,
-                         std::span<const float> t, std::span<const float> shares,
+                         std::span<const float> t, std::span<const float> sample_weights,
                          const SourceWeights& weights) {
   constexpr std::size_t size = SourceGrid::node_size(bands);
   constexpr std::size_t harmonics = 4 * sh_size(bands);
@@ -81,11 +81,12 @@ HWY_INLINE glm::vec3 Sum(std::span<const SourceLookup::Level> levels, const glm:
   const hn::CappedTag<float, (size < 16 ? size : 16)> d;
   float sums[used] = {};
   for (std::size_t k = 0; k < t.size(); ++k) {
-    if (!(shares[k] > 0.0f)) continue;
+    if (!(sample_weights[k] > 0.0f)) continue;
     const Cell cell = CellAt(levels, &SourceLookup::Level::values, t[k] * w, size);
-    const auto share = hn::Set(d, shares[k]);
+    const auto sample_weight = hn::Set(d, sample_weights[k]);
     for (std::size_t i = 0; i < used; i += hn::Lanes(d)) {
-      hn::StoreU(hn::MulAdd(share, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d, sums + i);
+      hn::StoreU(hn::MulAdd(sample_weight, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d,
+                 sums + i);
     }
   }
   glm::vec3 result(0.0f);
@@ -124,12 +125,12 @@ void MixIncident(std::span<const SourceLookup::Level> levels, const glm::vec3& p
 }
 
 glm::vec3 SumSource(int bands, std::span<const SourceLookup::Level> levels, const glm::vec3& w,
-                    std::span<const float> t, std::span<const float> shares,
+                    std::span<const float> t, std::span<const float> sample_weights,
                     const SourceWeights& weights) {
   constexpr int max_bands = PhaseBands::max_bands;
-  if (bands == 1) return Sum<1, false>(levels, w, t, shares, weights);
-  return weights.has_narrow_clusters ? Sum<max_bands, true>(levels, w, t, shares, weights)
-                                     : Sum<max_bands, false>(levels, w, t, shares, weights);
+  if (bands == 1) return Sum<1, false>(levels, w, t, sample_weights, weights);
+  return weights.has_narrow_clusters ? Sum<max_bands, true>(levels, w, t, sample_weights, weights)
+                                     : Sum<max_bands, false>(levels, w, t, sample_weights, weights);
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -151,10 +152,10 @@ SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin)
 }
 
 glm::vec3 SourceLookup::operator()(const glm::vec3& w, std::span<const float> t,
-                                   std::span<const float> shares,
+                                   std::span<const float> sample_weights,
                                    const SourceWeights& weights) const {
-  return HWY_DYNAMIC_DISPATCH(SumSource)(bands_, std::span(levels_).first(count_), w, t, shares,
-                                         weights);
+  return HWY_DYNAMIC_DISPATCH(SumSource)(bands_, std::span(levels_).first(count_), w, t,
+                                         sample_weights, weights);
 }
 
 SourceLookup::ClusterTransmittance SourceLookup::cluster_transmittance() const {

@@ -27,10 +27,11 @@ class SourceLookup {
  public:
   SourceLookup(const SourceGrid& grid, const glm::dvec3& origin);
 
-  // Sum over k of shares[k] J(origin + t[k] w), clamped to the grid. Zero shares cost nothing.
+  // Sum over k of sample_weights[k] J(origin + t[k] w), clamped to the grid. Zero weights cost
+  // nothing.
   // Thread-safe.
   [[nodiscard]] glm::vec3 operator()(const glm::vec3& w, std::span<const float> t,
-                                     std::span<const float> shares,
+                                     std::span<const float> sample_weights,
                                      const SourceWeights& weights) const;
 
   // Transmittance towards each cluster at the origin, for grids of more than one band; 1 outside

@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-// The values of a slab of nodes with a border of two nodes, and room for whole vectors at the end
+// The values of a slab of nodes with a border of two nodes, and padding to full vectors at the end
 // of rows.
 struct Slab {
   std::size_t columns, stride;
@@ -34,7 +34,7 @@ struct Slab {
         values(stride * (height + 4), outside) {}
 
   float* row(std::size_t v) { return values.data() + (v + 2) * stride + 2; }
-  // After whole vectors were written over the border.
+  // After full vectors were written over the border.
   void end_row(std::size_t v) { std::fill_n(row(v) + columns, stride - columns - 2, border); }
 };
 
@@ -87,9 +87,9 @@ class Taps {
         v_(shift_v),
         first_(v_.first * static_cast<std::ptrdiff_t>(stride) + u_.first) {}
 
-  HWY_INLINE V Mix(const float* at, std::size_t stride) const {
+  HWY_INLINE V Mix(const float* values, std::size_t stride) const {
     const D d;
-    const float* row = at + first_;
+    const float* row = values + first_;
     V sum = hn::Zero(d);
     for (const float weight_v : v_.weights) {
       V mixed = hn::Zero(d);
@@ -161,10 +161,10 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         const V incoming = taps.Mix(light.before.row(v) + u, stride);
         const V far = taps.Mix(b.before.row(v) + u, stride);
         const V near = hn::LoadU(d, b.now.row(v) + u);
-        const V left = hn::Exp(d, hn::Neg(hn::Mul(half_step, hn::Add(near, far))));
+        const V transmitted = hn::Exp(d, hn::Neg(hn::Mul(half_step, hn::Add(near, far))));
         // The polynomial overshoots where a shadow begins within a node or two.
         const V light_here =
-            hn::Min(hn::Max(hn::Mul(incoming, left), hn::Zero(d)), hn::Set(d, 1.0f));
+            hn::Min(hn::Max(hn::Mul(incoming, transmitted), hn::Zero(d)), hn::Set(d, 1.0f));
         hn::StoreU(light_here, d, light.now.row(v) + u);
       }
       light.now.end_row(v);
@@ -200,19 +200,20 @@ void SweepEmission(const GridNodes& nodes, std::span<const float> density, float
         const V near = hn::LoadU(d, b.now.row(v) + u);
         const V far = taps.Mix(b.before.row(v) + u, stride);
         const V depth = hn::MulAdd(half_step, hn::Add(near, far), fog_step);
-        const V left = hn::Exp(d, hn::Neg(depth));
+        const V transmitted = hn::Exp(d, hn::Neg(depth));
         // (1 - e^-x) / x loses its digits for small x.
         const V mean = hn::IfThenElse(hn::Lt(depth, hn::Set(d, 1e-2f)),
                                       hn::NegMulAdd(hn::Set(d, 0.5f), depth, one),
-                                      hn::Div(hn::Sub(one, left), depth));
-        const V share = hn::Mul(half_step, mean);
+                                      hn::Div(hn::Sub(one, transmitted), depth));
+        const V weight = hn::Mul(half_step, mean);
         for (std::size_t c = 0; c < 3; ++c) {
-          float* at = emission[c].now.row(v) + u;
-          const V sent = hn::Mul(near, hn::LoadU(d, at));
-          hn::StoreU(sent, d, at);
-          const V all = hn::Add(sent, taps.Mix(emission[c].before.row(v) + u, stride));
+          float* source_row = emission[c].now.row(v) + u;
+          const V emitted_here = hn::Mul(near, hn::LoadU(d, source_row));
+          hn::StoreU(emitted_here, d, source_row);
+          const V all = hn::Add(emitted_here, taps.Mix(emission[c].before.row(v) + u, stride));
           const V incoming = taps.Mix(light[c].before.row(v) + u, stride);
-          hn::StoreU(hn::MulAdd(incoming, left, hn::Mul(share, all)), d, light[c].now.row(v) + u);
+          hn::StoreU(hn::MulAdd(incoming, transmitted, hn::Mul(weight, all)), d,
+                     light[c].now.row(v) + u);
         }
       }
       for (std::size_t c = 0; c < 3; ++c) {

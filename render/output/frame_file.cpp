@@ -12,7 +12,7 @@ namespace {
 constexpr const char* view_transform_name = "Khronos PBR Neutral, sRGB";  // of to_display()
 
 std::map<std::string, std::string> metadata_of(const FrameInfo& info) {
-  // Only its name: pictures are given away, and folders tell of whoever made them.
+  // Only its name: pictures are shared, and folders reveal their author.
   const std::string scene = std::filesystem::path(info.scene).filename().string();
   std::map<std::string, std::string> metadata{{"brume:scene", scene},
                                               {"brume:version", BRUME_VERSION},

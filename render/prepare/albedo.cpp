@@ -60,11 +60,11 @@ std::optional<Frame> render_groups(const Scene& scene, ExtinctionMedia& media, c
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Scene absorbing = scene;
     absorbing.medium = media.update(i, scene.medium, groups[i].albedo);
-    const auto share = [&](std::size_t n) {
+    const auto progress_at = [&](std::size_t n) {
       return static_cast<double>(n) / static_cast<double>(groups.size());
     };
     std::optional<Frame> group_frame =
-        render(absorbing, i, groups[i].albedo, job.part(share(i), share(i + 1)));
+        render(absorbing, i, groups[i].albedo, job.subrange(progress_at(i), progress_at(i + 1)));
     if (!group_frame) return std::nullopt;
     if (!frame) {
       frame = *group_frame;

@@ -15,7 +15,7 @@ namespace brume {
 void FrameContext::make_layers() {
   const auto pixels =
       static_cast<std::size_t>(frame.film.width) * static_cast<std::size_t>(frame.film.height);
-  // To fill memory takes time. Not part of the job: the stages after a stop count on it.
+  // Filled in parallel. Not cancellable: later stages rely on the layers even after a stop.
   const std::array<std::function<void()>, 5> layers{
       [&] { frame.beauty.resize(4 * pixels); }, [&] { frame.airlight.resize(3 * pixels); },
       [&] { frame.transmittance.assign(3 * pixels, 1.0f); },
@@ -23,7 +23,7 @@ void FrameContext::make_layers() {
       [&] {
         if (plan.has_medium()) frame.statistics.pixel_pairs.resize(pixels);
       }};
-  Job().each(layers.size(), [&](std::size_t i) { layers[i](); });
+  Job().parallel_for(layers.size(), [&](std::size_t i) { layers[i](); });
 }
 
 bool FrameStages::begin(FrameContext& work, StageClock& clock) {
@@ -40,8 +40,8 @@ bool FrameStages::begin(FrameContext& work, StageClock& clock) {
 // False if stopped.
 bool FrameStages::make_transfers(FrameContext& work) {
   if (!work.own_transfers || work.transfers.has(work.plan.transfers)) return true;
-  const Job job = std::exchange(work.job, work.job.part(0.5, 1.0));
-  return work.own_transfers->make(work.plan.transfers, {}, job.part(0.0, 0.5));
+  const Job job = std::exchange(work.job, work.job.subrange(0.5, 1.0));
+  return work.own_transfers->make(work.plan.transfers, {}, job.subrange(0.0, 0.5));
 }
 
 namespace {
@@ -50,7 +50,7 @@ namespace {
 template <class Keep>
 void trace_hits(const RayCaster& ray_caster, const FrameContext& work, Keep keep) {
   const Tiles tiles(work.frame.film);
-  work.job.each(tiles.count(), [&](std::size_t tile) {
+  work.job.parallel_for(tiles.count(), [&](std::size_t tile) {
     const CameraRays::PixelRectangle rectangle = tiles.rectangle(tile);
     std::array<glm::dvec3, Tiles::pixels> directions;
     std::array<SurfaceHit, Tiles::pixels> hits;
@@ -78,8 +78,8 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
   const RayCaster& ray_caster = prepared_.ray_caster();
   if (work.plan.rasterizes && ray_caster.can_rasterize(work.rays)) {
     const Raster raster = ray_caster.raster(work.rays, work.frame.film, work.job);
-    work.job.each(raster.bands(),
-                  [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
+    work.job.parallel_for(raster.bands(),
+                          [&](std::size_t band) { raster.draw(band, hits_, work.frame.depth); });
   } else {
     distances_.resize(hits_.size());
     trace_hits(ray_caster, work, [&](int x, int y, const SurfaceHit& hit) {
@@ -113,9 +113,9 @@ IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
   optics.fog_density = prepared_.medium().homogeneous_density();
   optics.anisotropy = work.scene.optics.anisotropy;
   const double fog = fog_depth(work);
-  const ScatterTable::Bands shares =
+  const ScatterTable::Bands fractions =
       shading_.environment()->incident(static_cast<float>(fog), work.albedo);
-  std::copy_n(shares.begin(), grid_bands, optics.through_fog.begin());
+  std::copy_n(fractions.begin(), grid_bands, optics.through_fog.begin());
   optics.scattered = work.albedo * std::exp(-fog);
   return optics;
 }

@@ -13,7 +13,7 @@ namespace brume {
 // in a hundred pixels around a light is clamped.
 inline double min_light_distance(const CameraRays& rays, const Camera& camera,
                                  const glm::dvec3& light) {
-  // A light at the eye has no footprint; a hundredth of the way to the target stands in.
+  // A light at the eye has no footprint; a hundredth of the distance to the target is used instead.
   const double distance =
       std::max(glm::length(light - camera.eye), 0.01 * glm::length(camera.target - camera.eye));
   return 0.05 * 2.0 * rays.pixel_half_angle() * distance;

@@ -33,7 +33,7 @@ std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const C
     if (!(seen.z > 0.0)) continue;
     const double x = first_pixel(seen.x, width);
     const double y = first_pixel(seen.y, width);
-    // Before they become integers: a light beside the eye is seen very far out.
+    // Checked before conversion to integers: a light next to the eye projects very far out.
     if (!on_film(x, width, film.width) || !on_film(y, width, film.height)) continue;
     const glm::ivec2 first(x, y);
     const glm::ivec2 begin(std::max(first.x, 0), std::max(first.y, 0));
@@ -54,7 +54,7 @@ std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const C
 
 TilePixels sort_into_tiles(std::vector<glm::ivec2> pixels, const Film& samples, int scale) {
   const Tiles tiles(samples);
-  // Cells stand between samples: there is one less in a row.
+  // Cells lie between samples: one less per row.
   const glm::ivec2 last = glm::max(glm::ivec2(samples.width, samples.height) - 2, 0);
   const auto tile_of = [&](const glm::ivec2& pixel) {
     const glm::ivec2 cell = glm::min(pixel / scale, last);

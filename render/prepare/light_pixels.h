@@ -19,7 +19,8 @@ namespace brume {
 std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const CameraRays& rays,
                                      const Film& film, int width);
 
-// At airlight scale 4, nothing is interpolated within so many pixels around a light.
+// At airlight scale 4, nothing is interpolated within a block of this width [pixels] around a
+// light.
 constexpr int light_block = 4;
 
 // Pixels grouped by tile.

@@ -13,8 +13,8 @@ struct IndexedIds {
   std::span<const GaussianId> ids;
 
   [[nodiscard]] TableGaussian gaussian(GaussianId id) const {
-    const auto at = std::ranges::lower_bound(ids, id);
-    return {index, static_cast<std::size_t>(at - ids.begin())};
+    const auto it = std::ranges::lower_bound(ids, id);
+    return {index, static_cast<std::size_t>(it - ids.begin())};
   }
 };
 
@@ -44,12 +44,12 @@ void PreparedScene::update_tables(const Medium& medium, const MediumIndex& index
   }
   const std::vector<TableGaussian> changed =
       table_gaussians(*edit, {*index_, ids_}, {index, medium.ids()});
-  for (const auto& known : tables_) {
-    known->changed.insert(known->changed.end(), changed.begin(), changed.end());
+  for (const auto& entry : tables_) {
+    entry->changed.insert(entry->changed.end(), changed.begin(), changed.end());
   }
   // Where much has changed, a new table is soon made.
   std::erase_if(tables_,
-                [&](const auto& known) { return known->changed.size() > medium.size() / 4 + 2; });
+                [&](const auto& entry) { return entry->changed.size() > medium.size() / 4 + 2; });
 }
 
 void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
@@ -58,7 +58,7 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   if (!index_ || inputs != index_inputs_) {
     depths_.clear();
     auto index = std::make_unique<MediumIndex>(
-        scene.medium, depth_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
+        scene.medium, culling_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
     if (settings.patch_light_tables) {
       update_tables(scene.medium, *index, inputs);
     } else {
@@ -78,23 +78,23 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   if (!exact_occlusion_ && plan.has_exact_occlusion)
     exact_occlusion_ = std::make_unique<ExactOcclusion>(scene.surfaces);
 
-  const auto gone = [&](const glm::dvec3& position) {
+  const auto is_unused = [&](const glm::dvec3& position) {
     return std::ranges::find(plan.lights, position, &PointLight::position) == plan.lights.end();
   };
-  std::erase_if(depths_, [&](const auto& known) { return gone(known->light); });
-  std::erase_if(tables_, [&](const auto& known) {
-    return gone(known->table.light()) || !(known->size == settings.optical_depth_table) ||
+  std::erase_if(depths_, [&](const auto& entry) { return is_unused(entry->light); });
+  std::erase_if(tables_, [&](const auto& entry) {
+    return is_unused(entry->table.light()) || !(entry->size == settings.optical_depth_table) ||
            // Changes may be pending of a frame that was stopped.
-           (!settings.patch_light_tables && (known->is_patched || !known->changed.empty()));
+           (!settings.patch_light_tables && (entry->is_patched || !entry->changed.empty()));
   });
-  std::erase_if(shadows_, [&](const auto& known) { return gone(known->light()); });
+  std::erase_if(shadows_, [&](const auto& entry) { return is_unused(entry->light()); });
 }
 
 const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
                                                 Settings::Precision precision,
                                                 std::uint64_t& pairs) {
-  for (const auto& known : depths_) {
-    if (known->light == light && known->precision == precision) return known->depths;
+  for (const auto& entry : depths_) {
+    if (entry->light == light && entry->precision == precision) return entry->depths;
   }
   depths_.push_back(
       std::make_unique<Depths>(light, precision, center_depths(*index_, light, precision)));
@@ -105,20 +105,20 @@ const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
 const OpticalDepthTable& PreparedScene::optical_depth_table(const glm::dvec3& light,
                                                             const OpticalDepthTableSize& size,
                                                             std::uint64_t& pairs) {
-  const auto known = std::find_if(tables_.begin(), tables_.end(), [&](const auto& t) {
+  const auto it = std::find_if(tables_.begin(), tables_.end(), [&](const auto& t) {
     return t->table.light() == light && t->size == size;
   });
-  if (known != tables_.end()) {
-    Table& found = **known;
-    if (found.changed.empty()) return found.table;
-    const std::vector<TableGaussian> changed = std::move(found.changed);
-    found.changed.clear();
-    if (found.table.update(*index_, changed)) {
-      found.is_patched = true;
-      pairs += found.table.pairs;
-      return found.table;
+  if (it != tables_.end()) {
+    Table& entry = **it;
+    if (entry.changed.empty()) return entry.table;
+    const std::vector<TableGaussian> changed = std::move(entry.changed);
+    entry.changed.clear();
+    if (entry.table.update(*index_, changed)) {
+      entry.is_patched = true;
+      pairs += entry.table.pairs;
+      return entry.table;
     }
-    tables_.erase(known);
+    tables_.erase(it);
   }
   tables_.push_back(std::make_unique<Table>(size, OpticalDepthTable(*index_, light, size)));
   pairs += tables_.back()->table.pairs;
@@ -126,10 +126,10 @@ const OpticalDepthTable& PreparedScene::optical_depth_table(const glm::dvec3& li
 }
 
 const ShadowMap& PreparedScene::shadow_map(const glm::dvec3& light, const DirectionMap& map) {
-  for (const auto& known : shadows_) {
-    if (known->light() == light && known->map() == map) return *known;
+  for (const auto& entry : shadows_) {
+    if (entry->light() == light && entry->map() == map) return *entry;
   }
-  std::erase_if(shadows_, [&](const auto& known) { return known->light() == light; });
+  std::erase_if(shadows_, [&](const auto& entry) { return entry->light() == light; });
   shadows_.push_back(std::make_unique<ShadowMap>(*ray_caster_, light, map));
   return *shadows_.back();
 }

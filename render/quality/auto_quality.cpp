@@ -22,12 +22,12 @@ Film small_film(const Film& film) {
 constexpr std::uint64_t seed_of_choice = 1;
 
 // An error of this share of the bound on a small frame is likely to be below the bound.
-constexpr double likely_share = 0.8;
+constexpr double likely_fraction = 0.8;
 
 // Errors within this factor of the minimum count as equal.
-constexpr double little_gain = 1.1;
+constexpr double negligible_gain = 1.1;
 
-// So many finer settings in a row that gain no more than that end the search.
+// Number of consecutive finer settings without a larger gain that end the search.
 constexpr int max_vain_trials = 3;
 
 // Many times the light that is there: the view is black but for what no settings resolve. Smaller
@@ -38,16 +38,16 @@ constexpr double hopeless_error = 10.0;
 bool is_vain(std::span<const double> found) {
   if (found.size() <= max_vain_trials) return false;
   const auto last = found.end() - max_vain_trials;
-  return little_gain * *std::min_element(last, found.end()) >=
+  return negligible_gain * *std::min_element(last, found.end()) >=
          *std::min_element(found.begin(), last);
 }
 
 // The next finer settings, if any.
 std::optional<Settings> better_settings(const Settings& settings) {
   const std::vector<Settings> ladder = quality_ladder(settings);
-  const auto at = std::find(ladder.begin(), ladder.end(), settings);
-  if (at == ladder.end() || at + 1 == ladder.end()) return std::nullopt;
-  return *(at + 1);
+  const auto it = std::find(ladder.begin(), ladder.end(), settings);
+  if (it == ladder.end() || it + 1 == ladder.end()) return std::nullopt;
+  return *(it + 1);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
                                         const std::function<void(double)>& progress) {
   // The sample takes most of the time, then each trial about as much as all before it.
   const Job job{stop, progress};
-  const Job measuring = job.part(0.0, 0.6);
+  const Job measuring = job.subrange(0.0, 0.6);
   double begin = 0.6;
   const Film small = small_film(film);
   const std::vector<Settings> ladder = quality_ladder(settings);
@@ -83,13 +83,13 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
     if (progress) progress(begin);
     // By the estimate and not by its interval, which is wide on a few pixels and would make finer
     // settings look needed; the frame is judged by the interval.
-    if (error->rel_rmse <= likely_share * settings.max_error) return tried;
+    if (error->rel_rmse <= likely_fraction * settings.max_error) return tried;
     found.push_back(error->rel_rmse);
     if (is_vain(found) && *std::ranges::min_element(found) > hopeless_error) break;
   }
-  // A large frame is interpolated between nearer rays and may keep the bound all the same: where
+  // A large frame is interpolated between nearer rays and may still meet the bound: where
   // finer settings gain nothing they are not begun with.
-  const double good = little_gain * *std::ranges::min_element(found);
+  const double good = negligible_gain * *std::ranges::min_element(found);
   return ladder[static_cast<std::size_t>(
       std::ranges::find_if(found, [=](double error) { return error <= good; }) - found.begin())];
 }
@@ -112,8 +112,8 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
   const double max_error = settings.max_error;
   const Job job{stop, progress};
   double begin = 0.4;
-  std::optional<Settings> tried =
-      choose_settings(renderer, scene, camera, film, settings, stop, job.part(0.0, begin).progress);
+  std::optional<Settings> tried = choose_settings(renderer, scene, camera, film, settings, stop,
+                                                  job.subrange(0.0, begin).progress);
   FrameErrors errors(scene, camera, evaluation_seed);
   std::optional<RequestedFrame> result;
   std::vector<double> found;
@@ -122,10 +122,10 @@ std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Sc
     const double end = begin + 0.8 * (1.0 - begin);
     const double center = 0.5 * (begin + end);
     std::optional<Frame> frame =
-        renderer.render(scene, camera, film, *tried, stop, job.part(begin, center).progress);
+        renderer.render(scene, camera, film, *tried, stop, job.subrange(begin, center).progress);
     if (!frame) return std::nullopt;
     const std::optional<ErrorEstimate> error =
-        errors.measure(*frame, max_error, stop, job.part(center, end).progress);
+        errors.measure(*frame, max_error, stop, job.subrange(center, end).progress);
     if (!error) return std::nullopt;
     // Finer settings that are no surer of the bound are only slower.
     const bool may_keep = result && result->error->rel_rmse <= max_error;

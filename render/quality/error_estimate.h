@@ -24,8 +24,8 @@ struct ErrorEstimate {
 };
 
 // A random sample of a view's pixels with their converged airlight. Importance-sampled by
-// sample_probabilities(); the neighbourhoods of wrong pixels that are always sampled are always
-// sampled too. A few hundred pixels suffice.
+// sample_probabilities(). Pixels of probability 1 with large error add their 3x3 neighbourhood at
+// probability 1. A few hundred pixels suffice.
 class ErrorSample {
  public:
   // Evaluates the reference at about `count` pixels of the guide's film, in parallel (milliseconds
@@ -55,7 +55,7 @@ class ErrorSample {
               std::uint64_t seed);
   bool sample_around_errors(const Frame& guide, std::size_t max_pixels,
                             const std::stop_token& stop);
-  bool draw(const std::stop_token& stop, const std::function<void(double)>& progress);
+  bool sample_pixels(const std::stop_token& stop, const std::function<void(double)>& progress);
 
   std::shared_ptr<ViewReference> reference_;
   std::vector<double> probabilities_;  // sampling probability of each pixel

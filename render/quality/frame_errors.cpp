@@ -14,8 +14,8 @@ constexpr int max_doublings = 3;
 // The reference's time per pixel grows with the number of Gaussians, and more with an environment;
 // the sample shrinks accordingly, by count and not by clock, to stay deterministic.
 std::size_t sample_pixels(const Scene& scene) {
-  const std::size_t max_value = scene.environment ? 64 : 128;
-  return std::clamp<std::size_t>(800'000 / (scene.medium.size() + 1), 40, max_value);
+  const std::size_t max_pixels = scene.environment ? 64 : 128;
+  return std::clamp<std::size_t>(800'000 / (scene.medium.size() + 1), 40, max_pixels);
 }
 
 bool is_undecided(const ErrorEstimate& error, double max_error) {
@@ -28,12 +28,13 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
                                                   std::optional<double> max_error,
                                                   const std::stop_token& stop,
                                                   const std::function<void(double)>& progress) {
-  // Seldom is more than the first sample needed, and then it takes longer than what was before.
+  // Usually one sample suffices; each doubling costs as much as all before, so it gets half of the
+  // remaining progress.
   const Job job{stop, progress};
   double begin = 0.0;
   const auto next_part = [&] {
     const double end = begin + 0.5 * (1.0 - begin);
-    return job.part(std::exchange(begin, end), end).progress;
+    return job.subrange(std::exchange(begin, end), end).progress;
   };
   if (!sample_) {
     sample_ = ErrorSample::create(scene_, camera_, frame, sample_pixels(scene_), seed_,

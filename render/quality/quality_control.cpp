@@ -43,7 +43,7 @@ void QualityControl::set_max_error(double max_error) {
   move();
 }
 
-void QualityControl::follow(const Scene& scene, const Camera& camera) {
+void QualityControl::begin_frame(const Scene& scene, const Camera& camera) {
   if (camera != camera_) {
     camera_ = camera;
     for (Trial& trial : trials_) trial.in_other_view = true;
@@ -57,14 +57,14 @@ void QualityControl::follow(const Scene& scene, const Camera& camera) {
   for (Trial& trial : trials_) trial.error.reset();
 }
 
-void QualityControl::forget() {
+void QualityControl::reset() {
   measures_.reset();
   step_ = first_step;
   for (Trial& trial : trials_) trial.error.reset();
 }
 
-void QualityControl::learn(const Settings& settings, const ErrorEstimate& error,
-                           double milliseconds) {
+void QualityControl::record(const Settings& settings, const ErrorEstimate& error,
+                            double milliseconds) {
   for (Trial& trial : trials_) {
     if (trial.settings == settings) trial = {settings, error, false, milliseconds};
   }
@@ -89,7 +89,7 @@ std::size_t QualityControl::finer_step() const {
   return step;
 }
 
-// Where none is sure to keep the bound: the cheapest that may keep it all the same, or the finest.
+// Where none is certain to meet the bound: the cheapest that may meet it, or the finest.
 // What is finer would only be slower.
 std::size_t QualityControl::step_to_settle() const {
   const auto cheapest =

@@ -39,13 +39,13 @@ class QualityControl {
 
   // Call before each frame: drops errors measured in a very different scene. The choice stays as
   // the starting point.
-  void follow(const Scene& scene, const Camera& camera);
+  void begin_frame(const Scene& scene, const Camera& camera);
   // Drops the choice as well: for another scene.
-  void forget();
+  void reset();
 
   // Records the error and time of a frame. Settings outside the ladder are ignored. If the choice
   // changes, the frame should be rendered again.
-  void learn(const Settings& settings, const ErrorEstimate& error, double milliseconds);
+  void record(const Settings& settings, const ErrorEstimate& error, double milliseconds);
 
   // All settings in order of cost, and the index of the current choice.
   [[nodiscard]] const std::vector<Trial>& trials() const { return trials_; }

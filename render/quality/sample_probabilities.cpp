@@ -10,11 +10,11 @@
 namespace brume {
 namespace {
 
-constexpr double even_share = 0.3;
-constexpr double bright_share = 0.35;
-constexpr double steep_share = 0.35;
+constexpr double uniform_fraction = 0.3;
+constexpr double bright_fraction = 0.35;
+constexpr double gradient_fraction = 0.35;
 
-// A small Gaussian must be able to make a relative error of 0.3% to be met for its own sake.
+// A small Gaussian that may cause a relative error of 0.3% is always sampled.
 constexpr double change_that_counts = 3e-3;
 
 std::vector<double> squared_radiance(const Frame& frame) {
@@ -50,10 +50,10 @@ std::vector<double> squared_steps(const Frame& frame) {
 // Pixels nearest to lights in view, up to a limit; beyond it those of the brightest lights. The
 // distance at which the nearest ray passes a light grows with the light's distance.
 std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& rays,
-                                         const Film& film, std::size_t max_value) {
+                                         const Film& film, std::size_t max_pixels) {
   for (const int width : {3, 2, 1}) {
     std::vector<glm::ivec2> pixels = light_pixels(scene.lights, rays, film, width);
-    if (pixels.size() <= max_value) return pixels;
+    if (pixels.size() <= max_pixels) return pixels;
   }
   std::vector<PointLight> lights = scene.lights;
   std::ranges::stable_sort(lights, std::greater(), [&](const PointLight& light) {
@@ -63,7 +63,7 @@ std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& r
   std::vector<glm::ivec2> pixels;
   for (const PointLight& light : lights) {
     for (const glm::ivec2& pixel : light_pixels({&light, 1}, rays, film, 1)) {
-      if (pixels.size() < max_value) pixels.push_back(pixel);
+      if (pixels.size() < max_pixels) pixels.push_back(pixel);
     }
   }
   return pixels;
@@ -72,14 +72,14 @@ std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& r
 // Scales chances so that they add up to `count` with none above 1.
 void fill(std::vector<double>& probabilities, double count) {
   count = std::min(count, static_cast<double>(probabilities.size()));
-  // Each round takes out those that became sure and shares what they had too much.
+  // Each round clamps probabilities above 1 and redistributes the excess.
   for (int round = 0; round < 20; ++round) {
-    double sure = 0.0;
+    double certain = 0.0;
     double open = 0.0;
     for (const double probability : probabilities)
-      (probability >= 1.0 ? sure : open) += std::min(probability, 1.0);
+      (probability >= 1.0 ? certain : open) += std::min(probability, 1.0);
     if (!(open > 0.0)) break;
-    const double scale = (count - sure) / open;
+    const double scale = (count - certain) / open;
     bool changed = false;
     for (double& probability : probabilities) {
       if (probability >= 1.0) {
@@ -101,24 +101,24 @@ std::vector<double> sample_probabilities(const Scene& scene, const Camera& camer
   const CameraRays rays(camera, guide.film);
   const std::vector<double> uniform(guide.depth.size(), 1.0);
   const std::vector<double> bright = squared_radiance(guide);
-  const std::vector<double> steep = squared_steps(guide);
+  const std::vector<double> gradient = squared_steps(guide);
   std::vector<double> probabilities(uniform.size(), 0.0);
-  const auto add = [&](const std::vector<double>& measure, double share) {
+  const auto add = [&](const std::vector<double>& measure, double fraction) {
     const double sum = std::accumulate(measure.begin(), measure.end(), 0.0);
     if (!(sum > 0.0)) return sum;
-    const double scale = share * static_cast<double>(count) / sum;
+    const double scale = fraction * static_cast<double>(count) / sum;
     for (std::size_t i = 0; i < probabilities.size(); ++i) probabilities[i] += scale * measure[i];
     return sum;
   };
-  add(uniform, even_share);
-  add(steep, steep_share);
-  const double sum = add(bright, bright_share);
+  add(uniform, uniform_fraction);
+  add(gradient, gradient_fraction);
+  const double sum = add(bright, bright_fraction);
   for (const glm::ivec2& pixel : pixels_of_lights(scene, rays, guide.film, count / 4)) {
     probabilities[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(guide.film.width) +
                   static_cast<std::size_t>(pixel.x)] = 1.0;
   }
-  const double min_value = std::max(change_that_counts * std::sqrt(sum), 1e-300);
-  for (const SmallGaussian& small : small_gaussians(scene, rays, guide, min_value, count / 4)) {
+  const double min_change = std::max(change_that_counts * std::sqrt(sum), 1e-300);
+  for (const SmallGaussian& small : small_gaussians(scene, rays, guide, min_change, count / 4)) {
     probabilities[small.pixel] = 1.0;
   }
   fill(probabilities, static_cast<double>(count));

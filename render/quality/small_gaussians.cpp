@@ -15,10 +15,10 @@ namespace {
 // Samples of interpolated airlight are four pixels apart.
 constexpr double small_radius = 4.0;
 
-// What is left of a Gaussian so many radii from its centre does not count.
+// A Gaussian is negligible beyond this many radii from its center.
 constexpr double hidden_radii = 5.0;
 
-// Lights that tell which Gaussians are bright: these are enough.
+// Number of strongest lights that estimate the brightness of Gaussians.
 constexpr std::size_t max_lights = 16;
 
 double strength(const PointLight& light) {
@@ -41,11 +41,12 @@ double mean_radiance(const Environment& environment) {
 }
 
 // Unattenuated light at a Gaussian's center.
-double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights, double around) {
-  double sum = around;
+double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights,
+                double environment_radiance) {
+  double sum = environment_radiance;
   for (const PointLight& light : lights) {
-    const glm::dvec3 apart = light.position - gaussian.center;
-    const double square = std::max(glm::dot(apart, apart), gaussian.radius * gaussian.radius);
+    const glm::dvec3 offset = light.position - gaussian.center;
+    const double square = std::max(glm::dot(offset, offset), gaussian.radius * gaussian.radius);
     sum += strength(light) / (4.0 * std::numbers::pi * square);
   }
   return sum;
@@ -54,25 +55,26 @@ double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights,
 }  // namespace
 
 std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays& rays,
-                                           const Frame& guide, double min_value,
+                                           const Frame& guide, double min_change,
                                            std::size_t max_count) {
   const std::vector<PointLight> lights = strongest(scene.lights);
-  const double around = scene.environment ? mean_radiance(*scene.environment) : 0.0;
+  const double environment_radiance = scene.environment ? mean_radiance(*scene.environment) : 0.0;
   const double per_radius = 0.5 / std::tan(rays.pixel_half_angle());  // pixels, at distance 1
   const int width = guide.film.width;
   const int height = guide.film.height;
   std::vector<SmallGaussian> found;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian gaussian = scene.medium.gaussian(i);
-    const glm::dvec3 at = rays.project(gaussian.center);
-    if (!(at.z > 0.0 && gaussian.radius * per_radius < small_radius * at.z)) continue;
-    // One whose centre is beside the film may still be on it.
-    if (!(at.x > -small_radius && at.y > -small_radius && at.x < width + small_radius &&
-          at.y < height + small_radius)) {
+    const glm::dvec3 film_position = rays.project(gaussian.center);
+    if (!(film_position.z > 0.0 && gaussian.radius * per_radius < small_radius * film_position.z))
+      continue;
+    // One whose center is next to the film may still overlap it.
+    if (!(film_position.x > -small_radius && film_position.y > -small_radius &&
+          film_position.x < width + small_radius && film_position.y < height + small_radius)) {
       continue;
     }
-    const int x = std::clamp(static_cast<int>(std::floor(at.x)), 0, width - 1);
-    const int y = std::clamp(static_cast<int>(std::floor(at.y)), 0, height - 1);
+    const int x = std::clamp(static_cast<int>(std::floor(film_position.x)), 0, width - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(film_position.y)), 0, height - 1);
     const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     const double distance = glm::length(gaussian.center - rays.eye());
@@ -83,11 +85,12 @@ std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays&
     const LineProfile<double> line =
         line_profile(term, rays.eye(), rays.direction(x + 0.5, y + 0.5));
     const double depth = optical_depth(term, line, std::numeric_limits<double>::infinity());
-    // It adds the light that it scatters, and takes away of what is behind it.
+    // It adds the light that it scatters and attenuates what is behind it.
     const float* rgb = &guide.airlight[3 * pixel];
-    const auto shown = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));
-    const double change = -std::expm1(-depth) * std::max(incident(gaussian, lights, around), shown);
-    if (change >= min_value) found.push_back({pixel, change});
+    const auto radiance = static_cast<double>(std::max({rgb[0], rgb[1], rgb[2]}));
+    const double change =
+        -std::expm1(-depth) * std::max(incident(gaussian, lights, environment_radiance), radiance);
+    if (change >= min_change) found.push_back({pixel, change});
   }
   max_count = std::min(max_count, found.size());
   std::ranges::partial_sort(found, found.begin() + static_cast<std::ptrdiff_t>(max_count),

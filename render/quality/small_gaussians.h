@@ -15,10 +15,10 @@ struct SmallGaussian {
   double change;
 };
 
-// The Gaussians that may change the guide by at least `min_value` > 0, in descending order, at most
-// `max_count`.
+// The Gaussians that may change the guide by at least `min_change` > 0, in descending order, at
+// most `max_count`.
 std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays& rays,
-                                           const Frame& guide, double min_value,
+                                           const Frame& guide, double min_change,
                                            std::size_t max_count);
 
 }  // namespace brume

@@ -114,7 +114,7 @@ class Subdivision {
   std::vector<Real>& breakpoints_;
 };
 
-// Where a Gaussian stands in the fan of rays from the light across the view ray, as the feature
+// Position of a Gaussian in the fan of rays from the light to the view ray, as the feature
 // that its shadow is.
 template <class Real>
 void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
@@ -131,11 +131,11 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
   down /= length;
   const Real x = glm::dot(q, medium.w);
   const Real y = glm::dot(q, down);
-  const Vec3<Real> off = g.a * (q - x * medium.w - y * down);
-  if (!(peak * std::exp(-glm::dot(off, off)) > tolerance)) return;
+  const Vec3<Real> offset = g.a * (q - x * medium.w - y * down);
+  if (!(peak * std::exp(-glm::dot(offset, offset)) > tolerance)) return;
   const Real distance = std::hypot(x, y);
   const Real width = distance > 0 ? 1 / (g.a * distance) : Real(10);
-  if (width > Real(0.5)) return;  // as broad as the whole fan: the adaptive rule sees it
+  if (width > Real(0.5)) return;  // as wide as the fan: the adaptive rule resolves it
   const Real start = std::atan2(-angular.path.ts, angular.path.h);
   const Real phi = std::atan2(x, y) - start;
   features.push_back({phi - extent<Real> * width, phi + extent<Real> * width,
@@ -146,7 +146,7 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
 
 template <class Real>
 Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real>& light,
-                       Real tolerance, ScatteredBy part) {
+                       Real tolerance, ScatteredBy scattered_by) {
   const PointLightRay<Real> path(light.position, medium.eye, medium.w, light.h_min);
   const Real end_t = medium.parameter_at_depth(opaque<Real>);
   const EquiAngular<Real> angular(path, end_t);
@@ -166,8 +166,8 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
   const auto integrand = [&](Real phi) {
     const Real t = std::min(angular.t(phi), end_t);
     const auto [gaussian_density, view_depth] = medium.at(t);
-    Real density = part == ScatteredBy::homogeneous ? Real(0) : gaussian_density;
-    if (part != ScatteredBy::gaussians) density += medium.b0;
+    Real density = scattered_by == ScatteredBy::homogeneous ? Real(0) : gaussian_density;
+    if (scattered_by != ScatteredBy::gaussians) density += medium.b0;
     if (!(density > 0) || view_depth > opaque<Real>) return Real(0);
     const Vec3<Real> q = medium.eye + t * medium.w - light.position;
     const Real r = glm::length(q);
@@ -197,8 +197,8 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
   }
 
   Integral<Real> sum;
-  const std::vector<std::pair<Real, Real>> whole{{Real(0), end_t}};
-  for (const auto& [begin_t, stop_t] : light.lit ? *light.lit : whole) {
+  const std::vector<std::pair<Real, Real>> full_range{{Real(0), end_t}};
+  for (const auto& [begin_t, stop_t] : light.lit ? *light.lit : full_range) {
     const Real begin = angular.angle(begin_t);
     const Real end = std::min(angular.angle(stop_t), angular.span);
     if (!(begin < end)) continue;

@@ -65,7 +65,7 @@ struct LightSource {
 // the quadrature stops.
 template <class Real>
 Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real>& light,
-                       Real tolerance, ScatteredBy part = ScatteredBy::everything);
+                       Real tolerance, ScatteredBy scattered_by = ScatteredBy::everything);
 
 extern template class ViewRayMedium<double>;
 extern template class ViewRayMedium<float>;

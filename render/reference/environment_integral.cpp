@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 
 // Number of directions for transmittance. On fog patches under skies with a low sun the error falls
 // with their number to the power 1.3. The forward lobe can make any part of the sky dominant, so
-// clusters are limited in size by rows, with as many again by flux.
+// clusters are limited in size by rows, with as many again by irradiance.
 LightGrouping directions(double anisotropy, double tolerance) {
   const int rows = anisotropy == 0.0 ? 4 : std::abs(anisotropy) < 0.7 ? 8 : 16;
   const auto boxes = static_cast<std::size_t>(2 * rows * rows);
@@ -36,11 +36,11 @@ ReferenceEnvironment::ReferenceEnvironment(const Environment& environment, doubl
   const glm::dquat rotation = environment_rotation(environment);
   const auto place = [&](DistantLight& light) {
     light.direction = rotation * light.direction;
-    light.flux *= environment.intensity;
+    light.irradiance *= environment.intensity;
   };
   for (LightGroup& group : groups_) {
-    place(group.whole);
-    for (DistantLight& part : group.parts) place(part);
+    place(group.combined);
+    for (DistantLight& light : group.lights) place(light);
   }
 }
 
@@ -50,19 +50,19 @@ std::vector<DistantLight> ReferenceEnvironment::scattered_along(const glm::dvec3
   result.reserve(groups_.size());
   for (const LightGroup& group : groups_) {
     if (anisotropy_ == 0.0) {
-      result.push_back({group.whole.direction, scale * group.whole.flux});
+      result.push_back({group.combined.direction, scale * group.combined.irradiance});
       continue;
     }
-    glm::dvec3 flux(0.0);
+    glm::dvec3 irradiance(0.0);
     glm::dvec3 moment(0.0);
-    for (const DistantLight& part : group.parts) {
-      const glm::dvec3 turned =
-          scale * henyey_greenstein(glm::dot(w, part.direction), anisotropy_) * part.flux;
-      flux += turned;
-      moment += (turned.x + turned.y + turned.z) * part.direction;
+    for (const DistantLight& light : group.lights) {
+      const glm::dvec3 scattered =
+          scale * henyey_greenstein(glm::dot(w, light.direction), anisotropy_) * light.irradiance;
+      irradiance += scattered;
+      moment += (scattered.x + scattered.y + scattered.z) * light.direction;
     }
     const double length = glm::length(moment);
-    result.push_back({length > 0.0 ? moment / length : group.whole.direction, flux});
+    result.push_back({length > 0.0 ? moment / length : group.combined.direction, irradiance});
   }
   return result;
 }
@@ -85,7 +85,7 @@ glm::dvec3 ReferenceEnvironment::sum(const MediumIndex& medium, const glm::dvec3
   around.finish();
   glm::dvec3 result(0.0);
   for (const DistantLight& light : scattered) {
-    result += std::exp(-around.depth(light.direction, beyond)) * light.flux;
+    result += std::exp(-around.depth(light.direction, beyond)) * light.irradiance;
   }
   return result;
 }
@@ -93,23 +93,23 @@ glm::dvec3 ReferenceEnvironment::sum(const MediumIndex& medium, const glm::dvec3
 glm::dvec3 ReferenceEnvironment::airlight(const MediumIndex& medium,
                                           const ViewRayMedium<double>& ray,
                                           double tolerance) const {
-  // Over the share u of the ray's light that is gone at x, of which J is a smooth function.
-  const double gone = -std::expm1(-ray.depth(ray.d));
-  if (!(gone > 0.0)) return glm::dvec3(0.0);
+  // Over the opacity u of the ray up to x, of which J is a smooth function.
+  const double opacity = -std::expm1(-ray.depth(ray.d));
+  if (!(opacity > 0.0)) return glm::dvec3(0.0);
   const std::vector<DistantLight> scattered = scattered_along(ray.w);
-  std::map<double, glm::dvec3> known;  // the channels mostly ask at the same places
+  std::map<double, glm::dvec3> cache;  // the channels mostly evaluate the same points
   glm::dvec3 result(0.0);
   for (int c = 0; c < 3; ++c) {
     const auto channel = [&](double u) {
-      const auto [at, is_new] = known.try_emplace(u);
+      const auto [it, is_new] = cache.try_emplace(u);
       if (is_new) {
         const double t = ray.parameter_at_depth(-std::log1p(-u));
-        at->second = sum(medium, ray.eye + t * ray.w, scattered);
+        it->second = sum(medium, ray.eye + t * ray.w, scattered);
       }
-      return at->second[c];
+      return it->second[c];
     };
     // The rule's own estimate is more than ten times its error here.
-    result[c] = integrate<double>(channel, std::array{0.0, gone}, 10.0 * tolerance).value;
+    result[c] = integrate<double>(channel, std::array{0.0, opacity}, 10.0 * tolerance).value;
   }
   return result;
 }

@@ -28,10 +28,10 @@ void CrossingSums(const double* a, const double* t0, const double* peak, const d
     const V ai = hn::LoadU(d, a + i);
     const V ti = hn::LoadU(d, t0 + i);
     const V u = hn::Mul(ai, hn::Sub(hn::Set(d, t), ti));
-    const V fall = hn::Exp(d, hn::Neg(hn::Mul(u, u)));
-    density = hn::MulAdd(hn::LoadU(d, peak + i), fall, density);
+    const V decay = hn::Exp(d, hn::Neg(hn::Mul(u, u)));
+    density = hn::MulAdd(hn::LoadU(d, peak + i), decay, density);
     const V begin = hn::LoadU(d, start + i);
-    const V end = hn::Mul(fall, Erfcx(d, hn::Abs(u)));
+    const V end = hn::Mul(decay, Erfcx(d, hn::Abs(u)));
     const auto straddles = hn::And(hn::Ge(ti, hn::Zero(d)), hn::Ge(u, hn::Zero(d)));
     const V across = hn::Sub(hn::Sub(hn::Set(d, 2.0), begin), end);
     const V s = hn::IfThenElse(straddles, across, hn::Abs(hn::Sub(begin, end)));
@@ -42,7 +42,7 @@ void CrossingSums(const double* a, const double* t0, const double* peak, const d
 }
 
 double DepthFromLight(const double* x, const double* y, const double* z, const double* a,
-                      const double* scale, const double* reach2, std::size_t count,
+                      const double* scale, const double* cutoff2, std::size_t count,
                       const glm::dvec3& direction, double r) {
   const D d;
   const V3<V> u{hn::Set(d, direction.x), hn::Set(d, direction.y), hn::Set(d, direction.z)};
@@ -51,11 +51,12 @@ double DepthFromLight(const double* x, const double* y, const double* z, const d
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const V3<V> q{hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i)};
     const V t = hn::Min(hn::Max(dot(q, u), hn::Zero(d)), length);
-    const V3<V> gap = minus(q, t, u);
-    const auto near = hn::Lt(dot(gap, gap), hn::LoadU(d, reach2 + i));
+    const V3<V> offset = minus(q, t, u);
+    const auto near = hn::Lt(dot(offset, offset), hn::LoadU(d, cutoff2 + i));
     if (hn::AllFalse(d, near)) continue;
     const V ai = hn::LoadU(d, a + i);
-    const V depth = hn::Mul(hn::LoadU(d, scale + i), Crossing<D>(q, u, ai).Depth(d, ai, length));
+    const V depth =
+        hn::Mul(hn::LoadU(d, scale + i), LineProfile<D>(q, u, ai).UnitDepth(d, ai, length));
     sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));
@@ -68,7 +69,7 @@ HWY_AFTER_NAMESPACE();
 namespace brume {
 namespace {
 
-// Vectors are loaded in whole.
+// Full vectors are loaded.
 constexpr std::size_t padding = 8;
 
 template <class Real>
@@ -83,10 +84,10 @@ HWY_EXPORT(DepthFromLight);
 
 template <class Real>
 void Crossings<Real>::add(const GaussianTerm<Real>& g, const LineProfile<Real>& line) {
-  const Real fall = std::exp(-line.e);
-  const Real scale = g.c / g.a * Real(0.5) * std::sqrt(std::numbers::pi_v<Real>) * fall;
+  const Real decay = std::exp(-line.e);
+  const Real scale = g.c / g.a * Real(0.5) * std::sqrt(std::numbers::pi_v<Real>) * decay;
   if (!(scale > 0)) return;
-  all_.push_back({g.a, line.t0, g.c * fall, scale, std::erfc(std::abs(g.a * line.t0))});
+  all_.push_back({g.a, line.t0, g.c * decay, scale, std::erfc(std::abs(g.a * line.t0))});
 }
 
 template <class Real>
@@ -150,8 +151,8 @@ Real GaussiansAroundLight<Real>::depth(const Vec3<Real>& u, Real r) const {
     const Real half_line = Real(0.5) * std::sqrt(std::numbers::pi_v<Real>);
     for (std::size_t i = 0; i < x_.size(); ++i) {
       const Vec3<Real> q(x_[i], y_[i], z_[i]);
-      const Vec3<Real> gap = q - std::clamp(glm::dot(q, u), Real(0), r) * u;
-      if (!(glm::dot(gap, gap) < cutoff2_[i])) continue;
+      const Vec3<Real> offset = q - std::clamp(glm::dot(q, u), Real(0), r) * u;
+      if (!(glm::dot(offset, offset) < cutoff2_[i])) continue;
       const GaussianTerm<Real> g(a_[i], scale_[i] * a_[i] / half_line, q);
       sum += optical_depth(g, line_profile(g, Vec3<Real>(0), u), r);
     }

@@ -33,7 +33,7 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion&
   for (const ReferenceLight& light : lights) {
     LightSource<double> source{light.position, light.h_min, {}, medium.anisotropy(), std::nullopt};
     std::vector<GaussianTerm<double>> toward_light;
-    // An endless ray in fog: whatever is farther than its medium is dense lies in the dark.
+    // An endless ray in fog is cut at 1e15 u, beyond which nothing contributes.
     const glm::dvec3 far = eye + std::min(end, 1e15) * w;
     medium.bvh().query(TriangleShape{light.position, eye, far},
                        [&](std::uint32_t i) { toward_light.push_back(medium.gaussians()[i]); });

@@ -27,7 +27,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   }
   for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
-    MediumIndex medium(extinction, depth_tolerance(extinction, plan.depth_error),
+    MediumIndex medium(extinction, culling_tolerance(extinction, plan.depth_error),
                        scene.optics.anisotropy);
     medium.set_noise(RayNoise(scene.optics.noise, scene.time));
     std::optional<ReferenceEnvironment> environment;
@@ -44,13 +44,13 @@ std::vector<glm::dvec3> ReferencePixels::airlight(
     std::span<const std::size_t> pixels, const std::stop_token& stop,
     const std::function<void(double)>& progress) const {
   const Job job{stop, progress};
-  const auto parts = static_cast<double>(groups_.size());
+  const auto group_count = static_cast<double>(groups_.size());
   std::vector<glm::dvec3> result(pixels.size(), glm::dvec3(0.0));
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
     const auto before = static_cast<double>(g);
-    job.part(before / parts, (before + 1.0) / parts)
-        .each_reported(pixels.size(), [&](std::size_t k) {
+    job.subrange(before / group_count, (before + 1.0) / group_count)
+        .parallel_for_with_progress(pixels.size(), [&](std::size_t k) {
           const glm::dvec3 w = rays_.direction(static_cast<double>(pixels[k] % width_) + 0.5,
                                                static_cast<double>(pixels[k] / width_) + 0.5);
           const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);

@@ -156,7 +156,7 @@ class Sampler {
     const double t = angular.t(uniform() * angular.span);
     const glm::dvec3 x = along.at(t);
     if (ray_caster_.occluded(x, light.position)) return {};
-    const double r = path.travelled(t);
+    const double r = path.path_length(t);
     const glm::dvec3 from_light = r > 0.0 ? (x - light.position) / r : -wi;
     const double depth = along.depth(t) + ray(light.position, from_light).depth(r);
     const double weight =
@@ -179,16 +179,16 @@ class Sampler {
       sample.attenuated = weight * transmittance(depth) * environment_radiance(environment, wi);
     }
     // Where on the ray: by the light that single scattering leaves, exp(-T) b.
-    const double share = -std::expm1(-depth);
-    if (!(share > 0.0)) return sample;
-    const double level = -std::log1p(-uniform() * share);
+    const double opacity = -std::expm1(-depth);
+    if (!(opacity > 0.0)) return sample;
+    const double level = -std::log1p(-uniform() * opacity);
     const double t = along.parameter_at(level, end);
     const glm::dvec3 x = along.at(t);
     const double turn = 2.0 * pi * uniform();
     const glm::dvec3 w = around({0, 0, 1}, 2.0 * uniform() - 1.0, turn);
     if (ray_caster_.first_hit(x, w)) return sample;
     const double total = level + ray(x, w).depth(distance_out(x, w));
-    sample.scattered = weight * share * std::exp(level) * (4.0 * pi * phase(glm::dot(w, wi))) *
+    sample.scattered = weight * opacity * std::exp(level) * (4.0 * pi * phase(glm::dot(w, wi))) *
                        transmittance(total) * environment_radiance(environment, w);
     return sample;
   }

@@ -116,16 +116,17 @@ std::uint64_t FilmSurfaces::shade(std::span<const RasterPixel> hits, const Job& 
                                   std::span<glm::vec3> radiance) const {
   const Tiles tiles(film);
   std::atomic<std::uint64_t> pairs = 0;
-  job.each((tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t part) {
-    Shader shader(*this, hits, radiance);
-    const std::size_t end = std::min((part + 1) * tiles_together, tiles.count());
-    for (std::size_t tile = part * tiles_together; tile < end; ++tile) {
-      shader.shade(tiles.rectangle(tile));
-      if (tile + 1 < end) shader.prefetch(tiles.rectangle(tile + 1));
-    }
-    shader.finish();
-    pairs += shader.pairs();
-  });
+  job.parallel_for(
+      (tiles.count() + tiles_together - 1) / tiles_together, [&](std::size_t tile_group) {
+        Shader shader(*this, hits, radiance);
+        const std::size_t end = std::min((tile_group + 1) * tiles_together, tiles.count());
+        for (std::size_t tile = tile_group * tiles_together; tile < end; ++tile) {
+          shader.shade(tiles.rectangle(tile));
+          if (tile + 1 < end) shader.prefetch(tiles.rectangle(tile + 1));
+        }
+        shader.finish();
+        pairs += shader.pairs();
+      });
   return pairs;
 }
 

@@ -36,11 +36,11 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan,
     environment_.emplace(*scene.environment, scattering);
   }
 
-  const auto unused = [&](const auto& is_of) {
-    return std::none_of(scene.surfaces.begin(), scene.surfaces.end(), is_of);
+  const auto is_unused = [&](const auto& is_used_by) {
+    return std::none_of(scene.surfaces.begin(), scene.surfaces.end(), is_used_by);
   };
-  std::erase_if(reflections_, [&](const auto& known) {
-    return unused([&](const Surface& s) { return s.material == known->material; });
+  std::erase_if(reflections_, [&](const auto& entry) {
+    return is_unused([&](const Surface& s) { return s.material == entry->material; });
   });
   const bool needs_average = plan.runs(Stage::average_depth);
   const Revision medium = needs_average ? scene.medium.revision() : 0;
@@ -48,16 +48,16 @@ void PreparedShading::update(const Scene& scene, const RenderPlan& plan,
     depths_.clear();
     medium_ = medium;
   }
-  std::erase_if(depths_, [&](const auto& known) {
-    return unused([&](const Surface& s) { return known->matches(s); });
+  std::erase_if(depths_, [&](const auto& entry) {
+    return is_unused([&](const Surface& s) { return entry->matches(s); });
   });
 
   const auto transfer_of = [&](const Surface& surface) {
     return plan.needs_transfer(surface) ? transfers.find(transfer_request(surface)) : nullptr;
   };
-  std::erase_if(vertex_lights_, [&](const VertexLight& known) {
-    return unused(
-        [&](const Surface& s) { return s == known.surface && transfer_of(s) == known.transfer; });
+  std::erase_if(vertex_lights_, [&](const VertexLight& entry) {
+    return is_unused(
+        [&](const Surface& s) { return s == entry.surface && transfer_of(s) == entry.transfer; });
   });
 
   shading_.assign(scene.surfaces.size(), {});
@@ -87,7 +87,7 @@ void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumInd
   if (vertex_lights_.empty()) return;
   VertexLightingInputs inputs(medium, lighting, plan.precision);
   if (inputs != vertex_inputs_) {
-    for (VertexLight& known : vertex_lights_) known.light.reset();
+    for (VertexLight& entry : vertex_lights_) entry.light.reset();
     vertex_inputs_ = std::move(inputs);
   }
   for (std::size_t i = 0; i < shading_.size(); ++i) {
@@ -95,10 +95,10 @@ void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumInd
     const Surface& surface = scene.surfaces[i];
     auto& light = std::ranges::find(vertex_lights_, surface, &VertexLight::surface)->light;
     if (!light) {
-      auto taken = std::make_unique<const VertexLighting>(medium, lighting, surface, shading_[i],
-                                                          plan.precision, job, pairs);
+      auto vertex_lighting = std::make_unique<const VertexLighting>(
+          medium, lighting, surface, shading_[i], plan.precision, job, pairs);
       if (job.stop.stop_requested()) return;
-      light = std::move(taken);
+      light = std::move(vertex_lighting);
       light_revision_ = new_revision();
     }
     shading_[i].transferred = light.get();
@@ -106,8 +106,8 @@ void PreparedShading::update_vertex_lighting(const Scene& scene, const MediumInd
 }
 
 const ShMaterial& PreparedShading::sh_material_of(const Material& material) {
-  for (const auto& known : reflections_) {
-    if (known->material == material) return known->sh;
+  for (const auto& entry : reflections_) {
+    if (entry->material == material) return entry->sh;
   }
   reflections_.push_back(
       std::make_unique<Reflection>(Reflection{material, ShMaterial(material, sh_max_bands)}));
@@ -116,8 +116,8 @@ const ShMaterial& PreparedShading::sh_material_of(const Material& material) {
 
 const AverageDepthGrid& PreparedShading::average_depth_of(const Surface& surface,
                                                           const Medium& medium) {
-  for (const auto& known : depths_) {
-    if (known->matches(surface)) return known->grid;
+  for (const auto& entry : depths_) {
+    if (entry->matches(surface)) return entry->grid;
   }
   std::vector<GaussianTerm<double>> gaussians;
   for (std::size_t i = 0; i < medium.size(); ++i) gaussians.emplace_back(medium.gaussian(i));

@@ -24,26 +24,29 @@ void add(const glm::vec3& value, std::size_t k, PointRadiance& radiance) {
 }
 
 // What brdf() has no kernel for, point by point.
-void add_measured_light(const SurfacePoints& points, const LightAtPoints& at,
+void add_measured_light(const SurfacePoints& points, const LightAtPoints& light_at_point,
                         const glm::vec3& intensity, PointRadiance& radiance) {
   for (std::size_t k = 0; k < points.count; ++k) {
-    if (!(at.cosine[k] > 0.0f && at.lit[k] > 0.0f)) continue;
-    const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
+    if (!(light_at_point.cosine[k] > 0.0f && light_at_point.lit[k] > 0.0f)) continue;
+    const glm::dvec3 wi(-light_at_point.paths.x[k], -light_at_point.paths.y[k],
+                        -light_at_point.paths.z[k]);
     const glm::vec3 f(brdf(points.surface->material, wi, points.to_eye[k], points.normal[k]));
-    const float incoming = at.cosine[k] * at.inverse_square[k] * std::exp(-at.depths[k]);
+    const float incoming = light_at_point.cosine[k] * light_at_point.inverse_square[k] *
+                           std::exp(-light_at_point.depths[k]);
     add(f * intensity * incoming, k, radiance);
   }
 }
 
 // light += light of a point light scattered by the medium, with factors per band.
-void add_scattered(const LightAtPoints& at, const BandArrays& factors, const glm::vec3& intensity,
-                   std::size_t count, IncidentLight& light) {
+void add_scattered(const LightAtPoints& light_at_point, const BandArrays& factors,
+                   const glm::vec3& intensity, std::size_t count, IncidentLight& light) {
   for (std::size_t k = 0; k < count; ++k) {
     const ShVector<float> direction =
-        sh_basis(sh_max_bands, glm::vec3(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]));
+        sh_basis(sh_max_bands, glm::vec3(-light_at_point.paths.x[k], -light_at_point.paths.y[k],
+                                         -light_at_point.paths.z[k]));
     for (int l = 0; l < sh_max_bands; ++l) {
       const glm::vec3 band =
-          at.inverse_square[k] * factors[static_cast<std::size_t>(l)][k] * intensity;
+          light_at_point.inverse_square[k] * factors[static_cast<std::size_t>(l)][k] * intensity;
       for (int m = -l; m <= l; ++m) {
         light.add(k, sh_index(l, m), direction[sh_index(l, m)] * band);
       }
@@ -78,10 +81,10 @@ PointLightShading point_light_shading(const Material& material, const PointLight
 
 std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
                           const SurfacePoints& points, Settings::Precision precision,
-                          LightAtPoints& at) {
+                          LightAtPoints& light_at_point) {
   std::uint64_t pairs = 0;
   if (light.table) {
-    lookup_depths(*light.table, at.paths, at.depths.data());
+    lookup_depths(*light.table, light_at_point.paths, light_at_point.depths.data());
   } else {
     std::array<glm::dvec3, Tiles::pixels> ends;
     std::array<double, Tiles::pixels> depths;
@@ -92,12 +95,12 @@ std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
                           std::span(none).first(points.count), precision,
                           std::span(depths).first(points.count));
     for (std::size_t k = 0; k < points.padded_size(); ++k) {
-      at.depths[k] = static_cast<float>(depths[std::min(k, points.count - 1)]);
+      light_at_point.depths[k] = static_cast<float>(depths[std::min(k, points.count - 1)]);
     }
   }
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
-    at.depths[k] += b0 * at.paths.length[k];
+    light_at_point.depths[k] += b0 * light_at_point.paths.length[k];
   }
   return pairs;
 }
@@ -106,7 +109,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
                                const SurfaceLighting& lighting, const SurfaceShading& shading,
                                const SurfacePoints& points, Settings::Precision precision,
                                PointRadiance& radiance) {
-  thread_local LightAtPoints at;
+  thread_local LightAtPoints light_at_point;
   thread_local BandArrays factors;
   thread_local IncidentLight indirect;  // of what is not diffuse
   for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
@@ -117,24 +120,24 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
     const glm::vec3 position(light.light.position - points.origin);
-    point_to_light(points, position, at);
-    pairs += find_depths(medium, light, points, precision, at);
-    ray_caster.trace_shadow_rays(points, position, at);
+    point_to_light(points, position, light_at_point);
+    pairs += find_depths(medium, light, points, precision, light_at_point);
+    ray_caster.trace_shadow_rays(points, position, light_at_point);
     PointLightShading reflected = point_light_shading(material, light.light);
     if (material.type == Material::Type::measured) {
-      add_measured_light(points, at, reflected.intensity, radiance);
+      add_measured_light(points, light_at_point, reflected.intensity, radiance);
     } else {
-      add_direct_light(points, at, reflected, radiance);
+      add_direct_light(points, light_at_point, reflected, radiance);
     }
     if (!lighting.point) continue;
-    find_spread(at, points.padded_size(),
+    find_spread(light_at_point, points.padded_size(),
                 {lighting.point, lighting.distant, static_cast<float>(light.density)}, is_diffuse,
                 factors);
     reflected.intensity *= static_cast<float>(lighting.albedo);
     if (is_diffuse) {
-      add_scattered_light(points, at, factors, reflected, radiance);
+      add_scattered_light(points, light_at_point, factors, reflected, radiance);
     } else {
-      add_scattered(at, factors, reflected.intensity, points.count, indirect);
+      add_scattered(light_at_point, factors, reflected.intensity, points.count, indirect);
     }
   }
   if (lighting.environment) {

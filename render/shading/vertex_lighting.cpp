@@ -45,11 +45,11 @@ SurfacePoints places(const Surface& surface, std::span<const glm::vec3> vertices
 }
 
 // light += light from one direction, with factors per band.
-template <class Share>
-void add_direction(const ShVector<double>& direction, const glm::dvec3& irradiance, Share share,
+template <class Factor>
+void add_direction(const ShVector<double>& direction, const glm::dvec3& irradiance, Factor factor,
                    ShVector<glm::dvec3>& light) {
   for (int l = 0; l < light.order(); ++l) {
-    const glm::dvec3 band = irradiance * static_cast<double>(share(l));
+    const glm::dvec3 band = irradiance * static_cast<double>(factor(l));
     for (int m = -l; m <= l; ++m) light[sh_index(l, m)] += direction[sh_index(l, m)] * band;
   }
 }
@@ -125,7 +125,7 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
     if (!material_->is_diffuse()) sides_[s].incident.resize(transfer.vertices * sh_size(order_));
   }
   std::atomic<std::uint64_t> pair_count = 0;
-  job.each((transfer.vertices + block - 1) / block, [&](std::size_t b) {
+  job.parallel_for((transfer.vertices + block - 1) / block, [&](std::size_t b) {
     const SurfacePoints points = places(surface, mesh.points, b * block);
     Light light(points.count, ShVector<glm::dvec3>(order_));
     Light traced = light;

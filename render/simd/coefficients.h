@@ -7,9 +7,9 @@ namespace brume::coefficient {
 
 inline constexpr double sqrt_pi = 1.77245385090551602730;
 
-// Divisors are at least this: the quotient is finite, and nothing of a picture is as small.
+// Divisors are at least this: the quotient is finite, and no value of a picture is as small.
 inline constexpr float tiny = 1e-30f;
-// Squared lengths up to this are too short to tell a direction.
+// Squared lengths up to this are too short to define a direction.
 inline constexpr float tiny_square = 1e-37f;
 // The same of the sine of an angle, where directions are unit.
 inline constexpr float tiny_sine_square = 1e-14f;
@@ -86,7 +86,7 @@ inline constexpr float legendre_4[] = {4.375f, -3.75f, 0.375f};
 
 // The last sample of a table is reached from below: a look-up reads the next one too.
 inline constexpr float table_end = 1.001f;
-// Cells of a lattice beyond this float does not tell apart.
+// Float cannot distinguish cells of a lattice beyond this.
 inline constexpr float max_lattice_distance = 1e9f;
 
 }  // namespace brume::coefficient

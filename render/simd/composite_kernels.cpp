@@ -33,7 +33,7 @@ HWY_INLINE V Angle(D d, V y, V x) {
 struct MapPositions {
   HWY_ALIGN std::int32_t columns[2][HWY_LANES(float)];
   HWY_ALIGN std::int32_t rows[2][HWY_LANES(float)];
-  HWY_ALIGN float shares[2][HWY_LANES(float)];  // of the right column and of the row below
+  HWY_ALIGN float fractions[2][HWY_LANES(float)];  // of the right column and of the row below
 
   // See map_position() and map_radiance().
   template <class D, class V = hn::Vec<D>>
@@ -61,17 +61,17 @@ struct MapPositions {
                              HWY_ATTR { return hn::Min(hn::Max(i, hn::Zero(di)), last_row); };
     hn::Store(clamped(above), di, rows[0]);
     hn::Store(clamped(hn::Add(above, hn::Set(di, 1))), di, rows[1]);
-    hn::Store(hn::Sub(across, column), d, shares[0]);
-    hn::Store(hn::Sub(down, row), d, shares[1]);
+    hn::Store(hn::Sub(across, column), d, fractions[0]);
+    hn::Store(hn::Sub(down, row), d, fractions[1]);
   }
 
   [[nodiscard]] HWY_INLINE glm::vec3 radiance(const RadianceMap& map, std::size_t i) const {
     const auto along = [&](std::int32_t row) HWY_ATTR {
       const glm::vec3& left = map.pixel(columns[0][i], row);
-      return left + shares[0][i] * (map.pixel(columns[1][i], row) - left);
+      return left + fractions[0][i] * (map.pixel(columns[1][i], row) - left);
     };
     const glm::vec3 above = along(rows[0][i]);
-    return above + shares[1][i] * (along(rows[1][i]) - above);
+    return above + fractions[1][i] * (along(rows[1][i]) - above);
   }
 };
 
@@ -88,10 +88,10 @@ void FindSky(const RadianceMap& map, float scale, const RowDirections& direction
     std::size_t k = first;
     while (k < end && distances[k] < infinite) ++k;
     if (k == end) continue;
-    const auto at = hn::Iota(d, static_cast<float>(first));
-    positions.set(d, map, hn::MulAdd(at, hn::Set(d, step.x), hn::Set(d, start.x)),
-                  hn::MulAdd(at, hn::Set(d, step.y), hn::Set(d, start.y)),
-                  hn::MulAdd(at, hn::Set(d, step.z), hn::Set(d, start.z)));
+    const auto lane = hn::Iota(d, static_cast<float>(first));
+    positions.set(d, map, hn::MulAdd(lane, hn::Set(d, step.x), hn::Set(d, start.x)),
+                  hn::MulAdd(lane, hn::Set(d, step.y), hn::Set(d, start.y)),
+                  hn::MulAdd(lane, hn::Set(d, step.z), hn::Set(d, start.z)));
     for (; k < end; ++k) {
       if (!(distances[k] < infinite)) behind[k] = scale * positions.radiance(map, k - first);
     }

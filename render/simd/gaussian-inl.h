@@ -85,20 +85,20 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
   const V abs0 = hn::Abs(u0);
   const V abs1 = hn::Abs(u1);
   const auto straddles = hn::And(hn::Le(u0, zero), hn::Ge(u1, zero));
-  const V whole = hn::Exp(d, hn::Neg(e));
+  const V full_line_half = hn::Exp(d, hn::Neg(e));
 
-  // Ends far across the centre, the common case: nothing is missing from a whole line.
+  // Both ends far from the center, the common case: the integral of the full line.
   const V far = hn::Set(d, is_float ? T(4) : T(6));
   if (hn::AllTrue(d, hn::And(straddles, hn::Gt(hn::Min(abs0, abs1), far)))) {
-    return hn::Add(whole, whole);
+    return hn::Add(full_line_half, full_line_half);
   }
   const V first = ScaledErfc(d, e, u0);
   const V second = ScaledErfc(d, e, u1);
-  const V across = hn::Sub(hn::Sub(hn::Add(whole, whole), first), second);
+  const V across = hn::Sub(hn::Sub(hn::Add(full_line_half, full_line_half), first), second);
   V sum = hn::IfThenElse(straddles, across, hn::Abs(hn::Sub(first, second)));
 
-  const V reach = hn::Add(hn::Set(d, T(1)), hn::Add(abs0, abs1));
-  const auto is_short = hn::Lt(hn::Mul(k, reach), hn::Set(d, T(1)));
+  const V steepness = hn::Add(hn::Set(d, T(1)), hn::Add(abs0, abs1));
+  const auto is_short = hn::Lt(hn::Mul(k, steepness), hn::Set(d, T(1)));
   if (!hn::AllFalse(d, is_short)) {
     // Gauss-Legendre points as pairs, exp(-(m - s)^2) + exp(-(m + s)^2): four in float, six in
     // double.
@@ -131,8 +131,8 @@ HWY_INLINE V SegmentIntegral(D d, V e, V u0, V u1, V k) {
 // light on the ray and `distance` from it.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V CosTheta(D d, V along, V distance) {
-  const V min_value = hn::Set(d, hn::TFromD<D>(coefficient::tiny));
-  return hn::Neg(hn::Div(along, hn::Max(distance, min_value)));
+  const V min_distance = hn::Set(d, hn::TFromD<D>(coefficient::tiny));
+  return hn::Neg(hn::Div(along, hn::Max(distance, min_distance)));
 }
 
 // See henyey_greenstein() in core/transport/phase_function.h.
@@ -142,50 +142,52 @@ HWY_INLINE V HenyeyGreenstein(D d, V cos_theta, hn::TFromD<D> g) {
   return hn::Div(hn::Set(d, 1 - g * g), hn::Mul(s, hn::Sqrt(s)));
 }
 
-// A Gaussian as a ray from the origin of `b` sees it.
+// A Gaussian of center b relative to a line through the origin: brume::LineProfile for vectors.
 template <class D, class V = hn::Vec<D>>
-struct Crossing {
+struct LineProfile {
   V t0;  // [u]
   V e;   // a^2 h^2
 
-  HWY_INLINE Crossing(const V3<V>& b, const V3<V>& w, V a) : t0(dot(b, w)) {
+  HWY_INLINE LineProfile(const V3<V>& b, const V3<V>& w, V a) : t0(dot(b, w)) {
     const V3<V> p = minus(b, t0, w);
     const V3<V> q{hn::Mul(a, p.x), hn::Mul(a, p.y), hn::Mul(a, p.z)};
     e = dot(q, q);
   }
 
-  // Depth over [0, length] in units of c sqrt(pi) / (2 a).
-  HWY_INLINE V Depth(D d, V a, V length) const {
+  // Optical depth over [0, length] in units of c sqrt(pi) / (2 a).
+  HWY_INLINE V UnitDepth(D d, V a, V length) const {
     const V u0 = hn::Neg(hn::Mul(a, t0));
     const V u1 = hn::Mul(a, hn::Sub(length, t0));
     return SegmentIntegral(d, e, u0, u1, hn::Mul(a, length));
   }
 
-  // The mean parameter of the Gaussian on [0, length], in that interval; `depth` is Depth()'s.
-  // Float only. Absolute error 1e-5 / a, or 1e-3 of a short segment.
-  HWY_INLINE V Mean(D d, V a, V length, V depth) const {
+  // The mean parameter of the Gaussian on [0, length], in that interval; `unit_depth` is
+  // UnitDepth()'s. Float only. Absolute error 1e-5 / a, or 1e-3 of a short segment.
+  HWY_INLINE V Mean(D d, V a, V length, V unit_depth) const {
     const V u0 = hn::Neg(hn::Mul(a, t0));
     const V u1 = hn::Mul(a, hn::Sub(length, t0));
     const V k = hn::Mul(a, length);
     const V first = hn::Exp(d, hn::Neg(hn::MulAdd(u0, u0, e)));
     const V second = hn::Exp(d, hn::Neg(hn::MulAdd(u1, u1, e)));
-    const V mass = hn::Max(hn::Mul(hn::Set(d, static_cast<float>(coefficient::sqrt_pi)), depth),
-                           hn::Set(d, coefficient::tiny_square));
-    const V mean = hn::Add(t0, hn::Div(hn::Div(hn::Sub(first, second), mass), a));
+    const V integral =
+        hn::Max(hn::Mul(hn::Set(d, static_cast<float>(coefficient::sqrt_pi)), unit_depth),
+                hn::Set(d, coefficient::tiny_square));
+    const V mean = hn::Add(t0, hn::Div(hn::Div(hn::Sub(first, second), integral), a));
     // That cancels on a short segment: from its middle, by the density's slope there.
     const V m = hn::Mul(hn::Set(d, 0.5f), hn::Add(u0, u1));
-    const V reach = hn::Add(hn::Set(d, 1.0f), hn::Add(hn::Abs(u0), hn::Abs(u1)));
+    const V steepness = hn::Add(hn::Set(d, 1.0f), hn::Add(hn::Abs(u0), hn::Abs(u1)));
     const V k2 = hn::Mul(k, k);
-    const V bend = hn::MulAdd(hn::Mul(m, m), k2, k2);
+    const V second_order = hn::MulAdd(hn::Mul(m, m), k2, k2);
     const V shift = hn::Mul(hn::Mul(m, hn::Mul(k, length)),
-                            hn::NegMulAdd(bend, hn::Set(d, coefficient::mean_shift[1]),
+                            hn::NegMulAdd(second_order, hn::Set(d, coefficient::mean_shift[1]),
                                           hn::Set(d, coefficient::mean_shift[0])));
     const V near_center = hn::Sub(hn::Mul(hn::Set(d, 0.5f), length), shift);
-    const auto is_short = hn::Lt(hn::Mul(k, reach), hn::Set(d, 1.0f));
-    // Where all underflows the quotient says nothing; half a Gaussian's mean is within 1 / a.
+    const auto is_short = hn::Lt(hn::Mul(k, steepness), hn::Set(d, 1.0f));
+    // Where everything underflows the quotient is meaningless; the mean of half a Gaussian is
+    // within 1 / a.
     const V zero = hn::Zero(d);
-    const V max_value = hn::Add(hn::Max(t0, zero), hn::Div(hn::Set(d, 1.0f), a));
-    const V t = hn::Min(hn::IfThenElse(is_short, near_center, mean), hn::Min(max_value, length));
+    const V max_t = hn::Add(hn::Max(t0, zero), hn::Div(hn::Set(d, 1.0f), a));
+    const V t = hn::Min(hn::IfThenElse(is_short, near_center, mean), hn::Min(max_t, length));
     return hn::Max(t, zero);
   }
 };

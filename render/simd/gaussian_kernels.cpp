@@ -51,11 +51,11 @@ HWY_INLINE void PathDepths(const GaussianBatch& g, const PathBatch& paths, float
     V sum = hn::LoadU(d, depths + k);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
-      const Crossing<D> crossing = BatchCrossing<kDisplaced>(d, g, j, w);
-      if (hn::AllTrue(d, hn::Gt(crossing.e, set(g.cutoff[j])))) continue;
-      const V depth = hn::Mul(set(g.scale[j]), crossing.Depth(d, a, length));
-      const auto own = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
-      sum = hn::Add(sum, hn::IfThenZeroElse(own, depth));
+      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      if (hn::AllTrue(d, hn::Gt(line.e, set(g.max_e[j])))) continue;
+      const V depth = hn::Mul(set(g.scale[j]), line.UnitDepth(d, a, length));
+      const auto is_self = hn::RebindMask(d, hn::Eq(self, hn::Set(di, g.index[j])));
+      sum = hn::Add(sum, hn::IfThenZeroElse(is_self, depth));
     }
     hn::StoreU(sum, d, depths + k);
   }
@@ -68,16 +68,16 @@ void AccumulatePathDepths(const GaussianBatch& g, const PathBatch& paths, float*
 // Optical depth of a Gaussian up to the projection of its center on the ray, clamped to the ray:
 // zero if the center is behind the eye, all of `depth` if behind the surface, else half a line
 // minus the part behind the eye.
-HWY_INLINE V DepthToProjection(const Crossing<D>& view, V a, V scale, V length, V depth) {
+HWY_INLINE V DepthToProjection(const LineProfile<D>& line, V a, V scale, V length, V depth) {
   const D d;
   const V zero = hn::Zero(d);
-  const V u = hn::Mul(a, view.t0);
-  const V before = hn::IfThenElse(
-      hn::Lt(u, set(1.0f)), hn::Mul(hn::Exp(d, hn::Neg(view.e)), ErfSmall(hn::Min(u, set(1.0f)))),
-      hn::Sub(hn::Exp(d, hn::Neg(view.e)), ScaledErfc(d, view.e, u)));
-  return hn::IfThenElse(
-      hn::Le(view.t0, zero), zero,
-      hn::IfThenElse(hn::Ge(view.t0, length), depth, hn::Mul(scale, hn::Max(before, zero))));
+  const V u = hn::Mul(a, line.t0);
+  const V unscaled_depth = hn::IfThenElse(
+      hn::Lt(u, set(1.0f)), hn::Mul(hn::Exp(d, hn::Neg(line.e)), ErfSmall(hn::Min(u, set(1.0f)))),
+      hn::Sub(hn::Exp(d, hn::Neg(line.e)), ScaledErfc(d, line.e, u)));
+  return hn::IfThenElse(hn::Le(line.t0, zero), zero,
+                        hn::IfThenElse(hn::Ge(line.t0, length), depth,
+                                       hn::Mul(scale, hn::Max(unscaled_depth, zero))));
 }
 
 // One pack of `kLights` lights; the number is a constant so that sums stay in registers.
@@ -93,13 +93,13 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     const Vector w = LoadDirection(rays, k);
     const V length = hn::LoadU(d, rays.length.data() + k);
     V ts[kLights > 0 ? kLights : 1];
-    V gap2[kLights > 0 ? kLights : 1];
+    V offset2[kLights > 0 ? kLights : 1];
     V sum[kLights > 0 ? kLights : 1];
     for (std::size_t l = 0; l < kLights; ++l) {
       const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
       ts[l] = dot(s, w);
-      const Vector gap = minus(s, ts[l], w);
-      gap2[l] = dot(gap, gap);
+      const Vector offset = minus(s, ts[l], w);
+      offset2[l] = dot(offset, offset);
       sum[l] = zero;
     }
     V depth_sum = zero;
@@ -107,43 +107,43 @@ HWY_INLINE std::uint64_t PaperAirlight(const GaussianBatch& g, const PathBatch& 
     for (std::size_t j = 0; j < g.size(); ++j) {
       const V a = set(g.a[j]);
       const Vector b{set(g.x[j]), set(g.y[j]), set(g.z[j])};
-      const Crossing<D> view = BatchCrossing<kDisplaced>(d, g, j, w);
-      const M reached = hn::Le(view.e, set(g.cutoff[j]));
+      const LineProfile<D> line = BatchLineProfile<kDisplaced>(d, g, j, w);
+      const M reached = hn::Le(line.e, set(g.max_e[j]));
       if (hn::AllFalse(d, reached)) continue;
       pairs += hn::CountTrue(d, reached);
       const V scale = set(g.scale[j]);
-      const V unit_depth = view.Depth(d, a, length);
+      const V unit_depth = line.UnitDepth(d, a, length);
       const V depth = hn::Mul(scale, unit_depth);
       depth_sum = hn::Add(depth_sum, depth);
 
       V t;
-      V own;
+      V depth_to_point;
       if (lights.at_mean) {
-        t = view.Mean(d, a, length, unit_depth);
-        own = hn::Mul(scale, view.Depth(d, a, t));
+        t = line.Mean(d, a, length, unit_depth);
+        depth_to_point = hn::Mul(scale, line.UnitDepth(d, a, t));
       } else {
-        t = hn::Min(hn::Max(view.t0, zero), length);
-        own = DepthToProjection(view, a, scale, length, depth);
+        t = hn::Min(hn::Max(line.t0, zero), length);
+        depth_to_point = DepthToProjection(line, a, scale, length, depth);
       }
       if (scattered) {
-        const V exponent = hn::Add(set(lights.from_eye[j]), own);
+        const V exponent = hn::Add(set(lights.from_eye[j]), depth_to_point);
         scattered_sum = hn::MulAdd(depth, hn::Exp(d, hn::Neg(exponent)), scattered_sum);
       }
       const Vector q = minus(b, t, w);  // centre relative to that point
       for (std::size_t l = 0; l < kLights; ++l) {
         const V along = hn::Sub(t, ts[l]);
-        // The path is as long as it is; only the falloff has a least distance (PointLightRay).
-        const V h2 = hn::Max(gap2[l], set(lights.h_min[l] * lights.h_min[l]));
+        // Attenuation uses the true length; only 1/r^2 is clamped (PointLightRay).
+        const V h2 = hn::Max(offset2[l], set(lights.h_min[l] * lights.h_min[l]));
         const V distance2 = hn::MulAdd(along, along, h2);
         const V distance =
-            hn::Sqrt(hn::Max(hn::MulAdd(along, along, gap2[l]), set(coefficient::tiny)));
+            hn::Sqrt(hn::Max(hn::MulAdd(along, along, offset2[l]), set(coefficient::tiny)));
         const Vector s{set(lights.x[l]), set(lights.y[l]), set(lights.z[l])};
         const Vector to_light = minus(s, t, w);
         const V inverse = hn::Div(set(1.0f), distance);
         const Vector wl{hn::Mul(to_light.x, inverse), hn::Mul(to_light.y, inverse),
                         hn::Mul(to_light.z, inverse)};
-        const V light_depth = hn::Mul(scale, Crossing<D>(q, wl, a).Depth(d, a, distance));
-        const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(own, light_depth));
+        const V light_depth = hn::Mul(scale, LineProfile<D>(q, wl, a).UnitDepth(d, a, distance));
+        const V exponent = hn::Add(set(lights.frozen[l][j]), hn::Add(depth_to_point, light_depth));
         const V falloff = hn::Div(hn::Exp(d, hn::Neg(exponent)), distance2);
         V towards_eye = depth;
         if (lights.anisotropy != 0.0f) {
@@ -200,29 +200,31 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
   const V zero = hn::Zero(d);
   const Vector s{set(light.x), set(light.y), set(light.z)};
   const V minus_b0 = set(-b0);
+  // Width [radians] of the first panel, at the peak.
   const float first_panel = coefficient::fog_panel * (1.0f - std::abs(anisotropy));
   const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(pi / first_panel))));
   for (std::size_t k = 0; k < rays.padded_size(); k += hn::Lanes(d)) {
     const Vector w = LoadDirection(rays, k);
     const V ts = dot(s, w);
-    const Vector gap = minus(s, ts, w);
+    const Vector offset = minus(s, ts, w);
     // A light on the ray needs some distance from it; see PointLightRay.
-    const V floor = hn::Max(hn::Mul(hn::Abs(ts), set(coefficient::light_rounding)),
+    const V min_h = hn::Max(hn::Mul(hn::Abs(ts), set(coefficient::light_rounding)),
                             set(coefficient::min_light_gap));
-    const V h = hn::Max(hn::Max(hn::Sqrt(dot(gap, gap)), set(h_min)), floor);
+    const V h = hn::Max(hn::Max(hn::Sqrt(dot(offset, offset)), set(h_min)), min_h);
     const V start2 = hn::MulAdd(ts, ts, hn::Mul(h, h));
-    // Light travels the true distance; only its falloff has a least one.
-    const V gap2 = dot(gap, gap);
-    const V start = hn::Sqrt(hn::MulAdd(ts, ts, gap2));
-    // Past this point the path is longer than the shortest one by too much.
-    const V longer = set(coefficient::fog_detour_depth / b0);
-    const V longest = hn::Add(start, longer);
+    // Attenuation uses the true length; only 1/r^2 is clamped.
+    const V offset2 = dot(offset, offset);
+    const V start = hn::Sqrt(hn::MulAdd(ts, ts, offset2));
+    // Beyond t_max the path exceeds the shortest one by an opaque depth.
+    const V max_extra_path = set(coefficient::fog_detour_depth / b0);
+    const V max_path = hn::Add(start, max_extra_path);
     // start - ts, which cancels for a light straight ahead.
-    const V ahead = hn::Max(hn::Add(start, ts), set(coefficient::tiny));
-    const V detour = hn::IfThenElse(hn::Gt(ts, zero), hn::Div(gap2, ahead), hn::Sub(start, ts));
-    const V cutoff_radius = hn::Div(hn::Mul(longer, hn::Add(longest, start)),
-                                    hn::Mul(set(2.0f), hn::Add(longer, detour)));
-    const V end = hn::Min(hn::LoadU(d, rays.length.data() + k), cutoff_radius);
+    const V start_plus_ts = hn::Max(hn::Add(start, ts), set(coefficient::tiny));
+    const V min_extra_path =
+        hn::IfThenElse(hn::Gt(ts, zero), hn::Div(offset2, start_plus_ts), hn::Sub(start, ts));
+    const V t_max = hn::Div(hn::Mul(max_extra_path, hn::Add(max_path, start)),
+                            hn::Mul(set(2.0f), hn::Add(max_extra_path, min_extra_path)));
+    const V end = hn::Min(hn::LoadU(d, rays.length.data() + k), t_max);
     // The angle at the light between start and end.
     const V opposite = hn::Mul(h, end);
     const V adjacent = hn::NegMulAdd(ts, end, start2);
@@ -232,33 +234,33 @@ void AccumulateHomogeneousAirlight(float b0, float attenuation, const glm::vec3&
     // A forward peak of the phase function lies at angle 0 between light and view, a backward one
     // at pi: panels double from there.
     const V at_start = hn::Sub(set(0.5f * pi), hn::Atan(d, hn::Div(ts, h)));
-    const V before = anisotropy < 0.0f ? hn::Sub(set(pi), hn::Add(at_start, span)) : at_start;
+    const V phi_offset = anisotropy < 0.0f ? hn::Sub(set(pi), hn::Add(at_start, span)) : at_start;
     V mean = zero;
     for (int panel = 0; panel < panels; ++panel) {
-      const auto until = [&](int count) HWY_ATTR {
+      const auto panel_end = [&](int count) HWY_ATTR {
         const V angle =
             count == panels ? set(coefficient::fog_panel) : set(std::ldexp(first_panel, count - 1));
-        return hn::Min(hn::Max(hn::Sub(angle, before), zero), span);
+        return hn::Min(hn::Max(hn::Sub(angle, phi_offset), zero), span);
       };
-      const V from = panel == 0 ? zero : until(panel);
-      const V part = hn::Sub(until(panel + 1), from);
-      if (hn::AllTrue(d, hn::Le(part, zero))) continue;
+      const V panel_begin = panel == 0 ? zero : panel_end(panel);
+      const V panel_width = hn::Sub(panel_end(panel + 1), panel_begin);
+      if (hn::AllTrue(d, hn::Le(panel_width, zero))) continue;
       V sum = zero;
       for (int i = 0; i < 8; ++i) {
-        const V angle = hn::MulAdd(part, set(coefficient::fog_rule.nodes[i]), from);
+        const V angle = hn::MulAdd(panel_width, set(coefficient::fog_rule.nodes[i]), panel_begin);
         const V phi = anisotropy < 0.0f ? hn::Sub(span, angle) : angle;
         const V sine = hn::Sin(d, phi);
-        const V below = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
-        const V t = hn::Div(hn::Mul(start2, sine), hn::Max(below, set(coefficient::tiny)));
+        const V denominator = hn::MulAdd(h, hn::Cos(d, phi), hn::Mul(ts, sine));
+        const V t = hn::Div(hn::Mul(start2, sine), hn::Max(denominator, set(coefficient::tiny)));
         const V along = hn::Sub(t, ts);
-        const V distance = hn::Sqrt(hn::MulAdd(along, along, gap2));
+        const V distance = hn::Sqrt(hn::MulAdd(along, along, offset2));
         V value = hn::Exp(d, hn::Mul(minus_b0, hn::Add(t, distance)));
         if (anisotropy != 0.0f) {
           value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
         }
         sum = hn::MulAdd(set(coefficient::fog_rule.weights[i]), value, sum);
       }
-      mean = hn::MulAdd(sum, hn::Div(part, h), mean);
+      mean = hn::MulAdd(sum, hn::Div(panel_width, h), mean);
     }
     const V gain = set(b0 * attenuation * 0.0795774715459476679f);
     hn::StoreU(hn::MulAdd(gain, mean, hn::LoadU(d, radiance + k)), d, radiance + k);
@@ -294,36 +296,37 @@ void accumulate_homogeneous_airlight(float b0, float attenuation, const glm::vec
 }
 
 void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
-                           std::span<const std::uint32_t> indices, const RayNoise& bend) {
-  for (auto* array : {&x, &y, &z, &a, &scale, &cutoff}) array->resize(indices.size());
+                           std::span<const std::uint32_t> indices, const RayNoise& ray_noise) {
+  for (auto* array : {&x, &y, &z, &a, &scale, &max_e}) array->resize(indices.size());
   index.resize(indices.size());
   for (std::size_t k = 0; k < indices.size(); ++k) {
     const GaussianTerm<double>& g = medium.gaussians()[indices[k]];
     const glm::vec3 b(g.b - origin);
-    const double cutoff_radius = medium.cutoff_radii()[indices[k]] * g.a;
+    const double cutoff_in_radii = medium.cutoff_radii()[indices[k]] * g.a;
     x[k] = b.x;
     y[k] = b.y;
     z[k] = b.z;
     a[k] = static_cast<float>(g.a);
-    // Deeper than this is opaque all the same, and float has room for its sums and products.
+    // Clamped: already opaque, and keeps float sums finite.
     scale[k] = static_cast<float>(std::min(g.c / g.a * (0.5 * coefficient::sqrt_pi), 1e20));
-    cutoff[k] = static_cast<float>(cutoff_radius * cutoff_radius);
+    max_e[k] = static_cast<float>(cutoff_in_radii * cutoff_in_radii);
     index[k] = static_cast<std::int32_t>(indices[k]);
   }
-  displaced_cutoff.clear();
+  max_undisplaced_e.clear();
   noise = {};
-  if (!bend.on()) return;
-  for (const float own : cutoff) {
-    const auto farther = static_cast<float>(RayNoise::max_shift * bend.amplitude());
-    displaced_cutoff.push_back((std::sqrt(own) + farther) * (std::sqrt(own) + farther));
+  if (!ray_noise.on()) return;
+  for (const float e : max_e) {
+    const auto max_displacement = static_cast<float>(RayNoise::max_shift * ray_noise.amplitude());
+    max_undisplaced_e.push_back((std::sqrt(e) + max_displacement) *
+                                (std::sqrt(e) + max_displacement));
   }
-  const glm::vec3 cell(bend.cell(origin));
-  noise = {static_cast<float>(bend.amplitude() / noise_lattice::rms),
-           static_cast<float>(std::min(bend.frequency(), endless)),
+  const glm::vec3 cell(ray_noise.cell(origin));
+  noise = {static_cast<float>(ray_noise.amplitude() / noise_lattice::rms),
+           static_cast<float>(std::min(ray_noise.frequency(), endless)),
            cell.x,
            cell.y,
            cell.z,
-           bend.key()};
+           ray_noise.key()};
 }
 
 void PathBatch::resize(std::size_t size) {

@@ -36,15 +36,15 @@ struct GaussianBatch {
   std::vector<float> a;        // [1/u]
   std::vector<float>
       scale;  // c sqrt(pi) / (2 a): half the optical depth of a line through the center
-  std::vector<float> cutoff;  // a^2 h^2 beyond which the Gaussian is culled
+  std::vector<float> max_e;  // a^2 h^2 beyond which the Gaussian is culled
   std::vector<float>
-      displaced_cutoff;  // the same before displacement by noise; empty without noise
+      max_undisplaced_e;  // the same before displacement by noise; empty without noise
   std::vector<std::int32_t> index;
   BatchNoise noise;
 
-  // `noise`: the medium's noise for view rays, none for shadow rays.
+  // `ray_noise`: the medium's noise for view rays, none for shadow rays.
   void assign(const MediumIndex& medium, const glm::dvec3& origin,
-              std::span<const std::uint32_t> indices, const RayNoise& noise = {});
+              std::span<const std::uint32_t> indices, const RayNoise& ray_noise = {});
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 

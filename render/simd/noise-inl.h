@@ -59,10 +59,10 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w, V t) {
   const hn::RebindToUnsigned<D> du;
   constexpr int bits_per_axis = std::countr_zero(static_cast<unsigned>(RayNoise::period));
-  // Beyond this float tells no cells apart, and more would not fit the nodes' numbers.
-  const V max_value = hn::Set(d, coefficient::max_lattice_distance);
-  const V along =
-      hn::Max(hn::Min(hn::Mul(hn::Set(d, noise.frequency), t), max_value), hn::Neg(max_value));
+  // Beyond this float cannot distinguish cells, and larger indices would not fit the nodes' hashes.
+  const V max_distance = hn::Set(d, coefficient::max_lattice_distance);
+  const V along = hn::Max(hn::Min(hn::Mul(hn::Set(d, noise.frequency), t), max_distance),
+                          hn::Neg(max_distance));
   const LatticeAxis<0, D> x(d, hn::MulAdd(along, w.x, hn::Set(d, noise.x)));
   const LatticeAxis<bits_per_axis, D> y(d, hn::MulAdd(along, w.y, hn::Set(d, noise.y)));
   LatticeAxis<2 * bits_per_axis, D> z(d, hn::MulAdd(along, w.z, hn::Set(d, noise.z)));
@@ -98,7 +98,7 @@ HWY_INLINE V3<V> PotentialGradient(D d, const BatchNoise& noise, const V3<V>& w,
   return sum;
 }
 
-// Crossing::e of a Gaussian that the ray passes at t0, bent.
+// LineProfile::e of a Gaussian that the displaced ray passes at t0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V DisplacedDistance(D d, const BatchNoise& noise, const V3<V>& b, const V3<V>& w, V a,
                                V t0) {
@@ -109,25 +109,26 @@ HWY_INLINE V DisplacedDistance(D d, const BatchNoise& noise, const V3<V>& b, con
   const V x = hn::NegMulAdd(w.z, g.y, hn::Mul(w.y, g.z));
   const V y = hn::NegMulAdd(w.x, g.z, hn::Mul(w.z, g.x));
   const V z = hn::NegMulAdd(w.y, g.x, hn::Mul(w.x, g.y));
-  const V3<V> gap{hn::NegMulAdd(amplitude, x, hn::Mul(a, p.x)),
-                  hn::NegMulAdd(amplitude, y, hn::Mul(a, p.y)),
-                  hn::NegMulAdd(amplitude, z, hn::Mul(a, p.z))};
-  return dot(gap, gap);
+  const V3<V> offset{hn::NegMulAdd(amplitude, x, hn::Mul(a, p.x)),
+                     hn::NegMulAdd(amplitude, y, hn::Mul(a, p.y)),
+                     hn::NegMulAdd(amplitude, z, hn::Mul(a, p.z))};
+  return dot(offset, offset);
 }
 
 // Gaussian j of a batch as rays of direction w meet it. kDisplaced is a batch's noise.on(): rays
 // that nothing bends pay nothing for those that are.
 template <bool kDisplaced, class D, class V = hn::Vec<D>>
-HWY_INLINE Crossing<D> BatchCrossing(D d, const GaussianBatch& g, std::size_t j, const V3<V>& w) {
+HWY_INLINE LineProfile<D> BatchLineProfile(D d, const GaussianBatch& g, std::size_t j,
+                                           const V3<V>& w) {
   const V3<V> b{hn::Set(d, g.x[j]), hn::Set(d, g.y[j]), hn::Set(d, g.z[j])};
   const V a = hn::Set(d, g.a[j]);
-  Crossing<D> crossing(b, w, a);
+  LineProfile<D> line(b, w, a);
   if constexpr (kDisplaced) {
-    if (!hn::AllTrue(d, hn::Gt(crossing.e, hn::Set(d, g.displaced_cutoff[j])))) {
-      crossing.e = DisplacedDistance(d, g.noise, b, w, a, crossing.t0);
+    if (!hn::AllTrue(d, hn::Gt(line.e, hn::Set(d, g.max_undisplaced_e[j])))) {
+      line.e = DisplacedDistance(d, g.noise, b, w, a, line.t0);
     }
   }
-  return crossing;
+  return line;
 }
 
 }  // namespace brume::HWY_NAMESPACE

@@ -25,7 +25,7 @@ void AddPhased(std::span<const PhasedLight> lights, double anisotropy,
   const double g = std::abs(anisotropy);
   const float sign = anisotropy < 0.0 ? -1.0f : 1.0f;
   const V width = hn::Set(d, static_cast<float>(g));
-  const V least = hn::Set(d, static_cast<float>((1.0 - g) * (1.0 - g)));
+  const V min_distance2 = hn::Set(d, static_cast<float>((1.0 - g) * (1.0 - g)));
   const V scale = hn::Set(d, static_cast<float>((1.0 - g * g) / (4.0 * std::numbers::pi)));
   for (std::size_t i = 0; i < directions[0].size(); i += hn::Lanes(d)) {
     const V x = hn::LoadU(d, directions[0].data() + i);
@@ -38,12 +38,12 @@ void AddPhased(std::span<const PhasedLight> lights, double anisotropy,
       const V dx = hn::Sub(x, hn::Set(d, sign * light.direction.x));
       const V dy = hn::Sub(y, hn::Set(d, sign * light.direction.y));
       const V dz = hn::Sub(z, hn::Set(d, sign * light.direction.z));
-      const V apart = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-      const V s = hn::MulAdd(width, apart, least);
+      const V distance2 = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+      const V s = hn::MulAdd(width, distance2, min_distance2);
       const V phase = hn::Div(scale, hn::Mul(s, hn::Sqrt(s)));
-      red = hn::MulAdd(phase, hn::Set(d, light.flux.x), red);
-      green = hn::MulAdd(phase, hn::Set(d, light.flux.y), green);
-      blue = hn::MulAdd(phase, hn::Set(d, light.flux.z), blue);
+      red = hn::MulAdd(phase, hn::Set(d, light.irradiance.x), red);
+      green = hn::MulAdd(phase, hn::Set(d, light.irradiance.y), green);
+      blue = hn::MulAdd(phase, hn::Set(d, light.irradiance.z), blue);
     }
     hn::StoreU(hn::Add(hn::LoadU(d, sums[0].data() + i), red), d, sums[0].data() + i);
     hn::StoreU(hn::Add(hn::LoadU(d, sums[1].data() + i), green), d, sums[1].data() + i);

@@ -102,14 +102,15 @@ struct Quarter {
 // Rows of a ReflectionTable for the polar angle of the eye, and how far it is between them.
 struct Rows {
   hn::Vec<hn::RebindToSigned<D>> first;
-  V share;
+  V fraction;
 
   HWY_INLINE explicit Rows(V cosine) {
     const D d;
-    const V at = hn::Mul(hn::Acos(d, hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, 1.0f))),
-                         hn::Set(d, ReflectionTable::intervals * 2.0f / std::numbers::pi_v<float>));
-    const V below = hn::Min(hn::Floor(at), hn::Set(d, ReflectionTable::intervals - 1.0f));
-    share = hn::Sub(at, below);
+    const V coordinate =
+        hn::Mul(hn::Acos(d, hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, 1.0f))),
+                hn::Set(d, ReflectionTable::intervals * 2.0f / std::numbers::pi_v<float>));
+    const V below = hn::Min(hn::Floor(coordinate), hn::Set(d, ReflectionTable::intervals - 1.0f));
+    fraction = hn::Sub(coordinate, below);
     first = hn::ConvertTo(hn::RebindToSigned<D>(),
                           hn::Mul(below, hn::Set(d, float{ReflectionTable::row_size})));
   }
@@ -118,7 +119,7 @@ struct Rows {
     const D d;
     const V a = hn::GatherIndex(d, table + i, first);
     const V b = hn::GatherIndex(d, table + i + ReflectionTable::row_size, first);
-    return hn::MulAdd(share, hn::Sub(b, a), a);
+    return hn::MulAdd(fraction, hn::Sub(b, a), a);
   }
 };
 
@@ -156,11 +157,11 @@ HWY_INLINE void ReflectRead(const SurfacePoints& points, const float* table,
 
     const Rows rows(cosine);
     V sum[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    std::size_t at = 0;
+    std::size_t index = 0;
     for (int l = 0; l < sh_max_bands; ++l) {
       for (int m = 0; m <= l; ++m) {
         for (std::size_t k = 0; k < 3; ++k) {
-          sum[k] = hn::MulAdd(rows(table, at++), f.get(3 * sh_index(l, m) + k), sum[k]);
+          sum[k] = hn::MulAdd(rows(table, index++), f.get(3 * sh_index(l, m) + k), sum[k]);
         }
       }
     }

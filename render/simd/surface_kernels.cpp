@@ -50,7 +50,7 @@ HWY_INLINE Vector cross(const Vector& a, const Vector& b) {
   return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
-// Unit, or 0 where `v` is too short to tell.
+// Unit, or 0 where `v` is too short.
 HWY_INLINE Vector normalized(const Vector& v) {
   const V square = dot(v, v);
   const V inverse = hn::Div(set(1.0f), hn::Sqrt(hn::Max(square, set(coefficient::tiny_square))));
@@ -61,7 +61,7 @@ HWY_INLINE Vector choose(hn::Mask<D> mask, const Vector& yes, const Vector& no) 
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-// directions: from `origin` so many steps as their x and y say, made unit.
+// directions: `origin` plus x and y steps, normalised.
 void WalkAndNormalize(const glm::vec3& origin, const glm::vec3& per_x, const glm::vec3& per_y,
                       std::size_t padded_size, PointVectors& directions) {
   for (std::size_t i = 0; i < padded_size; i += hn::Lanes(D())) {
@@ -115,8 +115,8 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position, LightA
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
     const Vector q = minus(load(points.position, i), set(position));
     const V square = dot(q, q);
-    const auto apart = hn::Gt(square, set(coefficient::tiny));
-    const V inverse = hn::IfThenElseZero(apart, hn::Div(set(1.0f), hn::Sqrt(square)));
+    const auto is_distinct = hn::Gt(square, set(coefficient::tiny));
+    const V inverse = hn::IfThenElseZero(is_distinct, hn::Div(set(1.0f), hn::Sqrt(square)));
     const Vector from_light = times(inverse, q);
     hn::StoreU(from_light.x, d, light.paths.x.data() + i);
     hn::StoreU(from_light.y, d, light.paths.y.data() + i);
@@ -177,9 +177,11 @@ void FindSpread(const LightAtPoints& light, std::size_t padded_size, const Light
   for (std::size_t i = 0; i < padded_size; i += hn::Lanes(d)) {
     const V depth = load(light.depths, i);
     const V homogeneous = hn::Mul(set(spread.density), hn::LoadU(d, light.paths.length.data() + i));
-    const V share = hn::IfThenElse(hn::Lt(homogeneous, depth), hn::Div(homogeneous, depth), one);
-    const auto passes = hn::And(hn::Gt(depth, zero), hn::Lt(depth, set(ScatterTable::opaque)));
-    const V T = hn::IfThenElseZero(passes, depth);
+    const V homogeneous_fraction =
+        hn::IfThenElse(hn::Lt(homogeneous, depth), hn::Div(homogeneous, depth), one);
+    const auto has_scattering =
+        hn::And(hn::Gt(depth, zero), hn::Lt(depth, set(ScatterTable::opaque)));
+    const V T = hn::IfThenElseZero(has_scattering, depth);
     const V root = hn::Sqrt(T);
     const V x = hn::Sub(hn::Mul(set(ScatterTable::scale), hn::Div(root, hn::Add(root, one))), one);
     const V once = hn::Mul(T, hn::Exp(d, hn::Neg(T)));
@@ -187,7 +189,7 @@ void FindSpread(const LightAtPoints& light, std::size_t padded_size, const Light
       if (diffuse_only && (l == 3 || l == 5)) continue;
       const V of_distant = Polynomial(x, far[l]);
       const V of_point = Polynomial(x, near[l]);
-      const V both = hn::MulAdd(share, hn::Sub(of_point, of_distant), of_distant);
+      const V both = hn::MulAdd(homogeneous_fraction, hn::Sub(of_point, of_distant), of_distant);
       store(hn::Mul(once, both), factors[l], i);
     }
   }

@@ -49,9 +49,9 @@ std::vector<Index> places(const MeshArrays& mesh) {
 }
 
 // Disjoint sets of vertices, each named by one of them.
-class Parts {
+class Components {
  public:
-  explicit Parts(std::size_t count) : parents_(count) {
+  explicit Components(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), Index{0});
   }
   Index root(Index i) {
@@ -80,14 +80,14 @@ struct Shape {
 std::vector<Enclosed> enclosed_sides(const TriangleMesh& of) {
   const MeshArrays mesh = to_arrays(of);
   const std::vector<Index> place = places(mesh);
-  Parts parts(place.size());
+  Components components(place.size());
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (const glm::uvec3& corners : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
       const Index a = place[corners[k]];
       const Index b = place[corners[(k + 1) % 3]];
-      parts.join(a, b);
+      components.join(a, b);
       if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
     }
   }
@@ -102,12 +102,12 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& of) {
     for (; i < edges.size() && edges[i].low == first.low && edges[i].high == first.high; ++i) {
       sum += edges[i].sense;
     }
-    if (sum != 0) shapes[parts.root(first.low)].closed = false;
+    if (sum != 0) shapes[components.root(first.low)].closed = false;
   }
   for (const glm::uvec3& corners : mesh.triangles) {
-    const Index part = parts.root(place[corners[0]]);
+    const Index component = components.root(place[corners[0]]);
     // Beside a vertex of the part, where the volume loses no digits.
-    const glm::dvec3 origin(mesh.points[part]);
+    const glm::dvec3 origin(mesh.points[component]);
     std::array<glm::dvec3, 3> p;
     glm::dvec3 normals(0.0);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -115,13 +115,13 @@ std::vector<Enclosed> enclosed_sides(const TriangleMesh& of) {
       p[k] = glm::dvec3(mesh.points[corner]) - origin;
       normals += glm::dvec3(mesh.normals[corner]);
     }
-    shapes[part].volume += glm::dot(p[0], glm::cross(p[1], p[2]));
-    shapes[part].normals += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), normals);
+    shapes[component].volume += glm::dot(p[0], glm::cross(p[1], p[2]));
+    shapes[component].normals += glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), normals);
   }
 
   std::vector<Enclosed> result(place.size(), Enclosed::none);
   for (std::size_t i = 0; i < place.size(); ++i) {
-    const Shape& shape = shapes[parts.root(place[i])];
+    const Shape& shape = shapes[components.root(place[i])];
     if (!shape.closed || shape.volume == 0.0) continue;
     const bool outward = (shape.volume > 0.0) == (shape.normals > 0.0);
     result[i] = outward ? Enclosed::back : Enclosed::front;

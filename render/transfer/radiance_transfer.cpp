@@ -70,12 +70,12 @@ class MeshGeometry {
   }
 
   // The side of a triangle that rays in the direction w meet.
-  [[nodiscard]] MeshSide seen_side(const MeshPoint& at, const glm::dvec3& w) const {
+  [[nodiscard]] MeshSide seen_side(const MeshPoint& point, const glm::dvec3& w) const {
     std::array<glm::dvec3, 3> p;
     glm::dvec3 smooth(0.0);
     for (int k = 0; k < 3; ++k) {
-      p[static_cast<std::size_t>(k)] = position(at.corners[k]);
-      smooth += at.weights[k] * normal(at.corners[k]);
+      p[static_cast<std::size_t>(k)] = position(point.corners[k]);
+      smooth += point.weights[k] * normal(point.corners[k]);
     }
     const glm::dvec3 flat = glm::cross(p[1] - p[0], p[2] - p[0]);
     const bool against = (glm::dot(flat, w) < 0.0) == (glm::dot(flat, smooth) > 0.0);
@@ -119,14 +119,14 @@ void store(const ShVector<Real>& f, std::vector<float>& values, std::size_t inde
                  [](Real x) { return static_cast<float>(x); });
 }
 
-ShVector<double> interpolate(int order, const std::vector<float>& values, const MeshPoint& at,
+ShVector<double> interpolate(int order, const std::vector<float>& values, const MeshPoint& point,
                              std::size_t stride, std::size_t offset) {
   ShVector<double> result(order);
   if (values.empty()) return result;
   for (int k = 0; k < 3; ++k) {
-    const float* const f = values.data() + (at.corners[k] * stride + offset) * result.size();
+    const float* const f = values.data() + (point.corners[k] * stride + offset) * result.size();
     for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i] += at.weights[k] * static_cast<double>(f[i]);
+      result[i] += point.weights[k] * static_cast<double>(f[i]);
     }
   }
   return result;
@@ -190,7 +190,7 @@ class Transfer {
 
   template <class Body>
   void each_vertex(const Job& job, Body body) const {
-    job.each_reported((result_.vertices + block - 1) / block, [&](std::size_t b) {
+    job.parallel_for_with_progress((result_.vertices + block - 1) / block, [&](std::size_t b) {
       const std::size_t end = std::min(result_.vertices, (b + 1) * block);
       for (std::size_t v = b * block; v < end; ++v) body(v);
     });
@@ -211,17 +211,17 @@ class Transfer {
     ShVector<double> irradiance(result_.settings.order);
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       const Ray& ray = rays_[k];
-      const double share = ray.weight * ray.direction.z * std::numbers::inv_pi;
+      const double weight = ray.weight * ray.direction.z * std::numbers::inv_pi;
       if (hits[k]) {
-        if (terms() > 1) exchanges_[s][vertex].push_back(exchange(hits[k], directions[k], share));
+        if (terms() > 1) exchanges_[s][vertex].push_back(exchange(hits[k], directions[k], weight));
         continue;
       }
       for (std::size_t i = 0; i < open.size(); ++i) {
         open[i] += ray.weight * ray.basis[i];
-        irradiance[i] += share * ray.basis[i];
+        irradiance[i] += weight * ray.basis[i];
       }
     }
-    // Mirrored at the horizon: what is odd in z goes, what is even doubles.
+    // Mirrored at the horizon: terms odd in z cancel, even ones double.
     for (int l = 0; l < open.order(); ++l) {
       for (int m = -l; m <= l; ++m) open[sh_index(l, m)] *= (l + m) % 2 == 0 ? 2.0 : 0.0;
     }
@@ -229,12 +229,12 @@ class Transfer {
     store(sh_rotate(irradiance, frame), result_.sides[s].reflected, vertex * terms());
   }
 
-  [[nodiscard]] Exchange exchange(const SurfaceHit& hit, const glm::dvec3& w, double share) const {
+  [[nodiscard]] Exchange exchange(const SurfaceHit& hit, const glm::dvec3& w, double weight) const {
     const double u = static_cast<double>(hit.u);
     const double v = static_cast<double>(hit.v);
-    const MeshPoint at{geometry_.triangles()[hit.triangle], {1.0 - u - v, u, v}};
-    const MeshSide seen = geometry_.seen_side(at, w);
-    return {hit.triangle, seen == MeshSide::back, hit.u, hit.v, static_cast<float>(share)};
+    const MeshPoint point{geometry_.triangles()[hit.triangle], {1.0 - u - v, u, v}};
+    const MeshSide seen = geometry_.seen_side(point, w);
+    return {hit.triangle, seen == MeshSide::back, hit.u, hit.v, static_cast<float>(weight)};
   }
 
   MeshGeometry geometry_;
@@ -251,14 +251,14 @@ MeshPoint at_vertex(std::uint32_t vertex) {
   return {glm::uvec3(vertex), {1.0, 0.0, 0.0}};
 }
 
-ShVector<double> RadianceTransfer::visibility(MeshSide which, const MeshPoint& at) const {
-  return interpolate(settings.order, side(which).visibility, at, 1, 0);
+ShVector<double> RadianceTransfer::visibility(MeshSide which, const MeshPoint& point) const {
+  return interpolate(settings.order, side(which).visibility, point, 1, 0);
 }
 
 ShVector<double> RadianceTransfer::reflected(MeshSide which, int bounce,
-                                             const MeshPoint& at) const {
+                                             const MeshPoint& point) const {
   assert(0 <= bounce && bounce <= settings.bounces);
-  return interpolate(settings.order, side(which).reflected, at,
+  return interpolate(settings.order, side(which).reflected, point,
                      static_cast<std::size_t>(settings.bounces) + 1,
                      static_cast<std::size_t>(bounce));
 }
@@ -269,20 +269,20 @@ std::optional<RadianceTransfer> radiance_transfer(const std::shared_ptr<const Tr
   assert(1 <= settings.order && settings.order <= sh_max_bands);
   assert(64 <= settings.directions && settings.directions <= 65536 && settings.directions % 8 == 0);
   assert(0 <= settings.bounces && settings.bounces <= 16);
-  constexpr double reflect_cost = 0.1;  // of a bounce, beside casting the rays
-  const double whole = 2.0 * (1.0 + reflect_cost * settings.bounces);
+  constexpr double reflect_cost = 0.1;  // of a bounce, relative to casting the rays
+  const double total_cost = 2.0 * (1.0 + reflect_cost * settings.bounces);
   double done = 0.0;
-  const auto part = [&](double cost) {
-    const double before = done;
+  const auto next_part = [&](double cost) {
+    const double done_before = done;
     done += cost;
-    return job.part(before / whole, done / whole);
+    return job.subrange(done_before / total_cost, done / total_cost);
   };
   if (job.stop.stop_requested()) return std::nullopt;
   Transfer transfer(mesh, settings);
-  for (const MeshSide side : {MeshSide::front, MeshSide::back}) transfer.cast(side, part(1.0));
+  for (const MeshSide side : {MeshSide::front, MeshSide::back}) transfer.cast(side, next_part(1.0));
   for (int bounce = 1; bounce <= settings.bounces; ++bounce) {
     for (const MeshSide side : {MeshSide::front, MeshSide::back}) {
-      transfer.reflect(side, bounce, part(reflect_cost));
+      transfer.reflect(side, bounce, next_part(reflect_cost));
     }
   }
   if (job.stop.stop_requested()) return std::nullopt;

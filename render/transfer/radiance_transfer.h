@@ -58,8 +58,8 @@ struct RadianceTransfer {
     return sides[static_cast<std::size_t>(which)];
   }
   // Interpolated between vertices.
-  [[nodiscard]] ShVector<double> visibility(MeshSide side, const MeshPoint& at) const;
-  [[nodiscard]] ShVector<double> reflected(MeshSide side, int bounce, const MeshPoint& at) const;
+  [[nodiscard]] ShVector<double> visibility(MeshSide side, const MeshPoint& point) const;
+  [[nodiscard]] ShVector<double> reflected(MeshSide side, int bounce, const MeshPoint& point) const;
 };
 
 // Computes the transfer. The error of V and P_0 is that of hemisphere_rule(directions): none

@@ -23,18 +23,18 @@ glm::dvec3 ShMaterial::unshadowed(const ShVector<glm::dvec3>& light, const glm::
 ReceivedLight ShMaterial::received(const ShVector<glm::dvec3>& light,
                                    const ShVector<glm::dvec3>& traced,
                                    const RadianceTransfer& transfer, MeshSide side,
-                                   const MeshPoint& at) const {
+                                   const MeshPoint& point) const {
   ReceivedLight result;
   // Horner's scheme in the albedo.
   for (int bounce = transfer.settings.bounces; bounce >= (diffuse_ ? 0 : 1); --bounce) {
-    const ShVector<double> transferred = transfer.reflected(side, bounce, at);
+    const ShVector<double> transferred = transfer.reflected(side, bounce, point);
     glm::dvec3 sum = sh_dot(light, transferred);
     if (bounce > 0) sum += sh_dot(traced, transferred);
     result.radiance = albedo_ * (result.radiance + sum);
   }
   if (diffuse_) return result;
   result.radiance *= albedo_;
-  result.incident = sh_product(light, transfer.visibility(side, at));
+  result.incident = sh_product(light, transfer.visibility(side, point));
   return result;
 }
 

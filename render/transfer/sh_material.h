@@ -21,8 +21,8 @@ struct ReceivedLight {
 // the eye share one frame; with RadianceTransfer it is object space: rotate by the inverse of
 // Surface::rotate, light with sh_rotate().
 //
-// Few bands overshoot beside small bright lights, so radiance may be slightly negative, except from
-// reflected(), which clamps to 0.
+// Few bands overshoot next to small bright lights, so radiance may be slightly negative, except
+// from reflected(), which clamps to 0.
 class ShMaterial {
  public:
   // Costs as much as a BrdfSh.
@@ -41,7 +41,7 @@ class ShMaterial {
   [[nodiscard]] ReceivedLight received(const ShVector<glm::dvec3>& light,
                                        const ShVector<glm::dvec3>& traced,
                                        const RadianceTransfer& transfer, MeshSide side,
-                                       const MeshPoint& at) const;
+                                       const MeshPoint& point) const;
   [[nodiscard]] glm::dvec3 reflected(const ReceivedLight& light, const glm::dvec3& n,
                                      const glm::dvec3& wo) const;
 

@@ -27,7 +27,7 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 constexpr std::uint32_t version = 1;
 
 // No coefficient is larger: sqrt(4 pi) for a function from 0 to 1.
-constexpr float max_value = 4.0f;
+constexpr float max_transfer = 4.0f;
 
 // Of the mesh and of all that decides how transfer is made from it.
 std::uint64_t hash_of(const TriangleMesh& mesh, const TransferSettings& settings) {
@@ -94,9 +94,9 @@ std::string encode(const RadianceTransfer& transfer, Header header) {
   return bytes;
 }
 
-// Throws InputError if `file` does not hold exactly what `expected`, but for its sides, asks for.
+// Throws InputError if `file` does not match `expected` in everything but its sides.
 RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, Header expected) {
-  const auto refuse = [&](const char* what) { throw InputError(file, "", what); };
+  const auto refuse = [&](const char* message) { throw InputError(file, "", message); };
   const std::string bytes = read_bytes(file);
   if (bytes.size() < sizeof(Header) + sizeof(std::uint64_t)) refuse("is truncated");
   Header header = expected;
@@ -121,7 +121,7 @@ RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, 
     std::memcpy(values.data(), at, n * sizeof(float));
     at += n * sizeof(float);
     for (const float x : values) {
-      if (!(std::abs(x) <= max_value)) refuse("is damaged");
+      if (!(std::abs(x) <= max_transfer)) refuse("is damaged");
     }
   };
   RadianceTransfer transfer{settings, expected.vertices, {}};
@@ -181,7 +181,7 @@ std::optional<RadianceTransfer> cached_radiance_transfer(
   if (!transfer) return transfer;
   try {
     const std::string bytes = encode(*transfer, header);
-    fs::create_directories(folder, error);  // what went wrong shows as the file is written
+    fs::create_directories(folder, error);  // errors surface when the file is written
     if (!bytes.empty()) write_atomically(file, bytes);
   } catch (const InputError& mistake) {
     warn(mistake.what() + std::string("; radiance transfer is not cached"));

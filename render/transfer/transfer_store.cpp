@@ -23,8 +23,8 @@ TransferRequest transfer_request(const Surface& surface) {
 
 std::shared_ptr<const RadianceTransfer> TransferStore::find(const TransferRequest& request) const {
   const std::scoped_lock lock(mutex_);
-  const auto known = std::ranges::find(entries_, request, &Entry::request);
-  return known == entries_.end() ? nullptr : known->transfer;
+  const auto it = std::ranges::find(entries_, request, &Entry::request);
+  return it == entries_.end() ? nullptr : it->transfer;
 }
 
 bool TransferStore::has(std::span<const TransferRequest> requests) const {
@@ -45,18 +45,19 @@ bool TransferStore::make(std::span<const TransferRequest> requests,
   const auto cost = [](const TransferRequest& request) {
     return 1.0 + static_cast<double>(request.mesh->n_vertices());
   };
-  double whole = 0.0;
+  double total_cost = 0.0;
   for (const TransferRequest& request : requests) {
     if (find(request)) continue;
     missing.push_back(request);
-    whole += cost(request);
+    total_cost += cost(request);
   }
   double done = 0.0;
   for (const TransferRequest& request : missing) {
-    const double before = done;
+    const double done_before = done;
     done += cost(request);
-    auto transfer = cached_radiance_transfer(request.mesh, request.settings, folder,
-                                             job.part(before / whole, done / whole), warnings);
+    auto transfer = cached_radiance_transfer(
+        request.mesh, request.settings, folder,
+        job.subrange(done_before / total_cost, done / total_cost), warnings);
     if (!transfer) return false;
     const std::scoped_lock lock(mutex_);
     entries_.push_back({request, std::make_shared<const RadianceTransfer>(std::move(*transfer))});

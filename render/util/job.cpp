@@ -8,13 +8,14 @@
 
 namespace brume {
 
-Job Job::part(double begin, double end) const {
+Job Job::subrange(double begin, double end) const {
   if (!progress) return {stop, {}};
-  return {stop,
-          [tell = progress, begin, end](double share) { tell(begin + share * (end - begin)); }};
+  return {stop, [report = progress, begin, end](double fraction) {
+            report(begin + fraction * (end - begin));
+          }};
 }
 
-void Job::each(std::size_t count, const std::function<void(std::size_t)>& body) const {
+void Job::parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) const {
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     if (stop.stop_requested()) return;
     const FlushDenormals flush;
@@ -22,11 +23,12 @@ void Job::each(std::size_t count, const std::function<void(std::size_t)>& body) 
   });
 }
 
-void Job::each_reported(std::size_t count, const std::function<void(std::size_t)>& body) const {
-  if (!progress) return each(count, body);
+void Job::parallel_for_with_progress(std::size_t count,
+                                     const std::function<void(std::size_t)>& body) const {
+  if (!progress) return parallel_for(count, body);
   std::size_t done = 0;
   std::mutex mutex;
-  each(count, [&](std::size_t i) {
+  parallel_for(count, [&](std::size_t i) {
     body(i);
     const std::scoped_lock lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(count));

@@ -11,14 +11,15 @@ struct Job {
   std::stop_token stop;
   std::function<void(double)> progress;  // completed fraction in [0, 1]; may be empty
 
-  // A job for one part of this one, whose progress runs from `begin` to `end`.
-  [[nodiscard]] Job part(double begin, double end) const;
+  // This job with its progress mapped to [begin, end] of the whole.
+  [[nodiscard]] Job subrange(double begin, double end) const;
 
   // Runs body(i) for i in [0, count) in parallel until a stop is requested.
-  void each(std::size_t count, const std::function<void(std::size_t)>& body) const;
+  void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) const;
 
-  // Like each(), reporting progress.
-  void each_reported(std::size_t count, const std::function<void(std::size_t)>& body) const;
+  // Like parallel_for(), reporting progress.
+  void parallel_for_with_progress(std::size_t count,
+                                  const std::function<void(std::size_t)>& body) const;
 };
 
 }  // namespace brume

@@ -41,9 +41,9 @@ bool clip(Segment& s, double low, double high) {
   if (s[0].y > s[1].y) std::swap(s[0], s[1]);
   if (!(s[0].y < high && s[1].y > low)) return false;
   const glm::dvec2 step = s[1] - s[0];
-  const Segment whole = s;
-  if (whole[0].y < low) s[0] = whole[0] + (low - whole[0].y) / step.y * step;
-  if (whole[1].y > high) s[1] = whole[0] + (high - whole[0].y) / step.y * step;
+  const Segment original = s;
+  if (original[0].y < low) s[0] = original[0] + (low - original[0].y) / step.y * step;
+  if (original[1].y > high) s[1] = original[0] + (high - original[0].y) / step.y * step;
   return true;
 }
 
@@ -96,10 +96,10 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
   const double h = glm::length(to_ray);
   if (h <= 1e-9 * glm::length(q)) {
     // The light is on the ray, and shines along it both ways until something stops it.
-    const double back = first_hit(light, -w, std::abs(ts) + end);
-    const double on = first_hit(light, w, std::abs(ts) + end);
-    const double begin = std::clamp(ts - back, 0.0, end);
-    const double last = std::clamp(ts + on, 0.0, end);
+    const double backward_hit = first_hit(light, -w, std::abs(ts) + end);
+    const double forward_hit = first_hit(light, w, std::abs(ts) + end);
+    const double begin = std::clamp(ts - backward_hit, 0.0, end);
+    const double last = std::clamp(ts + forward_hit, 0.0, end);
     if (begin < last) return {{begin, last}};
     return {};
   }
@@ -125,15 +125,15 @@ std::vector<std::pair<double, double>> ExactOcclusion::lit(const glm::dvec3& lig
   const auto t = [&](double angle) {
     return angle >= last ? end : std::clamp(ts + h * std::tan(angle), 0.0, end);
   };
-  double at = first;
-  const auto shine_until = [&](double angle) {
-    if (at < angle && t(at) < t(angle)) lit.emplace_back(t(at), t(angle));
+  double lit_begin = first;
+  const auto add_lit_until = [&](double angle) {
+    if (lit_begin < angle && t(lit_begin) < t(angle)) lit.emplace_back(t(lit_begin), t(angle));
   };
   for (const auto& [begin, stop] : hidden) {
-    shine_until(begin);
-    at = std::max(at, stop);
+    add_lit_until(begin);
+    lit_begin = std::max(lit_begin, stop);
   }
-  shine_until(last);
+  add_lit_until(last);
   return lit;
 }
 

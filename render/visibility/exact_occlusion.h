@@ -11,8 +11,8 @@
 
 namespace brume {
 
-// Exact occlusion between a point light and a view ray. Where Embree answers one shadow ray, this
-// answers all shadow rays from the light to the view ray analytically: in the plane of light and
+// Exact occlusion between a point light and a view ray. Where Embree traces one shadow ray, this
+// evaluates all shadow rays from the light to the view ray analytically: in the plane of light and
 // ray every triangle is a segment that hides an angular interval at the light.
 class ExactOcclusion {
  public:

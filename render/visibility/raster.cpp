@@ -96,9 +96,9 @@ HWY_INLINE Raster::Bounds BoundsOf(const std::array<Raster::Vertex, 3>& corners,
 HWY_INLINE Raster::Winding WindingOf(const std::array<Raster::Vertex, 3>& corners) {
   const auto& [a, b, c] = corners;
   if (!(std::min({a.inverse, b.inverse, c.inverse}) > 0.0f)) return Raster::Winding::one;
-  const auto at = [](const Raster::Vertex& v) { return glm::vec2(v.x, v.y) * v.inverse; };
-  const glm::vec2 along = at(b) - at(a);
-  const glm::vec2 across = at(c) - at(a);
+  const auto project = [](const Raster::Vertex& v) { return glm::vec2(v.x, v.y) * v.inverse; };
+  const glm::vec2 along = project(b) - project(a);
+  const glm::vec2 across = project(c) - project(a);
   return along.x * across.y > along.y * across.x ? Raster::Winding::one : Raster::Winding::other;
 }
 
@@ -158,12 +158,12 @@ void Project(const RasterTriangles& triangles, const Raster::View& view, std::si
 struct EdgePlane {
   float value, per_x, per_y;
 
-  HWY_INLINE EdgePlane(const Raster::Vertex& from, const Raster::Vertex& to) {
+  HWY_INLINE EdgePlane(const Raster::Vertex& start, const Raster::Vertex& end) {
     const hn::CappedTag<float, 1> d;
     using V1 = hn::Vec<decltype(d)>;
     const auto set1 = [&](float x) HWY_ATTR { return hn::Set(d, x); };
-    const V3<V1> edge{set1(to.x - from.x), set1(to.y - from.y), set1(to.z - from.z)};
-    const V3<V1> sum{set1(to.x + from.x), set1(to.y + from.y), set1(to.z + from.z)};
+    const V3<V1> edge{set1(end.x - start.x), set1(end.y - start.y), set1(end.z - start.z)};
+    const V3<V1> sum{set1(end.x + start.x), set1(end.y + start.y), set1(end.z + start.z)};
     per_x = hn::GetLane(hn::MulSub(edge.y, sum.z, hn::Mul(edge.z, sum.y)));
     per_y = hn::GetLane(hn::MulSub(edge.z, sum.x, hn::Mul(edge.x, sum.z)));
     value = hn::GetLane(hn::MulSub(edge.x, sum.y, hn::Mul(edge.y, sum.x)));
@@ -196,8 +196,8 @@ constexpr std::size_t block_pixels = Raster::block * Raster::block;
 struct LanePositions {
   V column, row;
 
-  HWY_INLINE explicit LanePositions(std::size_t part) {
-    const V lane = hn::Iota(D(), static_cast<float>(part * hn::Lanes(D())));
+  HWY_INLINE explicit LanePositions(std::size_t lane_group) {
+    const V lane = hn::Iota(D(), static_cast<float>(lane_group * hn::Lanes(D())));
     row = hn::Floor(hn::Mul(lane, set(1.0f / Raster::block)));
     column = hn::NegMulAdd(set(Raster::block), row, lane);
   }
@@ -206,35 +206,35 @@ struct LanePositions {
 // Draws into the vectors `part` of blocks; where `passes_over`, not into those that are nearer.
 template <bool passes_over>
 HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::uint32_t index,
-                             const Blocks& on, const Raster::View& view, int first_row,
-                             std::size_t part, Raster::Buffer& buffer) {
+                             const Blocks& covered, const Raster::View& view, int first_row,
+                             std::size_t lane_group, Raster::Buffer& buffer) {
   const D d;
   const hn::RebindToUnsigned<D> du;
   constexpr int side = Raster::block;
   const auto& [a, b, c] = corners;
   // Interpolation rounds.
-  const float min_value = 0.99999f * std::min({a.z, b.z, c.z});
+  const float min_depth = 0.99999f * std::min({a.z, b.z, c.z});
   const int blocks = (view.width + side - 1) / side;
   const auto place = [&](int x, int y) HWY_ATTR {
-    return static_cast<std::size_t>(y * blocks + x) * block_pixels + part * hn::Lanes(d);
+    return static_cast<std::size_t>(y * blocks + x) * block_pixels + lane_group * hn::Lanes(d);
   };
   if (passes_over) {
     bool is_behind = true;
-    for (int y = on.y0; y <= on.y1; ++y) {
-      for (int x = on.x0; x <= on.x1; ++x) {
-        is_behind = is_behind && buffer.farthest[place(x, y) / hn::Lanes(d)] <= min_value;
+    for (int y = covered.y0; y <= covered.y1; ++y) {
+      for (int x = covered.x0; x <= covered.x1; ++x) {
+        is_behind = is_behind && buffer.farthest[place(x, y) / hn::Lanes(d)] <= min_depth;
       }
     }
     if (is_behind) return;
   }
-  const LanePositions lanes(part);
+  const LanePositions lanes(lane_group);
   const EdgeLanes of_a(EdgePlane(b, c));
   const EdgeLanes of_b(EdgePlane(c, a));
   const EdgeLanes of_c(EdgePlane(a, b));
   const V zero = hn::Zero(d);
-  for (int y = on.y0; y <= on.y1; ++y) {
+  for (int y = covered.y0; y <= covered.y1; ++y) {
     const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y * side) - view.center.y));
-    for (int x = on.x0; x <= on.x1; ++x) {
+    for (int x = covered.x0; x <= covered.x1; ++x) {
       const V px = hn::Add(lanes.column, set(static_cast<float>(x * side) - view.center.x));
       const V ea = of_a.at(px, py);
       const V eb = of_b.at(px, py);
@@ -248,8 +248,9 @@ HWY_INLINE void DrawTriangle(const std::array<Raster::Vertex, 3>& corners, std::
       const V depth = hn::Mul(
           inverse, hn::MulAdd(ea, set(a.z), hn::MulAdd(eb, set(b.z), hn::Mul(ec, set(c.z)))));
       const std::size_t k = place(x, y);
-      const V known = hn::LoadU(d, buffer.distance.data() + k);
-      const auto nearer = hn::And(there, hn::And(hn::Gt(depth, zero), hn::Lt(depth, known)));
+      const V previous_depth = hn::LoadU(d, buffer.distance.data() + k);
+      const auto nearer =
+          hn::And(there, hn::And(hn::Gt(depth, zero), hn::Lt(depth, previous_depth)));
       if (hn::AllFalse(d, nearer)) continue;
       hn::BlendedStore(depth, nearer, d, buffer.distance.data() + k);
       hn::BlendedStore(hn::Mul(eb, inverse), nearer, d, buffer.u.data() + k);
@@ -269,9 +270,9 @@ HWY_INLINE void DrawTriangles(const RasterTriangles& triangles, const Raster::Vi
   for (const std::uint32_t index : drawn) {
     const glm::uvec3& c = triangles.corners[index];
     const std::array<Raster::Vertex, 3> corners{vertices[c.x], vertices[c.y], vertices[c.z]};
-    const Blocks on(bounds[index], first_row);
-    for (std::size_t part = 0; part < block_pixels / hn::Lanes(D()); ++part) {
-      DrawTriangle<passes_over>(corners, index, on, view, first_row, part, buffer);
+    const Blocks covered(bounds[index], first_row);
+    for (std::size_t lane_group = 0; lane_group < block_pixels / hn::Lanes(D()); ++lane_group) {
+      DrawTriangle<passes_over>(corners, index, covered, view, first_row, lane_group, buffer);
     }
   }
 }
@@ -291,12 +292,13 @@ HWY_INLINE void Lengthen(const Raster::View& view, int first_row, Raster::Buffer
   std::size_t k = 0;
   for (int y = 0; y < Raster::band_rows; y += side) {
     for (int x = 0; x < view.width; x += side) {
-      for (std::size_t part = 0; part < block_pixels / hn::Lanes(d); ++part, k += hn::Lanes(d)) {
-        const LanePositions lanes(part);
+      for (std::size_t lane_group = 0; lane_group < block_pixels / hn::Lanes(d);
+           ++lane_group, k += hn::Lanes(d)) {
+        const LanePositions lanes(lane_group);
         const V px = hn::Add(lanes.column, set(static_cast<float>(x)));
         const V py = hn::Add(lanes.row, set(static_cast<float>(first_row + y)));
-        const auto along = [&](float from, float per_x, float per_y) HWY_ATTR {
-          return hn::MulAdd(px, set(per_x), hn::MulAdd(py, set(per_y), set(from)));
+        const auto along = [&](float base, float per_x, float per_y) HWY_ATTR {
+          return hn::MulAdd(px, set(per_x), hn::MulAdd(py, set(per_y), set(base)));
         };
         const V3<V> w{along(view.corner.x, view.per_x.x, view.per_y.x),
                       along(view.corner.y, view.per_x.y, view.per_y.y),
@@ -336,18 +338,18 @@ HWY_INLINE void StoreRows(const Raster::View& view, int first_row, const Raster:
   for (int y0 = 0; y0 < Raster::band_rows; y0 += side) {
     for (int x = 0; x < view.width; x += side, k += block_pixels) {
       for (int y = y0; y < std::min(y0 + side, view.height - first_row); ++y) {
-        const auto from = k + static_cast<std::size_t>((y - y0) * side);
-        const auto to =
+        const auto source = k + static_cast<std::size_t>((y - y0) * side);
+        const auto target =
             static_cast<std::size_t>(first_row + y) * static_cast<std::size_t>(view.width) +
             static_cast<std::size_t>(x);
         if (x + side <= view.width) {
-          StoreFour(buffer, from, hits + to, distances + to);
+          StoreFour(buffer, source, hits + target, distances + target);
           continue;
         }
         for (std::size_t i = 0; i < static_cast<std::size_t>(view.width - x); ++i) {
-          hits[to + i] = {buffer.distance[from + i], buffer.triangle[from + i], buffer.u[from + i],
-                          buffer.v[from + i]};
-          distances[to + i] = buffer.distance[from + i];
+          hits[target + i] = {buffer.distance[source + i], buffer.triangle[source + i],
+                              buffer.u[source + i], buffer.v[source + i]};
+          distances[target + i] = buffer.distance[source + i];
         }
       }
     }
@@ -388,7 +390,7 @@ void RasterTriangles::add_vertex(const glm::vec3& p) {
 
 void RasterTriangles::pad() {
   const std::size_t size = padded(x.size());
-  for (std::vector<float>* of : {&x, &y, &z}) of->resize(size, 0.0f);
+  for (std::vector<float>* array : {&x, &y, &z}) array->resize(size, 0.0f);
 }
 
 Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const glm::dvec3& eye,
@@ -410,7 +412,7 @@ Raster::Raster(const RasterTriangles& triangles, const CameraRays& rays, const g
            film.height};
   const std::size_t vertices = triangles.x.size();
   vertices_.resize(vertices);
-  job.each((vertices + chunk - 1) / chunk, [&](std::size_t i) {
+  job.parallel_for((vertices + chunk - 1) / chunk, [&](std::size_t i) {
     HWY_DYNAMIC_DISPATCH(Project)
     (triangles, view_, i * chunk, std::min((i + 1) * chunk, vertices), vertices_.data());
   });
@@ -423,7 +425,7 @@ void Raster::sort(const Job& job) {
   const std::size_t chunks = (count + chunk - 1) / chunk;
   const std::size_t lists = 2 * bands_;
   // Calls visit(triangle, list) for all of a chunk: two lists for each band, by turns.
-  const auto each = [&](std::size_t c, auto visit) {
+  const auto for_each = [&](std::size_t c, auto visit) {
     for (std::size_t i = c * chunk; i < std::min((c + 1) * chunk, count); ++i) {
       const Bounds& b = bounds_[i];
       if (b.empty()) continue;
@@ -437,11 +439,11 @@ void Raster::sort(const Job& job) {
   windings_.resize(count);
   std::vector<WindingDepths> depths(chunks);
   std::vector<std::size_t> next(chunks * lists, 0);
-  job.each(chunks, [&](std::size_t c) {
+  job.parallel_for(chunks, [&](std::size_t c) {
     depths[c] = HWY_DYNAMIC_DISPATCH(FindBounds)(triangles_, view_, vertices_, c * chunk,
                                                  std::min((c + 1) * chunk, count), bounds_.data(),
                                                  windings_.data());
-    each(c, [&](std::uint32_t, std::size_t list) { ++next[c * lists + list]; });
+    for_each(c, [&](std::uint32_t, std::size_t list) { ++next[c * lists + list]; });
   });
   nearer_ = nearer_winding(depths);
   std::size_t sum = 0;
@@ -453,8 +455,8 @@ void Raster::sort(const Job& job) {
   }
   offsets_.push_back(sum);
   sorted_.resize(sum);
-  job.each(chunks, [&](std::size_t c) {
-    each(c, [&](std::uint32_t i, std::size_t list) { sorted_[next[c * lists + list]++] = i; });
+  job.parallel_for(chunks, [&](std::size_t c) {
+    for_each(c, [&](std::uint32_t i, std::size_t list) { sorted_[next[c * lists + list]++] = i; });
   });
 }
 

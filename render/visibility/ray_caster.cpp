@@ -36,7 +36,7 @@ struct Vertex {
 };
 
 // A ray for Embree, relative to the center of the surfaces, starting at `skip`.
-struct Part {
+struct FloatSegment {
   double skip = 0.0;
   double tnear = 0.0;
   double tfar = std::numeric_limits<double>::infinity();
@@ -115,13 +115,14 @@ struct RayCaster::Impl {
   }
 
   // A ray from far away starts at the ball around the surfaces, where float has digits for it.
-  [[nodiscard]] Part to_first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  [[nodiscard]] FloatSegment to_first_hit(const glm::dvec3& origin,
+                                          const glm::dvec3& direction) const {
     return {std::max(0.0, glm::dot(center - origin, direction) - RayCaster::start_radii * radius)};
   }
 
   // Of the way between two points, ends excluded.
-  [[nodiscard]] Part between(const glm::dvec3& start, const glm::dvec3& direction,
-                             double distance) const {
+  [[nodiscard]] FloatSegment between(const glm::dvec3& start, const glm::dvec3& direction,
+                                     double distance) const {
     const double along = glm::dot(center - start, direction);
     const double skip = std::clamp(along - RayCaster::start_radii * radius, 0.0, distance);
     const double margin = self_hit_margin * std::min(distance, 2.0 * radius);
@@ -130,7 +131,7 @@ struct RayCaster::Impl {
 
   // Sets lane `k` of RTCRay16 or the only one of RTCRay.
   void set(auto& ray, std::size_t k, const glm::dvec3& origin, const glm::dvec3& direction,
-           const Part& part) const {
+           const FloatSegment& segment) const {
     const auto put = [k](auto& field, auto value) {
       if constexpr (std::is_array_v<std::remove_reference_t<decltype(field)>>) {
         field[k] = value;
@@ -138,15 +139,15 @@ struct RayCaster::Impl {
         field = value;
       }
     };
-    const glm::dvec3 o = origin - center + part.skip * direction;
+    const glm::dvec3 o = origin - center + segment.skip * direction;
     put(ray.org_x, static_cast<float>(o.x));
     put(ray.org_y, static_cast<float>(o.y));
     put(ray.org_z, static_cast<float>(o.z));
     put(ray.dir_x, static_cast<float>(direction.x));
     put(ray.dir_y, static_cast<float>(direction.y));
     put(ray.dir_z, static_cast<float>(direction.z));
-    put(ray.tnear, static_cast<float>(part.tnear));
-    put(ray.tfar, static_cast<float>(part.tfar));
+    put(ray.tnear, static_cast<float>(segment.tnear));
+    put(ray.tfar, static_cast<float>(segment.tfar));
     put(ray.time, 0.0f);
     put(ray.mask, ~0u);
     put(ray.id, 0u);
@@ -186,12 +187,12 @@ struct ViewQuery : RayQuery {
   }
 };
 
-SurfaceHit hit(const Part& part, float tfar, unsigned geometry, unsigned triangle, float u,
-               float v) {
+SurfaceHit hit(const FloatSegment& segment, float tfar, unsigned geometry, unsigned triangle,
+               float u, float v) {
   // Triangles near the end of float's range come out infinitely far.
   if (geometry == RTC_INVALID_GEOMETRY_ID || !std::isfinite(tfar)) return {};
-  return {part.skip + static_cast<double>(tfar), static_cast<std::int32_t>(geometry), triangle, u,
-          v};
+  return {segment.skip + static_cast<double>(tfar), static_cast<std::int32_t>(geometry), triangle,
+          u, v};
 }
 
 }  // namespace
@@ -252,13 +253,13 @@ bool RayCaster::shows(std::span<const Surface> surfaces) const {
 
 SurfaceHit RayCaster::first_hit(const glm::dvec3& origin, const glm::dvec3& direction) const {
   if (empty()) return {};
-  const Part part = impl_->to_first_hit(origin, direction);
+  const FloatSegment segment = impl_->to_first_hit(origin, direction);
   RTCRayHit query{};
-  impl_->set(query.ray, 0, origin, direction, part);
+  impl_->set(query.ray, 0, origin, direction, segment);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ViewQuery view(*impl_, origin, RayOrder::incoherent);
   view.intersect(impl_->scene, query);
-  return hit(part, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
+  return hit(segment, query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v);
 }
 
 void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3> directions,
@@ -269,21 +270,21 @@ void RayCaster::first_hits(const glm::dvec3& origin, std::span<const glm::dvec3>
   ViewQuery view(*impl_, origin, RayOrder::coherent);
   for (std::size_t first = 0; first < directions.size(); first += packet) {
     alignas(64) std::array<int, packet> valid{};
-    std::array<Part, packet> parts;
+    std::array<FloatSegment, packet> segments;
     RTCRayHit16 query;
     const std::size_t count = std::min(packet, directions.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
-      if (!near) parts[k] = impl_->to_first_hit(origin, directions[first + k]);
-      parts[k].tnear = std::max(nearest - parts[k].skip, 0.0);
-      impl_->set(query.ray, k, origin, directions[first + k], parts[k]);
+      if (!near) segments[k] = impl_->to_first_hit(origin, directions[first + k]);
+      segments[k].tnear = std::max(nearest - segments[k].skip, 0.0);
+      impl_->set(query.ray, k, origin, directions[first + k], segments[k]);
       query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
       valid[k] = -1;
     }
     view.intersect(impl_->scene, valid.data(), query);
     for (std::size_t k = 0; k < count; ++k) {
-      hits[first + k] = hit(parts[k], query.ray.tfar[k], query.hit.geomID[k], query.hit.primID[k],
-                            query.hit.u[k], query.hit.v[k]);
+      hits[first + k] = hit(segments[k], query.ray.tfar[k], query.hit.geomID[k],
+                            query.hit.primID[k], query.hit.u[k], query.hit.v[k]);
     }
   }
 }
@@ -341,7 +342,7 @@ SurfacePoint RayCaster::point(const SurfaceHit& hit, const glm::dvec3& origin,
   geometric /= std::max(glm::length(geometric), std::numeric_limits<double>::min());
   const double length = glm::length(smooth);
   result.normal = length > 0.0 ? smooth / length : geometric;
-  // Both sides of a surface are seen and lit alike.
+  // Surfaces are two-sided.
   if (glm::dot(geometric, direction) > 0.0) geometric *= -1.0;
   const double side = glm::dot(result.normal, geometric) < 0.0 ? -1.0 : 1.0;
   result.normal *= side;
@@ -401,7 +402,7 @@ void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& p
                                  LightAtPoints& light) const {
   RayQuery shadow(RayOrder::coherent);
   const auto margin = static_cast<float>(self_hit_margin);
-  const float max_value = margin * 2.0f * static_cast<float>(impl_->radius);
+  const float max_offset = margin * 2.0f * static_cast<float>(impl_->radius);
   const std::size_t count = std::min(packet, pending.size());
   alignas(64) std::array<int, packet> valid;
   RTCRay16 query;
@@ -413,13 +414,13 @@ void RayCaster::cast_shadow_rays(const SurfacePoints& points, const glm::vec3& p
     query.org_x[k] = x;
     query.org_y[k] = y;
     query.org_z[k] = z;
-    // The whole way is 1.
+    // Parametrised so that the light is at t = 1.
     query.dir_x[k] = position.x - x;
     query.dir_y[k] = position.y - y;
     query.dir_z[k] = position.z - z;
-    const float away = std::min(margin, max_value / light.paths.length[i]);
-    query.tnear[k] = away;
-    query.tfar[k] = 1.0f - away;
+    const float offset = std::min(margin, max_offset / light.paths.length[i]);
+    query.tnear[k] = offset;
+    query.tfar[k] = 1.0f - offset;
     query.time[k] = 0.0f;
     query.mask[k] = ~0u;
     query.id[k] = 0u;
@@ -436,11 +437,11 @@ bool RayCaster::occluded(const glm::dvec3& start, const glm::dvec3& end) const {
   const glm::dvec3 q = end - start;
   const double distance = glm::length(q);
   if (empty() || !(distance > 0.0)) return false;
-  const Part part = impl_->between(start, q / distance, distance);
-  if (!(part.tnear < part.tfar)) return false;
+  const FloatSegment segment = impl_->between(start, q / distance, distance);
+  if (!(segment.tnear < segment.tfar)) return false;
   RayQuery shadow(RayOrder::incoherent);
   RTCRay query;
-  impl_->set(query, 0, start, q / distance, part);
+  impl_->set(query, 0, start, q / distance, segment);
   shadow.occluded(impl_->scene, query);
   return query.tfar < 0.0f;
 }

@@ -122,7 +122,7 @@ TriangleBvh::TriangleBvh(std::span<const WorldTriangle> triangles) {
     flattened.add(*root);
     return;
   }
-  // A root that is a leaf has no box of its own.
+  // A root that is a leaf has no box.
   nodes.emplace_back().children[0] = {{all.lower_x, all.lower_y, all.lower_z},
                                       0,
                                       {all.upper_x, all.upper_y, all.upper_z},

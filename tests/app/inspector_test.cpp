@@ -220,7 +220,7 @@ class InspectorTest : public QObject {
     QTRY_VERIFY(panel->facts());
     QCOMPARE(panel->facts()->id, GaussianId{2});
     const auto& facts = *panel->facts();
-    QVERIFY(facts.contribution.share > 0.1);
+    QVERIFY(facts.contribution.fraction > 0.1);
     QCOMPARE(facts.lights.size(), std::size_t{1});
     // Alone on its ray, it is all the airlight of the pixel, but for where in it the light is
     // taken.

@@ -70,13 +70,13 @@ struct Ray {
 };
 
 template <class Real>
-Real exact_airlight(const Json& in, ScatteredBy part) {
+Real exact_airlight(const Json& in, ScatteredBy scattered_by) {
   const Ray<Real> ray(in);
   const auto all = gaussians<Real>(in);
   const ViewRayMedium<Real> medium(all, real<Real>(in.at("b0")), ray.v, ray.w, ray.d);
   const LightSource<Real> light{vec<Real>(in.at("s")), 0, all, 0, std::nullopt};
   const Real tolerance = sizeof(Real) == 4 ? Real(1e-4) : Real(1e-10);
-  return real<Real>(in.at("I0")) * airlight_integral(medium, light, tolerance, part);
+  return real<Real>(in.at("I0")) * airlight_integral(medium, light, tolerance, scattered_by);
 }
 
 // Tbar_i(s, b_i) + Tbar_i(v, b_i), b0 included.

@@ -37,16 +37,16 @@ TEST(FogErrors, FewerPixelsChangeLittle) {
 // See Noise.ChangesThePictureButNotTheMeanDepth; from near what comes closer looks larger.
 TEST(NoiseErrors, PreserveTheMeanOpticalDepth) {
   for (const NoiseDepthRow& row : measure_noise_depths()) {
-    EXPECT_LT(row.afar.min_value, row.afar.max_value);
-    EXPECT_LT(std::max(-row.afar.min_value, row.afar.max_value), 0.04) << row.cells;
-    EXPECT_LT(std::max(-row.near.min_value, row.near.max_value), 0.1) << row.cells;
+    EXPECT_LT(row.afar.min, row.afar.max);
+    EXPECT_LT(std::max(-row.afar.min, row.afar.max), 0.04) << row.cells;
+    EXPECT_LT(std::max(-row.near.min, row.near.max), 0.1) << row.cells;
   }
 }
 
 TEST(NoiseErrors, MatchTheFogWithoutNoise) {
   for (const ComparedError& row : measure_noise_errors(60)) {
-    EXPECT_LT(row.error.rel_rmse, 1.25 * row.other->rel_rmse) << row.what;
-    EXPECT_NE(row.error.rel_rmse, row.other->rel_rmse) << row.what;
+    EXPECT_LT(row.error.rel_rmse, 1.25 * row.other->rel_rmse) << row.label;
+    EXPECT_NE(row.error.rel_rmse, row.other->rel_rmse) << row.label;
   }
 }
 

@@ -34,8 +34,8 @@ std::string value_at(const char* layer, std::size_t i, float x) {
 std::string broken_promise(const Frame& frame) {
   for (std::size_t i = 0; i < frame.beauty.size(); ++i) {
     const float x = frame.beauty[i];
-    const float max_value = i % 4 == 3 ? 1.0f : std::numeric_limits<float>::max();
-    if (!is_finite(x) || !(x >= 0.0f && x <= max_value)) return value_at("beauty", i, x);
+    const float max_x = i % 4 == 3 ? 1.0f : std::numeric_limits<float>::max();
+    if (!is_finite(x) || !(x >= 0.0f && x <= max_x)) return value_at("beauty", i, x);
   }
   for (std::size_t i = 0; i < frame.airlight.size(); ++i) {
     const float x = frame.airlight[i];

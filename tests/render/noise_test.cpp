@@ -66,15 +66,15 @@ TEST(Noise, SlicedConvergesToTheReference) {
        {noisy(cloud_scene(30, 1.0), 0.3), noisy(cloud_scene(30, 1.0), 0.5),
         noisy(cloud_scene(30, 1.0), 0.4, 8.0), noisy(cloud_scene(300, 3.0), 0.4),
         noisy(eye_inside(), 0.4), noisy(cut_by_a_surface(), 0.4)}) {
-    const Frame truth = render_frame(scene, method(AirlightMethod::reference));
+    const Frame reference = render_frame(scene, method(AirlightMethod::reference));
     const Frame coarse = render_frame(scene, sliced_settings({}, 24));
     const Frame fine = render_frame(scene, sliced_settings({}, 96));
-    const double coarse_error = difference(coarse.airlight, truth.airlight).relative_rmse;
-    const double fine_error = difference(fine.airlight, truth.airlight).relative_rmse;
+    const double coarse_error = difference(coarse.airlight, reference.airlight).relative_rmse;
+    const double fine_error = difference(fine.airlight, reference.airlight).relative_rmse;
     EXPECT_LT(coarse_error, 0.001);
     EXPECT_LT(fine_error, 0.0003);
-    for (std::size_t i = 0; i < truth.transmittance.size(); ++i) {
-      ASSERT_NEAR(coarse.transmittance[i], truth.transmittance[i], 1e-3);
+    for (std::size_t i = 0; i < reference.transmittance.size(); ++i) {
+      ASSERT_NEAR(coarse.transmittance[i], reference.transmittance[i], 1e-3);
     }
   }
 }
@@ -83,11 +83,11 @@ TEST(Noise, MarchConvergesToTheReference) {
   for (const Scene& scene : {noisy(cloud_scene(30, 1.0), 0.4), noisy(eye_inside(), 0.4)}) {
     Settings settings = method(AirlightMethod::march);
     settings.march_steps = 96;
-    const Frame truth = render_frame(scene, method(AirlightMethod::reference));
+    const Frame reference = render_frame(scene, method(AirlightMethod::reference));
     const Frame frame = render_frame(scene, settings);
-    EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 2e-4);
-    for (std::size_t i = 0; i < truth.transmittance.size(); ++i) {
-      ASSERT_NEAR(frame.transmittance[i], truth.transmittance[i], 1e-3);
+    EXPECT_LT(difference(frame.airlight, reference.airlight).relative_rmse, 2e-4);
+    for (std::size_t i = 0; i < reference.transmittance.size(); ++i) {
+      ASSERT_NEAR(frame.transmittance[i], reference.transmittance[i], 1e-3);
     }
   }
 }
@@ -115,14 +115,14 @@ TEST(Noise, IsFixedInTheWorld) {
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     gaussians.emplace_back(scene.medium.gaussian(i));
   }
-  const RayNoise bend(noise(0.5, 2.0), 0.0);
+  const RayNoise displacement(noise(0.5, 2.0), 0.0);
   Random random(1);
   for (int i = 0; i < 50; ++i) {
     const glm::dvec3 w = glm::normalize(random.point(1.0));
     const glm::dvec3 eye = random.point(0.7) - 6.0 * w;
     const auto depth = [&](double from, double to) {
       const glm::dvec3 along = from < to ? w : -w;
-      return ViewRayMedium<double>(gaussians, 0.0, eye + from * w, along, 1e9, bend)
+      return ViewRayMedium<double>(gaussians, 0.0, eye + from * w, along, 1e9, displacement)
           .depth(std::abs(to - from));
     };
     const double whole = depth(0.0, 12.0);
@@ -147,11 +147,11 @@ TEST(Noise, IsContinuousWhenTheCameraMoves) {
   const auto still = seen_from(0.0);
   const auto max_change = [&](double step) {
     const auto moved = seen_from(step);
-    double max_value = 0.0;
+    double result = 0.0;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      max_value = std::max(max_value, std::abs(static_cast<double>(moved[i] - still[i])));
+      result = std::max(result, std::abs(static_cast<double>(moved[i] - still[i])));
     }
-    return max_value;
+    return result;
   };
   const double far = max_change(1e-2);
   const double near = max_change(1e-3);

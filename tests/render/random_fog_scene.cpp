@@ -21,9 +21,9 @@ class RandomFogScene {
     camera.eye = distance * direction();
     camera.target = random_.point(0.5);
     scene_.film = {32, 24};
-    for (int i = whole(1, one_in(3) ? 60 : 8); i > 0; --i) add_gaussian();
-    for (int i = whole(1, 4); i > 0; --i) add_light();
-    for (int i = one_in(2) ? whole(1, 2) : 0; i > 0; --i) add_wall();
+    for (int i = integer(1, one_in(3) ? 60 : 8); i > 0; --i) add_gaussian();
+    for (int i = integer(1, 4); i > 0; --i) add_light();
+    for (int i = one_in(2) ? integer(1, 2) : 0; i > 0; --i) add_wall();
     if (one_in(3)) scene_.medium.set_homogeneous_density(random_.power(-3, -0.5));
     if (one_in(3)) scene_.optics.anisotropy = random_.uniform(-0.6, 0.8);
     if (one_in(4)) scene_.optics.albedo = random_.point(0.4) + glm::dvec3(0.6);
@@ -36,10 +36,10 @@ class RandomFogScene {
   }
 
  private:
-  int whole(int min_value, int max_value) {
-    return min_value + static_cast<int>(random_.uniform(0.0, max_value - min_value + 1));
+  int integer(int min, int max) {
+    return min + static_cast<int>(random_.uniform(0.0, max - min + 1));
   }
-  bool one_in(int n) { return whole(1, n) == 1; }
+  bool one_in(int n) { return integer(1, n) == 1; }
 
   glm::dvec3 direction() {
     glm::dvec3 p;
@@ -64,7 +64,7 @@ class RandomFogScene {
     light.position = one_in(2) ? random_.point(1.2) : random_.uniform(2.0, 5.0) * direction();
     if (one_in(6)) {
       light.position = scene_.medium.centers()[static_cast<std::size_t>(
-          whole(0, static_cast<int>(scene_.medium.size()) - 1))];
+          integer(0, static_cast<int>(scene_.medium.size()) - 1))];
     }
     light.intensity = glm::dvec3(random_.power(0, 2));
     if (one_in(2)) light.intensity *= random_.point(0.5) + glm::dvec3(0.5);
@@ -73,12 +73,12 @@ class RandomFogScene {
 
   void add_wall() {
     MeshArrays mesh;
-    const glm::dvec3 middle = random_.point(1.5);
+    const glm::dvec3 center = random_.point(1.5);
     const glm::dvec3 right = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 down = random_.power(-1.3, 0.3) * direction();
     const glm::dvec3 n = glm::normalize(glm::cross(down, right));
-    for (const glm::dvec3& p : {middle - right - down, middle + right - down, middle + right + down,
-                                middle - right + down}) {
+    for (const glm::dvec3& p : {center - right - down, center + right - down, center + right + down,
+                                center - right + down}) {
       mesh.points.emplace_back(p);
       mesh.normals.emplace_back(n);
     }
@@ -97,7 +97,7 @@ class RandomFogScene {
       }
     }
     if (one_in(2)) {
-      map->pixels[static_cast<std::size_t>(whole(0, 15))] *=
+      map->pixels[static_cast<std::size_t>(integer(0, 15))] *=
           static_cast<float>(random_.power(0, 2));
     }
     Environment& environment = scene_.environment.emplace();

@@ -18,11 +18,11 @@ class RandomScene {
   Scene make() {
     if (one_in(3)) origin_ = random_.point(1.0) * random_.power(2, one_in(10) ? 12 : 6);
     spread_ = one_in(4) ? random_.power(-3, 4) : 1.0;
-    scene_.film = {whole(1, 12), whole(1, 8)};
+    scene_.film = {integer(1, 12), integer(1, 8)};
     add_camera();
-    for (int i = whole(0, 3); i > 0; --i) add_surface();
-    for (int i = whole(0, one_in(3) ? 40 : 5); i > 0; --i) add_gaussian();
-    for (int i = whole(0, 6); i > 0; --i) add_light();
+    for (int i = integer(0, 3); i > 0; --i) add_surface();
+    for (int i = integer(0, one_in(3) ? 40 : 5); i > 0; --i) add_gaussian();
+    for (int i = integer(0, 6); i > 0; --i) add_light();
     if (one_in(3)) scene_.medium.set_homogeneous_density(spread(random_.power(-3, 1), -9, 9));
     if (one_in(3)) scene_.optics.anisotropy = random_.uniform(-0.95, 0.95);
     if (one_in(8)) scene_.optics.anisotropy = one_in(2) ? 0.95 : -0.95;
@@ -35,10 +35,10 @@ class RandomScene {
   }
 
  private:
-  int whole(int min_value, int max_value) {
-    return min_value + static_cast<int>(random_.uniform(0.0, max_value - min_value + 1));
+  int integer(int min, int max) {
+    return min + static_cast<int>(random_.uniform(0.0, max - min + 1));
   }
-  bool one_in(int n) { return whole(1, n) == 1; }
+  bool one_in(int n) { return integer(1, n) == 1; }
   // Mostly `ordinary`, at times any power of ten in the range.
   double spread(double ordinary, double low, double high) {
     return one_in(4) ? random_.power(low, high) : ordinary;
@@ -57,11 +57,11 @@ class RandomScene {
     if (one_in(8)) return scene_.camera.target;  // a view ray goes through it if sides are odd
     if (one_in(6) && !medium.empty()) {
       return medium
-          .centers()[static_cast<std::size_t>(whole(0, static_cast<int>(medium.size()) - 1))];
+          .centers()[static_cast<std::size_t>(integer(0, static_cast<int>(medium.size()) - 1))];
     }
     if (one_in(6) && !scene_.lights.empty()) return scene_.lights.back().position;
     if (one_in(6) && !corners_.empty()) {
-      return corners_[static_cast<std::size_t>(whole(0, static_cast<int>(corners_.size()) - 1))];
+      return corners_[static_cast<std::size_t>(integer(0, static_cast<int>(corners_.size()) - 1))];
     }
     if (one_in(8) && corners_.size() > 2) return (corners_[0] + corners_[1] + corners_[2]) / 3.0;
     return point();
@@ -101,12 +101,12 @@ class RandomScene {
     noise.amplitude = spread(random_.uniform(0.0, 1.0), -9, 9);
     noise.frequency = spread(random_.uniform(0.0, 5.0) / spread_, -9, 12);
     noise.velocity = random_.point(1.0);
-    noise.seed = whole(0, 1000);
+    noise.seed = integer(0, 1000);
   }
 
   // Any pixels, many of them black.
   void add_environment() {
-    auto map = std::make_shared<RadianceMap>(RadianceMap{whole(1, 6), whole(1, 4), {}});
+    auto map = std::make_shared<RadianceMap>(RadianceMap{integer(1, 6), integer(1, 4), {}});
     for (int i = map->width * map->height; i > 0; --i) {
       const double radiance = one_in(3) ? 0.0 : spread(random_.power(-1, 1), -20, 20);
       map->pixels.emplace_back(glm::dvec3(1.0, random_.uniform(0.0, 1.0), 0.0) * radiance);
@@ -123,7 +123,7 @@ class RandomScene {
     Surface surface;
     surface.translate = point();
     surface.scale = spread_ * spread(1.0, -9, 7);
-    for (int i = whole(1, 4); i > 0; --i) {
+    for (int i = integer(1, 4); i > 0; --i) {
       const bool is_flat = one_in(8);
       const glm::dvec3 a = random_.point(2.0);
       const glm::dvec3 ab = random_.point(2.0);

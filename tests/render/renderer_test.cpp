@@ -148,7 +148,7 @@ TEST(Renderer, StopsOnRequest) {
   });
   Renderer renderer;
   EXPECT_FALSE(renderer.render(scene, scene.camera, scene.film, settings, source.get_token(),
-                               [&](double share) { last = share; }));
+                               [&](double fraction) { last = fraction; }));
   EXPECT_LT(last, 1.0);
 }
 

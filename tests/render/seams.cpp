@@ -17,7 +17,7 @@ namespace {
 // A film, seen along x or with x and y swapped.
 class Field {
  public:
-  Field(const Frame& frame, const Frame& truth, bool swapped)
+  Field(const Frame& frame, const Frame& reference, bool swapped)
       : film_(frame.film), depth_(frame.depth), swapped_(swapped) {
     error_.resize(depth_.size());
     double square = 0.0;
@@ -25,8 +25,8 @@ class Field {
       double light = 0.0;
       for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
         error_[i] +=
-            static_cast<double>(frame.airlight[k]) - static_cast<double>(truth.airlight[k]);
-        light += static_cast<double>(truth.airlight[k]);
+            static_cast<double>(frame.airlight[k]) - static_cast<double>(reference.airlight[k]);
+        light += static_cast<double>(reference.airlight[k]);
       }
       square += light * light;
     }
@@ -118,17 +118,17 @@ void Seams::add(const Seams& more) {
   std::ranges::sort(insides);
 }
 
-double Seams::ratio(double share) const {
-  const auto at = [share](const std::vector<double>& steps) {
-    return steps.at(static_cast<std::size_t>(share * static_cast<double>(steps.size() - 1)));
+double Seams::ratio(double quantile) const {
+  const auto value_at = [quantile](const std::vector<double>& steps) {
+    return steps.at(static_cast<std::size_t>(quantile * static_cast<double>(steps.size() - 1)));
   };
-  return at(borders) / at(insides);
+  return value_at(borders) / value_at(insides);
 }
 
-Seams find_seams(const Frame& frame, const Frame& truth, int scale) {
+Seams find_seams(const Frame& frame, const Frame& reference, int scale) {
   Seams seams;
   for (const bool swapped : {false, true}) {
-    const Field field(frame, truth, swapped);
+    const Field field(frame, reference, swapped);
     const int tile = scale * (swapped ? Tiles::height : Tiles::width);
     const int along = scale * (swapped ? Tiles::width : Tiles::height);
     for (int x = tile; x + tile <= field.width(); x += tile) {

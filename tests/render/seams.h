@@ -15,7 +15,7 @@ struct Seams {
 
   void add(const Seams& more);
   // How many times those at borders are those within tiles, at this share of each.
-  [[nodiscard]] double ratio(double share) const;
+  [[nodiscard]] double ratio(double quantile) const;
 };
 
 // A scene of a few Gaussians, lights in and beside them, and now and then homogeneous fog, noise or
@@ -24,6 +24,6 @@ Scene seam_scene(unsigned seed);
 
 // `frame` with its airlight at 1 / `scale`, `truth` of the same view. Where the eye sees edges of
 // surfaces, nothing is compared.
-Seams find_seams(const Frame& frame, const Frame& truth, int scale);
+Seams find_seams(const Frame& frame, const Frame& reference, int scale);
 
 }  // namespace brume

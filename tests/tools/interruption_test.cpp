@@ -120,11 +120,11 @@ TEST_F(Interruption, ThreadsBindAllWork) {
   write_cloud(3'000);  // a second or two: this one is waited for
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu", "--threads",
                           "1", "--size", "64x48"});
-  std::size_t max_value = 0;
+  std::size_t max_threads = 0;
   for (int i = 0; i < 200 && program.read(); ++i) {
-    max_value = std::max(max_value, working_threads(program.pid()));
+    max_threads = std::max(max_threads, working_threads(program.pid()));
   }
-  EXPECT_EQ(max_value, 1u);
+  EXPECT_EQ(max_threads, 1u);
 }
 
 }  // namespace

@@ -126,11 +126,11 @@ TEST_F(VolumeCommands, ExportsATimeRange) {
               0);
     const DensityGrid of_sequence = read_volume(file(frame), "density");
     const DensityGrid alone = read_volume(file("one.vdb"), "density");
-    EXPECT_GT(alone.mass(), 0.0);
-    EXPECT_DOUBLE_EQ(of_sequence.mass(), alone.mass());
+    EXPECT_GT(alone.integral(), 0.0);
+    EXPECT_DOUBLE_EQ(of_sequence.integral(), alone.integral());
   }
-  EXPECT_NE(read_volume(file("s_0010.vdb"), "density").mass(),
-            read_volume(file("s_0011.vdb"), "density").mass());
+  EXPECT_NE(read_volume(file("s_0010.vdb"), "density").integral(),
+            read_volume(file("s_0011.vdb"), "density").integral());
 
   // Files of Gaussians too, alone and as sequences.
   const std::vector<Gaussian> gaussians{{{0, 0, 0}, 1, 1}, {{1, 0, 0}, 0.5, 2}};
@@ -142,7 +142,7 @@ TEST_F(VolumeCommands, ExportsATimeRange) {
   EXPECT_EQ(read_gaussians(file("g_1.csv")), gaussians);
   EXPECT_EQ(read_gaussians(file("g_2.csv")).size(), 1u);
   EXPECT_EQ(run_brume({"export", file("g_1.csv"), "-o", file("g.vdb")}).exit_code, 0);
-  EXPECT_GT(read_volume(file("g.vdb"), "density").mass(), 0.0);
+  EXPECT_GT(read_volume(file("g.vdb"), "density").integral(), 0.0);
 
   expect_refused({"export", scene, "--frames", "1-2", "-o", file("b.vdb")}, {"%04d"});
   expect_refused({"export", scene, "-o", file("b%d.vdb")}, {"--frames"});

@@ -31,13 +31,13 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   Renderer chooser(transfers);
   Settings settings = fewest_slices(chooser, scene);
   settings.threads = options.threads;
-  const Truth truth = find_reference(scene, 300, 1e-3);
+  const ReferenceSample reference = find_reference(scene, 300, 1e-3);
   TableOneRow row{kind.name, kind.frames_per_second, {}, {}};
   Renderer renderer(transfers);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
   // As one turns a scene in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
-  row.measurement = measure(renderer, scene, settings, truth.sample, 2.0, {turn, 1});
+  row.measurement = measure(renderer, scene, settings, reference.sample, 2.0, {turn, 1});
   row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);
   return row;
 }
@@ -66,20 +66,20 @@ std::vector<BenchScene> chosen_scenes(const BenchOptions& options) {
 }
 
 // For which two minutes are too short.
-void measure_errors(BenchReport& report, const std::function<void(const std::string&)>& tell) {
-  tell("errors of environment inscattering");
+void measure_errors(BenchReport& report, const std::function<void(const std::string&)>& log) {
+  log("errors of environment inscattering");
   report.skies = measure_skies();
   report.patches = measure_patches();
   report.glow = measure_inscattering();
-  tell("errors of interpolation and noise");
+  log("errors of interpolation and noise");
   report.scales = measure_scales();
   report.noise_depths = measure_noise_depths();
   report.noise = measure_noise_errors(400);
-  tell("light on surfaces: lights");
+  log("light on surfaces: lights");
   report.lamp_light = measure_surface_light(40'000);
-  tell("light on surfaces: environment");
+  log("light on surfaces: environment");
   report.incident_light = measure_incident_light(2'000);
-  tell("light on surfaces: radiance transfer");
+  log("light on surfaces: radiance transfer");
   report.transfer = measure_transfer(2'000);
 }
 
@@ -114,28 +114,28 @@ std::vector<BenchScene> built_in_scenes(bool quick) {
 }
 
 BenchReport run_bench(const BenchOptions& options,
-                      const std::function<void(const std::string&)>& tell) {
+                      const std::function<void(const std::string&)>& log) {
   BenchReport report;
   report.quick = options.quick;
   report.threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const std::unique_ptr<GlRenderer> gl = gl_renderer(options.backend);
   if (gl) report.gl_device = gl->device_name();
   for (const BenchScene& scene : chosen_scenes(options)) {
-    tell(scene.name);
+    log(scene.name);
     report.scenes.push_back(measure_scene(scene, options, gl.get()));
   }
   if (!options.scenes.empty()) return report;
-  tell("errors over optical depth");
+  log("errors over optical depth");
   report.thickness = measure_thickness(options.quick ? 100 : 400);
-  if (!options.quick) measure_errors(report, tell);
-  report.curves = measure_cost_curves(options, tell);
-  tell("threads");
+  if (!options.quick) measure_errors(report, log);
+  report.curves = measure_cost_curves(options, log);
+  log("threads");
   report.thread_rows = measure_threads(options);
-  tell("skipped stages");
+  log("skipped stages");
   for (const PlanDecision& decision : plan_decisions()) {
     report.savings.push_back(measure_saving(decision, options.quick ? 3 : 9));
   }
-  tell("edge cases");
+  log("edge cases");
   for (HardCase& hard_case : load_hard_cases()) {
     const HardCaseErrors errors = measure_hard_case(hard_case, gl.get());
     report.hard_cases.push_back({std::move(hard_case), errors});
@@ -143,7 +143,7 @@ BenchReport run_bench(const BenchOptions& options,
   for (const TableOneScene& kind : table_one_scenes) {
     // In two minutes there is no time for radiance transfer.
     if (options.quick && std::string_view(kind.name) != "box") continue;
-    tell(std::string("Table 1: ") + kind.name);
+    log(std::string("Table 1: ") + kind.name);
     report.table_one.push_back(table_one_row(kind, options));
   }
   return report;

@@ -13,7 +13,7 @@ namespace brume {
 struct BenchOptions {
   bool quick = false;                         // two minutes on two cores
   int threads = 0;                            // 0: all
-  Backend backend = Backend::auto_;           // auto_: OpenGL too where a GPU answers
+  Backend backend = Backend::auto_;           // auto_: OpenGL too where there is a GPU
   std::vector<std::filesystem::path> scenes;  // in place of the built-in ones, and of all else
   std::vector<OtherRendererRow> peers;        // of other programs, see read_other_renderers()
 };
@@ -26,8 +26,8 @@ struct BenchScene {
 // What is measured unless scenes are given. Quick: without those of resources/scenes.
 std::vector<BenchScene> built_in_scenes(bool quick);
 
-// `tell` gets the name of each measurement before it starts.
+// `log` gets the name of each measurement before it starts.
 BenchReport run_bench(const BenchOptions& options,
-                      const std::function<void(const std::string&)>& tell);
+                      const std::function<void(const std::string&)>& log);
 
 }  // namespace brume

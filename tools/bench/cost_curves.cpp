@@ -21,7 +21,7 @@ MovedFrames cost(const Scene& scene, const Settings& settings, bool quick) {
 }  // namespace
 
 std::vector<CostCurve> measure_cost_curves(const BenchOptions& options,
-                                           const std::function<void(const std::string&)>& tell) {
+                                           const std::function<void(const std::string&)>& log) {
   Settings base;
   base.threads = options.threads;
   const auto cpu = [&](const Scene& scene, int slices) {
@@ -29,7 +29,7 @@ std::vector<CostCurve> measure_cost_curves(const BenchOptions& options,
   };
   std::vector<CostCurve> curves;
   const auto add = [&](const char* over, const std::vector<int>& sizes, const auto& at) {
-    tell(std::string("cost over ") + over);
+    log(std::string("cost over ") + over);
     CostCurve curve{over, {}, 0.0};
     for (const int size : sizes) curve.points.push_back({static_cast<double>(size), at(size)});
     curve.exponent = fitted_exponent(curve.points);

@@ -44,8 +44,8 @@ std::string error_map(const Frame& frame, const Frame& reference, double white) 
           static_cast<double>(frame.airlight[3 * i + c] - reference.airlight[3 * i + c]);
       square += d * d / 3.0;
     }
-    const double share = std::min(std::sqrt(square) / white, 1.0);
-    rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255.0 * share)));
+    const double level = std::min(std::sqrt(square) / white, 1.0);
+    rgb.insert(rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255.0 * level)));
   }
   return encode_png(frame.film.width, frame.film.height, rgb);
 }
@@ -81,14 +81,14 @@ SceneReport measure_scene(const BenchScene& bench, const BenchOptions& options, 
   report.environment = scene.environment.has_value();
   report.film = scene.film;
   const std::size_t pixels = scene.medium.size() > 1000 ? 150 : 400;
-  const Truth truth = find_reference(scene, options.quick ? pixels / 2 : pixels);
+  const ReferenceSample reference = find_reference(scene, options.quick ? pixels / 2 : pixels);
   const double seconds = options.quick ? 0.15 : 0.4;
-  report.reference_cpu_milliseconds = truth.frame_cpu_milliseconds;
+  report.reference_cpu_milliseconds = reference.frame_cpu_milliseconds;
   for (const Settings& settings : tried_settings(options)) {
     Renderer renderer;
-    report.settings.push_back(measure(renderer, scene, settings, truth.sample, seconds));
+    report.settings.push_back(measure(renderer, scene, settings, reference.sample, seconds));
     if (gl && settings.airlight != AirlightMethod::march) {
-      report.on_gl.push_back(measure(*gl, scene, settings, truth.sample, seconds));
+      report.on_gl.push_back(measure(*gl, scene, settings, reference.sample, seconds));
     }
   }
   report.peers = other_renderers_of(options.peers, report.name, report.film);

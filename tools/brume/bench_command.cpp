@@ -77,7 +77,8 @@ class BenchCommand final : public Command {
       bound.emplace(tbb::global_control::max_allowed_parallelism,
                     static_cast<std::size_t>(threads_));
     }
-    for (const std::string& scene : scenes_) read_scene(scene, files);  // wrong ones before, too
+    for (const std::string& scene : scenes_)
+      read_scene(scene, files);  // malformed ones fail before measuring, too
     BenchReport report = run_bench(options, print_note);
     report.command = shown_command(quick_, !scenes_.empty(), !peers_.empty());
     const std::string json = to_json(report);
@@ -110,7 +111,7 @@ class BenchCommand final : public Command {
 
   [[nodiscard]] ExitCode save_scenes() const {
     for (const BenchScene& bench : built_in_scenes(quick_)) {
-      // What stands in no file cannot be referred to.
+      // Data that is in no file cannot be referenced.
       if (!bench.scene.surfaces.empty() || bench.scene.environment) continue;
       save_document(bench.scene, std::filesystem::path(folder_) / (bench.name + ".brume"));
       print_result(bench.name + ".brume\n");

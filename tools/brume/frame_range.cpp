@@ -14,14 +14,14 @@ FramePattern parse_pattern(const std::string& text) {
 }
 
 std::vector<int> parse_frames(const std::string& text) {
-  constexpr int max_value = 100'000;
+  constexpr int max_frames = 100'000;
   const std::size_t dash = text.find('-');
   const auto first = parse_integer(text.substr(0, dash));
   const auto last = dash == std::string::npos ? first : parse_integer(text.substr(dash + 1));
   if (!first || !last || *first < 0 || *last < *first || *last > 1'000'000'000 ||
-      *last - *first >= max_value) {
+      *last - *first >= max_frames) {
     throw UsageError("--frames: found " + quoted_text(text) + "; allowed: FIRST-LAST, at most " +
-                     std::to_string(max_value) + " frames");
+                     std::to_string(max_frames) + " frames");
   }
   std::vector<int> frames(static_cast<std::size_t>(*last - *first + 1));
   std::iota(frames.begin(), frames.end(), static_cast<int>(*first));

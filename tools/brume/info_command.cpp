@@ -23,8 +23,8 @@ Json to_json(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-Json bounds(const glm::dvec3& min_value, const glm::dvec3& max_value) {
-  return Json::array({to_json(min_value), to_json(max_value)});
+Json bounds(const glm::dvec3& min_corner, const glm::dvec3& max_corner) {
+  return Json::array({to_json(min_corner), to_json(max_corner)});
 }
 
 Json medium_json(const Medium& medium) {
@@ -78,7 +78,7 @@ Json grids_json(const std::string& file) {
     entry["name"] = grid.name;
     entry["type"] = grid.type;
     entry["voxels"] = grid.voxels;
-    if (grid.voxels > 0) entry["bounds"] = bounds(grid.min_value, grid.max_value);
+    if (grid.voxels > 0) entry["bounds"] = bounds(grid.min_corner, grid.max_corner);
     entry["voxel_size"] = to_json(grid.voxel_size);
     json.push_back(std::move(entry));
   }

@@ -36,7 +36,7 @@ void on_interrupt(int) {
   errno = error;
 }
 
-// Whether a message comes in so many milliseconds; -1: in any.
+// Whether a message arrives within `milliseconds`; -1: no limit.
 bool receive(char& message, int milliseconds) {
   for (;;) {
     pollfd watched{ends[0], POLLIN, 0};

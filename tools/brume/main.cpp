@@ -19,7 +19,7 @@
 namespace brume {
 namespace {
 
-// All that goes to standard error, but for progress.
+// Everything written to standard error except progress.
 void print_line(const std::string& text) {
   std::cerr << "brume: " << printable(text) << std::endl;
 }
@@ -42,12 +42,12 @@ void check_names(const CLI::App& app, const std::vector<std::string>& arguments)
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   const std::string& first = arguments.front();
-  const auto at = std::find(commands.begin(), commands.end(), first);
-  if (at == commands.end() && !is_option(first)) {
+  const auto it = std::find(commands.begin(), commands.end(), first);
+  if (it == commands.end() && !is_option(first)) {
     throw UsageError("unknown subcommand " + first + suggestion(first, commands));
   }
 
-  const CLI::App* scope = at == commands.end() ? &app : app.get_subcommand(first);
+  const CLI::App* scope = it == commands.end() ? &app : app.get_subcommand(first);
   std::vector<std::string> names;
   for (const CLI::Option* option : scope->get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -73,8 +73,8 @@ int run(int argc, char** argv) {
     std::unique_ptr<Command> command;
   };
   std::vector<Subcommand> subcommands;
-  const auto add = [&](const char* name, const char* what, auto make) {
-    CLI::App* subcommand = app.add_subcommand(name, what);
+  const auto add = [&](const char* name, const char* description, auto make) {
+    CLI::App* subcommand = app.add_subcommand(name, description);
     subcommands.push_back({subcommand, make(*subcommand)});
   };
   add("render", "render a frame of a scene", make_render_command);

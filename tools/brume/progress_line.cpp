@@ -13,9 +13,9 @@
 
 namespace brume {
 
-ProgressLine::ProgressLine(const std::string& what)
-    : what_(printable(quoted_text(what))), is_watched_(::isatty(STDERR_FILENO) != 0) {
-  if (is_watched_) std::cerr << '\r' + what_ + " ...\033[K" << std::flush;
+ProgressLine::ProgressLine(const std::string& label)
+    : label_(printable(quoted_text(label))), is_watched_(::isatty(STDERR_FILENO) != 0) {
+  if (is_watched_) std::cerr << '\r' + label_ + " ...\033[K" << std::flush;
 }
 
 ProgressLine::~ProgressLine() {
@@ -24,10 +24,10 @@ ProgressLine::~ProgressLine() {
 
 std::function<void(double)> ProgressLine::progress() const {
   if (!is_watched_) return {};
-  return [what = what_, shown = std::make_shared<std::atomic<int>>(-1)](double share) {
-    const int percent = static_cast<int>(100.0 * share);
+  return [label = label_, shown = std::make_shared<std::atomic<int>>(-1)](double fraction) {
+    const int percent = static_cast<int>(100.0 * fraction);
     if (shown->exchange(percent) == percent) return;
-    std::cerr << '\r' + what + ": " + std::to_string(percent) + "%\033[K" << std::flush;
+    std::cerr << '\r' + label + ": " + std::to_string(percent) + "%\033[K" << std::flush;
   };
 }
 

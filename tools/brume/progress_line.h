@@ -10,7 +10,7 @@ namespace brume {
 // A progress line on the terminal, if interactive; erased at the end.
 class ProgressLine {
  public:
-  explicit ProgressLine(const std::string& what);
+  explicit ProgressLine(const std::string& label);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -22,7 +22,7 @@ class ProgressLine {
   [[nodiscard]] Job job() const;
 
  private:
-  std::string what_;
+  std::string label_;
   bool is_watched_;
 };
 

@@ -129,10 +129,10 @@ class RenderCommand final : public Command {
     }
     settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : is_auto ? 4 : 1;
     settings.reference_tolerance = tolerance_;
-    // What can really run: TBB warns of more, and --stats is to tell the truth.
+    // Clamped to the available threads: TBB warns of more, and --stats reports the real number.
     const int hardware_threads = tbb::info::default_concurrency();
     settings.threads = threads_ > 0 ? std::min(threads_, hardware_threads) : hardware_threads;
-    // Frames have arenas of their own; this binds all else too.
+    // Frames have their own arenas; this also limits everything else.
     const tbb::global_control bound(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(settings.threads));
     const Backend backend = parse_backend(backend_);
@@ -167,7 +167,7 @@ class RenderCommand final : public Command {
 
     std::vector<FrameStatistics> moved;
     for (int i = 1; i <= moved_frames(); ++i) {
-      // A step so small that it changes no cost, but nothing of the last view can be used again.
+      // Too small a step to change the cost, but nothing of the last view can be reused.
       Camera camera = scene.camera;
       camera.eye += (1 + i % 1000) * 1e-6 * (camera.target - camera.eye);
       moved.push_back(render(renderer, scene, camera, film, settings, i + 1).statistics);

@@ -68,8 +68,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["exact_pixels"] = first.exact_pixels;  // whose airlight is not interpolated
   json["threads"] = run.settings.threads;
   json["repeat"] = run.repeat;
-  json["frame_ms"] =
-      Json{{"median", frame.median}, {"min", frame.min_value}, {"max", frame.max_value}};
+  json["frame_ms"] = Json{{"median", frame.median}, {"min", frame.min}, {"max", frame.max}};
   json["first_frame_ms"] = run.first_frame_milliseconds;
   json["transfer_ms"] = run.transfer_milliseconds;
   json["stages"] = stage_medians(moved);
@@ -79,7 +78,7 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};
   json["error"] = nullptr;
   if (run.error) {
-    // `low` and `high`: the interval that holds the whole frame's error in 95% of cases.
+    // `low` and `high`: 95% confidence interval of the frame's error.
     json["error"] = Json{{"rel_rmse", run.error->rel_rmse},
                          {"pixels", run.error->pixels},
                          {"low", run.error->low},

@@ -66,11 +66,11 @@ class DenseGrid {
 // Calls visit(point of the world, its density, step [u]) for the middles of equal steps between two
 // points of the world, where they are inside the box.
 template <class Visit>
-void march(const DenseGrid& grid, const glm::dvec3& from, const glm::dvec3& to, Visit visit) {
-  const glm::dvec3 a = grid.local(from);
-  const glm::dvec3 way = grid.local(to) - a;
-  double begin = 0.0;
-  double end = 1.0;
+void march(const DenseGrid& grid, const glm::dvec3& start, const glm::dvec3& end, Visit visit) {
+  const glm::dvec3 a = grid.local(start);
+  const glm::dvec3 way = grid.local(end) - a;
+  double t_begin = 0.0;
+  double t_end = 1.0;
   for (int k = 0; k < 3; ++k) {
     if (way[k] == 0.0) {
       if (a[k] < 0.0 || a[k] > grid.extent()[k]) return;
@@ -78,21 +78,21 @@ void march(const DenseGrid& grid, const glm::dvec3& from, const glm::dvec3& to, 
     }
     const double t0 = -a[k] / way[k];
     const double t1 = (grid.extent()[k] - a[k]) / way[k];
-    begin = std::max(begin, std::min(t0, t1));
-    end = std::min(end, std::max(t0, t1));
+    t_begin = std::max(t_begin, std::min(t0, t1));
+    t_end = std::min(t_end, std::max(t0, t1));
   }
-  if (!(end > begin)) return;
-  const int steps = 1 + static_cast<int>(2.0 * (end - begin) * glm::length(way));
-  const double step = (end - begin) / steps;
+  if (!(t_end > t_begin)) return;
+  const int steps = 1 + static_cast<int>(2.0 * (t_end - t_begin) * glm::length(way));
+  const double step = (t_end - t_begin) / steps;
   for (int i = 0; i < steps; ++i) {
-    const double t = begin + (i + 0.5) * step;
-    visit(from + t * (to - from), grid.at(a + t * way), step * glm::length(to - from));
+    const double t = t_begin + (i + 0.5) * step;
+    visit(start + t * (end - start), grid.at(a + t * way), step * glm::length(end - start));
   }
 }
 
-double depth_between(const DenseGrid& grid, const glm::dvec3& from, const glm::dvec3& to) {
+double depth_between(const DenseGrid& grid, const glm::dvec3& start, const glm::dvec3& end) {
   double depth = 0.0;
-  march(grid, from, to,
+  march(grid, start, end,
         [&](const glm::dvec3&, double density, double step) { depth += density * step; });
   return depth;
 }

@@ -22,12 +22,12 @@ SequenceView::SequenceView(const DensityGrid& first, const Film& film) : film_(f
       high = glm::max(high, p);
     }
   }
-  const glm::dvec3 middle = 0.5 * (low + high);
+  const glm::dvec3 center = 0.5 * (low + high);
   const double size = glm::length(high - low);
-  camera_.target = middle;
-  camera_.eye = middle + size * glm::dvec3(1.3, 0.4, 0.9);
+  camera_.target = center;
+  camera_.eye = center + size * glm::dvec3(1.3, 0.4, 0.9);
   camera_.up = {0.0, 0.0, 1.0};
-  light_.position = middle + size * glm::dvec3(-0.7, 1.0, 0.8);
+  light_.position = center + size * glm::dvec3(-0.7, 1.0, 0.8);
   light_.intensity = glm::dvec3(size * size);
 }
 

@@ -10,7 +10,7 @@
 
 namespace brume {
 
-// One view of a sequence, from where its first frame is seen as a whole, lit from the side.
+// A view of a sequence that shows its entire first frame, lit from the side.
 class SequenceView {
  public:
   SequenceView(const DensityGrid& first, const Film& film);

@@ -36,9 +36,9 @@ struct Options {
 };
 
 double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto it = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), it, values.end());
+  return *it;
 }
 
 // The stages that a frame's device runs; the others are the processor's.
@@ -80,19 +80,19 @@ Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int sca
         renderer.show(scene, camera, film, settings, {})->frame.statistics.frame_milliseconds);
     double device = 0.0;
     for (const StageTime& stage : statistics.stages) {
-      const auto known = std::ranges::find(ran, stage.stage);
-      const auto at = static_cast<std::size_t>(known - ran.begin());
-      if (known == ran.end()) {
+      const auto it = std::ranges::find(ran, stage.stage);
+      const auto index = static_cast<std::size_t>(it - ran.begin());
+      if (it == ran.end()) {
         ran.push_back(stage.stage);
         times.emplace_back();
       }
-      times[at].push_back(stage.milliseconds);
+      times[index].push_back(stage.milliseconds);
       if (is_on_device(stage.stage)) device += stage.milliseconds;
     }
     device_times.push_back(device);
     pairs = static_cast<double>(statistics.view_pairs);
   }
-  // On the device alone; with the processor's share, shown from there; and with the way back.
+  // Device only; with the CPU's part, displayed on the device; and with readback.
   row["device_fps"] = 1000.0 / std::max(median(device_times), 1e-9);
   row["shown_fps"] = 1000.0 / std::max(median(shown_times), 1e-9);
   row["fps"] = 1000.0 / std::max(median(frame_times), 1e-9);

@@ -13,14 +13,15 @@ namespace {
 constexpr double half = 3.0;         // of the court [u]
 constexpr double wall_height = 2.3;  // u
 constexpr double arch_height = 1.6;  // of the columns [u]
-constexpr double arcade = 1.9;       // where the columns stand, from the middle [u]
+constexpr double arcade = 1.9;       // distance of the columns from the center [u]
 
 struct Mesh {
   std::vector<glm::dvec3> vertices;
   std::vector<std::array<std::uint16_t, 3>> triangles;
 };
 
-// A grid of columns x rows quads at place(u, v), u and v from 0 to 1, with vertices of its own.
+// A grid of columns x rows quads at place(u, v), u and v from 0 to 1, sharing no vertices with
+// others.
 void add_patch(int columns, int rows, const std::function<glm::dvec3(double, double)>& place,
                Mesh& mesh) {
   const auto first = static_cast<int>(mesh.vertices.size());
@@ -99,11 +100,11 @@ Mesh court() {
                   mesh);
   }
   for (int i = 0; i < 5; ++i) {
-    const double at = arcade * (0.5 * i - 1.0);
-    add_column({at, 0.0, -arcade}, mesh);
+    const double offset = arcade * (0.5 * i - 1.0);
+    add_column({offset, 0.0, -arcade}, mesh);
     if (i == 0) continue;
-    add_column({-arcade, 0.0, at}, mesh);
-    add_column({arcade, 0.0, at}, mesh);
+    add_column({-arcade, 0.0, offset}, mesh);
+    add_column({arcade, 0.0, offset}, mesh);
   }
   add_step(1.0, 0.0, 0.14, mesh);
   add_step(0.72, 0.14, 0.28, mesh);

@@ -25,7 +25,7 @@ void write_mesh_ply(const std::filesystem::path& file, const std::vector<glm::dv
 void write_plane(const std::filesystem::path& file);
 
 // The box [-1, 1] x [0, 1] x [-1, 1] without its top and its front (z = 1), facing inwards, each
-// side with corners of its own so that its edges stay sharp, as OFF.
+// side with its own corners so that its edges stay sharp, as OFF.
 void write_open_box(const std::filesystem::path& file);
 
 }  // namespace brume

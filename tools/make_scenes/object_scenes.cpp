@@ -24,12 +24,13 @@ SampleScene bunny_fog() {
   // Wisps: a few Gaussians each, strung along the wind, which blows along +x and a little up.
   HashRandom random(34);
   while (scene.gaussians.size() < 34) {
-    glm::dvec3 at(random.uniform(-4.6, 2.4), random.uniform(0.2, 2.0), random.uniform(-3.4, 1.8));
+    glm::dvec3 center(random.uniform(-4.6, 2.4), random.uniform(0.2, 2.0),
+                      random.uniform(-3.4, 1.8));
     double radius = random.uniform(0.5, 0.9);
     const double density = random.uniform(0.22, 0.5);
     for (int i = 0; i < 5 && scene.gaussians.size() < 34; ++i) {
-      scene.gaussians.push_back({at, radius, density * (1.0 - 0.13 * i)});
-      at += radius * (glm::dvec3(0.85, 0.16, 0.0) + 0.35 * random.in_ball());
+      scene.gaussians.push_back({center, radius, density * (1.0 - 0.13 * i)});
+      center += radius * (glm::dvec3(0.85, 0.16, 0.0) + 0.35 * random.in_ball());
       radius *= random.uniform(0.8, 1.05);
     }
   }

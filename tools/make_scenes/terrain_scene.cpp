@@ -46,7 +46,7 @@ void write_terrain(const std::filesystem::path& file) {
   write_mesh_ply(file, vertices, triangles);
 }
 
-// Fog gathers where the ground is low: of random places, the lower half are kept.
+// Fog gathers where the ground is low: the lower half of random positions are used.
 std::vector<Gaussian> ground_fog_gaussians() {
   HashRandom random(292);
   std::vector<Gaussian> gaussians;

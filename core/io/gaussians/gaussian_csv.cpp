@@ -40,9 +40,9 @@ std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto column =
         gaussian_columns::find_column(i, [&](std::string_view name) -> std::optional<std::size_t> {
-          const auto at = std::find(header.begin(), header.end(), name);
-          if (at == header.end()) return std::nullopt;
-          return static_cast<std::size_t>(at - header.begin());
+          const auto it = std::find(header.begin(), header.end(), name);
+          if (it == header.end()) return std::nullopt;
+          return static_cast<std::size_t>(it - header.begin());
         });
     if (!column) {
       throw InputError(

@@ -34,7 +34,7 @@ void append_little_endian(std::string& bytes, T value) {
 // What a vertex becomes.
 using ToGaussians = std::function<std::vector<Gaussian>(const PlyFile::Row&)>;
 
-// Where properties of one number each stand; nothing if one of them is not there.
+// Columns of properties of one number each; nullopt if one of them is missing.
 template <std::size_t count>
 std::optional<std::array<std::size_t, count>> columns(
     const PlyFile::Element& vertices, const std::array<std::string_view, count>& properties) {
@@ -48,30 +48,31 @@ std::optional<std::array<std::size_t, count>> columns(
 }
 
 std::optional<ToGaussians> from_splats(const PlyFile::Element& vertices) {
-  const auto at = columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
-  if (!at) return std::nullopt;
-  const auto turn = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
-  return [at = *at, turn](const PlyFile::Row& row) -> std::vector<Gaussian> {
-    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+  const auto indices =
+      columns<7>(vertices, {"x", "y", "z", "scale_0", "scale_1", "scale_2", "opacity"});
+  if (!indices) return std::nullopt;
+  const auto rotation_columns = columns<4>(vertices, {"rot_0", "rot_1", "rot_2", "rot_3"});
+  return [indices = *indices, rotation_columns](const PlyFile::Row& row) -> std::vector<Gaussian> {
+    const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     Splat splat;
     splat.center = {value(0), value(1), value(2)};
     splat.deviations = {std::exp(value(3)), std::exp(value(4)), std::exp(value(5))};
     // -ln(1 - 1 / (1 + exp(-logit))) = ln(1 + exp(logit))
     const double logit = value(6);
     splat.depth = std::max(logit, 0.0) + std::log1p(std::exp(-std::abs(logit)));
-    if (!turn) return {ball_of(splat)};
-    const auto part = [&](std::size_t i) { return row.scalars[(*turn)[i]]; };
-    const glm::dquat rotation(part(0), part(1), part(2), part(3));
+    if (!rotation_columns) return {equivalent_sphere(splat)};
+    const auto component = [&](std::size_t i) { return row.scalars[(*rotation_columns)[i]]; };
+    const glm::dquat rotation(component(0), component(1), component(2), component(3));
     const double length = glm::length(rotation);
     // Without a direction there is no longer axis.
-    if (!(length > 0.0) || !std::isfinite(length)) return {ball_of(splat)};
+    if (!(length > 0.0) || !std::isfinite(length)) return {equivalent_sphere(splat)};
     splat.rotation = rotation / length;
-    return balls_along(splat);
+    return sphere_approximation(splat);
   };
 }
 
 ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Element& vertices) {
-  std::array<std::size_t, 5> at{};
+  std::array<std::size_t, 5> indices{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto column = gaussian_columns::find_column(
         i, [&](std::string_view name) { return columns<1>(vertices, {name}); });
@@ -81,10 +82,10 @@ ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Elemen
           "there is no property " + std::string(names[i]) +
               "; needed: x y z radius density, or x y z scale_0 scale_1 scale_2 opacity");
     }
-    at[i] = (*column)[0];
+    indices[i] = (*column)[0];
   }
-  return [at](const PlyFile::Row& row) {
-    const auto value = [&](std::size_t i) { return row.scalars[at[i]]; };
+  return [indices](const PlyFile::Row& row) {
+    const auto value = [&](std::size_t i) { return row.scalars[indices[i]]; };
     return std::vector<Gaussian>{{{value(0), value(1), value(2)}, value(3), value(4)}};
   };
 }

@@ -15,8 +15,8 @@ namespace brume {
 // and the logit of an opacity o. Such an ellipsoid has the mass of the ball of its volume, radius =
 // sqrt(2) (s_0 s_1 s_2)^(1/3), that is as opaque across its middle: density = -ln(1 - o) /
 // (sqrt(pi) radius). It becomes that ball where it is nearly round or not turned in any way, else
-// up to nine balls along its long axes (balls_along()); colours are skipped. Throws InputError
-// naming file and vertex.
+// up to nine balls along its long axes (sphere_approximation()); colours are skipped. Throws
+// InputError naming file and vertex.
 //
 // `ids` gets the numbers of the property id, where points have one. More than `max_count` are
 // refused.

@@ -65,7 +65,7 @@ void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
   part.readPixels(window.max.y);
 }
 
-// OpenEXR writes its table of lines when a file is destroyed, where it can tell of no error: the
+// OpenEXR writes its table of lines in the file's destructor, which cannot report errors: the
 // stream does.
 class ExrOutput final : public Imf::OStream {
  public:

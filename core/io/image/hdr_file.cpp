@@ -23,7 +23,7 @@ using Rgbe = std::array<std::uint8_t, 4>;
 
 glm::vec3 radiance(const Rgbe& pixel, double scale) {
   if (pixel[3] == 0) return glm::vec3(0.0f);
-  // The byte stands for the middle of the values that round to it, as in Radiance's own library.
+  // The byte encodes the center of the values that round to it, as in Radiance's library.
   const double unit = scale * std::ldexp(1.0, pixel[3] - (128 + 8));
   return {(glm::dvec3(pixel[0], pixel[1], pixel[2]) + 0.5) * unit};
 }

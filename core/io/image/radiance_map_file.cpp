@@ -33,11 +33,11 @@ RadianceMap from_exr(const fs::path& file) {
 }
 
 void check(const fs::path& file, RadianceMap& map) {
-  const auto max_value = static_cast<float>(limits::intensity);
+  const auto max_radiance = static_cast<float>(limits::intensity);
   for (std::size_t i = 0; i < map.pixels.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
       float& value = map.pixels[i][c];
-      if (value <= max_value && value >= -max_value) {
+      if (value <= max_radiance && value >= -max_radiance) {
         value = std::max(value, 0.0f);
         continue;
       }

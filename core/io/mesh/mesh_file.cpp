@@ -38,9 +38,9 @@ RawMesh read_raw(const std::filesystem::path& file) {
 
 // The unit vector along v, or zero where v has no direction.
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double max_value = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(max_value > 0.0 && max_value <= 1e300)) return glm::dvec3(0.0);
-  const glm::dvec3 scaled = v / max_value;  // so that no square underflows
+  const double max_component = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(max_component > 0.0 && max_component <= 1e300)) return glm::dvec3(0.0);
+  const glm::dvec3 scaled = v / max_component;  // so that no square underflows
   return scaled / glm::length(scaled);
 }
 

@@ -88,21 +88,21 @@ class ObjReader {
     }
     const std::uint64_t key =
         static_cast<std::uint64_t>(corner.point) << 32 | static_cast<std::uint32_t>(corner.normal);
-    const auto [at, is_new] =
+    const auto [it, is_new] =
         vertices_.try_emplace(key, static_cast<std::uint32_t>(corners_.size()));
     if (is_new) corners_.push_back(corner);
-    return at->second;
+    return it->second;
   }
 
   [[nodiscard]] std::string allowed() const {
     return "1 to the number of vertices, or -1 to -" + std::to_string(points_.size());
   }
 
-  void check_range(std::int64_t max_value, std::size_t count, const char* what,
+  void check_range(std::int64_t max_index, std::size_t count, const char* label,
                    const std::string& line) const {
-    if (max_value < static_cast<std::int64_t>(count)) return;
+    if (max_index < static_cast<std::int64_t>(count)) return;
     throw InputError(file_, line,
-                     std::string("found the ") + what + " index " + std::to_string(max_value + 1) +
+                     std::string("found the ") + label + " index " + std::to_string(max_index + 1) +
                          "; allowed: at most " + std::to_string(count));
   }
 

@@ -31,7 +31,7 @@ RawMesh read_off(const std::filesystem::path& file, std::string_view bytes) {
   }
   const bool has_normals = kind.find('N') != std::string_view::npos;
 
-  // The counts may stand behind the keyword or on a line of their own.
+  // The counts may follow the keyword or be on the next line.
   std::string_view token = scanner.next_token();
   if ((token.empty() || token[0] == '#') && next_content(scanner)) token = scanner.next_token();
   if (token == "BINARY") fail("binary OFF is not supported");

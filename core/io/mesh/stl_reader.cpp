@@ -25,10 +25,10 @@ Number little_endian(const char* bytes) {
 class Welder {
  public:
   std::uint32_t vertex(const glm::dvec3& point) {
-    const auto [at, is_new] =
+    const auto [it, is_new] =
         known_.try_emplace(point + 0.0, static_cast<std::uint32_t>(mesh.points.size()));
     if (is_new) mesh.points.push_back(point);
-    return at->second;
+    return it->second;
   }
 
   RawMesh mesh;
@@ -50,14 +50,14 @@ RawMesh read_binary(const std::filesystem::path& file, std::string_view bytes) {
   const std::size_t count = little_endian<std::uint32_t>(bytes.data() + 80);
   Welder welder;
   for (std::size_t i = 0; i < count; ++i) {
-    const char* at = bytes.data() + binary_header + i * binary_triangle + 12;
+    const char* position = bytes.data() + binary_header + i * binary_triangle + 12;
     std::array<std::uint32_t, 3> corners{};
     for (std::uint32_t& corner : corners) {
-      const glm::dvec3 point(little_endian<float>(at), little_endian<float>(at + 4),
-                             little_endian<float>(at + 8));
+      const glm::dvec3 point(little_endian<float>(position), little_endian<float>(position + 4),
+                             little_endian<float>(position + 8));
       check_point(file, "triangle " + std::to_string(i), point);
       corner = welder.vertex(point);
-      at += 12;
+      position += 12;
     }
     add_polygon(welder.mesh, corners);
   }

@@ -134,7 +134,7 @@ std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& file, std::stri
   std::vector<Descriptor> descriptors;
   for (std::uint32_t i = 0; i < count; ++i) {
     Descriptor descriptor = read_descriptor(reader);
-    // Each grid stands behind the one before, so that nothing is read twice.
+    // Each grid starts behind the previous one, so that nothing is read twice.
     if (descriptor.begin < reader.position()) reader.fail("contains nested grids");
     read_grid(reader, descriptor);
     const std::uint64_t end = descriptor.grid.end;

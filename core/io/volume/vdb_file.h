@@ -22,7 +22,7 @@ struct VdbGrid {
     glm::dvec3 origin;
   };
   std::optional<Transform> transform;
-  // How to read the tree and where it stands; nothing where its values are no numbers.
+  // How to read the tree, and its position; nullopt if its values are not numbers.
   std::optional<VdbValues> values;
   std::uint64_t tree = 0, end = 0;  // [bytes]
 };

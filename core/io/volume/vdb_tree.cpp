@@ -80,8 +80,8 @@ void append(std::string_view bytes, Number number, bool half, std::vector<double
 
 // As a value of three components, of which a number has only the first.
 glm::dvec3 value_at(std::span<const double> numbers, std::size_t index, std::size_t components) {
-  const double* at = numbers.data() + index * components;
-  return components == 3 ? glm::dvec3(at[0], at[1], at[2]) : glm::dvec3(*at, 0.0, 0.0);
+  const double* value = numbers.data() + index * components;
+  return components == 3 ? glm::dvec3(value[0], value[1], value[2]) : glm::dvec3(*value, 0.0, 0.0);
 }
 
 // `bytes` bytes that may be compressed: into `room`, or as they are.
@@ -176,8 +176,8 @@ class TopologyReader {
     reader_.read_bytes(whole_size(values_));  // the background
     const auto tiles = reader_.number<std::uint32_t>();
     const auto nodes = reader_.number<std::uint32_t>();
-    constexpr std::uint32_t max_value = 1'000'000;  // of 4096^3 voxels each
-    if (tiles > max_value || nodes > max_value) reader_.fail("contains a root with too many nodes");
+    constexpr std::uint32_t max_nodes = 1'000'000;  // of 4096^3 voxels each
+    if (tiles > max_nodes || nodes > max_nodes) reader_.fail("contains a root with too many nodes");
     for (std::uint32_t i = 0; i < tiles; ++i) {
       const glm::ivec3 corner = root_corner();
       std::vector<double> number;
@@ -221,8 +221,8 @@ class TopologyReader {
     for (std::size_t i = 0; i < size; ++i) {
       if (!active.has(i)) continue;
       if (children.has(i)) reader_.fail("contains an invalid tree node");
-      const std::size_t at = packed ? stored++ : i;
-      visitor_.tile({place(i), child_side, value_at(numbers, at, values_.components)});
+      const std::size_t index = packed ? stored++ : i;
+      visitor_.tile({place(i), child_side, value_at(numbers, index, values_.components)});
     }
     for (std::size_t i = 0; i < size; ++i) {
       if (children.has(i)) child(place(i));

@@ -47,24 +47,24 @@ float to_density(const Path& path, const std::string& name, double value) {
 
 const VdbGrid& grid_named(const Path& path, const std::vector<VdbGrid>& grids,
                           const std::string& name) {
-  const auto at = std::find_if(grids.begin(), grids.end(),
+  const auto it = std::find_if(grids.begin(), grids.end(),
                                [&](const VdbGrid& grid) { return grid.name == name; });
-  if (at == grids.end()) {
+  if (it == grids.end()) {
     throw InputError(path, "",
                      "has no grid " + quoted_text(name) + "; its grids: " + names_of(grids));
   }
-  return *at;
+  return *it;
 }
 
 // The box around active voxels, and how many they are.
 struct Extent {
   std::uint64_t voxels = 0;
-  glm::ivec3 min_value{std::numeric_limits<int>::max()};
-  glm::ivec3 max_value{std::numeric_limits<int>::min()};
+  glm::ivec3 min_corner{std::numeric_limits<int>::max()};
+  glm::ivec3 max_corner{std::numeric_limits<int>::min()};
 
   void add(const glm::ivec3& low, const glm::ivec3& high) {
-    min_value = glm::min(min_value, low);
-    max_value = glm::max(max_value, high);
+    min_corner = glm::min(min_corner, low);
+    max_corner = glm::max(max_corner, high);
   }
 };
 
@@ -151,14 +151,14 @@ std::vector<VolumeGridInfo> volume_grids(const Path& path) {
     const Extent extent = extent_of(vdb_tree(path, bytes, grid), *grid.values);
     info.voxels = extent.voxels;
     if (info.voxels == 0) continue;
-    info.min_value = glm::dvec3(std::numeric_limits<double>::infinity());
-    info.max_value = -info.min_value;
+    info.min_corner = glm::dvec3(std::numeric_limits<double>::infinity());
+    info.max_corner = -info.min_corner;
     for (int i = 0; i < 8; ++i) {
       const glm::dvec3 upper(i & 1, i >> 1 & 1, i >> 2);
-      const glm::dvec3 corner = origin + axes * glm::mix(glm::dvec3(extent.min_value),
-                                                         glm::dvec3(extent.max_value), upper);
-      info.min_value = glm::min(info.min_value, corner);
-      info.max_value = glm::max(info.max_value, corner);
+      const glm::dvec3 corner = origin + axes * glm::mix(glm::dvec3(extent.min_corner),
+                                                         glm::dvec3(extent.max_corner), upper);
+      info.min_corner = glm::min(info.min_corner, corner);
+      info.max_corner = glm::max(info.max_corner, corner);
     }
   }
   return result;

@@ -28,8 +28,8 @@ struct VolumeGridInfo {
   std::uint64_t voxels = 0;  // active ones
   glm::dvec3 voxel_size{0.0};
   // World bounds of the active voxels.
-  glm::dvec3 min_value{0.0};
-  glm::dvec3 max_value{0.0};
+  glm::dvec3 min_corner{0.0};
+  glm::dvec3 max_corner{0.0};
 };
 // Lists the grids of a file. Throws InputError.
 std::vector<VolumeGridInfo> volume_grids(const std::filesystem::path& file);

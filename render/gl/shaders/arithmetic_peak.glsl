@@ -35,13 +35,13 @@ void main() {
     vec3 center = vec3(own, 0.2, 2.0);
     for (int i = 0; i < count; ++i) {
       center.x = center.x * 0.999 + 1e-3;
-      const Crossing crossing = crossing_of(center, w, 1.5);
-      const float weight = exp(-crossing.e);
-      float before = erf_fast(1.5 * (1.0 - crossing.t0));
+      const LineProfile line = line_profile(center, w, 1.5);
+      const float weight = exp(-line.e);
+      float previous_erf = erf_fast(1.5 * (1.0 - line.t0));
       for (int k = 1; k <= peak_slices; ++k) {
-        const float now = erf_fast(1.5 * (1.0 + 0.5 * float(k) - crossing.t0));
-        sum += float(k) * weight * (now - before);
-        before = now;
+        const float current_erf = erf_fast(1.5 * (1.0 + 0.5 * float(k) - line.t0));
+        sum += float(k) * weight * (current_erf - previous_erf);
+        previous_erf = current_erf;
       }
     }
   }

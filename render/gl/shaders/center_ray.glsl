@@ -31,7 +31,7 @@ float reduce_sum(float value) {
 struct CenterRay {
   vec3 w;
   float spread;
-  float longest;  // of all rays; set where slices are chosen
+  float max_length;  // of all rays; set by the shader that chooses slices
 };
 
 // TileCone::nearest_pass(): t and h.
@@ -43,9 +43,10 @@ vec2 nearest_pass(CenterRay ray, vec3 q) {
 
 CenterRay center_ray(bool live, vec3 w) {
   CenterRay ray;
-  const vec3 own = live ? w : vec3(0.0);
-  ray.w = normalize(vec3(reduce_sum(own.x), reduce_sum(own.y), reduce_sum(own.z)));
+  const vec3 contribution = live ? w : vec3(0.0);
+  ray.w = normalize(
+      vec3(reduce_sum(contribution.x), reduce_sum(contribution.y), reduce_sum(contribution.z)));
   ray.spread = sqrt(reduce_max(live ? dot(w - ray.w, w - ray.w) : 0.0));
-  ray.longest = 0.0;
+  ray.max_length = 0.0;
   return ray;
 }

@@ -19,7 +19,7 @@ uniform int per_light;
 uniform float b0;
 uniform int stride;
 
-// The pixels [x, z) x [y, w) whose airlight a tile's samples tell: FilmTiles::pixels().
+// The pixels [x, z) x [y, w) that a tile's samples cover: FilmTiles::pixels().
 ivec4 pixels_of(ivec2 tile) {
   const ivec2 begin = tile * ivec2(tile_width, tile_height) * scale;
   const ivec2 end = begin + ivec2(tile_width, tile_height) * scale;
@@ -29,18 +29,18 @@ ivec4 pixels_of(ivec2 tile) {
 void main() {
   const int id = int(gl_LocalInvocationID.x);
   const int tile = int(linear_group());
-  if (tile >= tiles.x * tiles.y) return;  // all of the group alike
+  if (tile >= tiles.x * tiles.y) return;  // uniform within the group
   const ivec4 pixels = pixels_of(ivec2(tile % tiles.x, tile / tiles.x));
   const ivec2 size = pixels.zw - pixels.xy;
   const ivec2 corner_ = ivec2(id & 1, id >> 1 & 1) * (size - 1);
-  float longest = 0.0;
+  float max_length = 0.0;
   for (int i = id; i < size.x * size.y; i += group_size) {
     const float depth = imageLoad(depths, pixels.xy + ivec2(i % size.x, i / size.x)).r;
-    longest = max(longest, depth >= 0.0 ? depth : ray_end);
+    max_length = max(max_length, depth >= 0.0 ? depth : ray_end);
   }
   const bool is_corner = id < 4;
   CenterRay ray = center_ray(is_corner, ray_direction(pixels.xy + corner_));
-  ray.longest = reduce_max(longest);
+  ray.max_length = reduce_max(max_length);
   choose_slices(ray, offsets[tile], offsets[tile + 1], slices, per_light, b0);
   barrier();
   const int count = boundary_count < 2 ? 0 : min(boundary_count, stride);

@@ -17,10 +17,10 @@ uniform vec2 sky_rotation;
 uniform float sky_intensity;
 
 vec3 sky_radiance(vec3 w) {
-  const MapTexels at = map_texels(sky_size, turned_to_map(sky_rotation, w));
-  const vec3 above = mix(sky[at.index.x].rgb, sky[at.index.y].rgb, at.f.x);
-  const vec3 below = mix(sky[at.index.z].rgb, sky[at.index.w].rgb, at.f.x);
-  return sky_intensity * mix(above, below, at.f.y);
+  const MapTexels texels = map_texels(sky_size, turned_to_map(sky_rotation, w));
+  const vec3 above = mix(sky[texels.index.x].rgb, sky[texels.index.y].rgb, texels.f.x);
+  const vec3 below = mix(sky[texels.index.z].rgb, sky[texels.index.w].rgb, texels.f.x);
+  return sky_intensity * mix(above, below, texels.f.y);
 }
 
 void main() {

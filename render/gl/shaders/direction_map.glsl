@@ -19,16 +19,17 @@ MapPosition map_position(DirectionMap map, vec3 q, float distance_) {
     const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), tiny);
     uv = q.z < 0.0 ? (1.0 - abs(p.yx)) * sign_of(p.xy) : p.xy;
   } else {
-    // Behind the light there is nothing of interest; the border of the map answers.
+    // Behind the light there is nothing of interest; clamped to the map's border texel.
     const float depth = max(max(dot(q, map.axis.xyz), min_map_cosine * distance_), tiny);
     uv = vec2(dot(q, map.right.xyz), dot(q, map.up.xyz)) / depth *
              vec2(map.right.w, map.up.w) +
          map.offset.xy;
   }
   const vec2 cells = vec2(map.cells.xy);
-  const vec2 at = clamp(0.5 * cells * uv + 0.5 * cells + 0.5, vec2(0.0), cells + map_border_share);
-  const ivec2 low = ivec2(at);
-  return MapPosition(low.y * map_stride(map) + low.x, at - vec2(low));
+  const vec2 coordinate =
+      clamp(0.5 * cells * uv + 0.5 * cells + 0.5, vec2(0.0), cells + map_border_share);
+  const ivec2 low = ivec2(coordinate);
+  return MapPosition(low.y * map_stride(map) + low.x, coordinate - vec2(low));
 }
 
 // The unit direction of the middle of a cell; -1, columns and rows are the border.

@@ -22,8 +22,8 @@ uniform int batches_at; // where groups begin in `requests`
 struct PixelOfGroup {
   bool live;
   int tile;
-  ivec2 at;
-  ivec2 sample_at;
+  ivec2 position;
+  ivec2 sample_position;
 };
 
 PixelOfGroup pixel_of_group() {
@@ -35,15 +35,15 @@ PixelOfGroup pixel_of_group() {
     pixel.tile = int(requests[batch + batch_tile]);
     pixel.live = group < uint(groups) && id < requests[batch + batch_count];
     const uint bits = requests[requests[batch + batch_first] + (pixel.live ? id : 0u)];
-    pixel.at = ivec2(bits & 0xffffu, bits >> 16);
-    pixel.sample_at = ivec2(0);
+    pixel.position = ivec2(bits & 0xffffu, bits >> 16);
+    pixel.sample_position = ivec2(0);
     return pixel;
   }
   pixel.tile = int(min(group, uint(groups - 1)));
   const ivec2 tile = ivec2(pixel.tile % tiles.x, pixel.tile / tiles.x);
-  pixel.sample_at = tile * ivec2(tile_width, tile_height) + ivec2(id % tile_width, id / tile_width);
-  pixel.live = group < uint(groups) && all(lessThan(pixel.sample_at, sample_film));
-  pixel.at = min(pixel.sample_at * scale, film - 1);
+  pixel.sample_position = tile * ivec2(tile_width, tile_height) + ivec2(id % tile_width, id / tile_width);
+  pixel.live = group < uint(groups) && all(lessThan(pixel.sample_position, sample_film));
+  pixel.position = min(pixel.sample_position * scale, film - 1);
   return pixel;
 }
 
@@ -58,7 +58,7 @@ void store_pixel(PixelOfGroup pixel, vec3 airlight, float depth, uint pairs) {
   if (!pixel.live) return;
   const vec4 value =
       vec4(finite(airlight.r), finite(airlight.g), finite(airlight.b), finite(exp(-depth)));
-  if (again == 0) imageStore(samples, pixel.sample_at, value);
-  imageStore(airlight_image, pixel.at, value);
-  imageStore(pairs_image, pixel.at, vec4(float(pairs)));
+  if (again == 0) imageStore(samples, pixel.sample_position, value);
+  imageStore(airlight_image, pixel.position, value);
+  imageStore(pairs_image, pixel.position, vec4(float(pairs)));
 }

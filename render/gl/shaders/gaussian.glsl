@@ -1,5 +1,5 @@
-// The line integral of a Gaussian: render/simd/gaussian-inl.h in GLSL. Ends of rays that are
-// nowhere are `endless`, so that no infinity enters a sum.
+// The line integral of a Gaussian: render/simd/gaussian-inl.h in GLSL. Rays that hit nothing end at
+// `endless`, not infinity, so sums stay finite.
 #include "constants.glsl"
 
 // Nothing is left of erfc beyond this, where squares are still floats.
@@ -35,8 +35,8 @@ float scaled_erfc(float e, float u) {
 
 // exp(-e) (erf(u1) - erf(u0)), u0 <= u1, k = u1 - u0 without cancellation.
 float segment_integral(float e, float u0, float u1, float k) {
-  const float reach = 1.0 + abs(u0) + abs(u1);
-  if (k * reach < 1.0) {
+  const float steepness = 1.0 + abs(u0) + abs(u1);
+  if (k * steepness < 1.0) {
     const float m = 0.5 * (u0 + u1);
     float mean = 0.0;
     for (int i = 0; i < gauss_nodes.length(); ++i) {
@@ -50,27 +50,27 @@ float segment_integral(float e, float u0, float u1, float k) {
   const float first = scaled_erfc(e, u0);
   const float second = scaled_erfc(e, u1);
   if (u0 <= 0.0 && u1 >= 0.0) {
-    const float whole = exp(-e);
-    return whole + whole - first - second;
+    const float full_line_half = exp(-e);
+    return full_line_half + full_line_half - first - second;
   }
   return abs(first - second);
 }
 
-// A Gaussian as a ray from the origin of `b` meets it: where (t0) and how far off (e = a^2 h^2).
-struct Crossing {
+// A Gaussian of center b relative to a line through the origin: LineProfile of core/transport.
+struct LineProfile {
   float t0;
   float e;
 };
 
-Crossing crossing_of(vec3 b, vec3 w, float a) {
+LineProfile line_profile(vec3 b, vec3 w, float a) {
   const float t0 = dot(b, w);
   const vec3 q = a * (b - t0 * w);
-  return Crossing(t0, dot(q, q));
+  return LineProfile(t0, dot(q, q));
 }
 
-// Depth over [0, length] in units of c sqrt(pi) / (2 a).
-float crossing_depth(Crossing crossing, float a, float length_) {
-  return segment_integral(crossing.e, -a * crossing.t0, a * (length_ - crossing.t0), a * length_);
+// Optical depth over [0, length] in units of c sqrt(pi) / (2 a).
+float unit_depth(LineProfile line, float a, float length_) {
+  return segment_integral(line.e, -a * line.t0, a * (length_ - line.t0), a * length_);
 }
 
 float henyey_greenstein(float cos_theta, float g) {

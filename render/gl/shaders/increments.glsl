@@ -5,35 +5,35 @@
 #pragma optionNV(unroll all)
 
 // The slices [x, y) of the chunk at `first` that [from, to] touches, of slices before `last`.
-ivec2 touched_slices(float begin, float to, int first, int last) {
+ivec2 touched_slices(float begin, float end, int first, int last) {
   ivec2 range = ivec2(0);
   const int count = min(chunk, last - first);
   for (int k = 0; k < count; ++k) {
     if (farthest[first + k + 1] <= begin) range.x = k + 1;
-    if (nearest[first + k] < to) range.y = k + 1;
+    if (nearest[first + k] < end) range.y = k + 1;
   }
   return range;
 }
 
 // `ends`: where the slices of the chunk begin and end on this ray.
-void add_increments(inout float increments[chunk], Crossing crossing, float a, float scale,
+void add_increments(inout float increments[chunk], LineProfile line, float a, float scale,
                     float ends[chunk + 1], ivec2 range) {
   if (scale > exact_above) {
-    float before = a * (ends[0] - crossing.t0);
+    float u_begin = a * (ends[0] - line.t0);
     for (int k = 0; k < chunk; ++k) {
-      const float now = a * (ends[k + 1] - crossing.t0);
+      const float u_end = a * (ends[k + 1] - line.t0);
       if (k >= range.x && k < range.y) {
-        increments[k] += scale * segment_integral(crossing.e, before, now, now - before);
+        increments[k] += scale * segment_integral(line.e, u_begin, u_end, u_end - u_begin);
       }
-      before = now;
+      u_begin = u_end;
     }
     return;
   }
-  const float weight = scale * exp(-crossing.e);
-  float before = erf_fast(a * (ends[0] - crossing.t0));
+  const float weight = scale * exp(-line.e);
+  float previous_erf = erf_fast(a * (ends[0] - line.t0));
   for (int k = 0; k < chunk; ++k) {
-    const float now = erf_fast(a * (ends[k + 1] - crossing.t0));
-    increments[k] += k >= range.x && k < range.y ? weight * (now - before) : 0.0;
-    before = now;
+    const float current_erf = erf_fast(a * (ends[k + 1] - line.t0));
+    increments[k] += k >= range.x && k < range.y ? weight * (current_erf - previous_erf) : 0.0;
+    previous_erf = current_erf;
   }
 }

@@ -9,20 +9,21 @@ uniform int light_count;
 
 // The depth of a light's table at a point relative to it, `distance_` from it.
 float table_depth(int l, vec3 q, float distance_) {
-  const MapPosition at = map_position(lights[l].table, q, distance_);
+  const MapPosition position = map_position(lights[l].table, q, distance_);
   const int size = lights[l].radii;
-  const float beyond = max(distance_ - lights[l].first_radius, 0.0);
-  const float r = min(beyond * lights[l].radii_per_unit / (1.0 + lights[l].curvature * beyond),
+  const float distance_past_first = max(distance_ - lights[l].first_radius, 0.0);
+  const float r = min(distance_past_first * lights[l].radii_per_unit /
+                          (1.0 + lights[l].curvature * distance_past_first),
                       float(size) - table_end);
   const int low = int(r);
   const float f = r - float(low);
   const int row = map_stride(lights[l].table) * size;
-  const int first = lights[l].table.cells.z + at.cell * size + low;
+  const int first = lights[l].table.cells.z + position.cell * size + low;
   const vec2 a = unpackUnorm2x16(tables[first]);
   const vec2 b = unpackUnorm2x16(tables[first + size]);
   const vec2 c = unpackUnorm2x16(tables[first + row]);
   const vec2 d = unpackUnorm2x16(tables[first + row + size]);
-  const vec2 both = mix(mix(a, b, at.f.x), mix(c, d, at.f.x), at.f.y);
+  const vec2 both = mix(mix(a, b, position.f.x), mix(c, d, position.f.x), position.f.y);
   return lights[l].max_depth * mix(both.x, both.y, f);
 }
 

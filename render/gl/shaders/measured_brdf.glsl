@@ -25,21 +25,21 @@ int cell_near(float position, int i, int cells, bool closes_around) {
 
 vec3 measured_brdf(int table, vec3 wi, vec3 wo, vec3 n) {
   const vec3 angles = half_angles(wi, wo, n);
-  const vec3 at = vec3(sqrt(angles.x / (0.5 * pi)), angles.y / (0.5 * pi), angles.z / pi) *
-                  vec3(theta_h_cells, theta_d_cells, phi_d_cells);
-  const vec3 f = at - 0.5 - floor(at - 0.5);
+  const vec3 coordinate = vec3(sqrt(angles.x / (0.5 * pi)), angles.y / (0.5 * pi), angles.z / pi) *
+                          vec3(theta_h_cells, theta_d_cells, phi_d_cells);
+  const vec3 f = coordinate - 0.5 - floor(coordinate - 0.5);
   vec3 sum = vec3(0.0);
   float weights = 0.0;
   for (int c = 0; c < 8; ++c) {
     const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const int h = cell_near(at.x, corner_.x, theta_h_cells, false);
-    const int d = cell_near(at.y, corner_.y, theta_d_cells, false);
-    const int p = cell_near(at.z, corner_.z, phi_d_cells, true);
+    const int h = cell_near(coordinate.x, corner_.x, theta_h_cells, false);
+    const int d = cell_near(coordinate.y, corner_.y, theta_d_cells, false);
+    const int p = cell_near(coordinate.z, corner_.z, phi_d_cells, true);
     const vec3 value = incident_values[table + (h * theta_d_cells + d) * phi_d_cells + p].rgb;
     if (any(lessThan(value, vec3(0.0)))) continue;  // not measured
-    const vec3 share = mix(1.0 - f, f, vec3(corner_));
-    sum += share.x * share.y * share.z * value;
-    weights += share.x * share.y * share.z;
+    const vec3 corner_weights = mix(1.0 - f, f, vec3(corner_));
+    sum += corner_weights.x * corner_weights.y * corner_weights.z * value;
+    weights += corner_weights.x * corner_weights.y * corner_weights.z;
   }
   return weights > 0.0 ? sum / weights : vec3(0.0);
 }

@@ -19,12 +19,12 @@ int count_before(int first, int count, float value, bool or_equal) {
   int low = 0;
   int high = count;
   while (low < high) {
-    const int at = (low + high) / 2;
-    const float known = chosen[first + at];
-    if (known < value || (or_equal && known == value)) {
-      low = at + 1;
+    const int center = (low + high) / 2;
+    const float boundary = chosen[first + center];
+    if (boundary < value || (or_equal && boundary == value)) {
+      low = center + 1;
     } else {
-      high = at;
+      high = center;
     }
   }
   return low;
@@ -34,10 +34,10 @@ void main() {
   const int id = int(gl_LocalInvocationID.x);
   const int columns = 2 * tiles.x + 1;
   const int node = int(linear_group());
-  if (node >= columns * (2 * tiles.y + 1)) return;  // all of the group alike
-  const ivec2 at = ivec2(node % columns, node / columns);
-  const ivec2 begin = max(at - 1, 0) / 2;
-  const ivec2 end = min(at / 2, tiles - 1);
+  if (node >= columns * (2 * tiles.y + 1)) return;  // uniform within the group
+  const ivec2 node_position = ivec2(node % columns, node / columns);
+  const ivec2 begin = max(node_position - 1, 0) / 2;
+  const ivec2 end = min(node_position / 2, tiles - 1);
   int firsts[4];
   int counts[4];
   int lists = 0;
@@ -64,14 +64,14 @@ void main() {
   }
   barrier();
   const int count = lists > 0 ? (total + lists - 1) / lists : 0;
-  const int place = node * (stride + 1);
-  if (id == 0) imageStore(slice_nodes, node_texel(place), vec4(float(count)));
+  const int first_value = node * (stride + 1);
+  if (id == 0) imageStore(slice_nodes, node_texel(first_value), vec4(float(count)));
   for (int k = id; k < stride && lists > 0; k += group_size) {
     float value = 0.0;
     for (int j = 0; j < lists; ++j) value += merged[min(lists * k + j, total - 1)];
     value /= float(lists);
     if (k == 0) value = merged[0];
     if (k >= count - 1) value = merged[total - 1];
-    imageStore(slice_nodes, node_texel(place + 1 + k), vec4(value));
+    imageStore(slice_nodes, node_texel(first_value + 1 + k), vec4(value));
   }
 }

@@ -48,13 +48,13 @@ vec3 potential_gradient(vec3 w, float t) {
   return sum;
 }
 
-// crossing_of() for a displaced ray. Gaussians beyond displaced_cutoff stay culled.
-Crossing view_crossing(vec3 b, vec3 w, float a, float displaced_cutoff) {
-  Crossing crossing = crossing_of(b, w, a);
-  if (noise_amplitude > 0.0 && crossing.e <= displaced_cutoff) {
-    const vec3 gap = a * (b - crossing.t0 * w) -
-                     noise_amplitude * cross(w, potential_gradient(w, crossing.t0));
-    crossing.e = dot(gap, gap);
+// line_profile() for a displaced ray. Gaussians beyond max_undisplaced_e stay culled.
+LineProfile view_line_profile(vec3 b, vec3 w, float a, float max_undisplaced_e) {
+  LineProfile line = line_profile(b, w, a);
+  if (noise_amplitude > 0.0 && line.e <= max_undisplaced_e) {
+    const vec3 offset = a * (b - line.t0 * w) -
+                        noise_amplitude * cross(w, potential_gradient(w, line.t0));
+    line.e = dot(offset, offset);
   }
-  return crossing;
+  return line;
 }

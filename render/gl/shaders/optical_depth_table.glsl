@@ -82,10 +82,10 @@ void main() {
       barrier();
       for (uint j = 0u; j < found; ++j) {
         const vec4 g = gaussians[j];
-        const Crossing crossing = crossing_of(g.xyz, w, g.w);
-        if (crossing.e > shapes_of[j].cutoff) continue;
+        const LineProfile line = line_profile(g.xyz, w, g.w);
+        if (line.e > shapes_of[j].max_e) continue;
         evaluated += counted[j];
-        add_increments(increments, crossing, g.w, shapes_of[j].scale, ends, ranges[j]);
+        add_increments(increments, line, g.w, shapes_of[j].scale, ends, ranges[j]);
       }
     }
     // A word holds a radius and the next; so the first of a chunk ends the last one of the former.

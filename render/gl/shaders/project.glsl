@@ -54,8 +54,8 @@ void main() {
   if (i >= count) return;
   const dvec3 q = dvec3(centers[3 * i], centers[3 * i + 1], centers[3 * i + 2]) - eye;
   const GaussianShape shape = shapes[i];
-  const float displaced = sqrt(shape.cutoff) + farther;
-  seen[i] = SeenGaussian(vec3(q), shape.a, shape.scale, shape.cutoff, displaced * displaced,
+  const float displaced = sqrt(shape.max_e) + farther;
+  seen[i] = SeenGaussian(vec3(q), shape.a, shape.scale, shape.max_e, displaced * displaced,
                          shape.cutoff_radius);
   rectangles[i] = uvec2(0u);
   if (!(shape.cutoff_radius > 0.0)) return;
@@ -68,7 +68,7 @@ void main() {
   const ivec2 low = max(ivec2(first_pixel(u.x, film.x), first_pixel(v.x, film.y)), ivec2(0));
   const ivec2 high = min(ivec2(end_pixel(u.y, film.x), end_pixel(v.y, film.y)), film);
   if (any(greaterThanEqual(low, high))) return;
-  // A ray of the last column or row may stand a little before its place on the grid.
+  // A ray of the last column or row may lie slightly before its grid position.
   const ivec2 tile = ivec2(tile_width, tile_height);
   const ivec2 begin = low / scale / tile;
   const ivec2 end = min((high + scale - 2) / scale / tile + 1, tiles);

@@ -38,7 +38,7 @@ void find_slice_bounds(int tile) {
   barrier();
 }
 
-// Where a ray stands between four nodes.
+// Position of a ray between four nodes.
 struct SlicePosition {
   ivec4 nodes;  // row by row
   vec2 f;
@@ -46,19 +46,19 @@ struct SlicePosition {
 
 SlicePosition slice_position(int tile, ivec2 pixel) {
   const ivec2 size = ivec2(tile_width, tile_height) * scale;
-  const ivec2 at = ivec2(tile % tiles.x, tile / tiles.x);
-  // The last pixels of a film may stand a little beyond.
-  const vec2 place = 2.0 * clamp(vec2(pixel - at * size) / vec2(size), 0.0, 1.0);
-  const ivec2 cell = ivec2(greaterThanEqual(place, vec2(1.0)));
-  const ivec2 first = 2 * at + cell;
+  const ivec2 tile_position = ivec2(tile % tiles.x, tile / tiles.x);
+  // The last pixels of a film may lie slightly outside the tile.
+  const vec2 position = 2.0 * clamp(vec2(pixel - tile_position * size) / vec2(size), 0.0, 1.0);
+  const ivec2 cell = ivec2(greaterThanEqual(position, vec2(1.0)));
+  const ivec2 first = 2 * tile_position + cell;
   return SlicePosition(ivec4(node_position(first), node_position(first + ivec2(1, 0)),
                           node_position(first + ivec2(0, 1)), node_position(first + 1)) + 1,
-                    place - vec2(cell));
+                    position - vec2(cell));
 }
 
 // Boundary k of a ray.
-float slice_boundary(SlicePosition at, int k) {
-  const float above = mix(node_value(at.nodes.x + k), node_value(at.nodes.y + k), at.f.x);
-  const float below = mix(node_value(at.nodes.z + k), node_value(at.nodes.w + k), at.f.x);
-  return mix(above, below, at.f.y);
+float slice_boundary(SlicePosition position, int k) {
+  const float above = mix(node_value(position.nodes.x + k), node_value(position.nodes.y + k), position.f.x);
+  const float below = mix(node_value(position.nodes.z + k), node_value(position.nodes.w + k), position.f.x);
+  return mix(above, below, position.f.y);
 }

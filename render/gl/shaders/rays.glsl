@@ -5,8 +5,8 @@ uniform dvec3 per_x;
 uniform dvec3 per_y;
 
 dvec3 exact_direction(ivec2 pixel) {
-  const dvec2 at = dvec2(pixel) + 0.5LF;
-  return normalize(corner + at.x * per_x + at.y * per_y);
+  const dvec2 position = dvec2(pixel) + 0.5LF;
+  return normalize(corner + position.x * per_x + position.y * per_y);
 }
 
 vec3 ray_direction(ivec2 pixel) { return vec3(exact_direction(pixel)); }

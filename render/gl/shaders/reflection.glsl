@@ -52,13 +52,14 @@ vec3 reflected(int table, vec3 n, vec3 to_eye, vec3 f[sh_count]) {
   quarter_turn(true, turned, f);
   turn_about_z(back * eye, f);
 
-  const float at = acos(clamp(cosine, 0.0, 1.0)) * (float(reflection_intervals) * 2.0 / pi);
-  const float below = min(floor(at), float(reflection_intervals - 1));
-  int row = table + int(below) * reflection_row;
+  const float coordinate = acos(clamp(cosine, 0.0, 1.0)) * (float(reflection_intervals) * 2.0 / pi);
+  const float row_below = min(floor(coordinate), float(reflection_intervals - 1));
+  int row = table + int(row_below) * reflection_row;
   vec3 sum = vec3(0.0);
   for (int l = 0; l < sh_bands; ++l) {
     for (int m = 0; m <= l; ++m) {
-      sum += mix(values_rgb(row), values_rgb(row + reflection_row), at - below) * f[l * (l + 1) + m];
+      sum += mix(values_rgb(row), values_rgb(row + reflection_row), coordinate - row_below) *
+             f[l * (l + 1) + m];
       row += 3;
     }
   }

@@ -14,24 +14,24 @@ shared uint sums[gl_WorkGroupSize.x];
 void main() {
   const int id = int(gl_LocalInvocationID.x);
   const int size = int(gl_WorkGroupSize.x);
-  const int each = (tiles + size - 1) / size;
-  const int begin = min(id * each, tiles);
-  const int end = min(begin + each, tiles);
+  const int tiles_per_invocation = (tiles + size - 1) / size;
+  const int begin = min(id * tiles_per_invocation, tiles);
+  const int end = min(begin + tiles_per_invocation, tiles);
   uint sum = 0u;
   for (int i = begin; i < end; ++i) sum += cursors[i];
   sums[id] = sum;
   for (int step_ = 1; step_ < size; step_ *= 2) {
     barrier();
-    const uint before = id >= step_ ? sums[id - step_] : 0u;
+    const uint preceding = id >= step_ ? sums[id - step_] : 0u;
     barrier();
-    sums[id] += before;
+    sums[id] += preceding;
   }
-  uint at = sums[id] - sum;
+  uint offset = sums[id] - sum;
   for (int i = begin; i < end; ++i) {
-    const uint own = cursors[i];
-    offsets[i] = at;
-    cursors[i] = at;
-    at += own;
+    const uint count = cursors[i];
+    offsets[i] = offset;
+    cursors[i] = offset;
+    offset += count;
   }
   if (id == size - 1) {
     offsets[tiles] = sums[id];

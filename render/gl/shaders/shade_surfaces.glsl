@@ -35,7 +35,7 @@ uniform int incident_levels;                 // 0: there is none
 uniform vec4 incident_first[2];              // as source.glsl has them
 uniform ivec4 incident_count[2];
 
-vec3 values_rgb(int at) { return vec3(values[at], values[at + 1], values[at + 2]); }
+vec3 values_rgb(int index) { return vec3(values[index], values[index + 1], values[index + 2]); }
 
 #include "radiance_map.glsl"
 #include "measured_brdf.glsl"
@@ -51,89 +51,94 @@ struct LightAtPoint {
 };
 
 LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
-  LightAtPoint at;
+  LightAtPoint light_at_point;
   const vec3 q = point.position - lights[l].position;
   const float square = dot(q, q);
   const float inverse = square > tiny ? 1.0 / sqrt(square) : 0.0;
-  at.w = inverse * q;
-  at.length_ = square * inverse;
-  at.cosine = -dot(at.w, point.normal);
-  at.inverse_square = inverse * inverse;
-  at.depth = b0 * at.length_;
+  light_at_point.w = inverse * q;
+  light_at_point.length_ = square * inverse;
+  light_at_point.cosine = -dot(light_at_point.w, point.normal);
+  light_at_point.inverse_square = inverse * inverse;
+  light_at_point.depth = b0 * light_at_point.length_;
   if (has_depths != 0) {
-    at.depth += uintBitsToFloat(tables[l * pixels + pixel]);
+    light_at_point.depth += uintBitsToFloat(tables[l * pixels + pixel]);
   } else if (lights[l].has_table != 0) {
-    at.depth += table_depth(l, q, at.length_);
+    light_at_point.depth += table_depth(l, q, light_at_point.length_);
   }
-  return at;
+  return light_at_point;
 }
 
 bool is_lit(int l, SurfacePoint point, float length_) {
-  const float away = min(margin, margin * 2.0 * float(surfaces_radius) / length_);
-  // The whole way is 1.
-  const vec3 way = lights[l].position - point.shadow_origin;
-  return trace(point.shadow_origin, way, away, 1.0 - away, true).triangle < 0;
+  const float offset = min(margin, margin * 2.0 * float(surfaces_radius) / length_);
+  // Parametrised so that the light is at t = 1.
+  const vec3 to_light = lights[l].position - point.shadow_origin;
+  return trace(point.shadow_origin, to_light, offset, 1.0 - offset, true).triangle < 0;
 }
 
-vec3 direct_light(int l, SurfacePoint point, LightAtPoint at, vec3 to_eye) {
-  if (!(at.cosine > 0.0) || !is_lit(l, point, at.length_)) return vec3(0.0);
+vec3 direct_light(int l, SurfacePoint point, LightAtPoint light_at_point, vec3 to_eye) {
+  if (!(light_at_point.cosine > 0.0) || !is_lit(l, point, light_at_point.length_)) return vec3(0.0);
   const int material = surface_size * point.surface;
   const vec3 intensity = lights[l].intensity;
-  const float incoming = at.cosine * at.inverse_square * exp(-at.depth);
+  const float incoming =
+      light_at_point.cosine * light_at_point.inverse_square * exp(-light_at_point.depth);
   const int measured = int(values[material + surface_measured_at]);
   if (measured >= 0) {
-    return measured_brdf(measured, -at.w, to_eye, point.normal) * intensity * incoming;
+    return measured_brdf(measured, -light_at_point.w, to_eye, point.normal) * intensity * incoming;
   }
   const vec3 radiance = incoming * (values_rgb(material + surface_diffuse) * intensity);
   const vec3 highlight = values_rgb(material + surface_highlight);
   // w mirrored at the normal, times the direction to the eye.
-  const float r = 2.0 * at.cosine * dot(point.normal, to_eye) + dot(at.w, to_eye);
+  const float r =
+      2.0 * light_at_point.cosine * dot(point.normal, to_eye) + dot(light_at_point.w, to_eye);
   if (highlight == vec3(0.0) || !(r > 0.0)) return radiance;
   const float lobe = exp(values[material + surface_exponent] * log(clamp(r, tiny, 1.0)));
   return radiance + incoming * lobe * (highlight * intensity);
 }
 
-float scatter_polynomial(int at, float x) {
-  float p = values[at];
-  for (int i = 1; i < scatter_terms; ++i) p = p * x + values[at + i];
+float scatter_polynomial(int first, float x) {
+  float p = values[first];
+  for (int i = 1; i < scatter_terms; ++i) p = p * x + values[first + i];
   return p;
 }
 
 // find_spread(): per band, the fraction of a point light scattered onto a point.
-void find_spread(int l, LightAtPoint at, out float factors[sh_bands]) {
+void find_spread(int l, LightAtPoint light_at_point, out float factors[sh_bands]) {
   for (int k = 0; k < sh_bands; ++k) factors[k] = 0.0;
-  if (!(at.depth > 0.0 && at.depth < scatter_opaque)) return;
-  const float homogeneous = values[densities_at + l] * at.length_;
-  const float share = homogeneous < at.depth ? homogeneous / at.depth : 1.0;
-  const float root = sqrt(at.depth);
+  if (!(light_at_point.depth > 0.0 && light_at_point.depth < scatter_opaque)) return;
+  const float homogeneous = values[densities_at + l] * light_at_point.length_;
+  const float homogeneous_fraction =
+      homogeneous < light_at_point.depth ? homogeneous / light_at_point.depth : 1.0;
+  const float root = sqrt(light_at_point.depth);
   const float x = scatter_scale * root / (root + 1.0) - 1.0;
-  const float once = at.depth * exp(-at.depth);
+  const float once = light_at_point.depth * exp(-light_at_point.depth);
   for (int k = 0; k < sh_bands; ++k) {
     if (!glossy && (k == 3 || k == 5)) continue;  // nothing to a diffuse surface
     factors[k] = once * mix(scatter_polynomial(scatter_at + (sh_bands + k) * scatter_terms, x),
-                            scatter_polynomial(scatter_at + k * scatter_terms, x), share);
+                            scatter_polynomial(scatter_at + k * scatter_terms, x),
+                            homogeneous_fraction);
   }
 }
 
 // add_scattered_light(): its diffuse reflection.
-vec3 scattered_light(int l, SurfacePoint point, LightAtPoint at, float factors[sh_bands]) {
-  const float c = at.cosine;
+vec3 scattered_light(int l, SurfacePoint point, LightAtPoint light_at_point, float factors[sh_bands]) {
+  const float c = light_at_point.cosine;
   const float c2 = c * c;
   const float p2 = legendre_2[0] * c2 + legendre_2[1];
   const float p4 = (legendre_4[0] * c2 + legendre_4[1]) * c2 + legendre_4[2];
   const float irradiance = irradiance_bands[0] * factors[0] + irradiance_bands[1] * c * factors[1] +
                            irradiance_bands[2] * p2 * factors[2] +
                            irradiance_bands[3] * p4 * factors[4];
-  return max(irradiance, 0.0) * at.inverse_square *
+  return max(irradiance, 0.0) * light_at_point.inverse_square *
          (values_rgb(surface_size * point.surface + surface_diffuse) * lights[l].intensity * albedo);
 }
 
 // light += that, for surfaces that are not diffuse.
-void add_scattered(int l, LightAtPoint at, float factors[sh_bands], inout vec3 light[sh_count]) {
+void add_scattered(int l, LightAtPoint light_at_point, float factors[sh_bands],
+                   inout vec3 light[sh_count]) {
   float y[sh_count];
-  sh_basis(-at.w, y);
+  sh_basis(-light_at_point.w, y);
   for (int k = 0; k < sh_bands; ++k) {
-    const vec3 band = at.inverse_square * factors[k] * (lights[l].intensity * albedo);
+    const vec3 band = light_at_point.inverse_square * factors[k] * (lights[l].intensity * albedo);
     for (int i = k * k; i < (k + 1) * (k + 1); ++i) light[i] += y[i] * band;
   }
 }
@@ -141,26 +146,26 @@ void add_scattered(int l, LightAtPoint at, float factors[sh_bands], inout vec3 l
 // Incident light at a point, from the grid.
 void find_incident(vec3 p, out vec3 light[grid_functions]) {
   int level = 0;
-  vec3 at = incident_first[0].w * (p - incident_first[0].xyz);
-  if (incident_levels > 1 && (any(lessThan(at, vec3(0.0))) ||
-                              any(greaterThan(at, vec3(incident_count[0].xyz - 1))))) {
+  vec3 coordinate = incident_first[0].w * (p - incident_first[0].xyz);
+  if (incident_levels > 1 && (any(lessThan(coordinate, vec3(0.0))) ||
+                              any(greaterThan(coordinate, vec3(incident_count[0].xyz - 1))))) {
     level = 1;
-    at = incident_first[1].w * (p - incident_first[1].xyz);
+    coordinate = incident_first[1].w * (p - incident_first[1].xyz);
   }
   const ivec4 count = incident_count[level];
   const vec3 last = vec3(count.xyz - 2);
-  const vec3 inside = clamp(at, vec3(0.0), last + 1.0);
+  const vec3 inside = clamp(coordinate, vec3(0.0), last + 1.0);
   const vec3 low = min(floor(inside), last);
   const vec3 f = inside - low;
   for (int i = 0; i < grid_functions; ++i) light[i] = vec3(0.0);
   for (int c = 0; c < 8; ++c) {
     const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const vec3 share = mix(1.0 - f, f, vec3(corner_));
+    const vec3 weights = mix(1.0 - f, f, vec3(corner_));
     const ivec3 node = ivec3(low) + corner_;
     const int first =
         count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
     for (int i = 0; i < grid_functions; ++i) {
-      light[i] += share.x * share.y * share.z * incident_values[first + i].rgb;
+      light[i] += weights.x * weights.y * weights.z * incident_values[first + i].rgb;
     }
   }
 }
@@ -171,23 +176,24 @@ float average_depth(SurfacePoint point) {
   const int first = int(values[surface + surface_average_depths_at]);
   if (first < 0) return 0.0;
   const ivec3 nodes_ = ivec3(values_rgb(surface + surface_grid_nodes));
-  const vec3 at = clamp((point.position - values_rgb(surface + surface_grid_corner)) * values_rgb(surface + surface_cells_per_unit),
-                        vec3(0.0), vec3(nodes_ - 1));
-  const ivec3 cell = min(ivec3(at), max(nodes_ - 2, 0));
-  const vec3 f = at - vec3(cell);
+  const vec3 coordinate = clamp((point.position - values_rgb(surface + surface_grid_corner)) *
+                                    values_rgb(surface + surface_cells_per_unit),
+                                vec3(0.0), vec3(nodes_ - 1));
+  const ivec3 cell = min(ivec3(coordinate), max(nodes_ - 2, 0));
+  const vec3 f = coordinate - vec3(cell);
   float sum = 0.0;
   for (int c = 0; c < 8; ++c) {
     const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const vec3 share = mix(1.0 - f, f, vec3(corner_));
+    const vec3 weights = mix(1.0 - f, f, vec3(corner_));
     const ivec3 node = min(cell + corner_, nodes_ - 1);
     const int i = (node.z * nodes_.y + node.y) * nodes_.x + node.x;
-    sum += share.x * share.y * share.z * incident_values[first + i / 4][i % 4];
+    sum += weights.x * weights.y * weights.z * incident_values[first + i / 4][i % 4];
   }
   return sum;
 }
 
 // EnvironmentLight::incident(): per-band fractions, without a grid.
-void find_shares(SurfacePoint point, out float shares[sh_bands]) {
+void find_fractions(SurfacePoint point, out float fractions[sh_bands]) {
   const float depth = fog_depth + average_depth(point);
   const float unscattered = exp(-depth);
   const float root = sqrt(depth);
@@ -196,7 +202,7 @@ void find_shares(SurfacePoint point, out float shares[sh_bands]) {
   const int first = environment_at + 4 * sh_count;
   for (int l = 0; l < sh_bands; ++l) {
     const float spread = scatter_polynomial(first + l * scatter_terms, x);
-    shares[l] = unscattered + (passes ? albedo * depth * unscattered * spread : 0.0);
+    fractions[l] = unscattered + (passes ? albedo * depth * unscattered * spread : 0.0);
   }
 }
 
@@ -224,14 +230,14 @@ vec3 environment_light(SurfacePoint point) {
     for (int i = 16; i < 25; ++i) fifth += y[i] * values_rgb(environment_at + 4 * i);
     return max(sum + cosine_factors[4] * dimming(light[0]) * fifth, vec3(0.0));
   }
-  float shares[sh_bands];
-  find_shares(point, shares);
+  float fractions[sh_bands];
+  find_fractions(point, fractions);
   for (int l = 0; l < sh_bands; ++l) {
     vec3 band = vec3(0.0);
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       band += y[i] * values_rgb(environment_at + 4 * i);
     }
-    sum += cosine_factors[l] * shares[l] * band;
+    sum += cosine_factors[l] * fractions[l] * band;
   }
   return max(sum, vec3(0.0));
 }
@@ -239,17 +245,17 @@ vec3 environment_light(SurfacePoint point) {
 // light += EnvironmentLight::incident().
 void add_environment(SurfacePoint point, inout vec3 light[sh_count]) {
   vec3 incoming[grid_functions];
-  float shares[sh_bands];
+  float fractions[sh_bands];
   if (incident_levels > 0) {
     find_incident(point.position, incoming);
   } else {
-    find_shares(point, shares);
+    find_fractions(point, fractions);
   }
   for (int l = 0; l < sh_bands; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       const vec3 outside = values_rgb(environment_at + 4 * i);
       if (incident_levels == 0) {
-        light[i] += shares[l] * outside;
+        light[i] += fractions[l] * outside;
       } else if (i < grid_functions) {
         light[i] += environment_intensity * incoming[i];
       } else {
@@ -272,10 +278,10 @@ vec3 transferred_light(SurfacePoint point, PixelHit hit, vec3 to_eye) {
     for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
   }
   for (int k = 0; k < 3; ++k) {
-    const int at = first + (1 + functions) * vertex_of(hit.triangle, k);
-    sent += weights[k] * incident_values[at].rgb;
+    const int index = first + (1 + functions) * vertex_of(hit.triangle, k);
+    sent += weights[k] * incident_values[index].rgb;
     if (!glossy) continue;
-    for (int i = 0; i < functions; ++i) light[i] += weights[k] * incident_values[at + 1 + i].rgb;
+    for (int i = 0; i < functions; ++i) light[i] += weights[k] * incident_values[index + 1 + i].rgb;
   }
   if (glossy && functions > 0) {
     sent += reflected(int(values[surface + surface_reflection_at]), point.normal, to_eye, light);
@@ -294,15 +300,15 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
   }
   vec3 radiance = vec3(0.0);
   for (int l = 0; l < light_count; ++l) {
-    const LightAtPoint at = point_to_light(l, point, index, pixels);
-    radiance += direct_light(l, point, at, to_eye);
+    const LightAtPoint light_at_point = point_to_light(l, point, index, pixels);
+    radiance += direct_light(l, point, light_at_point, to_eye);
     if (!is_scattered) continue;
     float factors[sh_bands];
-    find_spread(l, at, factors);
+    find_spread(l, light_at_point, factors);
     if (is_diffuse) {
-      radiance += scattered_light(l, point, at, factors);
+      radiance += scattered_light(l, point, light_at_point, factors);
     } else {
-      add_scattered(l, at, factors, light);
+      add_scattered(l, light_at_point, factors, light);
     }
   }
   if (transferred) return radiance + transferred_light(point, hit, to_eye);

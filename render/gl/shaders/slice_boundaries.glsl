@@ -21,8 +21,8 @@ vec2 box_demand(float bin, float t, float half_, vec2 demand, float begin, float
   return bin >= ends.x && bin <= ends.y ? demand : vec2(0.0);
 }
 
-// As passing() of the CPU: t, and h in radii.
-vec2 passing(CenterRay ray, vec3 q, float a) {
+// As closest_approach() of the CPU: t, and h in radii.
+vec2 closest_approach(CenterRay ray, vec3 q, float a) {
   const vec2 nearest = nearest_pass(ray, q);
   const float center = dot(q, ray.w);
   const float h = a * nearest.y;
@@ -43,7 +43,7 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
     if (base + id < end) {
       const uint i = list[base + id];
       const SeenGaussian g = seen[i];
-      const vec2 pass = passing(ray, g.center, g.a);
+      const vec2 pass = closest_approach(ray, g.center, g.a);
       const float t = pass.x;
       const float half_ = core_radii(2.0 * g.scale) / g.a;
       if (t + half_ >= core.x && t - half_ <= core.y) {
@@ -56,17 +56,18 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
     barrier();
     const int size = int(min(uint(group_size), end - base));
     for (int bin = id; bin < bins; bin += group_size) {
-      const float at = float(bin);
+      const float position = float(bin);
       for (int j = 0; j < size; ++j) {
         const vec4 g = demand_of[j];
         if (g.w == 0.0) continue;
-        const float bend = 1.0 / (g.y * g.y);
-        vec2 demand = box_demand(at, g.x, box_radii * g.y, g.z * vec2(box_share, bend), core.x, width, bins);
+        const float curvature = 1.0 / (g.y * g.y);
+        vec2 demand = box_demand(position, g.x, box_radii * g.y, g.z * vec2(box_share, curvature),
+                                 core.x, width, bins);
         for (float k = box_radii; k < g.w; k += tail_step) {
-          const float middle = k + 0.5 * tail_step;
-          const float density = g.z * exp(-middle * middle);
-          demand += box_demand(at, g.x, (k + tail_step) * g.y,
-                               density * vec2(1.0, 4.0 * middle * middle * bend), core.x, width,
+          const float center = k + 0.5 * tail_step;
+          const float density = g.z * exp(-center * center);
+          demand += box_demand(position, g.x, (k + tail_step) * g.y,
+                               density * vec2(1.0, 4.0 * center * center * curvature), core.x, width,
                                bins);
         }
         demand_rate[bin] += demand.x;
@@ -77,14 +78,14 @@ void find_demand(CenterRay ray, vec2 core, int bins, uint begin, uint end) {
   barrier();
 }
 
-// The ends of the core and what lies between `count` slices of equal demand. By one invocation.
-void cut_demand(vec2 core, int bins, int count) {
+// The ends of the core and the boundaries between `count` slices of equal demand. By one invocation.
+void place_boundaries(vec2 core, int bins, int count) {
   const float width = (core.y - core.x) / float(bins);
   float depth = 0.0;
   float sum = 0.0;
   for (int i = 0; i < bins; ++i) {
-    const float own = demand_curvature[i] / (1.0 + clamp(depth, 0.0, max_front_depth));
-    demand_curvature[i] = own > 0.0 ? pow(own, 1.0 / 3.0) : 0.0;
+    const float demand = demand_curvature[i] / (1.0 + clamp(depth, 0.0, max_front_depth));
+    demand_curvature[i] = demand > 0.0 ? pow(demand, 1.0 / 3.0) : 0.0;
     if (depth > slice_opaque) demand_curvature[i] *= slice_opaque / depth;
     depth += demand_rate[i] * width;
     sum += demand_curvature[i];
@@ -92,16 +93,16 @@ void cut_demand(vec2 core, int bins, int count) {
   const float base_demand = sum > 0.0 ? uniform_share * sum / float(bins) : 1.0;
   sum += base_demand * float(bins);
   add_boundary(core.x);
-  float reached = 0.0;
+  float cumulative = 0.0;
   int k = 1;
   for (int i = 0; i < bins && k < count; ++i) {
-    const float here = demand_curvature[i] + base_demand;
-    while (k < count && sum * float(k) / float(count) <= reached + here) {
+    const float bin_demand = demand_curvature[i] + base_demand;
+    while (k < count && sum * float(k) / float(count) <= cumulative + bin_demand) {
       add_boundary(core.x +
-                   width * (float(i) + (sum * float(k) / float(count) - reached) / here));
+                   width * (float(i) + (sum * float(k) / float(count) - cumulative) / bin_demand));
       ++k;
     }
-    reached += here;
+    cumulative += bin_demand;
   }
   add_boundary(core.y);
 }
@@ -132,21 +133,23 @@ void sort_boundaries(float min_gap) {
   barrier();
   const int count = int(unsorted_count);
   for (int i = id; i < count; i += group_size) {
-    const float own = unsorted[i];
+    const float boundary = unsorted[i];
     int rank = 0;
     for (int j = 0; j < count; ++j) {
-      if (unsorted[j] < own || (unsorted[j] == own && j < i)) ++rank;
+      if (unsorted[j] < boundary || (unsorted[j] == boundary && j < i)) ++rank;
     }
-    boundaries[rank] = own;
+    boundaries[rank] = boundary;
   }
   barrier();
   if (id == 0) {
-    int kept = min(count, 1);
+    int unique_count = min(count, 1);
     for (int i = 1; i < count; ++i) {
-      const float apart = max(min_gap, min_gap_of_distance * boundaries[i]);
-      if (!(boundaries[i] - boundaries[kept - 1] < apart)) boundaries[kept++] = boundaries[i];
+      const float min_spacing = max(min_gap, min_gap_of_distance * boundaries[i]);
+      if (!(boundaries[i] - boundaries[unique_count - 1] < min_spacing)) {
+        boundaries[unique_count++] = boundaries[i];
+      }
     }
-    boundary_count = kept;
+    boundary_count = unique_count;
   }
   barrier();
 }
@@ -163,30 +166,31 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
   for (uint k = begin + id; k < end; k += group_size) {
     const uint i = list[k];
     const SeenGaussian g = seen[i];
-    const float t = passing(ray, g.center, g.a).x;
+    const float t = closest_approach(ray, g.center, g.a).x;
     const float r = g.cutoff_radius;
     const float half_ = min(core_radii(2.0 * g.scale) / g.a, r);
     extent = vec2(min(extent.x, dot(g.center, ray.w) - r),
                  max(extent.y, nearest_pass(ray, g.center).x + r));
     core = vec2(min(core.x, t - half_), max(core.y, t + half_));
   }
-  const vec2 ends = vec2(0.0, ray.longest);
+  const vec2 ends = vec2(0.0, ray.max_length);
   extent = clamp(vec2(reduce_min(extent.x), reduce_max(extent.y)), ends.xx, ends.yy);
   core = clamp(vec2(reduce_min(core.x), reduce_max(core.y)), ends.xx, ends.yy);
-  vec2 whole = extent;
+  vec2 full_range = extent;
   if (b0 > 0.0) {
-    whole = vec2(0.0, min(ray.longest, max(extent.x < extent.y ? extent.y : 0.0, opaque_fog_depth / b0)));
+    full_range = vec2(0.0, min(ray.max_length,
+                               max(extent.x < extent.y ? extent.y : 0.0, opaque_fog_depth / b0)));
   }
-  if (!(whole.x < whole.y)) return;
+  if (!(full_range.x < full_range.y)) return;
   if (id == 0) {
-    add_boundary(whole.x);
-    add_boundary(whole.y);
+    add_boundary(full_range.x);
+    add_boundary(full_range.y);
   }
   if (extent.x < extent.y) {
     if (core.x < core.y) {
       const int bins = bins_per_slice * slices;
       find_demand(ray, core, bins, begin, end);
-      if (id == 0) cut_demand(core, bins, slices - 2);
+      if (id == 0) place_boundaries(core, bins, slices - 2);
     }
     if (id == 0) {
       add_boundary(extent.x);
@@ -194,22 +198,25 @@ void choose_slices(CenterRay ray, uint begin, uint end, int slices, int per_ligh
     }
   }
   barrier();
-  const vec2 bright = b0 > 0.0 ? whole : core;
+  const vec2 lit = b0 > 0.0 ? full_range : core;
   for (int l = 0; l < light_count; ++l) {
     // A light in or near the medium; far ones are smooth along the ray.
     const vec3 q = lights[l].position;
     const float ts = dot(q, ray.w);
     const float h = length(q - ts * ray.w);
-    const float gap = max(max(bright.x - ts, ts - bright.y), 0.0);
-    if (!(bright.x < bright.y) || length(vec2(gap, h)) > near_light_share * (bright.y - bright.x)) continue;
-    add_equi_angular(l, ray, bright, per_light);
+    const float distance_to_range = max(max(lit.x - ts, ts - lit.y), 0.0);
+    if (!(lit.x < lit.y) ||
+        length(vec2(distance_to_range, h)) > near_light_share * (lit.y - lit.x)) {
+      continue;
+    }
+    add_equi_angular(l, ray, lit, per_light);
   }
   if (b0 > 0.0) {
     // Slices of equal loss in the fog.
-    const float lost = 1.0 - exp(-b0 * whole.y);
+    const float opacity = 1.0 - exp(-b0 * full_range.y);
     for (int k = id + 1; k < slices; k += group_size) {
-      add_boundary(-log(1.0 - lost * float(k) / float(slices)) / b0);
+      add_boundary(-log(1.0 - opacity * float(k) / float(slices)) / b0);
     }
   }
-  sort_boundaries(min_gap_of_range * (whole.y - whole.x));
+  sort_boundaries(min_gap_of_range * (full_range.y - full_range.x));
 }

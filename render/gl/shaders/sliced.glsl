@@ -33,7 +33,7 @@ ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
   const float t = dot(g.center, ray.w);
   const float h = length(g.center - t * ray.w);
   const float slack =
-      sqrt(g.cutoff) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
+      sqrt(g.max_e) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
   const ivec2 range = touched_slices(t - slack, t + slack, first, last);
   return ivec4(range, first == 0 || t - slack >= farthest[first] ? 1 : 0, 0);
 }
@@ -41,36 +41,36 @@ ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
 void main() {
   const uint id = gl_LocalInvocationID.x;
   const PixelOfGroup pixel = pixel_of_group();
-  const vec3 w = ray_direction(pixel.at);
-  const float length_ = pixel.live ? ray_length(pixel.at) : 0.0;
+  const vec3 w = ray_direction(pixel.position);
+  const float length_ = pixel.live ? ray_length(pixel.position) : 0.0;
   const uint begin = offsets[pixel.tile];
   const uint end = offsets[pixel.tile + 1];
   const CenterRay ray = center_ray(pixel.live, w);
   set_source_weights(w);
   find_slice_bounds(pixel.tile);
-  const SlicePosition place = slice_position(pixel.tile, pixel.at);
+  const SlicePosition position = slice_position(pixel.tile, pixel.position);
 
   const int last = boundary_count - 1;
   float depth = 0.0;
   vec3 airlight = vec3(0.0);
   vec3 scattered = vec3(0.0);
   uint pairs = 0u;
-  float boundary = last > 0 ? slice_boundary(place, 0) : 0.0;
-  float from = min(boundary, length_);
-  // SliceShares::along_rays.
+  float boundary = last > 0 ? slice_boundary(position, 0) : 0.0;
+  float t_begin = min(boundary, length_);
+  // SliceWeights::along_rays.
   const bool has_forward_lobe = source_levels > 0 && source_bands > 1;
   const bool needs_line = has_forward_lobe && anisotropy > 0.0;
   float along_ray = 0.0;
   float line_depth = 0.0;  // of all Gaussians, also behind surfaces
-  float passes = exp(-b0 * from);
+  float transmittance_in = exp(-b0 * t_begin);
   for (int first = 0; first < last; first += chunk) {
     float increments[chunk];
     float ends[chunk + 1];
     for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
-    ends[0] = from;
+    ends[0] = t_begin;
     for (int k = 0; k < chunk; ++k) {
       // Rounding must not turn slices round.
-      boundary = max(boundary, slice_boundary(place, min(first + k + 1, last)));
+      boundary = max(boundary, slice_boundary(position, min(first + k + 1, last)));
       ends[k + 1] = min(boundary, length_);
     }
     for (uint base = begin; base < end; base += group_size) {
@@ -92,65 +92,67 @@ void main() {
       barrier();
       for (uint j = 0u; j < found; ++j) {
         const SeenGaussian g = batch[j];
-        const Crossing crossing = view_crossing(g.center, w, g.a, g.displaced_cutoff);
-        if (crossing.e > g.cutoff) continue;
+        const LineProfile line = view_line_profile(g.center, w, g.a, g.max_undisplaced_e);
+        if (line.e > g.max_e) continue;
         pairs += uint(batch_slices[j].z);
         if (needs_line && first == 0) {
-          line_depth += g.scale * crossing_depth(crossing, g.a, endless_line);
+          line_depth += g.scale * unit_depth(line, g.a, endless_line);
         }
-        add_increments(increments, crossing, g.a, g.scale, ends, batch_slices[j].xy);
+        add_increments(increments, line, g.a, g.scale, ends, batch_slices[j].xy);
       }
     }
-    // From here on slices are taken one by one, which registers cannot be.
+    // Shared memory, as the loop below indexes slices dynamically, which registers cannot be.
     for (int k = 0; k < chunk; ++k) {
       spilled[k * group_size + id] = increments[k];
       spilled_ends[k * group_size + id] = ends[k + 1];
     }
     const int count = min(chunk, last - first);
     for (int k = 0; k < count; ++k) {
-      const float to = spilled_ends[k * group_size + id];
+      const float t_end = spilled_ends[k * group_size + id];
       const float gaussians = max(spilled[k * group_size + id], 0.0);
-      const float fog = b0 * (to - from);
+      const float fog = b0 * (t_end - t_begin);
       const float increment = fog + gaussians;
       if (has_forward_lobe) {
         const float exponent = anisotropy < 0.0 ? 2.0 * gaussians + fog : fog;
-        const float left = passes * exp(-exponent);
-        along_ray += increment * (exponent < small_exponent ? passes - 0.5 * exponent * passes
-                                                  : (passes - left) / exponent);
-        passes = left;
+        const float transmittance_out = transmittance_in * exp(-exponent);
+        along_ray += increment * (exponent < small_exponent
+                                      ? transmittance_in - 0.5 * exponent * transmittance_in
+                                      : (transmittance_in - transmittance_out) / exponent);
+        transmittance_in = transmittance_out;
       }
       if (increment > negligible && depth < visible_depth) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
-        const float lost = exp(-depth) * (increment < small_increment ? increment - 0.5 * increment * increment
-                                                           : 1.0 - exp(-increment));
-        const float center = 0.5 * (from + to);
-        if (source_levels > 0) scattered += lost * source_at(center * w);
+        const float scattered_fraction =
+            exp(-depth) * (increment < small_increment ? increment - 0.5 * increment * increment
+                                                       : 1.0 - exp(-increment));
+        const float center = 0.5 * (t_begin + t_end);
+        if (source_levels > 0) scattered += scattered_fraction * source_at(center * w);
         for (int l = 0; l < light_count; ++l) {
           const vec3 s = lights[l].position;
           const float ts = dot(s, w);
-          const vec3 gap = s - ts * w;
-          const float h2 = max(dot(gap, gap), max(lights[l].h_min * lights[l].h_min, tiny));
+          const vec3 offset = s - ts * w;
+          const float h2 = max(dot(offset, offset), max(lights[l].h_min * lights[l].h_min, tiny));
           const float along = center - ts;
           const float distance_ = sqrt(along * along + h2);
           const vec3 q = center * w - s;
           float light_depth = b0 * distance_;
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
-          float light = mean_inverse_square(from - ts, to - ts, h2) * exp(-light_depth);
+          float light = mean_inverse_square(t_begin - ts, t_end - ts, h2) * exp(-light_depth);
           if (anisotropy != 0.0) {
             light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
           }
           if (lights[l].has_shadows != 0) light *= lit(l, q, distance_);
-          airlight += lights[l].intensity * (phase * lost * light);
+          airlight += lights[l].intensity * (phase * scattered_fraction * light);
         }
       }
       depth += increment;
-      from = to;
+      t_begin = t_end;
     }
   }
   if (has_forward_lobe) {
     scattered += along_ray * source_forward_lobe(anisotropy < 0.0, line_depth);
   }
-  // Fog goes on where slices end; the Gaussians do not.
-  if (b0 > 0.0 && last > 0) depth += b0 * (length_ - from);
+  // Homogeneous fog continues behind the last slice; the Gaussians do not.
+  if (b0 > 0.0 && last > 0) depth += b0 * (length_ - t_begin);
   store_pixel(pixel, airlight + max(scattered, vec3(0.0)), depth, pairs);
 }

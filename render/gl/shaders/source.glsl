@@ -6,11 +6,11 @@
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
 uniform int source_levels;  // 0: there is no environment
-// Of each level where its first node stands, relative to the eye, and nodes per unit; nodes along x,
-// y and z, and where its values begin.
+// Per level: position of its first node relative to the eye, and nodes per unit; nodes along x, y and
+// z, and the index of its first value.
 uniform vec4 source_first[2];
 uniform ivec4 source_count[2];
-uniform int source_bands;     // of a node: 1, or 4 where scattering is not alike all around
+uniform int source_bands;     // of a node: 1, or 4 where scattering is anisotropic
 uniform vec4 source_factors;  // what the phase function makes of each band
 uniform float source_scale;
 // With more than one band, nodes also hold the transmittance per cluster, and maps of the forward
@@ -34,12 +34,12 @@ void set_source_weights(vec3 w) {
     }
   }
   if (source_bands == 1) return;
-  const MapTexels at = map_texels(source_map_size, turned_to_map(source_rotation, w));
+  const MapTexels texels = map_texels(source_map_size, turned_to_map(source_rotation, w));
   for (int f = 0; f < source_clusters; ++f) {
-    const ivec4 index = source_map_at + f * source_map_size.x * source_map_size.y + at.index;
-    const vec3 above = mix(source_values[index.x].rgb, source_values[index.y].rgb, at.f.x);
-    const vec3 below = mix(source_values[index.z].rgb, source_values[index.w].rgb, at.f.x);
-    source_cluster_weights[f] = source_scale * mix(above, below, at.f.y);
+    const ivec4 index = source_map_at + f * source_map_size.x * source_map_size.y + texels.index;
+    const vec3 above = mix(source_values[index.x].rgb, source_values[index.y].rgb, texels.f.x);
+    const vec3 below = mix(source_values[index.z].rgb, source_values[index.w].rgb, texels.f.x);
+    source_cluster_weights[f] = source_scale * mix(above, below, texels.f.y);
   }
 }
 
@@ -47,37 +47,37 @@ vec3 source_position(int level, vec3 p) {
   return source_first[level].w * (p - source_first[level].xyz);
 }
 
-bool is_on_source(int level, vec3 at) {
-  return all(greaterThanEqual(at, vec3(0.0))) &&
-         all(lessThanEqual(at, vec3(source_count[level].xyz - 1)));
+bool is_on_source(int level, vec3 coordinate) {
+  return all(greaterThanEqual(coordinate, vec3(0.0))) &&
+         all(lessThanEqual(coordinate, vec3(source_count[level].xyz - 1)));
 }
 
 // A corner of the cell that holds a point: where its node begins, and its share.
 struct SourceCorner {
   int first;
-  float share;
+  float weight;
 };
 
 int source_functions() { return source_bands * source_bands; }
 
 SourceCorner source_corner(vec3 p, int c) {
   int level = 0;
-  vec3 at = source_position(0, p);
-  if (source_levels > 1 && !is_on_source(0, at)) {
+  vec3 coordinate = source_position(0, p);
+  if (source_levels > 1 && !is_on_source(0, coordinate)) {
     level = 1;
-    at = source_position(1, p);
+    coordinate = source_position(1, p);
   }
   const ivec4 count = source_count[level];
   const vec3 last = vec3(count.xyz - 2);
-  const vec3 x = clamp(at, vec3(0.0), last + 1.0);
+  const vec3 x = clamp(coordinate, vec3(0.0), last + 1.0);
   const vec3 low = min(floor(x), last);
   const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-  const vec3 share = mix(1.0 - (x - low), x - low, vec3(corner_));
+  const vec3 weight = mix(1.0 - (x - low), x - low, vec3(corner_));
   const ivec3 node = ivec3(low) + corner_;
   const int node_size = source_functions() + (source_bands > 1 ? source_clusters / 4 : 0);
   return SourceCorner(
       count.w + ((node.z * count.y + node.y) * count.x + node.x) * node_size,
-      share.x * share.y * share.z);
+      weight.x * weight.y * weight.z);
 }
 
 // Contribution of the narrow clusters at a node.
@@ -99,7 +99,7 @@ vec3 source_at(vec3 p) {
       value += source_weights[i] * source_values[corner_.first + i].rgb;
     }
     if (source_beams != 0) value += source_clusters_at(corner_.first, true);
-    sum += corner_.share * value;
+    sum += corner_.weight * value;
   }
   return sum;
 }
@@ -111,7 +111,7 @@ vec3 source_forward_lobe(bool from_eye, float line_depth) {
   if (from_eye && is_on_source(source_levels - 1, source_position(source_levels - 1, eye))) {
     for (int c = 0; c < 8; ++c) {
       const SourceCorner corner_ = source_corner(eye, c);
-      sum += corner_.share * source_clusters_at(corner_.first, false);
+      sum += corner_.weight * source_clusters_at(corner_.first, false);
     }
     return sum;
   }

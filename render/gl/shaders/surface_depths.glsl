@@ -63,10 +63,10 @@ void main() {
     barrier();
     for (uint j = 0u; j < found && length_ > 0.0; ++j) {
       const vec4 g = gaussians[j];
-      const Crossing crossing = crossing_of(g.xyz, w, g.w);
-      if (crossing.e > shapes_of[j].cutoff) continue;
+      const LineProfile line = line_profile(g.xyz, w, g.w);
+      if (line.e > shapes_of[j].max_e) continue;
       ++evaluated;
-      depth += shapes_of[j].scale * crossing_depth(crossing, g.w, length_);
+      depth += shapes_of[j].scale * unit_depth(line, g.w, length_);
     }
   }
   if (live) {

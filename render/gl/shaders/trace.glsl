@@ -44,7 +44,7 @@ vec3 stable_normal(vec3 a, vec3 b, vec3 c) {
   return mix(b.yzx * c.zxy - bc, a.yzx * b.zxy - ab, lessThan(abs(ab), abs(bc)));
 }
 
-void meet_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit) {
+void intersect_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit) {
   const vec3 v0 = corner_of(triangle, 0) - o;
   const vec3 v1 = corner_of(triangle, 1) - o;
   const vec3 v2 = corner_of(triangle, 2) - o;
@@ -54,8 +54,8 @@ void meet_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit) {
   const float U = dot(cross(e0, v2 + v0), d);
   const float V = dot(cross(e1, v0 + v1), d);
   const float W = dot(cross(e2, v1 + v2), d);
-  const float all = U + V + W;
-  const float eps = float_epsilon * abs(all);
+  const float sum = U + V + W;
+  const float eps = float_epsilon * abs(sum);
   if (min(min(U, V), W) < -eps && max(max(U, V), W) > eps) return;
   const vec3 normal = stable_normal(e0, e1, e2);
   const float den = 2.0 * dot(normal, d);
@@ -67,8 +67,8 @@ void meet_triangle(int triangle, vec3 o, vec3 d, float tnear, inout Hit hit) {
     return;
   }
 
-  const float share = all == 0.0 ? 0.0 : 1.0 / all;
-  hit = Hit(t, min(U * share, 1.0), min(V * share, 1.0), triangle);
+  const float inverse = sum == 0.0 ? 0.0 : 1.0 / sum;
+  hit = Hit(t, min(U * inverse, 1.0), min(V * inverse, 1.0), triangle);
 }
 
 // Where a ray enters a box; no less than `tfar` where it does not.
@@ -77,9 +77,9 @@ float entry(vec3 low, vec3 high, vec3 o, vec3 inverse, float tnear, float tfar) 
   const vec3 b = (high - o) * inverse;
   const vec3 first = min(a, b);
   const vec3 last = max(a, b);
-  const float begin = max(max(max(first.x, first.y), first.z), tnear);
-  const float to = far_share * min(min(last.x, last.y), last.z);
-  return begin <= to ? begin : tfar;
+  const float t_enter = max(max(max(first.x, first.y), first.z), tnear);
+  const float t_exit = far_share * min(min(last.x, last.y), last.z);
+  return t_enter <= t_exit ? t_enter : tfar;
 }
 
 // The nearest hit in [tnear, tfar), or with `any` the first that is found; t = tfar for none.
@@ -91,18 +91,18 @@ Hit trace(vec3 o, vec3 d, float tnear, float tfar, bool any_hit) {
   int top = 0;
   int node = 0;
   while (node >= 0) {
-    float at[2];
+    float t_entry[2];
     int next[2];
     for (int c = 0; c < 2; ++c) {
       const BvhChild child = nodes[node].children[c];
-      at[c] = entry(child.low, child.high, o, inverse, tnear, hit.t);
-      next[c] = at[c] < hit.t ? child.first : -1;
+      t_entry[c] = entry(child.low, child.high, o, inverse, tnear, hit.t);
+      next[c] = t_entry[c] < hit.t ? child.first : -1;
       if (next[c] < 0 || child.count == 0) continue;
-      for (int k = 0; k < child.count; ++k) meet_triangle(child.first + k, o, d, tnear, hit);
+      for (int k = 0; k < child.count; ++k) intersect_triangle(child.first + k, o, d, tnear, hit);
       if (any_hit && hit.triangle >= 0) return hit;
       next[c] = -1;
     }
-    const bool second_first = next[1] >= 0 && (next[0] < 0 || at[1] < at[0]);
+    const bool second_first = next[1] >= 0 && (next[0] < 0 || t_entry[1] < t_entry[0]);
     node = second_first ? next[1] : next[0];
     const int other = second_first ? next[0] : next[1];
     if (other >= 0 && top < max_levels) stack[top++] = other;

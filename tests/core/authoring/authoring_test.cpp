@@ -99,11 +99,11 @@ TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   EXPECT_EQ(eraser_cover(cone, {0, 0, -5}), 1.0);
 
   EraserStroke stroke(0.4);
-  MediumEdit whole;
+  MediumEdit merged;
   const auto touch = [&] {
     const MediumEdit edit = stroke.touch(medium, {&cone, 1}, all);
     edit.apply(medium);
-    whole.merge(edit);
+    merged.merge(edit);
   };
   touch();
   EXPECT_DOUBLE_EQ(medium.densities()[0], 0.8 * 0.6);
@@ -116,7 +116,7 @@ TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   touch();
   touch();
   EXPECT_EQ(medium.size(), 1u);
-  whole.inverted().apply(medium);
+  merged.inverted().apply(medium);
   EXPECT_EQ(medium, start);
 }
 
@@ -225,12 +225,12 @@ TEST(Contributions, SharesAreWhatTheRayLoses) {
     const double expected = optical_depth(GaussianTerm<double>(medium.gaussian(c.index)),
                                           glm::dvec3(0), glm::dvec3(0, 0, -1000));
     EXPECT_NEAR(c.optical_depth, expected, 1e-12);
-    sum += c.share;
+    sum += c.fraction;
     depth += c.optical_depth;
   }
   EXPECT_NEAR(sum, 1.0 - std::exp(-depth), 1e-12);
   EXPECT_EQ(met[0].index, 1u);  // the thinner one, but it stands before the other
-  EXPECT_GT(met[0].share, met[1].share);
+  EXPECT_GT(met[0].fraction, met[1].fraction);
   // A surface between them hides the far one.
   EXPECT_EQ(contributions(medium, {0, 0, 0}, {0, 0, -1}, 15.0).size(), 1u);
 }
@@ -251,10 +251,10 @@ TEST(Contributions, RadianceOfALightIsThatOfAPointInThinFog) {
   ASSERT_EQ(met.size(), 2u);
   const auto& far = met[0].index == 0 ? met[0] : met[1];
   EXPECT_NEAR(far.distance, 10.0, 1e-3);
-  EXPECT_NEAR(far.before, std::sqrt(M_PI) * 0.5 * 0.4, 1e-9);
+  EXPECT_NEAR(far.depth_in_front, std::sqrt(M_PI) * 0.5 * 0.4, 1e-9);
   const glm::dvec3 radiance = scattered_radiance(scene, far, {0, 0, 0}, towards, light);
   const auto expected = [&](double intensity, double albedo) {
-    const double taken = (far.before + 0.02 * 13.0) / albedo;
+    const double taken = (far.depth_in_front + 0.02 * 13.0) / albedo;
     return intensity / 9.0 * far.optical_depth / (4.0 * M_PI) * std::exp(-taken);
   };
   EXPECT_NEAR(radiance.r, expected(7.0, 1.0), 0.01 * radiance.r);

@@ -54,11 +54,12 @@ TEST(MediumGrid, StoresTheDensityAtItsVoxels) {
     // Each Gaussian is left out where it is below 1e-4 of its peak.
     EXPECT_NEAR(grid.at(grid.to_voxel(x)), density(medium, x), 20 * 2.0 * 1e-4 * 0.2 + 1e-6);
   }
-  double mass = 0.0;
+  double integral = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    mass += medium.densities()[i] * std::pow(std::sqrt(std::numbers::pi) * medium.radii()[i], 3.0);
+    integral +=
+        medium.densities()[i] * std::pow(std::sqrt(std::numbers::pi) * medium.radii()[i], 3.0);
   }
-  EXPECT_NEAR(grid.mass() / mass, 1.0, 1e-3);
+  EXPECT_NEAR(grid.integral() / integral, 1.0, 1e-3);
 }
 
 TEST(MediumGrid, IsSparseAndLimited) {
@@ -75,7 +76,7 @@ TEST(DensityGrid, CoarserKeepsTheMassWhereItIs) {
   const Medium medium = some_medium(5, 3);
   const DensityGrid fine = sampled(medium, 0.05);
   const DensityGrid coarse = coarser(fine);
-  EXPECT_NEAR(coarse.mass() / fine.mass(), 1.0, 1e-5);
+  EXPECT_NEAR(coarse.integral() / fine.integral(), 1.0, 1e-5);
   EXPECT_LT(coarse.blocks.size(), fine.blocks.size() / 3);
   Random random(4);
   for (int i = 0; i < 200; ++i) {
@@ -140,9 +141,9 @@ TEST(FitStart, PreservesTheMass) {
   for (const std::size_t count : {1u, 10u, 200u}) {
     const std::vector<FitGaussian> gaussians = split_into_gaussians(grid, count);
     ASSERT_EQ(gaussians.size(), count);
-    double mass = 0.0;
-    for (const FitGaussian& g : gaussians) mass += g.mass();
-    EXPECT_NEAR(mass / grid.mass(), 1.0, 1e-6);
+    double integral = 0.0;
+    for (const FitGaussian& g : gaussians) integral += g.integral();
+    EXPECT_NEAR(integral / grid.integral(), 1.0, 1e-6);
   }
   EXPECT_TRUE(split_into_gaussians(DensityGrid(), 10).empty());
 }

@@ -42,9 +42,9 @@ TEST(MerlFile, EvaluatesLikeTheModelItTabulates) {
     const glm::dvec3 wi = glm::normalize(random.point(1.0));
     const glm::dvec3 wo = glm::normalize(random.point(1.0));
     if (glm::dot(wi, n) < 0.05 || glm::dot(wo, n) < 0.05) continue;
-    const glm::dvec3 truth = brdf(phong(), wi, wo, n);
+    const glm::dvec3 reference = brdf(phong(), wi, wo, n);
     const glm::dvec3 got = brdf(measured, wi, wo, n);
-    for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(got[c] - truth[c]));
+    for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(got[c] - reference[c]));
   }
   // The highlight is 1.75 / sr high and bends by exponent / 4 per radian^2 of a cell, which is up
   // to 1 degree wide.
@@ -57,10 +57,10 @@ TEST(MerlFile, ProjectsLikeTheModelItTabulates) {
   measured.type = Material::Type::measured;
   measured.measured = read_merl(folder.write("phong.binary", phong_bytes()));
   const BrdfSh table(measured, 4);
-  const BrdfSh truth(phong(), 4);
+  const BrdfSh reference(phong(), 4);
   for (const double cosine : {0.2, 0.6, 1.0}) {
     for (std::size_t i = 0; i < sh_size(4); ++i) {
-      EXPECT_NEAR(table(cosine)[i].z, truth(cosine)[i].z, 3e-3) << cosine << ' ' << i;
+      EXPECT_NEAR(table(cosine)[i].z, reference(cosine)[i].z, 3e-3) << cosine << ' ' << i;
     }
   }
 }

@@ -12,18 +12,18 @@
 namespace brume {
 namespace {
 
-double mass(const Gaussian& g) {
+double integral(const Gaussian& g) {
   return g.density * std::pow(std::sqrt(std::numbers::pi) * g.radius, 3.0);
 }
 
 // The mean of (x - center) (x - center)^T over all balls, in the splat's own axes.
-glm::dmat3 second_moments(const Splat& splat, const std::vector<Gaussian>& balls) {
+glm::dmat3 second_moments(const Splat& splat, const std::vector<Gaussian>& spheres) {
   glm::dmat3 sum(0.0);
   double all = 0.0;
-  for (const Gaussian& g : balls) {
+  for (const Gaussian& g : spheres) {
     const glm::dvec3 d = glm::inverse(splat.rotation) * (g.center - splat.center);
-    sum += mass(g) * (glm::outerProduct(d, d) + glm::dmat3(0.5 * g.radius * g.radius));
-    all += mass(g);
+    sum += integral(g) * (glm::outerProduct(d, d) + glm::dmat3(0.5 * g.radius * g.radius));
+    all += integral(g);
   }
   return sum / all;
 }
@@ -47,12 +47,12 @@ TEST(Splat, LongOnesBecomeRowsOfTheirMassAndExtents) {
     const glm::dvec3 axis = random.point(1.0);
     splat.rotation = glm::normalize(glm::dquat(random.uniform(-1.0, 1.0), axis.x, axis.y, axis.z));
     splat.depth = 0.7;
-    const std::vector<Gaussian> balls = balls_along(splat);
-    ASSERT_EQ(balls.size(), c.count);
+    const std::vector<Gaussian> spheres = sphere_approximation(splat);
+    ASSERT_EQ(spheres.size(), c.count);
     double all = 0.0;
-    for (const Gaussian& g : balls) all += mass(g);
-    EXPECT_NEAR(all / mass(ball_of(splat)), 1.0, 1e-12);
-    const glm::dmat3 moments = second_moments(splat, balls);
+    for (const Gaussian& g : spheres) all += integral(g);
+    EXPECT_NEAR(all / integral(equivalent_sphere(splat)), 1.0, 1e-12);
+    const glm::dmat3 moments = second_moments(splat, spheres);
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {
         EXPECT_NEAR(moments[i][k], i == k ? c.extents[k] * c.extents[k] : 0.0, 1e-12);
@@ -65,11 +65,11 @@ TEST(Splat, NearlyRoundOnesBecomeTheBallOfTheirVolume) {
   Splat splat;
   splat.deviations = {1.0, 1.1, 0.9};
   splat.depth = 2.0;
-  const std::vector<Gaussian> balls = balls_along(splat);
-  ASSERT_EQ(balls.size(), 1u);
-  EXPECT_EQ(balls[0], ball_of(splat));
-  EXPECT_NEAR(balls[0].radius, std::sqrt(2.0) * std::cbrt(0.99), 1e-15);
-  EXPECT_NEAR(balls[0].density * std::sqrt(std::numbers::pi) * balls[0].radius, 2.0, 1e-15);
+  const std::vector<Gaussian> spheres = sphere_approximation(splat);
+  ASSERT_EQ(spheres.size(), 1u);
+  EXPECT_EQ(spheres[0], equivalent_sphere(splat));
+  EXPECT_NEAR(spheres[0].radius, std::sqrt(2.0) * std::cbrt(0.99), 1e-15);
+  EXPECT_NEAR(spheres[0].density * std::sqrt(std::numbers::pi) * spheres[0].radius, 2.0, 1e-15);
 }
 
 }  // namespace

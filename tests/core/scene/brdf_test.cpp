@@ -93,17 +93,17 @@ TEST(BrdfSh, MatchesTheProjectionOfTheBrdf) {
     const BrdfSh table(material, 6);
     for (const double theta : {0.0, 0.4, 1.1, 1.45}) {
       const glm::dvec3 wo = from_angles(theta, 0.0);
-      ShVector<double> truth(6);
+      ShVector<double> reference(6);
       // A fine product rule; the horizon makes its error 1 / 200 squared.
       for (const SphereNode& node : sphere_rule(400)) {
         if (!(node.direction.z > 0.0)) continue;
         const double f = brdf(material, node.direction, wo, {0, 0, 1}).x * node.direction.z;
         const ShVector<double> y = sh_basis(6, node.direction);
-        for (std::size_t i = 0; i < truth.size(); ++i) truth[i] += node.weight * f * y[i];
+        for (std::size_t i = 0; i < reference.size(); ++i) reference[i] += node.weight * f * y[i];
       }
       const ShVector<glm::dvec3> got = table(std::cos(theta));
-      for (std::size_t i = 0; i < truth.size(); ++i) {
-        EXPECT_NEAR(got[i].x, truth[i], 2e-3) << exponent << ' ' << theta << ' ' << i;
+      for (std::size_t i = 0; i < reference.size(); ++i) {
+        EXPECT_NEAR(got[i].x, reference[i], 2e-3) << exponent << ' ' << theta << ' ' << i;
       }
     }
   }

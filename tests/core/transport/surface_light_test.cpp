@@ -56,8 +56,9 @@ TEST(PointSpread, CoefficientsAreThoseOfTheFunction) {
         return 2 * std::numbers::pi * d.x * point_spread(T, gamma) *
                sh_basis(sh_max_bands, d)[sh_index(l, 0)];
       };
-      const double truth = integrate<double>(f, breakpoints, 1e-11).value;
-      EXPECT_NEAR(coefficients[static_cast<std::size_t>(l)], truth, 2e-9 * truth) << T << ' ' << l;
+      const double reference = integrate<double>(f, breakpoints, 1e-11).value;
+      EXPECT_NEAR(coefficients[static_cast<std::size_t>(l)], reference, 2e-9 * reference)
+          << T << ' ' << l;
     }
   }
 }
@@ -92,8 +93,8 @@ TEST(DistantSpread, CoefficientsAreThoseOfTheFunction) {
         return 2 * std::numbers::pi * d.x * distant_spread(T, gamma) *
                sh_basis(sh_max_bands, d)[sh_index(l, 0)];
       };
-      const double truth = integrate<double>(f, breakpoints, 1e-11, 1e-13).value;
-      EXPECT_NEAR(coefficients[static_cast<std::size_t>(l)], truth, 2e-9 * coefficients[0])
+      const double reference = integrate<double>(f, breakpoints, 1e-11, 1e-13).value;
+      EXPECT_NEAR(coefficients[static_cast<std::size_t>(l)], reference, 2e-9 * coefficients[0])
           << T << ' ' << l;
     }
   }
@@ -118,20 +119,20 @@ TEST(PointSpread, MatchesThePaperAtOpticalDepthOne) {
 
 TEST(AverageDepth, MatchesDawsonsFunction) {
   // sqrt(pi) / 2 D(u) / u with 20 digits, by mpmath.
-  constexpr std::array<std::array<double, 2>, 13> truth = {{{0.001, 0.88622633463504403892},
-                                                            {0.05, 0.88475135656743298005},
-                                                            {0.2, 0.86296804765247491391},
-                                                            {0.5, 0.75229390240256984904},
-                                                            {1.3, 0.32953838123342218115},
-                                                            {2.65, 0.0692726545105697423},
-                                                            {3.7, 0.03371283251085686978},
-                                                            {4.6, 0.021476027350971660359},
-                                                            {5, 0.018102793352198005176},
-                                                            {6.5, 0.010616701201805630617},
-                                                            {8, 0.0069790590504384822594},
-                                                            {30, 0.00049262227589636770718},
-                                                            {1000, 4.4311368428344270594e-7}}};
-  for (const auto& [u, value] : truth) {
+  constexpr std::array<std::array<double, 2>, 13> reference = {{{0.001, 0.88622633463504403892},
+                                                                {0.05, 0.88475135656743298005},
+                                                                {0.2, 0.86296804765247491391},
+                                                                {0.5, 0.75229390240256984904},
+                                                                {1.3, 0.32953838123342218115},
+                                                                {2.65, 0.0692726545105697423},
+                                                                {3.7, 0.03371283251085686978},
+                                                                {4.6, 0.021476027350971660359},
+                                                                {5, 0.018102793352198005176},
+                                                                {6.5, 0.010616701201805630617},
+                                                                {8, 0.0069790590504384822594},
+                                                                {30, 0.00049262227589636770718},
+                                                                {1000, 4.4311368428344270594e-7}}};
+  for (const auto& [u, value] : reference) {
     EXPECT_NEAR(unit_average_depth(u), value, 2e-15 * value) << u;
     // The input's own rounding to float adds 2 epsilon.
     EXPECT_NEAR(unit_average_depth(static_cast<float>(u)), value, 8e-7 * value) << u;

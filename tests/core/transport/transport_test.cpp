@@ -39,10 +39,10 @@ TEST(SpecialFunctions, ErfcxMeetsItsBounds) {
   for (double x = 0.0; x < 60.0; x += 0.173) {
     const auto f = [x](double t) { return std::exp(-t * t - 2.0 * x * t); };
     const std::array<double, 4> breakpoints = {0.0, 1.0 / (1.0 + x), 3.0 / (1.0 + x), 8.0};
-    const double truth =
+    const double reference =
         2.0 * std::numbers::inv_sqrtpi * integrate<double>(f, breakpoints, 1e-15).value;
-    EXPECT_NEAR(erfcx(x), truth, 2e-14 * truth) << x;
-    EXPECT_NEAR(erfcx(static_cast<float>(x)), truth, 4e-6 * truth) << x;
+    EXPECT_NEAR(erfcx(x), reference, 2e-14 * reference) << x;
+    EXPECT_NEAR(erfcx(static_cast<float>(x)), reference, 4e-6 * reference) << x;
   }
 }
 
@@ -111,12 +111,12 @@ TEST(OpticalDepth, MeetsItsErrorBoundInEveryBranch) {
       const glm::dvec3 A(A32);
       const glm::dvec3 B(B32);
       if (A32 == B32) continue;
-      const double truth = depth_by_quadrature(g, A, B);
-      if (truth < 1e-30) continue;
-      worst64 = std::max(worst64, std::abs(optical_depth(g, A, B) / truth - 1.0));
+      const double reference = depth_by_quadrature(g, A, B);
+      if (reference < 1e-30) continue;
+      worst64 = std::max(worst64, std::abs(optical_depth(g, A, B) / reference - 1.0));
       const GaussianTerm<float> g32(static_cast<float>(g.a), static_cast<float>(g.c), glm::vec3(0));
-      worst32 = std::max(worst32,
-                         std::abs(static_cast<double>(optical_depth(g32, A32, B32)) / truth - 1.0));
+      worst32 = std::max(
+          worst32, std::abs(static_cast<double>(optical_depth(g32, A32, B32)) / reference - 1.0));
     }
     EXPECT_LT(worst64, row.bound64);
     EXPECT_LT(worst32, row.bound32);
@@ -153,9 +153,9 @@ TEST(TruncatedMean, MatchesTheMeanOfTheDensity) {
       if (t > breakpoints.back() && t < d) breakpoints.push_back(t);
     }
     breakpoints.push_back(d);
-    const double truth = integrate<double>(moment, breakpoints, 1e-12).value /
-                         integrate<double>(weight, breakpoints, 1e-12).value;
-    ASSERT_NEAR(truncated_mean(g, line, d), truth, 1e-9 * d) << "a " << a << " b " << g.b.z;
+    const double reference = integrate<double>(moment, breakpoints, 1e-12).value /
+                             integrate<double>(weight, breakpoints, 1e-12).value;
+    ASSERT_NEAR(truncated_mean(g, line, d), reference, 1e-9 * d) << "a " << a << " b " << g.b.z;
   }
   // Far behind: the density piles up at the near end, with the limit 1 / (2 a^2 |b|).
   const GaussianTerm<double> far(1.0, 1.0, {0, 0, -1e4});
@@ -166,7 +166,7 @@ TEST(TruncatedMean, MatchesTheMeanOfTheDensity) {
 TEST(Reach, NothingOutsideReachesTheTolerance) {
   Random random(23);
   int culled = 0;
-  double max_value = 0.0;
+  double max_ratio = 0.0;
   for (int i = 0; i < 50000; ++i) {
     const Gaussian g{random.point(1.0), random.power(-2, 1), random.power(-2, 2)};
     const double eps = random.power(-6, -1);
@@ -177,7 +177,7 @@ TEST(Reach, NothingOutsideReachesTheTolerance) {
     const double t = std::clamp(glm::dot(g.center - A, w), 0.0, glm::length(B - A));
     if (glm::length(g.center - A - t * w) <= r) continue;
     ++culled;
-    max_value = std::max(max_value, optical_depth(GaussianTerm<double>(g), A, B) / eps);
+    max_ratio = std::max(max_ratio, optical_depth(GaussianTerm<double>(g), A, B) / eps);
     // The cone says the same of the whole ray.
     const double cone = cutoff_cone(g.center, r, A);
     const double angle =
@@ -187,8 +187,8 @@ TEST(Reach, NothingOutsideReachesTheTolerance) {
       ASSERT_LE(optical_depth(GaussianTerm<double>(g), line, endless), eps);
     }
   }
-  EXPECT_LE(max_value, 1.0);
-  EXPECT_GT(max_value, 0.9) << "the bound is tight";
+  EXPECT_LE(max_ratio, 1.0);
+  EXPECT_GT(max_ratio, 0.9) << "the bound is tight";
   EXPECT_GT(culled, 10000);
 }
 

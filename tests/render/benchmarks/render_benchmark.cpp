@@ -62,20 +62,21 @@ void depths_of_n_gaussians(benchmark::State& state) {
   const glm::dvec3 light(2.0, 3.0, 2.5);
   CenterDepths result;
   for (auto _ : state) {
-    const MediumIndex index(medium, depth_tolerance(medium, 1e-3));
+    const MediumIndex index(medium, culling_tolerance(medium, 1e-3));
     result = center_depths(index, light, Settings::Precision::simd_float);
     benchmark::DoNotOptimize(result.depths.data());
   }
   double error2 = 0.0;
   double sum2 = 0.0;
   for (std::size_t i = 0; i < medium.size(); i += medium.size() / 100) {
-    double truth = 0.0;
+    double reference = 0.0;
     for (std::size_t j = 0; j < medium.size(); ++j) {
       if (j == i) continue;
-      truth += optical_depth(GaussianTerm<double>(medium.gaussian(j)), light, medium.centers()[i]);
+      reference +=
+          optical_depth(GaussianTerm<double>(medium.gaussian(j)), light, medium.centers()[i]);
     }
-    error2 += (result.depths[i] - truth) * (result.depths[i] - truth);
-    sum2 += truth * truth;
+    error2 += (result.depths[i] - reference) * (result.depths[i] - reference);
+    sum2 += reference * reference;
   }
   const double n = static_cast<double>(state.range(0));
   state.SetComplexityN(state.range(0));

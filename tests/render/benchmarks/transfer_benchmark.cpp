@@ -51,13 +51,13 @@ void transfer_of_70000_vertices(benchmark::State& state) {
   settings.directions = 4096;
   settings.bounces = 0;
   settings.order = 1;
-  const RadianceTransfer truth = *radiance_transfer(mesh, settings);
+  const RadianceTransfer reference = *radiance_transfer(mesh, settings);
   double error2 = 0.0;
   double sum2 = 0.0;
   double shadowed = 0.0;
   for (std::uint32_t v = 0; v < mesh->n_vertices(); ++v) {
     const double a = transfer.reflected(MeshSide::front, 0, at_vertex(v))[0];
-    const double b = truth.reflected(MeshSide::front, 0, at_vertex(v))[0];
+    const double b = reference.reflected(MeshSide::front, 0, at_vertex(v))[0];
     error2 += (a - b) * (a - b);
     sum2 += b * b;
     shadowed += 1.0 - b * std::sqrt(4.0 * std::numbers::pi);

@@ -46,17 +46,17 @@ Scene posts_before_fog() {
 
 struct Errors {
   double relative_rmse = 0.0;
-  double max_value = 0.0;  // relative to the greatest value
+  double max_error = 0.0;  // relative to the greatest value
 };
 
 Errors errors(const std::vector<float>& a, const std::vector<float>& b) {
-  double max_value = 0.0;
+  double max_error = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    max_value =
-        std::max(max_value, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+    max_error =
+        std::max(max_error, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
   }
   return {difference(a, b).relative_rmse,
-          max_value / static_cast<double>(*std::max_element(b.begin(), b.end()))};
+          max_error / static_cast<double>(*std::max_element(b.begin(), b.end()))};
 }
 
 // The worst pixel counts: a halo is a few bad pixels, which an average forgives.
@@ -71,9 +71,9 @@ TEST(AirlightScale, ThinObjectsBeforeFarFogHaveNoHalo) {
       const Frame frame = render_frame(scene, at_scale(scale, method));
       const Errors light = errors(frame.airlight, full.airlight);
       EXPECT_LT(light.relative_rmse, 0.005);
-      EXPECT_LT(light.max_value, 0.03);
+      EXPECT_LT(light.max_error, 0.03);
       const Errors taken = errors(frame.transmittance, full.transmittance);
-      EXPECT_LT(taken.max_value, 0.03);
+      EXPECT_LT(taken.max_error, 0.03);
       EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels * 2 / 3);
     }
   }
@@ -111,8 +111,8 @@ TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
   const Errors light = errors(frame.airlight, full.airlight);
   const Errors taken = errors(frame.transmittance, full.transmittance);
   EXPECT_LT(light.relative_rmse, 0.008);
-  EXPECT_LT(light.max_value, 0.03);
-  EXPECT_LT(taken.max_value, 0.005);
+  EXPECT_LT(light.max_error, 0.03);
+  EXPECT_LT(taken.max_error, 0.005);
   // 15,599 pixels without what surroundings tell, 11,521 with it; 10,920 are samples.
   EXPECT_LT(frame.statistics.exact_pixels, 12'500U);
 }
@@ -129,7 +129,7 @@ TEST(AirlightScale, AnyFilmIsCovered) {
       SCOPED_TRACE(width);
       SCOPED_TRACE(height);
       expect_finite(frame);
-      EXPECT_LT(errors(frame.airlight, full.airlight).max_value, 0.1);
+      EXPECT_LT(errors(frame.airlight, full.airlight).max_error, 0.1);
     }
   }
 }

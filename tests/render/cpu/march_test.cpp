@@ -71,15 +71,15 @@ TEST(March, ConvergesToTheReference) {
     SCOPED_TRACE(row.name);
     Settings settings;
     settings.airlight = AirlightMethod::reference;
-    const Frame truth = render_frame(row.scene, settings);
+    const Frame reference = render_frame(row.scene, settings);
     double last = 1e9;
     for (const int steps : {4, 16, 64, 256, 1024}) {
       const Frame frame = render_frame(row.scene, march(steps));
-      const double error = difference(frame.airlight, truth.airlight).relative_rmse;
+      const double error = difference(frame.airlight, reference.airlight).relative_rmse;
       EXPECT_LT(error, std::max(0.5 * last, culling_error)) << steps;
       last = error;
       for (std::size_t i = 0; i < frame.transmittance.size(); ++i) {
-        ASSERT_NEAR(frame.transmittance[i], truth.transmittance[i], 1e-3);
+        ASSERT_NEAR(frame.transmittance[i], reference.transmittance[i], 1e-3);
       }
     }
     EXPECT_LT(last, row.fine);

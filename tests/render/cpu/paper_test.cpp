@@ -14,7 +14,7 @@ Settings plain() {
   return settings;
 }
 
-Settings reference() {
+Settings reference_settings() {
   Settings settings;
   settings.airlight = AirlightMethod::reference;
   return settings;
@@ -46,7 +46,7 @@ TEST(Paper, HasTheDocumentedError) {
     SCOPED_TRACE(row.depth);
     const Scene scene = cloud_scene(row.count, row.depth);
     const Difference d = difference(render_frame(scene, paper_settings).airlight,
-                                    render_frame(scene, reference()).airlight);
+                                    render_frame(scene, reference_settings()).airlight);
     EXPECT_GT(d.relative_rmse, row.low);
     EXPECT_LT(d.relative_rmse, row.high);
     EXPECT_LT(d.bias, 0.0) << "the frozen attenuation errs to the dark";
@@ -58,13 +58,13 @@ struct Gain {
   double published, with;
 };
 Gain gain(const Scene& scene, const PaperOptions& options) {
-  const Frame truth = render_frame(scene, reference());
+  const Frame reference = render_frame(scene, reference_settings());
   Settings settings = paper_settings;
   const double published =
-      difference(render_frame(scene, paper_settings).airlight, truth.airlight).relative_rmse;
+      difference(render_frame(scene, paper_settings).airlight, reference.airlight).relative_rmse;
   settings.paper = options;
   return {published,
-          difference(render_frame(scene, settings).airlight, truth.airlight).relative_rmse};
+          difference(render_frame(scene, settings).airlight, reference.airlight).relative_rmse};
 }
 
 constexpr PaperOptions at_mean{.at_mean = true};
@@ -138,7 +138,7 @@ TEST(PaperOptions, EnergyIsLeftAloneInDenseGaussians) {
 TEST(Paper, CullingKeepsTheDepthOfEveryRay) {
   const Scene scene = cloud_scene(3000, 3.0);
   const Frame culled = render_frame(scene, paper_settings);
-  const Frame exact = render_frame(scene, reference());
+  const Frame exact = render_frame(scene, reference_settings());
   for (std::size_t i = 0; i < culled.transmittance.size(); ++i) {
     const double depth = -std::log(static_cast<double>(culled.transmittance[i]));
     const double exact_depth = -std::log(static_cast<double>(exact.transmittance[i]));

@@ -80,12 +80,12 @@ TEST(EdgeOn, PlanesJustBelowTheEyeAreVisible) {
 TEST(EdgeOn, MethodsAndTheErrorAgree) {
   for (const double off : {0.0, 1e-9}) {
     const Scene scene = on_the_floor({0, 0, 5}, {0, 0, 0}, off, 3);
-    Settings reference;
-    reference.airlight = AirlightMethod::reference;
-    const Frame truth = render_frame(scene, reference);
+    Settings reference_settings;
+    reference_settings.airlight = AirlightMethod::reference;
+    const Frame reference = render_frame(scene, reference_settings);
     const Frame frame = render_frame(scene, sliced_settings({}, 32));
-    EXPECT_EQ(hits(truth), 0U);
-    EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.02);
+    EXPECT_EQ(hits(reference), 0U);
+    EXPECT_LT(difference(frame.airlight, reference.airlight).relative_rmse, 0.02);
     const auto error = measure_error(scene, scene.camera, frame);
     ASSERT_TRUE(error);
     EXPECT_LT(error->high, 0.05);

@@ -70,9 +70,9 @@ TEST(RayBundle, MissesNothingThatItsSegmentsTouch) {
   for (int k = 0; k < 100000; ++k) {
     const glm::dvec3 origin = random.point(2.0);
     const double spread = std::pow(10.0, random.uniform(-6.0, 0.5));
-    const glm::dvec3 middle = random.point(3.0);
+    const glm::dvec3 target = random.point(3.0);
     std::vector<glm::dvec3> ends;
-    for (int i = 0; i < 4; ++i) ends.push_back(middle + random.point(spread));
+    for (int i = 0; i < 4; ++i) ends.push_back(target + random.point(spread));
     const RayBundle bundle(origin, ends);
     const glm::dvec3 center = random.point(3.0);
     const double radius = std::pow(10.0, random.uniform(-3.0, 0.0));
@@ -93,16 +93,16 @@ TEST(TriangleShape, AgreesWithSampling) {
   for (int k = 0; k < 300; ++k) {
     const TriangleShape triangle{random.point(1.0), random.point(1.0), random.point(1.0)};
     const glm::dvec3 center = random.point(2.0);
-    double min_value = INFINITY;
+    double min_distance = INFINITY;
     for (int i = 0; i <= 200; ++i) {
       for (int j = 0; i + j <= 200; ++j) {
         const glm::dvec3 p = triangle.a + i / 200.0 * (triangle.b - triangle.a) +
                              j / 200.0 * (triangle.c - triangle.a);
-        min_value = std::min(min_value, glm::length(p - center));
+        min_distance = std::min(min_distance, glm::length(p - center));
       }
     }
-    EXPECT_TRUE(triangle.touches(center, min_value + 1e-9));
-    EXPECT_FALSE(triangle.touches(center, min_value - 0.03));
+    EXPECT_TRUE(triangle.touches(center, min_distance + 1e-9));
+    EXPECT_FALSE(triangle.touches(center, min_distance - 0.03));
   }
 }
 

@@ -91,12 +91,12 @@ TEST_F(InContext, BuffersKeepWhatTheyTake) {
 }
 
 TEST_F(InContext, BuffersThatShadersCannotReachAreRefused) {
-  GLint64 max_value = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_value);
+  GLint64 max_bytes = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_bytes);
   constexpr GLint64 affordable = 1 << 28;
-  if (max_value > affordable) return;  // of a GPU: more than a test should take
+  if (max_bytes > affordable) return;  // of a GPU: more than a test should take
   Buffer buffer;
-  buffer.reserve(static_cast<std::size_t>(max_value));  // and some room beyond
+  buffer.reserve(static_cast<std::size_t>(max_bytes));  // and some room beyond
   EXPECT_THROW(buffer.bind(0), OutOfMemory);
 }
 

@@ -64,10 +64,10 @@ class Display : public GlTest {
 
   static int furthest(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     if (a.size() != b.size()) return 256;
-    int max_value = 0;
+    int max_difference = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-      max_value = std::max(max_value, std::abs(a[i] - b[i]));
-    return max_value;
+      max_difference = std::max(max_difference, std::abs(a[i] - b[i]));
+    return max_difference;
   }
 
   std::shared_ptr<PicturePool> pool_ = PicturePool::create();

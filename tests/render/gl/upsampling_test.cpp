@@ -122,7 +122,7 @@ layout(std430, binding = 6) readonly buffer Given { vec4 given[]; };
 
 void main() {
   const PixelOfGroup pixel = pixel_of_group();
-  const vec4 value = given[pixel.at.y * film.x + pixel.at.x];
+  const vec4 value = given[pixel.position.y * film.x + pixel.position.x];
   store_pixel(pixel, value.rgb, value.w, 1u);
 }
 )";

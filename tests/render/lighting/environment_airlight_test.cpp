@@ -77,7 +77,7 @@ TEST(DistantLights, PreserveFluxAndDirection) {
       for (const DistantLight& light : lights) {
         EXPECT_NEAR(glm::length(light.direction), 1.0, 1e-12);
         const ShVector<double> basis = sh_basis(3, light.direction);
-        for (std::size_t i = 0; i < got.size(); ++i) got[i] += basis[i] * light.flux;
+        for (std::size_t i = 0; i < got.size(); ++i) got[i] += basis[i] * light.irradiance;
       }
       // map_sh() does not interpolate between pixels; the third band is what 96 lights leave.
       for (std::size_t i = 0; i < got.size(); ++i) {
@@ -98,7 +98,7 @@ TEST(DistantLights, ASunBecomesOneLight) {
       glm::vec3(1e6f);
   double nearest = 2.0;
   for (const DistantLight& light : distant_lights(map, 48)) {
-    if (light.flux.x > 20.0) nearest = std::min(nearest, glm::length(light.direction - sun));
+    if (light.irradiance.x > 20.0) nearest = std::min(nearest, glm::length(light.direction - sun));
   }
   EXPECT_LT(nearest, 0.01);  // a pixel
 }
@@ -110,7 +110,7 @@ TEST(EnvironmentReference, MatchesTheIntegral) {
     Scene scene = lit_cloud(10, 2.0, sunny_sky());
     scene.environment->rotation = 50.0;
     scene.environment->intensity = 0.5;
-    const MediumIndex medium(scene.medium, depth_tolerance(scene.medium, 1e-8), g);
+    const MediumIndex medium(scene.medium, culling_tolerance(scene.medium, 1e-8), g);
     const glm::dvec3 eye = scene.camera.eye;
     const glm::dvec3 w = glm::normalize(glm::dvec3(0.05, 0.02, -1.0));
     std::vector<GaussianTerm<double>> gaussians(medium.gaussians().begin(),
@@ -233,11 +233,11 @@ TEST(DistantLights, ClustersHoldTheSameLights) {
   ASSERT_EQ(groups.size(), lights.size());
   std::set<int> clusters;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    EXPECT_EQ(groups[i].whole.direction, lights[i].direction);
+    EXPECT_EQ(groups[i].combined.direction, lights[i].direction);
     clusters.insert(groups[i].cluster);
-    double flux = 0.0;
-    for (const DistantLight& part : groups[i].parts) flux += part.flux.x;
-    EXPECT_NEAR(flux, groups[i].whole.flux.x, 1e-9 * flux);
+    double irradiance = 0.0;
+    for (const DistantLight& light : groups[i].lights) irradiance += light.irradiance.x;
+    EXPECT_NEAR(irradiance, groups[i].combined.irradiance.x, 1e-9 * irradiance);
   }
   EXPECT_EQ(clusters.size(), 16u);
 }

@@ -39,15 +39,17 @@ TEST(ErrorEstimate, IntervalHoldsTheTruth) {
   int narrow = 0;
   for (Scene& scene : scenes()) {
     scene.film = {40, 40};
-    const Frame truth = render_frame(scene, method(AirlightMethod::reference));
-    const auto reference = std::make_shared<ViewReference>(scene, scene.camera, scene.film, 1e-4);
+    const Frame reference = render_frame(scene, method(AirlightMethod::reference));
+    const auto view_reference =
+        std::make_shared<ViewReference>(scene, scene.camera, scene.film, 1e-4);
     for (const Settings& settings :
          {method(AirlightMethod::paper), method(AirlightMethod::sliced, 8),
           method(AirlightMethod::sliced, 16)}) {
       const Frame frame = render_frame(scene, settings);
-      const double error = difference(frame.airlight, truth.airlight).relative_rmse;
+      const double error = difference(frame.airlight, reference.airlight).relative_rmse;
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        const auto sample = ErrorSample::create(reference, scene, scene.camera, frame, 150, seed);
+        const auto sample =
+            ErrorSample::create(view_reference, scene, scene.camera, frame, 150, seed);
         const ErrorEstimate estimate = sample->measure(frame);
         // So many by chance, and a quarter more around errors.
         EXPECT_NEAR(static_cast<double>(estimate.pixels), 170.0, 50.0);
@@ -65,12 +67,12 @@ TEST(ErrorEstimate, IntervalHoldsTheTruth) {
 TEST(ErrorEstimate, ReferenceHasNoError) {
   Scene scene = cloud_scene(30, 1.0);
   scene.film = {20, 20};
-  const Frame truth = render_frame(scene, method(AirlightMethod::reference));
-  const auto sample = ErrorSample::create(scene, scene.camera, truth, 60, 1, 1e-4);
-  EXPECT_LT(sample->measure(truth).high, 1e-6);
+  const Frame reference = render_frame(scene, method(AirlightMethod::reference));
+  const auto sample = ErrorSample::create(scene, scene.camera, reference, 60, 1, 1e-4);
+  EXPECT_LT(sample->measure(reference).high, 1e-6);
 }
 
-// The truth of a view, and a frame that is wrong where it is told to be.
+// The reference of a view, and a frame with errors where lose() sets them.
 class WrongFrame {
  public:
   explicit WrongFrame(const Scene& scene)
@@ -171,8 +173,8 @@ TEST(ErrorEstimate, SamplesAroundErrors) {
   for (int y = small_y - 1; y <= small_y + 1; ++y) {
     for (int x = small_x - 2; x <= small_x + 2; ++x) wrong.lose(wrong.pixel(x, y));
   }
-  const Frame truth = WrongFrame(light_in_view()).frame;
-  const double error = difference(wrong.frame.airlight, truth.airlight).relative_rmse;
+  const Frame reference = WrongFrame(light_in_view()).frame;
+  const double error = difference(wrong.frame.airlight, reference.airlight).relative_rmse;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     EXPECT_NEAR(wrong.sample(60, seed).measure(wrong.frame).rel_rmse, error, 0.01 * error) << seed;
   }
@@ -267,14 +269,14 @@ TEST(FrameErrors, GrowOnlyWhileTheBoundIsInTheInterval) {
 TEST(AutoQuality, MeetsTheRequestedError) {
   for (Scene& scene : scenes()) {
     scene.film = {60, 60};
-    const Frame truth = render_frame(scene, method(AirlightMethod::reference));
+    const Frame reference = render_frame(scene, method(AirlightMethod::reference));
     Renderer renderer;
     for (const double asked : {0.05, 0.01}) {
       const RequestedFrame made =
           *render_requested(renderer, scene, scene.camera, scene.film, {.max_error = asked});
       EXPECT_EQ(made.settings.airlight, AirlightMethod::sliced);
       EXPECT_LE(made.error->high, asked);
-      EXPECT_LT(difference(made.frame.airlight, truth.airlight).relative_rmse, asked);
+      EXPECT_LT(difference(made.frame.airlight, reference.airlight).relative_rmse, asked);
     }
   }
 }

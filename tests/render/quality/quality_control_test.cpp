@@ -27,7 +27,7 @@ std::vector<std::size_t> steps_to_rest(QualityControl& control, const ErrorOfSte
   while (shown.size() < 100) {
     const std::size_t step = control.step();
     shown.push_back(step);
-    control.learn(Settings(control.settings()), error_of(error(step)), 10.0);
+    control.record(Settings(control.settings()), error_of(error(step)), 10.0);
     if (control.step() == step) return shown;
   }
   ADD_FAILURE() << "it does not come to rest";
@@ -39,13 +39,13 @@ TEST(QualityControl, LadderIsOrderedByCost) {
   settings.reference_tolerance = 2e-4;
   const std::vector<Settings> ladder = quality_ladder(settings);
   const Scene scene = cloud_scene(100, 3.0);
-  const Frame truth = render_frame(scene, [] {
-    Settings reference;
-    reference.airlight = AirlightMethod::reference;
-    return reference;
+  const Frame reference = render_frame(scene, [] {
+    Settings exact;
+    exact.airlight = AirlightMethod::reference;
+    return exact;
   }());
   const auto error = [&](const Settings& tried) {
-    return difference(render_frame(scene, tried).airlight, truth.airlight).relative_rmse;
+    return difference(render_frame(scene, tried).airlight, reference.airlight).relative_rmse;
   };
   for (const Settings& step : ladder) EXPECT_EQ(step.reference_tolerance, 2e-4);
   EXPECT_LT(error(ladder.back()), 0.1 * error(ladder.front()));
@@ -66,7 +66,7 @@ TEST(QualityControl, LowersQualityWellBelowTheBound) {
   const std::size_t first = control.step();
   control.set_max_error(0.05);
   EXPECT_EQ(steps_to_rest(control, [](std::size_t) { return 0.019; }).back(), 0u);
-  control.forget();
+  control.reset();
   EXPECT_EQ(steps_to_rest(control, [](std::size_t) { return 0.021; }).back(), first);
 }
 
@@ -86,11 +86,11 @@ TEST(QualityControl, ConvergesForAnyErrors) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     unsigned state = seed;
     QualityControl control;
-    control.follow(scene, scene.camera);
+    control.begin_frame(scene, scene.camera);
     for (int view = 0; view < 5; ++view) {
       Camera camera = scene.camera;
       camera.eye.x += view;
-      control.follow(scene, camera);
+      control.begin_frame(scene, camera);
       std::vector<double> errors;
       for (std::size_t i = 0; i < control.trials().size(); ++i) {
         state = 1664525u * state + 1013904223u;
@@ -117,15 +117,16 @@ TEST(QualityControl, SettlesAtTheCheapestPossibleSettings) {
   QualityControl control;
   control.set_max_error(0.02);
   const std::size_t first = control.step();
-  const auto learn = [&] {
+  const auto record = [&] {
     const bool is_first = control.step() == first;
-    control.learn(Settings(control.settings()), {is_first ? 0.025 : 0.017, 0.011, 0.027, 96}, 10.0);
+    control.record(Settings(control.settings()), {is_first ? 0.025 : 0.017, 0.011, 0.027, 96},
+                   10.0);
   };
-  for (int k = 0; k < 20; ++k) learn();
+  for (int k = 0; k < 20; ++k) record();
   EXPECT_EQ(control.step(), first + 1);
   EXPECT_TRUE(control.is_exhausted());
   EXPECT_TRUE(control.may_keep_bound());
-  learn();
+  record();
   EXPECT_EQ(control.step(), first + 1);
   control.set_max_error(0.03);
   EXPECT_FALSE(control.is_exhausted());
@@ -148,22 +149,22 @@ TEST(QualityControl, RemembersWhileTheSceneChangesLittle) {
   QualityControl control;
   control.set_max_error(0.1);
   Scene scene = cloud_scene(30, 1.0);
-  control.follow(scene, scene.camera);
+  control.begin_frame(scene, scene.camera);
   const ErrorOfStep cliff = [](std::size_t step) { return step < 5 ? 0.2 : 0.02; };
   ASSERT_EQ(steps_to_rest(control, cliff).back(), 5u);
 
   scene.medium.append({{0.1, 0.2, 0.3}, 0.3, 0.1});
-  control.follow(scene, scene.camera);
+  control.begin_frame(scene, scene.camera);
   EXPECT_EQ(steps_to_rest(control, cliff).size(), 1u);
 
   // Much has changed: the choice is the start of a new search.
   const Scene denser = cloud_scene(60, 1.0);
-  control.follow(denser, denser.camera);
+  control.begin_frame(denser, denser.camera);
   EXPECT_EQ(control.step(), 5u);
   EXPECT_FALSE(control.trials()[4].error);
   EXPECT_LT(steps_to_rest(control, [](std::size_t) { return 0.001; }).back(), 5u);
 
-  control.forget();
+  control.reset();
   EXPECT_EQ(control.settings(), QualityControl().settings());
 }
 
@@ -171,11 +172,11 @@ TEST(QualityControl, NoticesLightsAndDensity) {
   const Scene scene = cloud_scene(30, 1.0);
   const auto forgets = [&](auto change) {
     QualityControl control;
-    control.follow(scene, scene.camera);
-    control.learn(control.settings(), error_of(0.02), 10.0);
+    control.begin_frame(scene, scene.camera);
+    control.record(control.settings(), error_of(0.02), 10.0);
     Scene changed = scene;
     change(changed);
-    control.follow(changed, changed.camera);
+    control.begin_frame(changed, changed.camera);
     return !control.trials()[control.step()].error;
   };
   EXPECT_FALSE(forgets([](Scene&) {}));
@@ -191,14 +192,14 @@ TEST(QualityControl, LowersQualityInAnEasierView) {
   QualityControl control;
   control.set_max_error(0.1);
   const Scene scene = cloud_scene(30, 1.0);
-  control.follow(scene, scene.camera);
+  control.begin_frame(scene, scene.camera);
   ASSERT_EQ(steps_to_rest(control, [](std::size_t step) { return step < 6 ? 0.2 : 0.05; }).back(),
             6u);
   const ErrorOfStep easy = [](std::size_t) { return 0.001; };
   EXPECT_EQ(steps_to_rest(control, easy).back(), 6u);
   Camera other = scene.camera;
   other.eye.z *= 2.0;
-  control.follow(scene, other);
+  control.begin_frame(scene, other);
   EXPECT_EQ(steps_to_rest(control, easy).back(), 0u);
 }
 
@@ -206,7 +207,7 @@ TEST(QualityControl, IgnoresSettingsThatAreNotItsOwn) {
   QualityControl control;
   Settings paper;
   paper.airlight = AirlightMethod::paper;
-  control.learn(paper, error_of(0.9), 10.0);
+  control.record(paper, error_of(0.9), 10.0);
   for (const QualityControl::Trial& trial : control.trials()) EXPECT_FALSE(trial.error);
 }
 

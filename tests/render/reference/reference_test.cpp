@@ -68,7 +68,7 @@ class Marching {
   int light_steps_;
 };
 
-Settings reference(double tolerance = 1e-4) {
+Settings reference_settings(double tolerance = 1e-4) {
   Settings settings;
   settings.airlight = AirlightMethod::reference;
   settings.reference_tolerance = tolerance;
@@ -78,7 +78,7 @@ Settings reference(double tolerance = 1e-4) {
 // relRMSE of the reference's airlight over all pixels against marching up to `length`.
 double error_against_marching(const Scene& scene, const Marching& marching, double length,
                               int steps) {
-  const Frame frame = render_frame(scene, reference());
+  const Frame frame = render_frame(scene, reference_settings());
   const CameraRays rays(scene.camera, scene.film);
   double square = 0.0;
   double square_true = 0.0;
@@ -86,12 +86,12 @@ double error_against_marching(const Scene& scene, const Marching& marching, doub
     for (int x = 0; x < scene.film.width; ++x) {
       const auto pixel = static_cast<std::size_t>(y * scene.film.width + x);
       const double end = std::min(length, static_cast<double>(frame.depth[pixel]));
-      const double truth =
+      const double reference =
           scene.lights[0].intensity.x *
           marching.airlight(rays.eye(), rays.direction(x + 0.5, y + 0.5), end, steps);
-      const double d = static_cast<double>(frame.airlight[3 * pixel]) - truth;
+      const double d = static_cast<double>(frame.airlight[3 * pixel]) - reference;
       square += d * d;
-      square_true += truth * truth;
+      square_true += reference * reference;
     }
   }
   return std::sqrt(square / square_true);
@@ -119,7 +119,7 @@ TEST(Reference, AgreesWithMarchingWhenTheMediumAbsorbs) {
   Scene scene = cloud_scene(8, 1.5, 4);
   scene.film = {6, 6};
   scene.optics.albedo = {0.5, 1.0, 0.8};
-  const Frame frame = render_frame(scene, reference());
+  const Frame frame = render_frame(scene, reference_settings());
   const CameraRays rays(scene.camera, scene.film);
   for (const int c : {0, 1, 2}) {
     // Marching knows no albedo: it sees the extinction, of which the albedo is scattered.
@@ -134,10 +134,10 @@ TEST(Reference, AgreesWithMarchingWhenTheMediumAbsorbs) {
     const Marching marching(extinction);
     for (const int i : {7, 14, 15, 20, 28}) {
       const glm::dvec3 w = rays.direction(i % 6 + 0.5, i / 6 + 0.5);
-      const double truth =
+      const double reference =
           albedo * scene.lights[0].intensity[c] * marching.airlight(rays.eye(), w, 7.0, 700);
       const auto at = static_cast<std::size_t>(3 * i + c);
-      EXPECT_NEAR(frame.airlight[at], truth, 1e-3 * truth);
+      EXPECT_NEAR(frame.airlight[at], reference, 1e-3 * reference);
       EXPECT_NEAR(frame.transmittance[at],
                   std::exp(-marching.depth(rays.eye(), rays.eye() + 8.0 * w, 2000)), 1e-4);
     }
@@ -180,8 +180,8 @@ TEST(Reference, HalvingTheToleranceChangesNothing) {
   scene.medium.set_homogeneous_density(0.02);
   scene.film = {16, 16};
   scene.surfaces.push_back(wall(-0.3, 0.6));
-  const Frame coarse = render_frame(scene, reference(1e-4));
-  const Frame fine = render_frame(scene, reference(0.5e-4));
+  const Frame coarse = render_frame(scene, reference_settings(1e-4));
+  const Frame fine = render_frame(scene, reference_settings(0.5e-4));
   EXPECT_LT(difference(coarse.beauty, fine.beauty).relative_rmse, 1e-4);
 }
 
@@ -197,8 +197,8 @@ TEST(Reference, HalvingTheToleranceChangesNothingBehindAFence) {
     slat.translate = {-1.2 + 0.06 * i, 2.0, 0.0};
     scene.surfaces.push_back(slat);
   }
-  const Frame coarse = render_frame(scene, reference(1e-4));
-  const Frame fine = render_frame(scene, reference(0.5e-4));
+  const Frame coarse = render_frame(scene, reference_settings(1e-4));
+  const Frame fine = render_frame(scene, reference_settings(0.5e-4));
   EXPECT_LT(difference(coarse.beauty, fine.beauty).relative_rmse, 1e-4);
   // And the shafts are right: marching with the fence's own formula.
   Marching marching(scene, 100);
@@ -221,12 +221,13 @@ TEST(Reference, FindsASmallGaussianAndItsShadow) {
   scene.medium.append({{0, 0, 0}, 3.0, 0.05});
   scene.medium.append({{0, 1.5, 0.01}, 0.02, 200.0});
   const Marching marching(scene, 3000);
-  const Frame frame = render_frame(scene, reference());
+  const Frame frame = render_frame(scene, reference_settings());
   const CameraRays rays(scene.camera, scene.film);
   for (const int y : {2, 10, 20, 30}) {
     const auto pixel = static_cast<std::size_t>(y * scene.film.width + 2);
-    const double truth = marching.airlight(rays.eye(), rays.direction(2.5, y + 0.5), 15.0, 6000);
-    EXPECT_NEAR(static_cast<double>(frame.airlight[3 * pixel]), truth, 1e-3 * truth) << y;
+    const double reference =
+        marching.airlight(rays.eye(), rays.direction(2.5, y + 0.5), 15.0, 6000);
+    EXPECT_NEAR(static_cast<double>(frame.airlight[3 * pixel]), reference, 1e-3 * reference) << y;
   }
 }
 

@@ -189,7 +189,7 @@ TEST(SurfaceReference, ErrorFallsWithTheRootOfTheSamples) {
     return reflected_light(scene, RayCaster({}), upward(surface),
                            {.samples = samples, .seed = seed});
   };
-  const double truth = at(500'000, 999).scattered.x;
+  const double reference = at(500'000, 999).scattered.x;
   std::array<double, 2> rms{};
   const std::array<std::size_t, 2> samples = {500, 8000};
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -198,7 +198,7 @@ TEST(SurfaceReference, ErrorFallsWithTheRootOfTheSamples) {
     double claimed = 0.0;
     for (std::uint64_t seed = 1; seed <= runs; ++seed) {
       const ReflectedLight light = at(samples[k], seed);
-      squares += std::pow(light.scattered.x - truth, 2) / runs;
+      squares += std::pow(light.scattered.x - reference, 2) / runs;
       claimed += std::pow(light.error.x, 2) / runs;
     }
     rms[k] = std::sqrt(squares);
@@ -223,13 +223,13 @@ TEST(SurfaceReference, MatchesAFrameForPointLights) {
   const SurfaceHit hit = ray_caster.first_hit(scene.camera.eye, w);
   ASSERT_TRUE(hit);
   const SurfacePoint point = ray_caster.point(hit, scene.camera.eye, w, scene.surfaces);
-  const glm::dvec3 truth = reflected_light(scene, ray_caster, point, {.samples = 2}).attenuated;
+  const glm::dvec3 reference = reflected_light(scene, ray_caster, point, {.samples = 2}).attenuated;
   const Frame frame = render_frame(scene, paper_settings);
   for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(static_cast<double>(frame.beauty[static_cast<std::size_t>(c)]), truth[c],
-                1e-5 * truth[c]);
+    EXPECT_NEAR(static_cast<double>(frame.beauty[static_cast<std::size_t>(c)]), reference[c],
+                1e-5 * reference[c]);
   }
-  EXPECT_GT(truth.z, 5.0 * truth.x) << "a highlight";
+  EXPECT_GT(reference.z, 5.0 * reference.x) << "a highlight";
 }
 
 // The light that the model of eq. 25 scatters onto a diffuse ball, beside the reference; the light
@@ -259,7 +259,7 @@ TEST(SurfaceModel, PointSpreadMatchesTheReferenceInFog) {
       const SurfaceHit hit = ray_caster.first_hit(2.0 * outward, -outward);
       ASSERT_TRUE(hit);
       const SurfacePoint point = ray_caster.point(hit, 2.0 * outward, -outward, scene.surfaces);
-      const double truth =
+      const double reference =
           reflected_light(scene, ray_caster, point, {.samples = 100'000}).scattered.x;
       const double D = glm::length(light - point.position);
       const double T = row.T * D;
@@ -269,9 +269,9 @@ TEST(SurfaceModel, PointSpreadMatchesTheReferenceInFog) {
             sh_convolve(sh_convolve(delta, spread), clamped_cosine_sh());
         return 0.5 / pi * T * std::exp(-T) / (D * D) * sh_evaluate(reflected, point.normal);
       };
-      squares += truth * truth;
-      error += std::pow(model(SpreadTable::point()(T)) - truth, 2);
-      paper_error += std::pow(model(paper_point_spread_sh) - truth, 2);
+      squares += reference * reference;
+      error += std::pow(model(SpreadTable::point()(T)) - reference, 2);
+      paper_error += std::pow(model(paper_point_spread_sh) - reference, 2);
     }
     EXPECT_LT(std::sqrt(error / squares), row.error) << row.T;
     EXPECT_NEAR(std::sqrt(paper_error / squares), row.paper_error, 0.02) << row.T;
@@ -305,7 +305,7 @@ TEST(SurfaceModel, DistantSpreadMatchesTheReference) {
          {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0.6, 0, 0.8)}) {
       SurfacePoint point = upward(surface);
       point.normal = point.to_eye = n;
-      const ReflectedLight truth =
+      const ReflectedLight reference =
           reflected_light(scene, RayCaster({}), point, {.samples = 120'000, .far = far});
       const auto model = [&](const ZonalSh<double>& spread) {
         const auto light = sh_convolve(incident_environment(L, row.T, spread), clamped_cosine_sh());
@@ -313,9 +313,9 @@ TEST(SurfaceModel, DistantSpreadMatchesTheReference) {
         return 0.5 / pi *
                (sh_evaluate(light, n).x - std::exp(-row.T) * sh_evaluate(unscattered, n).x);
       };
-      squares += truth.scattered.x * truth.scattered.x;
-      error += std::pow(model(SpreadTable::distant()(row.T)) - truth.scattered.x, 2);
-      paper_error += std::pow(model(paper_point_spread_sh) - truth.scattered.x, 2);
+      squares += reference.scattered.x * reference.scattered.x;
+      error += std::pow(model(SpreadTable::distant()(row.T)) - reference.scattered.x, 2);
+      paper_error += std::pow(model(paper_point_spread_sh) - reference.scattered.x, 2);
     }
     EXPECT_LT(std::sqrt(error / squares), 0.01) << row.T;
     EXPECT_NEAR(std::sqrt(paper_error / squares), row.paper_error, 0.02) << row.T;

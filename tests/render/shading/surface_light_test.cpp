@@ -103,8 +103,8 @@ TEST(SurfaceLight, MatchesTheReferenceForALightInFog) {
   const std::vector<ComparedError> rows = measure_surface_light(2'000);
   ASSERT_EQ(rows.size(), std::size(bounds));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].what;
-    EXPECT_GT(rows[i].other->rel_rmse, bounds[i].paper) << rows[i].what;
+    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].label;
+    EXPECT_GT(rows[i].other->rel_rmse, bounds[i].paper) << rows[i].label;
   }
 }
 
@@ -128,11 +128,11 @@ TEST(SurfaceLight, MatchesTheReferenceForASkyInSmoke) {
     set_type(row.type, scene.surfaces[0].material);
     scene.camera = {{0.3, 0.5, 0.9}, {0, 0, 0}, {0, 1, 0}, 30.0};
     scene.film = {5, 5};
-    const SurfaceTruth truth(scene, {.samples = 40});
-    ASSERT_GT(truth.size(), 10u);
-    EXPECT_LT(truth.error(render_frame(scene, paper_settings)).rel_rmse, row.paper_error)
+    const SurfaceTruth reference(scene, {.samples = 40});
+    ASSERT_GT(reference.size(), 10u);
+    EXPECT_LT(reference.error(render_frame(scene, paper_settings)).rel_rmse, row.paper_error)
         << row.depth;
-    EXPECT_LT(truth.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, row.error)
+    EXPECT_LT(reference.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, row.error)
         << row.depth;
   }
 }
@@ -146,8 +146,8 @@ TEST(SurfaceLight, MatchesTheReferenceForASkyInSmokeAndFog) {
   scene.camera = {{0.3, 0.5, 0.9}, {0, 0, 0}, {0, 1, 0}, 30.0};
   scene.film = {5, 5};
   scene.medium.set_homogeneous_density(0.1);
-  const SurfaceTruth truth(scene, {.samples = 40, .far = FogExtent(scene).surface_distance()});
-  EXPECT_LT(truth.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, 0.04);
+  const SurfaceTruth reference(scene, {.samples = 40, .far = FogExtent(scene).surface_distance()});
+  EXPECT_LT(reference.error(render_frame(scene, sliced_settings({}, 24))).rel_rmse, 0.04);
 }
 
 TEST(SurfaceLight, AWhiteBallMatchesItsEnvironment) {
@@ -221,8 +221,8 @@ TEST(Environment, PaperInscatteringMatchesThePublishedFormula) {
   settings.paper_spread = true;
   const Frame frame = render_frame(scene, settings);
   const double T = std::sqrt(pi);
-  const double share = paper_point_spread_sh[0] * std::sqrt(4.0 * pi);
-  EXPECT_NEAR(frame.airlight[0], T * std::exp(-T) * share, 1e-4);
+  const double scattered = paper_point_spread_sh[0] * std::sqrt(4.0 * pi);
+  EXPECT_NEAR(frame.airlight[0], T * std::exp(-T) * scattered, 1e-4);
   EXPECT_EQ(frame.beauty[0], frame.airlight[0] + frame.transmittance[0]);
   EXPECT_EQ(frame.beauty[3], 1.0f - frame.transmittance[0]);
 }

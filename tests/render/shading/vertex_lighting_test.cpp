@@ -91,9 +91,9 @@ TEST(VertexLighting, MatchesTheReference) {
   const std::vector<ComparedError> rows = measure_transfer(250);
   ASSERT_EQ(rows.size(), std::size(bounds));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].what;
+    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].error) << rows[i].label;
     if (rows[i].other) {
-      EXPECT_GT(rows[i].other->rel_rmse, bounds[i].without) << rows[i].what;
+      EXPECT_GT(rows[i].other->rel_rmse, bounds[i].without) << rows[i].label;
     }
   }
 }
@@ -268,22 +268,22 @@ TEST(VertexLighting, CanBeStopped) {
   scene.film = {64, 48};
   scene.environment.emplace().map = smooth_sky();
   scene.medium.set_homogeneous_density(0.05);
-  const Frame whole = render_frame(scene, paper_settings);
-  for (const double at : {0.0, 0.2, 0.45, 0.6, 0.95}) {
+  const Frame uninterrupted = render_frame(scene, paper_settings);
+  for (const double stop_fraction : {0.0, 0.2, 0.45, 0.6, 0.95}) {
     Renderer renderer;
     std::stop_source stop;
     std::atomic<double> last = 0.0;
-    const auto progress = [&](double share) {
-      EXPECT_TRUE(0.0 <= share && share <= 1.0);
-      last = share;
-      if (share >= at) stop.request_stop();
+    const auto progress = [&](double fraction) {
+      EXPECT_TRUE(0.0 <= fraction && fraction <= 1.0);
+      last = fraction;
+      if (fraction >= stop_fraction) stop.request_stop();
     };
     EXPECT_FALSE(renderer.render(scene, scene.camera, scene.film, paper_settings, stop.get_token(),
                                  progress));
-    EXPECT_GE(last, at);
-    EXPECT_LT(last, at + 0.3);
+    EXPECT_GE(last, stop_fraction);
+    EXPECT_LT(last, stop_fraction + 0.3);
     EXPECT_EQ(renderer.render(scene, scene.camera, scene.film, paper_settings)->beauty,
-              whole.beauty);
+              uninterrupted.beauty);
   }
 }
 

@@ -48,11 +48,11 @@ TEST(ReflectionKernel, MatchesTheScalarVersion) {
   for (const double exponent : {1.0, 30.0}) {
     for (const int order : {1, 4, 6}) {
       const ShMaterial material = shiny(exponent);
-      const auto at = points();
+      const auto surface_points = points();
       auto light = std::make_unique<IncidentLight>();
       std::vector<ShVector<glm::dvec3>> lights;
       Random random(9);
-      for (std::size_t k = 0; k < at->count; ++k) {
+      for (std::size_t k = 0; k < surface_points->count; ++k) {
         ShVector<glm::dvec3> all(sh_max_bands);
         ShVector<glm::dvec3> given(order);
         for (std::size_t i = 0; i < given.size(); ++i) all[i] = given[i] = random.point(1.0);
@@ -60,10 +60,10 @@ TEST(ReflectionKernel, MatchesTheScalarVersion) {
         lights.push_back(all);
       }
       PointRadiance outgoing;
-      reflect(*at, material.table(), *light, outgoing);
-      for (std::size_t k = 0; k < at->count; ++k) {
-        const glm::dvec3 exact =
-            material.unshadowed(lights[k], glm::normalize(at->normal[k]), at->to_eye[k]);
+      reflect(*surface_points, material.table(), *light, outgoing);
+      for (std::size_t k = 0; k < surface_points->count; ++k) {
+        const glm::dvec3 exact = material.unshadowed(
+            lights[k], glm::normalize(surface_points->normal[k]), surface_points->to_eye[k]);
         // Of light whose coefficients are about 1. The frame of an eye along the normal is any.
         if (k % 8 == 2) continue;
         EXPECT_NEAR(outgoing.r[k], exact.r, 2e-5) << k;
@@ -78,16 +78,16 @@ TEST(ReflectionKernel, MatchesTheScalarVersion) {
 // the last vector is not whole.
 TEST(ReflectionKernel, MixesTheLightOfCorners) {
   const ShMaterial material = shiny(30.0);
-  const auto at = points();
-  at->count = 71;
+  const auto surface_points = points();
+  surface_points->count = 71;
   constexpr std::size_t size = sh_size(4);
   Random random(11);
-  std::vector<glm::vec3> corners(3 * size * at->count);
+  std::vector<glm::vec3> corners(3 * size * surface_points->count);
   for (glm::vec3& c : corners) c = glm::vec3(random.point(1.0));
   const glm::vec3 weights(0.5f, 0.2f, 0.3f);
-  std::vector<MixedLight> mixed(at->count);
+  std::vector<MixedLight> mixed(surface_points->count);
   auto light = std::make_unique<IncidentLight>();
-  for (std::size_t k = 0; k < at->count; ++k) {
+  for (std::size_t k = 0; k < surface_points->count; ++k) {
     if (k % 5 == 3) continue;
     mixed[k].weights = weights;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -99,9 +99,9 @@ TEST(ReflectionKernel, MixesTheLightOfCorners) {
   }
   PointRadiance expected;
   PointRadiance outgoing;
-  reflect(*at, material.table(), *light, expected);
-  reflect(*at, material.table(), mixed, size, outgoing);
-  for (std::size_t k = 0; k < at->count; ++k) {
+  reflect(*surface_points, material.table(), *light, expected);
+  reflect(*surface_points, material.table(), mixed, size, outgoing);
+  for (std::size_t k = 0; k < surface_points->count; ++k) {
     EXPECT_NEAR(outgoing.r[k], expected.r[k], 2e-6) << k;
     EXPECT_NEAR(outgoing.b[k], expected.b[k], 2e-6) << k;
     EXPECT_EQ(k % 5 == 3, outgoing.g[k] == 0.0f) << k;

@@ -119,10 +119,10 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
     const glm::dvec3 light = random.point(2.0);
     const double density = random.uniform(0.0, 0.5);
 
-    LightAtPoints at;
-    point_to_light(points, glm::vec3(light - points.origin), at);
-    seen.ray_caster->trace_shadow_rays(points, glm::vec3(light - points.origin), at);
-    for (float& depth : at.depths) depth = static_cast<float>(random.power(-3.0, 1.3));
+    LightAtPoints light_at_point;
+    point_to_light(points, glm::vec3(light - points.origin), light_at_point);
+    seen.ray_caster->trace_shadow_rays(points, glm::vec3(light - points.origin), light_at_point);
+    for (float& depth : light_at_point.depths) depth = static_cast<float>(random.power(-3.0, 1.3));
     PointLightShading shading;
     shading.intensity = {3.0f, 2.0f, 1.0f};
     shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
@@ -133,11 +133,11 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
     }
     PointRadiance direct{};
     PointRadiance scattered{};
-    add_direct_light(points, at, shading, direct);
-    find_spread(at, points.padded_size(),
+    add_direct_light(points, light_at_point, shading, direct);
+    find_spread(light_at_point, points.padded_size(),
                 {&ScatterTable::point(), &ScatterTable::distant(), static_cast<float>(density)},
                 true, factors);
-    add_scattered_light(points, at, factors, shading, scattered);
+    add_scattered_light(points, light_at_point, factors, shading, scattered);
 
     for (std::size_t k = 0; k < points.count; ++k) {
       const glm::dvec3 p = points.origin + points.position[k];
@@ -146,7 +146,7 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
       const double cosine = glm::dot(points.normal[k], wi);
       const bool blocked =
           seen.ray_caster->occluded(points.origin + points.shadow_origin[k], light);
-      const double T = static_cast<double>(at.depths[k]);
+      const double T = static_cast<double>(light_at_point.depths[k]);
       const double irradiance = 3.0 / (distance * distance);
       glm::dvec3 expected(0.0);
       if (!blocked) {
@@ -158,10 +158,11 @@ TEST(SurfaceKernels, LightIsThatOfThePlainVersion) {
       EXPECT_NEAR(static_cast<double>(direct.r[k]), expected.r, 3e-4 * expected.r + 1e-7);
 
       // Eq. 25 without its delta, convolved with the cosine.
-      const double share = density * distance < T ? density * distance / T : 1.0;
+      const double homogeneous_fraction = density * distance < T ? density * distance / T : 1.0;
       ZonalSh<double> spread = SpreadTable::distant()(T);
       const ZonalSh<double> near = SpreadTable::point()(T);
-      for (std::size_t l = 0; l < spread.size(); ++l) spread[l] += share * (near[l] - spread[l]);
+      for (std::size_t l = 0; l < spread.size(); ++l)
+        spread[l] += homogeneous_fraction * (near[l] - spread[l]);
       const ShVector<double> light_sh = sh_convolve(sh_basis(sh_max_bands, wi), spread);
       const double reflected =
           std::max(0.0, sh_evaluate(sh_convolve(light_sh, clamped_cosine_sh()), points.normal[k]));
@@ -179,13 +180,13 @@ TEST(SurfaceKernels, ALightOnTheSurfaceContributesNothing) {
   const Seen seen = look(0, 5, glm::dvec3(0.0), 1.0, random);
   SurfacePoints points;
   seen.ray_caster->points(seen.hits, seen.directions, seen.surfaces, points);
-  LightAtPoints at;
-  point_to_light(points, glm::vec3(points.position[2]), at);
-  at.depths.fill(0.0f);
-  at.lit.fill(1.0f);
+  LightAtPoints light_at_point;
+  point_to_light(points, glm::vec3(points.position[2]), light_at_point);
+  light_at_point.depths.fill(0.0f);
+  light_at_point.lit.fill(1.0f);
   PointRadiance radiance{};
-  add_direct_light(points, at, {glm::vec3(1.0f), glm::vec3(1.0f), glm::vec3(1.0f), 10.0f},
-                   radiance);
+  add_direct_light(points, light_at_point,
+                   {glm::vec3(1.0f), glm::vec3(1.0f), glm::vec3(1.0f), 10.0f}, radiance);
   EXPECT_EQ(radiance.r[2], 0.0f);
 }
 

@@ -48,10 +48,10 @@ ShVector<double> cosine_lobe(int order, const glm::dvec3& n) {
 
 // What transfer makes of distant light.
 glm::dvec3 transferred(const ShMaterial& material, const ShVector<glm::dvec3>& light,
-                       const RadianceTransfer& transfer, MeshSide side, const MeshPoint& at,
+                       const RadianceTransfer& transfer, MeshSide side, const MeshPoint& point,
                        const glm::dvec3& n, const glm::dvec3& wo) {
   const ShVector<glm::dvec3> none(light.order());
-  return material.reflected(material.received(light, none, transfer, side, at), n, wo);
+  return material.reflected(material.received(light, none, transfer, side, point), n, wo);
 }
 
 // The distance of two functions, relative to that which is 1 everywhere.
@@ -101,13 +101,13 @@ TEST(RadianceTransfer, ABallHasNoShadows) {
     EXPECT_TRUE(t.side(MeshSide::back).visibility.empty());
     EXPECT_TRUE(t.side(MeshSide::back).reflected.empty());
     for (std::uint32_t v = 0; v < t.vertices; v += 7) {
-      const MeshPoint at = at_vertex(v);
+      const MeshPoint point = at_vertex(v);
       // Roundings of float.
-      EXPECT_LT(distance(t.visibility(MeshSide::front, at), fully_visible(order)), 2e-6);
+      EXPECT_LT(distance(t.visibility(MeshSide::front, point), fully_visible(order)), 2e-6);
       const glm::dvec3 n = glm::dvec3(arrays.normals[v]);
-      EXPECT_LT(distance(t.reflected(MeshSide::front, 0, at), cosine_lobe(order, n)), 2e-6);
-      EXPECT_EQ(distance(t.reflected(MeshSide::front, 1, at), ShVector<double>(order)), 0.0);
-      EXPECT_EQ(distance(t.visibility(MeshSide::back, at), ShVector<double>(order)), 0.0);
+      EXPECT_LT(distance(t.reflected(MeshSide::front, 0, point), cosine_lobe(order, n)), 2e-6);
+      EXPECT_EQ(distance(t.reflected(MeshSide::front, 1, point), ShVector<double>(order)), 0.0);
+      EXPECT_EQ(distance(t.visibility(MeshSide::back, point), ShVector<double>(order)), 0.0);
     }
   }
 }
@@ -179,20 +179,20 @@ TEST(RadianceTransfer, AFloorUnderABallMatchesCountedRays) {
   const auto mesh = floor_and_ball(6);
   const MeshArrays arrays = to_arrays(*mesh);
   constexpr std::size_t floor = 7 * 7;
-  std::vector<Counted> truth;
+  std::vector<Counted> reference;
   for (std::size_t v = 0; v < floor; v += 6)
-    truth.push_back(counted(6, glm::dvec3(arrays.points[v])));
+    reference.push_back(counted(6, glm::dvec3(arrays.points[v])));
   double min_seen = 1.0;
   std::array<double, 3> error{};
   const std::array<std::size_t, 3> directions = {64, 256, 1024};
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const RadianceTransfer t = transfer_of(mesh, {.order = 6, .directions = directions[k]});
     for (std::uint32_t v = 0; v < floor; v += 6) {
-      const Counted& expected = truth[v / 6];
+      const Counted& expected = reference[v / 6];
       min_seen = std::min(min_seen, expected.visibility[0] / everywhere);
       const double V = distance(t.visibility(MeshSide::front, at_vertex(v)), expected.visibility);
       const double P = distance(t.reflected(MeshSide::front, 0, at_vertex(v)), expected.reflected);
-      error[k] += (V * V + P * P) / static_cast<double>(truth.size());
+      error[k] += (V * V + P * P) / static_cast<double>(reference.size());
       // Nothing is in the way below.
       EXPECT_LT(distance(t.visibility(MeshSide::back, at_vertex(v)), fully_visible(6)), 2e-6);
       EXPECT_LT(distance(t.reflected(MeshSide::back, 0, at_vertex(v)), cosine_lobe(6, {0, 0, -1})),
@@ -240,14 +240,15 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
     Material white;
     white.reflectance = {1.0, 0.5, 0.25};
     const ShMaterial material(white, 4);
-    const MeshPoint at = at_vertex(837);
+    const MeshPoint point = at_vertex(837);
     const glm::dvec3 n = glm::dvec3(bowl.normals[837]);
-    const glm::dvec3 got = transferred(material, constant_light(4), t, MeshSide::front, at, n, n);
+    const glm::dvec3 got =
+        transferred(material, constant_light(4), t, MeshSide::front, point, n, n);
     for (int c = 0; c < 3; ++c) {
       const double rho = white.reflectance[c];
-      const double whole = rho * (1.0 - f) / (1.0 - rho * f);
-      const double left = whole * std::pow(rho * f, bounces + 1);
-      EXPECT_NEAR(got[c], whole - left, 0.012 * rho) << f;  // as of the light from outside
+      const double full = rho * (1.0 - f) / (1.0 - rho * f);
+      const double remainder = full * std::pow(rho * f, bounces + 1);
+      EXPECT_NEAR(got[c], full - remainder, 0.012 * rho) << f;  // as of the light from outside
     }
 
     // What is not diffuse gets the first reflection by eq. 23 and the others diffusely.
@@ -260,8 +261,9 @@ TEST(RadianceTransfer, AnIntegratingSphereIsAGeometricSeries) {
     const double albedo = phong.albedo().x;
     EXPECT_NEAR(albedo, 0.7, 1e-4);
     const double first =
-        phong.unshadowed(sh_product(constant_light(4), t.visibility(MeshSide::front, at)), n, n).x;
-    const double all = transferred(phong, constant_light(4), t, MeshSide::front, at, n, n).x;
+        phong.unshadowed(sh_product(constant_light(4), t.visibility(MeshSide::front, point)), n, n)
+            .x;
+    const double all = transferred(phong, constant_light(4), t, MeshSide::front, point, n, n).x;
     double others = 0.0;
     for (int b = 1; b <= bounces; ++b)
       others += (1.0 - f) * std::pow(f, b) * std::pow(albedo, b + 1);
@@ -291,19 +293,19 @@ TEST(RadianceTransfer, RotatesWithTheObject) {
   const TransferSettings settings{.order = 5, .directions = 1024, .bounces = 1};
   const RadianceTransfer t = transfer_of(mesh, settings);
   const RadianceTransfer of_turned = transfer_of(turned(*mesh, q), settings);
-  double max_value = 0.0;
+  double max_distance = 0.0;
   for (std::uint32_t v = 0; v < t.vertices; v += 11) {
     const auto compare = [&](const ShVector<double>& a, const ShVector<double>& b) {
       // Only the rays' azimuths differ.
       EXPECT_LT(distance(sh_rotate(a, q), b), 0.03);
-      max_value = std::max(max_value, distance(a, b));
+      max_distance = std::max(max_distance, distance(a, b));
     };
-    const MeshPoint at = at_vertex(v);
-    compare(t.visibility(MeshSide::front, at), of_turned.visibility(MeshSide::front, at));
-    compare(t.reflected(MeshSide::front, 0, at), of_turned.reflected(MeshSide::front, 0, at));
-    compare(t.reflected(MeshSide::front, 1, at), of_turned.reflected(MeshSide::front, 1, at));
+    const MeshPoint point = at_vertex(v);
+    compare(t.visibility(MeshSide::front, point), of_turned.visibility(MeshSide::front, point));
+    compare(t.reflected(MeshSide::front, 0, point), of_turned.reflected(MeshSide::front, 0, point));
+    compare(t.reflected(MeshSide::front, 1, point), of_turned.reflected(MeshSide::front, 1, point));
   }
-  EXPECT_GT(max_value, 0.2);
+  EXPECT_GT(max_distance, 0.2);
 }
 
 // A floor under a ball, turned, shrunk and moved, under a smooth sky: what eq. 23 and its case of
@@ -354,14 +356,14 @@ TEST(RadianceTransfer, ShadowsASkyAsTheReferenceDoes) {
       point.to_eye = placement.normal_to_world(to_eye);
       point.shadow_origin = point.position + 1e-4 * point.normal;
       point.surface = &scene.surfaces[0];
-      const glm::dvec3 truth =
+      const glm::dvec3 reference =
           reflected_light(scene, visibility, point, {.samples = 40'000}).attenuated;
       const glm::dvec3 got =
           transferred(material, light, t, MeshSide::front, at_vertex(v), normal, to_eye);
       const glm::dvec3 without = material.unshadowed(light, normal, to_eye);
-      squares += glm::dot(truth, truth);
-      error += glm::dot(got - truth, got - truth);
-      unshadowed += glm::dot(without - truth, without - truth);
+      squares += glm::dot(reference, reference);
+      error += glm::dot(got - reference, got - reference);
+      unshadowed += glm::dot(without - reference, without - reference);
     }
     EXPECT_LT(std::sqrt(error / squares), row.error);
     EXPECT_NEAR(std::sqrt(unshadowed / squares), row.unshadowed_error, 0.01);
@@ -385,12 +387,12 @@ TEST(RadianceTransfer, ReportsProgressAndStops) {
   const TransferSettings settings{.order = 2, .directions = 64, .bounces = 1};
   double last = 0.0;
   int calls = 0;
-  const auto tell = [&](double share) {
-    EXPECT_GE(share, last);
-    last = share;
+  const auto report = [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
     ++calls;
   };
-  ASSERT_TRUE(radiance_transfer(mesh, settings, {{}, tell}));
+  ASSERT_TRUE(radiance_transfer(mesh, settings, {{}, report}));
   EXPECT_EQ(last, 1.0);
   EXPECT_GT(calls, 100);
 

@@ -46,7 +46,7 @@ struct Cached {
 Cached cached(const std::shared_ptr<const TriangleMesh>& mesh, const fs::path& folder,
               const TransferSettings& wanted = settings) {
   Cached result;
-  const auto progress = [&](double share) { result.was_read &= share == 1.0; };
+  const auto progress = [&](double fraction) { result.was_read &= fraction == 1.0; };
   result.transfer =
       *cached_radiance_transfer(mesh, wanted, folder, {{}, progress}, &result.warnings);
   return result;
@@ -55,13 +55,13 @@ Cached cached(const std::shared_ptr<const TriangleMesh>& mesh, const fs::path& f
 TEST(TransferCache, RoundTrips) {
   const TemporaryFolder folder;
   const fs::path cache = folder / "to/be/made";
-  const RadianceTransfer truth = *radiance_transfer(small_bowl(), settings);
+  const RadianceTransfer reference = *radiance_transfer(small_bowl(), settings);
   const Cached first = cached(small_bowl(), cache);
   EXPECT_FALSE(first.was_read);
   const Cached second = cached(small_bowl(), cache);  // another mesh object with the same content
   EXPECT_TRUE(second.was_read);
-  EXPECT_TRUE(same(first.transfer, truth));
-  EXPECT_TRUE(same(second.transfer, truth));
+  EXPECT_TRUE(same(first.transfer, reference));
+  EXPECT_TRUE(same(second.transfer, reference));
   EXPECT_TRUE(first.warnings.empty() && second.warnings.empty());
 
   // A side that is not there.
@@ -98,7 +98,7 @@ TEST(TransferCache, DistinguishesMeshesAndSettings) {
 TEST(TransferCache, ReplacesDamagedFiles) {
   const TemporaryFolder folder;
   const auto mesh = small_bowl();
-  const RadianceTransfer truth = cached(mesh, folder.path()).transfer;
+  const RadianceTransfer reference = cached(mesh, folder.path()).transfer;
   const fs::path file = transfer_file(folder.path(), *mesh, settings);
   const std::string good = content_of(file);
 
@@ -129,7 +129,7 @@ TEST(TransferCache, ReplacesDamagedFiles) {
     folder.write(file.filename().string(), content);
     const Cached got = cached(mesh, folder.path());
     EXPECT_FALSE(got.was_read);
-    EXPECT_TRUE(same(got.transfer, truth));
+    EXPECT_TRUE(same(got.transfer, reference));
     ASSERT_EQ(got.warnings.size(), 1u);
     EXPECT_NE(got.warnings[0].find(file.string()), std::string::npos);
     EXPECT_EQ(content_of(file), good) << "replaced";

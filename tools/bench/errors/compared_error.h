@@ -7,9 +7,9 @@
 
 namespace brume {
 
-// How wrong something is, beside another way to do it.
+// The error of a method compared with that of another.
 struct ComparedError {
-  std::string what;
+  std::string label;
   ErrorEstimate error;
   std::optional<ErrorEstimate> other;
 };

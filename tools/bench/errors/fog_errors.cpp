@@ -88,11 +88,11 @@ std::vector<ComparedError> measure_patches() {
     const auto frame = [&](int slices) {
       return *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, slices));
     };
-    const ErrorSample truth = *ErrorSample::create(scene, scene.camera, frame(24), 80, 1, 1e-3);
+    const ErrorSample reference = *ErrorSample::create(scene, scene.camera, frame(24), 80, 1, 1e-3);
     for (const int slices : anisotropy == 0.0 ? std::vector{12, 24, 64} : std::vector{24}) {
       rows.push_back({formatted("anisotropy %g, a grid of %d nodes, %d slices", anisotropy,
                                 sliced_settings({}, slices).source_grid.nodes, slices),
-                      truth.measure(frame(slices)),
+                      reference.measure(frame(slices)),
                       {}});
     }
   }

@@ -18,7 +18,7 @@
 namespace brume {
 namespace {
 
-Runs truth_at(const Scene& scene, const std::vector<Receiver>& receivers, std::size_t samples) {
+Runs reference_at(const Scene& scene, const std::vector<Receiver>& receivers, std::size_t samples) {
   Surface white;
   white.material.reflectance = glm::dvec3(1.0);
   const RayCaster nothing({});
@@ -54,17 +54,17 @@ Scene cloud_under(std::shared_ptr<const RadianceMap> sky, double depth, double a
   return scene;
 }
 
-ComparedError error_on_grid(const std::string& what, const Scene& scene,
+ComparedError error_on_grid(const std::string& label, const Scene& scene,
                             const std::vector<Receiver>& receivers, const EnvironmentLight& light,
-                            const Runs& truth, const SourceGridSize& size) {
+                            const Runs& reference, const SourceGridSize& size) {
   IncidentOptics optics;
   optics.anisotropy = scene.optics.anisotropy;
   EnvironmentSource source;
   source.update({*scene.environment, scene.medium, scene.optics.anisotropy, 0.0,
                  SourceGrid::Receivers{box_around(receivers), optics}, size},
                 Job{});
-  Runs grid = truth;
-  Runs average = truth;
+  Runs grid = reference;
+  Runs average = reference;
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     const Receiver& r = receivers[i];
     const NodeRadiance incident = SourceLookup(source.grid(), r.position).incident({});
@@ -74,7 +74,7 @@ ComparedError error_on_grid(const std::string& what, const Scene& scene,
       average[k][i] -= glm::dvec3(light.diffuse(r.normal, light.incident(depth, 1.0)));
     }
   }
-  return {what, unbiased_error(grid, truth), unbiased_error(average, truth)};
+  return {label, unbiased_error(grid, reference), unbiased_error(average, reference)};
 }
 
 }  // namespace
@@ -89,21 +89,21 @@ std::vector<Receiver> receivers_around(const glm::dvec3& center) {
   return receivers;
 }
 
-ComparedError incident_light_error(const std::string& what, const Scene& scene,
+ComparedError incident_light_error(const std::string& label, const Scene& scene,
                                    const std::vector<Receiver>& receivers, std::size_t samples,
                                    const SourceGridSize& size) {
-  return arriving_light_errors(what, scene, receivers, samples, std::span(&size, 1)).front();
+  return arriving_light_errors(label, scene, receivers, samples, std::span(&size, 1)).front();
 }
 
-std::vector<ComparedError> arriving_light_errors(const std::string& what, const Scene& scene,
+std::vector<ComparedError> arriving_light_errors(const std::string& label, const Scene& scene,
                                                  const std::vector<Receiver>& receivers,
                                                  std::size_t samples,
                                                  std::span<const SourceGridSize> sizes) {
   const EnvironmentLight light(*scene.environment, ScatterTable::distant());
-  const Runs truth = truth_at(scene, receivers, samples);
+  const Runs reference = reference_at(scene, receivers, samples);
   std::vector<ComparedError> rows;
   for (const SourceGridSize& size : sizes) {
-    rows.push_back(error_on_grid(what, scene, receivers, light, truth, size));
+    rows.push_back(error_on_grid(label, scene, receivers, light, reference, size));
   }
   return rows;
 }
@@ -113,9 +113,9 @@ std::vector<ComparedError> measure_incident_light(std::size_t samples) {
   const std::vector<Receiver> edge = receivers_around({0.7, 0.3, 0});
   const std::vector<Receiver> below = receivers_around({0, -2, 0});
   std::vector<ComparedError> rows;
-  const auto add = [&](const std::string& what, const Scene& scene,
+  const auto add = [&](const std::string& label, const Scene& scene,
                        const std::vector<Receiver>& receivers) {
-    rows.push_back(incident_light_error(what, scene, receivers, samples));
+    rows.push_back(incident_light_error(label, scene, receivers, samples));
   };
   for (const double depth : {0.5, 2.0, 10.0}) {
     const Scene scene = cloud_under(uniform_sky(), depth);

@@ -22,11 +22,11 @@ std::vector<Receiver> receivers_around(const glm::dvec3& center);
 
 // The error of what they reflect, relative rms over receivers and channels; `other` is that of the
 // average optical depth. `samples`: of each run at each receiver.
-ComparedError incident_light_error(const std::string& what, const Scene& scene,
+ComparedError incident_light_error(const std::string& label, const Scene& scene,
                                    const std::vector<Receiver>& receivers, std::size_t samples,
                                    const SourceGridSize& size = {});
 // The same on several grids: Monte Carlo takes longest, and is the same for all.
-std::vector<ComparedError> arriving_light_errors(const std::string& what, const Scene& scene,
+std::vector<ComparedError> arriving_light_errors(const std::string& label, const Scene& scene,
                                                  const std::vector<Receiver>& receivers,
                                                  std::size_t samples,
                                                  std::span<const SourceGridSize> sizes);

@@ -69,21 +69,21 @@ std::vector<ComparedError> measure_surface_light(std::size_t samples) {
   std::vector<ComparedError> rows;
   for (const double depth : {0.1, 0.3, 1.0, 3.0}) {
     const Scene scene = ball_in_fog(depth);
-    const SurfaceTruth truth(scene, {.samples = samples});
+    const SurfaceTruth reference(scene, {.samples = samples});
     rows.push_back({formatted("diffuse ball in even fog, lamp at depth %g", depth),
-                    truth.scattered_error(frame_of(scene, false)),
-                    truth.scattered_error(frame_of(scene, true))});
+                    reference.scattered_error(frame_of(scene, false)),
+                    reference.scattered_error(frame_of(scene, true))});
   }
   const auto add_cloud = [&](std::uint64_t seed, Material::Type type, const char* kind) {
     const Scene scene = ball_in_cloud(seed, type);
     // Its error is larger: fewer samples show it.
-    const SurfaceTruth truth(scene, {.samples = samples / 10});
+    const SurfaceTruth reference(scene, {.samples = samples / 10});
     const Frame ours = frame_of(scene, false);
     const Frame paper = frame_of(scene, true);
-    const std::string what =
+    const std::string label =
         formatted("%s ball in a cloud, lamp outside at depth %.2g", kind, depth_to_light(scene));
-    rows.push_back({what, truth.scattered_error(ours), truth.scattered_error(paper)});
-    rows.push_back({what + ": of all light", truth.error(ours), truth.error(paper)});
+    rows.push_back({label, reference.scattered_error(ours), reference.scattered_error(paper)});
+    rows.push_back({label + ": of all light", reference.error(ours), reference.error(paper)});
   };
   // The first ten clouds, by increasing optical depth towards the light.
   for (const std::uint64_t seed : {1, 3, 4, 7}) add_cloud(seed, Material::Type::diffuse, "diffuse");

@@ -22,10 +22,10 @@ Frame frame_with(Scene scene, Surface::Transfer transfer) {
   return *Renderer().render(scene, scene.camera, scene.film, {.airlight = AirlightMethod::paper});
 }
 
-ComparedError shadow_error(const char* what, const Scene& scene, std::size_t samples) {
-  const SurfaceTruth truth(scene, {.samples = samples});
-  return {what, truth.error(frame_with(scene, Surface::Transfer::shadow)),
-          truth.error(frame_with(scene, Surface::Transfer::none))};
+ComparedError shadow_error(const char* label, const Scene& scene, std::size_t samples) {
+  const SurfaceTruth reference(scene, {.samples = samples});
+  return {label, reference.error(frame_with(scene, Surface::Transfer::shadow)),
+          reference.error(frame_with(scene, Surface::Transfer::none))};
 }
 
 // The object is turned, so that its frame is not the world's.
@@ -75,7 +75,7 @@ ComparedError light_in_bowl_error(double distance, std::size_t samples) {
   scene.surfaces[0].material.reflectance = glm::dvec3(0.5);
   scene.lights.push_back(
       {distance * glm::normalize(glm::dvec3(0.8, 0.3, 1.0)), glm::dvec3(distance * distance), {}});
-  const SurfaceTruth truth(
+  const SurfaceTruth reference(
       scene, {.samples = samples},
       [&](const RayCaster& ray_caster, const SurfacePoint& point, const SurfaceSampling& s) {
         HashRandom random(s.seed);
@@ -87,7 +87,7 @@ ComparedError light_in_bowl_error(double distance, std::size_t samples) {
   Frame indirect = frame_with(scene, Surface::Transfer::interreflection);
   for (std::size_t i = 0; i < direct.beauty.size(); ++i) indirect.beauty[i] -= direct.beauty[i];
   return {formatted("what walls of a bowl send each other, lamp %g radii away", distance),
-          truth.error(indirect),
+          reference.error(indirect),
           {}};
 }
 

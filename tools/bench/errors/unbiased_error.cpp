@@ -9,18 +9,19 @@ namespace {
 
 constexpr std::size_t none = independent_runs;
 
-// The sum of the squares of what runs tell, by products of two different ones; without one of them.
+// Sum of squares of the mean, from products of two different runs, without run `left_out`
+// (jackknife).
 double square(const Runs& runs, std::size_t left_out) {
   double sum = 0.0;
   for (std::size_t i = 0; i < runs[0].size(); ++i) {
     glm::dvec3 total(0.0);
-    double own = 0.0;
+    double diagonal = 0.0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       if (k == left_out) continue;
       total += runs[k][i];
-      own += glm::dot(runs[k][i], runs[k][i]);
+      diagonal += glm::dot(runs[k][i], runs[k][i]);
     }
-    sum += glm::dot(total, total) - own;
+    sum += glm::dot(total, total) - diagonal;
   }
   const double n = left_out == none ? independent_runs : independent_runs - 1;
   return sum / (n * (n - 1.0));
@@ -43,9 +44,9 @@ ErrorEstimate unbiased_error(const Runs& differences, const Runs& values) {
   for (const double x : without) variance += (n - 1.0) / n * (x - mean) * (x - mean);
   constexpr double student = 2.365;  // 97.5% of seven degrees of freedom
   const double wide = student * std::sqrt(variance);
-  const double whole = ratio(none);
+  const double total = ratio(none);
   const auto root = [](double x) { return std::sqrt(std::max(0.0, x)); };
-  return {root(whole), root(whole - wide), root(whole + wide), differences[0].size()};
+  return {root(total), root(total - wide), root(total + wide), differences[0].size()};
 }
 
 }  // namespace brume

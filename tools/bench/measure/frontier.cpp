@@ -13,10 +13,10 @@ std::vector<std::size_t> frontier(std::span<const Measurement> settings) {
   std::ranges::stable_sort(order, {},
                            [&](std::size_t i) { return settings[i].cpu_milliseconds.median; });
   std::vector<std::size_t> result;
-  double min_value = std::numeric_limits<double>::infinity();
+  double min_error = std::numeric_limits<double>::infinity();
   for (const std::size_t i : order) {
-    if (!(settings[i].error.rel_rmse < min_value)) continue;
-    min_value = settings[i].error.rel_rmse;
+    if (!(settings[i].error.rel_rmse < min_error)) continue;
+    min_error = settings[i].error.rel_rmse;
     result.push_back(i);
   }
   return result;

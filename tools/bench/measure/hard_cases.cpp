@@ -13,26 +13,26 @@
 namespace brume {
 namespace {
 
-// rms(values - truth) over rms(truth), or over `min_value` if that is more.
-double relative_rmse(const std::vector<float>& values, const std::vector<float>& truth,
-                     double min_value = 0.0) {
-  const auto max_value =
-      std::abs(*std::ranges::max_element(truth, {}, [](float x) { return std::abs(x); }));
+// rms(values - reference) over rms(reference), or over `min_rms` if that is more.
+double relative_rmse(const std::vector<float>& values, const std::vector<float>& reference,
+                     double min_rms = 0.0) {
+  const auto max_reference =
+      std::abs(*std::ranges::max_element(reference, {}, [](float x) { return std::abs(x); }));
   constexpr float black = 1e-9f;
-  if (max_value == 0.0f && min_value == 0.0) {
+  if (max_reference == 0.0f && min_rms == 0.0) {
     return *std::ranges::max_element(values) < black ? 0.0
                                                      : std::numeric_limits<double>::infinity();
   }
   // In units of it: squares of radiance at the limits would not be numbers.
-  const double unit = std::max({static_cast<double>(max_value), min_value, 1e-300});
+  const double unit = std::max({static_cast<double>(max_reference), min_rms, 1e-300});
   double difference = 0.0;
   double sum = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    difference += std::pow((static_cast<double>(values[i]) - truth[i]) / unit, 2);
-    sum += std::pow(truth[i] / unit, 2);
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    difference += std::pow((static_cast<double>(values[i]) - reference[i]) / unit, 2);
+    sum += std::pow(reference[i] / unit, 2);
   }
-  const double n = static_cast<double>(truth.size());
-  return std::sqrt(difference / n) / std::max({std::sqrt(sum / n), min_value / unit, 1e-300});
+  const double n = static_cast<double>(reference.size());
+  return std::sqrt(difference / n) / std::max({std::sqrt(sum / n), min_rms / unit, 1e-300});
 }
 
 Frame frame_of(const HardCase& hard_case, const Settings& settings) {

@@ -34,7 +34,7 @@ struct HardCaseError {
 // NaN where a pixel is.
 HardCaseError error_of(const Frame& frame, const HardCase& hard_case);
 
-// `sliced` with 24 slices, which is what every backend is held to.
+// `sliced` with 24 slices, the bound for every backend.
 HardCaseError sliced_error(FrameRenderer& renderer, const HardCase& hard_case);
 
 // `auto` with a bound of 2%: its error, and whether it reports failure.
@@ -55,7 +55,7 @@ struct HardCaseErrors {
 };
 HardCaseErrors measure_hard_case(const HardCase& hard_case, FrameRenderer* gl = nullptr);
 
-// What every case is held to, beside its own bound for `sliced`.
+// Bounds for every case, in addition to its own bound for `sliced`.
 inline constexpr double hard_case_reference_bound = 1e-3;      // ten times its default tolerance
 inline constexpr double hard_case_transmittance_bound = 2e-3;  // twice Settings::depth_error
 inline constexpr double hard_case_paper_bound = 1e-3;

@@ -125,7 +125,7 @@ void add(ViewWork& sum, const ViewWork& work) {
   sum.increments += work.increments;
 }
 
-// How many of what `run` does are done per second, asked for so many.
+// Operations of `run` per second, measured over `count` of them.
 template <class Run>
 double rate_of(Run run, std::uint64_t count) {
   const double begin = cpu_seconds();
@@ -152,20 +152,20 @@ KernelShare measure_kernel_share(const Scene& scene, const Settings& settings, i
   const auto negligible = static_cast<float>(0.1 * view.prepared.medium().tolerance());
   const auto pairs = static_cast<double>(in_vectors.pairs);
   const auto increments = static_cast<double>(in_vectors.increments);
-  std::vector<double> limits, shares, pair_shares, sum_shares;
+  std::vector<double> limits, fractions, pair_fractions, sum_fractions;
   for (int round = 0; round < rounds; ++round) {
     const double limit = rate_of(increments_in_registers, 50'000'000);
     const double pair_limit = rate_of(pairs_in_registers, 20'000'000);
     const Seconds seconds = run_kernels(view, negligible);
-    const double share = increments / seconds.view / limit;
+    const double fraction = increments / seconds.view / limit;
     limits.push_back(limit);
-    shares.push_back(share);
-    pair_shares.push_back(share + pairs / seconds.view / pair_limit);
-    sum_shares.push_back(seconds.small_sum / seconds.sum);
+    fractions.push_back(fraction);
+    pair_fractions.push_back(fraction + pairs / seconds.view / pair_limit);
+    sum_fractions.push_back(seconds.small_sum / seconds.sum);
   }
-  return {spread_of(limits),      spread_of(shares),
-          spread_of(pair_shares), spread_of(sum_shares),
-          increments / pairs,     static_cast<double>(in_lanes.increments) / increments};
+  return {spread_of(limits),         spread_of(fractions),
+          spread_of(pair_fractions), spread_of(sum_fractions),
+          increments / pairs,        static_cast<double>(in_lanes.increments) / increments};
 }
 
 }  // namespace brume

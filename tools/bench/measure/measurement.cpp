@@ -48,7 +48,7 @@ std::string setting_name(const Settings& settings) {
   return name;
 }
 
-Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
+ReferenceSample find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
   const Frame guide = *Renderer().render(scene, scene.camera, scene.film, sliced_settings({}, 12));
   const double begin = cpu_seconds();
   ErrorSample sample = *ErrorSample::create(scene, scene.camera, guide, pixels, 1, tolerance);
@@ -57,15 +57,15 @@ Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance) {
 }
 
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                         int min_value, double seconds, const CameraStep& step) {
-  constexpr int max_value = 15;
+                         int min_frames, double seconds, const CameraStep& step) {
+  constexpr int max_frames = 15;
   std::vector<double> times;
   std::vector<double> cpu_times;
   std::map<Stage, std::vector<double>> stages;
   std::vector<Stage> order;
   const Clock::time_point begin = Clock::now();
-  for (int i = 1; i <= std::max(min_value, max_value); ++i) {
-    if (i > min_value && milliseconds_since(begin) > 1e3 * seconds) break;
+  for (int i = 1; i <= std::max(min_frames, max_frames); ++i) {
+    if (i > min_frames && milliseconds_since(begin) > 1e3 * seconds) break;
     // Nothing of the last view can be used again.
     const Camera camera = moved(scene.camera, step, step.first + i - 1);
     const Clock::time_point start = Clock::now();
@@ -86,7 +86,7 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
 }
 
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                    const ErrorSample& truth, double seconds, const CameraStep& step) {
+                    const ErrorSample& reference, double seconds, const CameraStep& step) {
   Measurement result;
   result.setting = setting_name(settings);
   result.settings = settings;
@@ -95,7 +95,7 @@ Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings&
   const Frame first = *renderer.render(scene, scene.camera, scene.film, settings);
   result.first_milliseconds = milliseconds_since(begin);
   result.first_cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
-  result.error = truth.measure(first);
+  result.error = reference.measure(first);
   result.pairs = first.statistics.view_pairs;
   static_cast<MovedFrames&>(result) = moved_frames(renderer, scene, settings, 3, seconds, step);
   return result;

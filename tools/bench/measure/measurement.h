@@ -12,8 +12,8 @@ namespace brume {
 // Median and spread of something measured several times.
 struct Spread {
   double median = 0.0;
-  double min_value = 0.0;
-  double max_value = 0.0;
+  double min = 0.0;
+  double max = 0.0;
 };
 // At least one value.
 Spread spread_of(std::vector<double> values);
@@ -21,7 +21,7 @@ Spread spread_of(std::vector<double> values);
 // What frames cost when the camera moves a little from each to the next.
 struct MovedFrames {
   Spread milliseconds;
-  Spread cpu_milliseconds;        // all threads together: other programs matter less to it
+  Spread cpu_milliseconds;        // summed over threads: less sensitive to other programs
   std::vector<StageTime> stages;  // medians
 };
 
@@ -35,9 +35,9 @@ struct CameraStep {
 // Renders a number of frames, or more for at most `seconds`, up to 15. Uses the caches of
 // `renderer`, which a first frame must have filled.
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                         int min_value, double seconds = 0.0, const CameraStep& step = {});
+                         int min_frames, double seconds = 0.0, const CameraStep& step = {});
 
-// What one setting costs on one view, and how wrong it is: of the same frames.
+// Cost and error of one setting on one view, from the same frames.
 struct Measurement : MovedFrames {
   std::string setting;  // "sliced 24, scale 4"
   Settings settings;
@@ -49,15 +49,15 @@ struct Measurement : MovedFrames {
 
 std::string setting_name(const Settings& settings);
 
-// Pixels of the view with their converged airlight, and what a whole frame of those would cost.
-struct Truth {
+// Pixels of the view with their converged airlight, and the cost of a full frame of them.
+struct ReferenceSample {
   ErrorSample sample;
   double frame_cpu_milliseconds;
 };
-Truth find_reference(const Scene& scene, std::size_t pixels, double tolerance = 1e-4);
+ReferenceSample find_reference(const Scene& scene, std::size_t pixels, double tolerance = 1e-4);
 
 // A first frame, of which the error is, and moved ones: 3 to 15 in `seconds`.
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
-                    const ErrorSample& truth, double seconds, const CameraStep& step = {});
+                    const ErrorSample& reference, double seconds, const CameraStep& step = {});
 
 }  // namespace brume

@@ -40,7 +40,7 @@ Surface ball_and_wall() {
   return surface_of(builder);
 }
 
-// A triangle that nothing of the view or its light meets.
+// A triangle that no view or light ray hits.
 Surface far_triangle() {
   MeshBuilder builder;
   builder.grid(2, 2, false,
@@ -173,13 +173,13 @@ bool leaves_out(const Frame& frame, const PlanDecision& decision) {
 double max_change(const Frame& a, const Frame& b, const Frame& scale) {
   const auto change = [&](const std::vector<float> Frame::*layer) {
     double difference = 0.0;
-    double max_value = 0.0;
+    double max_level = 0.0;
     for (std::size_t i = 0; i < (a.*layer).size(); ++i) {
       difference =
           std::max(difference, std::abs(static_cast<double>((a.*layer)[i]) - (b.*layer)[i]));
-      max_value = std::max(max_value, static_cast<double>(std::abs((scale.*layer)[i])));
+      max_level = std::max(max_level, static_cast<double>(std::abs((scale.*layer)[i])));
     }
-    return max_value > 0.0 ? difference / max_value : difference;
+    return max_level > 0.0 ? difference / max_level : difference;
   };
   return std::max(
       {change(&Frame::beauty), change(&Frame::airlight), change(&Frame::transmittance)});

@@ -28,10 +28,10 @@ std::string formatted(const char* format, ...) {
   return text;
 }
 
-void put(std::string& to, const char* format, ...) {
+void put(std::string& text, const char* format, ...) {
   std::va_list arguments;
   va_start(arguments, format);
-  to += formatted_list(format, arguments);
+  text += formatted_list(format, arguments);
   va_end(arguments);
 }
 
@@ -56,8 +56,8 @@ std::string escaped(const std::string& text) {
 }
 
 std::string with_spread(const Spread& spread, int digits) {
-  return formatted("%.*f (%.*f to %.*f)", digits, spread.median, digits, spread.min_value, digits,
-                   spread.max_value);
+  return formatted("%.*f (%.*f to %.*f)", digits, spread.median, digits, spread.min, digits,
+                   spread.max);
 }
 
 std::string with_interval(const ErrorEstimate& error) {

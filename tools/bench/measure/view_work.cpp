@@ -36,12 +36,12 @@ HWY_INLINE V FastErf(V x) {
 
 // A Gaussian on the rays of one vector; `before` is erf at the last boundary.
 struct Chain {
-  V t0, a, scale, length, before, depth;
+  V t0, a, scale, length, previous_erf, depth;
 
   HWY_INLINE void Step(V boundary) {
-    const V now = FastErf(hn::Mul(a, hn::Sub(hn::Min(boundary, length), t0)));
-    depth = hn::MulAdd(scale, hn::Sub(now, before), depth);
-    before = now;
+    const V current_erf = FastErf(hn::Mul(a, hn::Sub(hn::Min(boundary, length), t0)));
+    depth = hn::MulAdd(scale, hn::Sub(current_erf, previous_erf), depth);
+    previous_erf = current_erf;
   }
 };
 
@@ -81,9 +81,9 @@ std::uint64_t PairsInRegisters(std::uint64_t count) {
   const std::uint64_t steps = count / hn::Lanes(d) + 1;
   for (std::uint64_t k = 0; k < steps; ++k) {
     // One does not need the other: the processor overlaps them.
-    const Crossing<D> crossing({x, a, boundary}, w, a);
-    const V scale = hn::Mul(a, hn::Exp(d, hn::Neg(crossing.e)));
-    sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, crossing.t0))), sum);
+    const LineProfile<D> line({x, a, boundary}, w, a);
+    const V scale = hn::Mul(a, hn::Exp(d, hn::Neg(line.e)));
+    sum = hn::MulAdd(scale, FastErf(hn::Mul(a, hn::Sub(boundary, line.t0))), sum);
     x = hn::Add(x, hn::Set(d, 1e-6f));
   }
   Opaque(hn::GetLane(hn::SumOfLanes(d, sum)));
@@ -123,26 +123,26 @@ ViewWork count_view_work(const GaussianBatch& g, const PathBatch& rays,
     const std::size_t end = std::min(first + lanes, rays.count);
     for (std::size_t j = 0; j < g.size(); ++j) {
       const glm::vec3 b(g.x[j], g.y[j], g.z[j]);
-      float from = std::numeric_limits<float>::infinity();
-      float to = -from;
+      float t_min = std::numeric_limits<float>::infinity();
+      float t_max = -t_min;
       for (std::size_t i = first; i < end; ++i) {
         const glm::vec3 w(rays.x[i], rays.y[i], rays.z[i]);
         const float t0 = glm::dot(b, w);
         const glm::vec3 p = g.a[j] * (b - t0 * w);
-        const float left = g.cutoff[j] - glm::dot(p, p);
-        if (left < 0.0f) continue;
-        const float half = std::sqrt(left) / g.a[j];
+        const float max_e_left = g.max_e[j] - glm::dot(p, p);
+        if (max_e_left < 0.0f) continue;
+        const float half = std::sqrt(max_e_left) / g.a[j];
         const float last = std::min(t0 + half, rays.length[i]);
         if (last <= std::max(t0 - half, boundaries.front())) continue;
-        from = std::min(from, t0 - half);
-        to = std::max(to, last);
+        t_min = std::min(t_min, t0 - half);
+        t_max = std::max(t_max, last);
       }
-      if (from >= to || from >= boundaries.back()) continue;
+      if (t_min >= t_max || t_min >= boundaries.back()) continue;
       // The boundaries at which the first and the last of the slices end.
       const auto first_end =
-          std::max(std::ranges::upper_bound(boundaries, from), boundaries.begin() + 1);
+          std::max(std::ranges::upper_bound(boundaries, t_min), boundaries.begin() + 1);
       const auto last_end =
-          std::min(std::ranges::lower_bound(boundaries, to), boundaries.end() - 1);
+          std::min(std::ranges::lower_bound(boundaries, t_max), boundaries.end() - 1);
       work.pairs += lanes;
       work.increments += static_cast<std::uint64_t>(last_end - first_end + 1) * lanes;
     }

@@ -24,25 +24,25 @@ std::string milliseconds(double x) {
   return text;
 }
 
-void compare_errors(const std::string& what, const Json& before, const Json& after,
+void compare_errors(const std::string& label, const Json& before, const Json& after,
                     std::vector<std::string>& lines) {
   const double high = before.at("error").at("high").get<double>();
   const double low = after.at("error").at("low").get<double>();
   if (low > high) {
-    lines.push_back(what + ": less accurate, now at least " + percent(low) + ", before at most " +
+    lines.push_back(label + ": less accurate, now at least " + percent(low) + ", before at most " +
                     percent(high));
   }
 }
 
-void compare(const std::string& what, const Json& before, const Json& after,
+void compare(const std::string& label, const Json& before, const Json& after,
              std::vector<std::string>& lines) {
   const double slowest = before.at("cpu_ms").at("max").get<double>();
   const double fastest = after.at("cpu_ms").at("min").get<double>();
   if (fastest > tolerated * slowest) {
-    lines.push_back(what + ": slower, now at least " + milliseconds(fastest) + ", before at most " +
-                    milliseconds(slowest));
+    lines.push_back(label + ": slower, now at least " + milliseconds(fastest) +
+                    ", before at most " + milliseconds(slowest));
   }
-  compare_errors(what, before, after, lines);
+  compare_errors(label, before, after, lines);
 }
 
 void compare_scenes(const Json& before, const Json& after, std::vector<std::string>& lines) {
@@ -69,7 +69,7 @@ void compare_scenes(const Json& before, const Json& after, std::vector<std::stri
   }
 }
 
-// Rows that are told apart by what they are of. Older reports do not have them.
+// Rows identified by their label. Older reports do not have them.
 void compare_rows(const char* section, const Json& before, const Json& after,
                   std::vector<std::string>& lines) {
   if (!before.contains(section) || !after.contains(section)) return;

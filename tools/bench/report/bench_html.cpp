@@ -98,10 +98,10 @@ void put_scene(const SceneReport& scene, std::string& html) {
 }
 
 void put_curve(const CostCurve& curve, std::string& html) {
-  const auto [min_value, max_value] =
+  const auto [fastest, slowest] =
       std::ranges::minmax(curve.points, {}, &CostPoint::cpu_milliseconds);
   LogPlot plot({curve.points.front().size, curve.points.back().size},
-               {min_value.cpu_milliseconds, max_value.cpu_milliseconds}, curve.over.c_str(),
+               {fastest.cpu_milliseconds, slowest.cpu_milliseconds}, curve.over.c_str(),
                "CPU time per frame [ms]");
   std::vector<std::pair<double, double>> line;
   for (const CostPoint& p : curve.points) {

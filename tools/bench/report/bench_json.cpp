@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const Spread& spread) {
-  return {{"median", spread.median}, {"min", spread.min_value}, {"max", spread.max_value}};
+  return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
 Json to_json(const HardCaseError& error) {
@@ -49,7 +49,7 @@ Json to_json(const ErrorEstimate& error) {
 Json to_json(const std::vector<ComparedError>& rows) {
   Json json = Json::array();
   for (const ComparedError& row : rows) {
-    json.push_back({{"what", row.what}, {"error", to_json(row.error)}});
+    json.push_back({{"what", row.label}, {"error", to_json(row.error)}});
     if (row.other) json.back()["other"] = to_json(*row.other);
   }
   return json;

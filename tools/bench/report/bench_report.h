@@ -21,11 +21,11 @@ namespace brume {
 // Error bounds for which the fastest settings are reported.
 inline constexpr std::array bench_error_levels{0.003, 0.01, 0.02, 0.05, 0.1};
 
-// A frame beside the reference, as PNGs.
+// A frame and the reference, as PNGs.
 struct BenchPicture {
   std::string setting;
   std::string frame, reference, error;
-  double error_scale = 0.0;  // the error that is shown as white, beside the rms of the reference
+  double error_scale = 0.0;  // the error displayed as white, relative to the rms of the reference
 };
 
 struct SceneReport {
@@ -34,7 +34,7 @@ struct SceneReport {
   std::size_t lights = 0;
   bool environment = false;
   Film film;
-  double reference_cpu_milliseconds = 0.0;  // of a whole frame, from the pixels evaluated
+  double reference_cpu_milliseconds = 0.0;  // of a full frame, from the pixels evaluated
   std::vector<Measurement> settings;
   std::vector<Measurement> on_gl;       // empty without that backend
   std::vector<OtherRendererRow> peers;  // what other programs take for the same picture
@@ -47,7 +47,7 @@ struct CostCurve {
   double exponent = 0.0;
 };
 
-// Frames with so many worker threads.
+// Frames by number of worker threads.
 struct ThreadRow {
   int threads = 0;
   Spread milliseconds;

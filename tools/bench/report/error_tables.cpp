@@ -11,15 +11,15 @@ namespace {
 void add_rows(const std::vector<ComparedError>& rows, ReportTable& table) {
   for (const ComparedError& row : rows) {
     auto& cells = table.rows.emplace_back();
-    cells = {row.what, with_interval(row.error)};
+    cells = {row.label, with_interval(row.error)};
     if (table.heads.size() > 2) cells.push_back(row.other ? with_interval(*row.other) : "");
   }
 }
 
 // "+1.2% (-0.3 to +2.5)": changes.
 std::string with_signs(const Spread& change) {
-  return formatted("%+.2g%% (%+.2g to %+.2g)", 100.0 * change.median, 100.0 * change.min_value,
-                   100.0 * change.max_value);
+  return formatted("%+.2g%% (%+.2g to %+.2g)", 100.0 * change.median, 100.0 * change.min,
+                   100.0 * change.max);
 }
 
 }  // namespace

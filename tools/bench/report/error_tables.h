@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// How wrong pictures are, as tables; without rows where nothing was measured.
+// Errors of pictures as tables; without rows where nothing was measured.
 
 // One method and setting after the other, where they were all measured.
 ReportTable setting_table(const std::vector<SceneReport>& scenes);

@@ -79,10 +79,10 @@ std::string frontier_plot(const SceneReport& scene, bool with_legend) {
   }
   std::vector<std::string> programs;
   for (const OtherRendererRow& peer : scene.peers) {
-    auto known = std::ranges::find(programs, peer.program);
-    if (known == programs.end()) known = programs.insert(known, peer.program);
+    auto it = std::ranges::find(programs, peer.program);
+    if (it == programs.end()) it = programs.insert(it, peer.program);
     const char* const peer_color =
-        peer_colors[static_cast<std::size_t>(known - programs.begin()) % std::size(peer_colors)];
+        peer_colors[static_cast<std::size_t>(it - programs.begin()) % std::size(peer_colors)];
     dot(peer.program + ", " + peer.setting, peer.rel_rmse, peer.cpu_milliseconds, peer_color,
         peer.program);
   }

@@ -17,8 +17,9 @@ LogPlot::Range decades(LogPlot::Range range) {
 }
 
 double place(double value, LogPlot::Range axis) {
-  const double at = (std::log10(std::max(value, 1e-9)) - axis.first) / (axis.second - axis.first);
-  return std::clamp(at, 0.0, 1.0);
+  const double fraction =
+      (std::log10(std::max(value, 1e-9)) - axis.first) / (axis.second - axis.first);
+  return std::clamp(fraction, 0.0, 1.0);
 }
 
 }  // namespace
@@ -26,15 +27,15 @@ double place(double value, LogPlot::Range axis) {
 LogPlot::LogPlot(Range x, Range y, const char* x_title, const char* y_title)
     : x_(decades(x)), y_(decades(y)) {
   for (double d = x_.first; d <= x_.second; ++d) {
-    const double at = px(std::pow(10, d));
-    put(svg_, "<path stroke=\"#ddd\" d=\"M%.1f %d V%d\"/>", at, top, bottom);
-    put(svg_, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", at, bottom + 14,
+    const double position = px(std::pow(10, d));
+    put(svg_, "<path stroke=\"#ddd\" d=\"M%.1f %d V%d\"/>", position, top, bottom);
+    put(svg_, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", position, bottom + 14,
         std::pow(10, d));
   }
   for (double d = y_.first; d <= y_.second; ++d) {
-    const double at = py(std::pow(10, d));
-    put(svg_, "<path stroke=\"#ddd\" d=\"M%d %.1f H%d\"/>", left, at, right);
-    put(svg_, "<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", left - 4, at + 4,
+    const double position = py(std::pow(10, d));
+    put(svg_, "<path stroke=\"#ddd\" d=\"M%d %.1f H%d\"/>", left, position, right);
+    put(svg_, "<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", left - 4, position + 4,
         std::pow(10, d));
   }
   put(svg_, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n", (left + right) / 2,

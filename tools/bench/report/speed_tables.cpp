@@ -7,20 +7,20 @@
 namespace brume {
 namespace {
 
-// The cheapest row of each program that keeps an error, or else its most exact one.
+// The cheapest row of each program that meets an error bound, or else its most exact one.
 std::vector<OtherRendererRow> best_of_programs(const SceneReport& scene, double level) {
   std::vector<OtherRendererRow> best;
   for (const OtherRendererRow& row : scene.peers) {
-    const auto known = std::ranges::find(best, row.program, &OtherRendererRow::program);
-    if (known == best.end()) {
+    const auto it = std::ranges::find(best, row.program, &OtherRendererRow::program);
+    if (it == best.end()) {
       best.push_back(row);
       continue;
     }
-    const bool keeps = row.rel_rmse <= level;
-    const bool known_keeps = known->rel_rmse <= level;
-    if (keeps && known_keeps ? row.cpu_milliseconds < known->cpu_milliseconds
-                             : row.rel_rmse < known->rel_rmse) {
-      *known = row;
+    const bool meets = row.rel_rmse <= level;
+    const bool known_keeps = it->rel_rmse <= level;
+    if (meets && known_keeps ? row.cpu_milliseconds < it->cpu_milliseconds
+                             : row.rel_rmse < it->rel_rmse) {
+      *it = row;
     }
   }
   return best;
@@ -129,12 +129,11 @@ ReportTable table_one_table(const std::vector<TableOneRow>& rows) {
     const Measurement& m = row.measurement;
     const Spread& ms = m.milliseconds;
     const Spread& reached = row.share.of_limit_with_pairs;
-    table.rows.push_back({row.name,
-                          with_spread({1e3 / ms.median, 1e3 / ms.max_value, 1e3 / ms.min_value}, 1),
+    table.rows.push_back({row.name, with_spread({1e3 / ms.median, 1e3 / ms.max, 1e3 / ms.min}, 1),
                           formatted("%.0f", row.paper_fps), m.setting,
                           formatted("%.2f%%", 100.0 * m.error.rel_rmse), stage_times(m),
                           formatted("%.0f%% (%.0f to %.0f)", 100.0 * reached.median,
-                                    100.0 * reached.min_value, 100.0 * reached.max_value)});
+                                    100.0 * reached.min, 100.0 * reached.max)});
   }
   return table;
 }

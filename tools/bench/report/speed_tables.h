@@ -11,7 +11,7 @@ namespace brume {
 
 ReportTable fastest_table(const std::vector<SceneReport>& scenes);
 
-// The cheapest setting of each other program that keeps 2%, or else its most exact one.
+// The cheapest setting of each other program that meets 2%, or else its most exact one.
 ReportTable peer_table(const std::vector<SceneReport>& scenes);
 
 ReportTable gl_table(const BenchReport& report);

@@ -70,18 +70,18 @@ void MeshBuilder::ellipsoid(const glm::dvec3& center, const glm::dvec3& radii, i
   });
 }
 
-void MeshBuilder::cylinder(const glm::dvec3& from, const glm::dvec3& to, double radius, int n) {
-  const glm::dvec3 axis = glm::normalize(to - from);
-  const glm::dvec3 beside =
+void MeshBuilder::cylinder(const glm::dvec3& start, const glm::dvec3& end, double radius, int n) {
+  const glm::dvec3 axis = glm::normalize(end - start);
+  const glm::dvec3 side =
       std::abs(axis.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
-  const glm::dvec3 x = glm::normalize(glm::cross(axis, beside));
+  const glm::dvec3 x = glm::normalize(glm::cross(axis, side));
   const glm::dvec3 y = glm::cross(axis, x);
   const auto ring = [&](const glm::dvec3& center, double r, double u) {
     return center + r * (std::cos(2 * pi * u) * x + std::sin(2 * pi * u) * y);
   };
-  grid(n, 2, true, [&](double u, double v) { return ring(from + v * (to - from), radius, u); });
-  for (const glm::dvec3& end : {from, to}) {
-    grid(n, 2, true, [&](double u, double v) { return ring(end, v * radius, u); });
+  grid(n, 2, true, [&](double u, double v) { return ring(start + v * (end - start), radius, u); });
+  for (const glm::dvec3& center : {start, end}) {
+    grid(n, 2, true, [&](double u, double v) { return ring(center, v * radius, u); });
   }
 }
 

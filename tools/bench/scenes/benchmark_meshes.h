@@ -24,7 +24,7 @@ class MeshBuilder {
   // 2 n^2 vertices.
   void ellipsoid(const glm::dvec3& center, const glm::dvec3& radii, int n);
   // A straight tube with flat ends: 6 n vertices.
-  void cylinder(const glm::dvec3& from, const glm::dvec3& to, double radius, int n);
+  void cylinder(const glm::dvec3& start, const glm::dvec3& end, double radius, int n);
   // A tube bent along path(v), which is nowhere parallel to z: n * rows vertices.
   void tube(const std::function<glm::dvec3(double v)>& path, double radius, int n, int rows);
   // A grid that is nearly square, padded by vertices within triangles up to exactly `vertices`.

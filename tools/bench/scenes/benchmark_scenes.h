@@ -28,7 +28,7 @@ Medium with_depth(std::span<const Gaussian> gaussians, double depth);
 // that a ray always meets about the same number of them.
 Medium box_of(int count);
 
-// That box before a camera, with so many lights around it.
+// That box before a camera, with `lights` lights around it.
 Scene box_scene(int count, int lights);
 
 // Skies: the same everywhere; brighter above; that with a sun; one with a sun near the horizon; and

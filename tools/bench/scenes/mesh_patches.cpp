@@ -35,7 +35,7 @@ std::size_t add_ball(MeshArrays& mesh, int n, const glm::dvec3& center, double r
                      bool inward) {
   return add_patch(mesh, n, [=](double u, double v) {
     const double theta = to * u;
-    // The winding goes with the normals.
+    // The winding matches the normals.
     const double phi = 2.0 * std::numbers::pi * (inward ? v : -v);
     const glm::dvec3 out(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                          -std::cos(theta));

@@ -191,9 +191,9 @@ TEST(GaussianFile, RefusesBadFilesAndNamesThePlace) {
 TEST(GaussianFile, EveryTruncationOfABinaryFileIsRefused) {
   const TemporaryFolder folder;
   write_gaussians(folder / "a.ply", std::vector<Gaussian>(3, {{1, 2, 3}, 4, 5}));
-  const std::string whole = content_of(folder / "a.ply");
-  for (std::size_t size = 0; size < whole.size(); ++size) {
-    const auto file = folder.write("cut.ply", whole.substr(0, size));
+  const std::string complete = content_of(folder / "a.ply");
+  for (std::size_t size = 0; size < complete.size(); ++size) {
+    const auto file = folder.write("cut.ply", complete.substr(0, size));
     EXPECT_THROW(read_gaussians(file), InputError) << size << " bytes";
   }
 }

@@ -104,16 +104,16 @@ TEST(ExrFile, RefusesDeepImages) {
 TEST(ExrFile, EveryTruncationAndManyDamagesAreRefusedOrRead) {
   const TemporaryFolder folder;
   write_exr(folder / "a.exr", some_image());
-  const std::string whole = content_of(folder / "a.exr");
-  for (std::size_t size = 0; size < whole.size(); ++size) {
-    const auto file = folder.write("cut.exr", whole.substr(0, size));
+  const std::string complete = content_of(folder / "a.exr");
+  for (std::size_t size = 0; size < complete.size(); ++size) {
+    const auto file = folder.write("cut.exr", complete.substr(0, size));
     EXPECT_THROW(read_exr(file), InputError) << size << " bytes";
   }
   // A damaged byte may go unseen, but nothing other than an InputError may come of it.
   std::size_t refused = 0;
-  for (std::size_t at = 0; at < whole.size(); ++at) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
+  for (std::size_t offset = 0; offset < complete.size(); ++offset) {
+    std::string damaged = complete;
+    damaged[offset] = static_cast<char>(damaged[offset] ^ 0xff);
     const auto file = folder.write("damaged.exr", damaged);
     try {
       read_exr(file);
@@ -121,7 +121,7 @@ TEST(ExrFile, EveryTruncationAndManyDamagesAreRefusedOrRead) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, whole.size() / 10);
+  EXPECT_GT(refused, complete.size() / 10);
 }
 
 TEST(ExrFile, RefusesAHugeImageInASmallFile) {
@@ -142,8 +142,8 @@ long max_memory() {
   return usage.ru_maxrss;  // [KiB]
 }
 
-void put(std::string& bytes, std::size_t at, std::int32_t value) {
-  bytes.replace(at, sizeof(value), reinterpret_cast<const char*>(&value), sizeof(value));
+void put(std::string& bytes, std::size_t offset, std::int32_t value) {
+  bytes.replace(offset, sizeof(value), reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
 // Where the value of an attribute begins.

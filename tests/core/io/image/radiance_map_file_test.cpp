@@ -105,15 +105,15 @@ TEST(HdrFile, RefusesWhatItIsNot) {
 
 TEST(HdrFile, NoDamageDoesAnythingButAnError) {
   const TemporaryFolder folder;
-  std::string whole =
+  std::string complete =
       header(8, 1) + bytes({2, 2, 0, 8, 136, 1, 136, 2, 3, 1, 2, 3, 133, 4, 136, 9});
-  EXPECT_NO_THROW(read_hdr(folder.write("whole.hdr", whole)));
-  for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_THROW(read_hdr(folder.write("cut.hdr", whole.substr(0, size))), InputError) << size;
+  EXPECT_NO_THROW(read_hdr(folder.write("whole.hdr", complete)));
+  for (std::size_t size = 0; size < complete.size(); ++size) {
+    EXPECT_THROW(read_hdr(folder.write("cut.hdr", complete.substr(0, size))), InputError) << size;
   }
-  for (std::size_t at = 0; at < whole.size(); ++at) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
+  for (std::size_t offset = 0; offset < complete.size(); ++offset) {
+    std::string damaged = complete;
+    damaged[offset] = static_cast<char>(damaged[offset] ^ 0xff);
     try {
       read_hdr(folder.write("damaged.hdr", damaged));
     } catch (const InputError&) {

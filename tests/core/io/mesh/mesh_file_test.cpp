@@ -236,10 +236,10 @@ TEST(MeshFile, SurvivesTruncationAndDamage) {
                                                        {"c.stl", binary_stl()}};
   std::size_t refused = 0;
   for (const auto& [name, content] : files) {
-    for (std::size_t at = 0; at < content.size(); ++at) {
+    for (std::size_t offset = 0; offset < content.size(); ++offset) {
       std::string damaged = content;
-      damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
-      for (const std::string& bytes : {content.substr(0, at), damaged}) {
+      damaged[offset] = static_cast<char>(damaged[offset] ^ 0x55);
+      for (const std::string& bytes : {content.substr(0, offset), damaged}) {
         try {
           read_mesh(folder.write(name, bytes));
         } catch (const InputError&) {

@@ -17,17 +17,17 @@ class RandomScene {
   Scene make() {
     Scene scene;
     scene.camera = {point(), point(), point(), number(1e-3, 179.0)};
-    scene.film = {whole(1, 16384), whole(1, 16384)};
+    scene.film = {integer(1, 16384), integer(1, 16384)};
     scene.medium.set_homogeneous_density(maybe() ? number(0.0, 10.0) : 0.0);
-    for (int i = whole(0, 30); i > 0; --i) {
+    for (int i = integer(0, 30); i > 0; --i) {
       scene.medium.append({point(), std::exp(number(-20, 20)), std::exp(number(-30, 20))});
     }
     if (maybe()) scene.optics.albedo = {number(0.01, 1), 1.0, number(0.01, 1)};
     if (maybe()) scene.optics.anisotropy = number(-0.95, 0.95);
     if (maybe()) {
-      scene.optics.noise = {number(0, 1), number(0, 9), point(), whole(-1000, 1000)};
+      scene.optics.noise = {number(0, 1), number(0, 9), point(), integer(-1000, 1000)};
     }
-    for (int i = whole(0, 3); i > 0; --i) {
+    for (int i = integer(0, 3); i > 0; --i) {
       scene.emitters.push_back({.position = point(),
                                 .rate = number(0, 1e4),
                                 .lifetime = number(0, 9),
@@ -36,14 +36,14 @@ class RandomScene {
                                 .acceleration = point(),
                                 .radius = {number(0.1, 1), number(0.1, 9)},
                                 .density = {number(0, 1), number(0, 9)},
-                                .seed = whole(-1000, 1000)});
+                                .seed = integer(-1000, 1000)});
     }
-    for (int i = whole(0, 5); i > 0; --i) {
+    for (int i = integer(0, 5); i > 0; --i) {
       scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, {}, maybe()});
     }
     if (maybe())
       scene.environment = {folder_ / "dawn.exr", nullptr, number(0, 3), number(-720, 720)};
-    for (int i = whole(0, 3); i > 0; --i) {
+    for (int i = integer(0, 3); i > 0; --i) {
       Surface surface;
       surface.mesh_file = folder_ / "bunny.obj";
       surface.translate = point();
@@ -56,7 +56,7 @@ class RandomScene {
         surface.material.specular = {0.0, number(0, 1), number(0, 1)};
         surface.material.exponent = number(0, 1000);
       }
-      surface.transfer = static_cast<Surface::Transfer>(whole(0, 2));
+      surface.transfer = static_cast<Surface::Transfer>(integer(0, 2));
       scene.surfaces.push_back(surface);
     }
     keys(scene.camera_keys.eye, 1e6);
@@ -69,7 +69,7 @@ class RandomScene {
       keys(light.keys.intensity, 1e9);
     }
     if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
-    if (maybe()) scene.playback = Playback{whole(0, 9), whole(9, 99), maybe()};
+    if (maybe()) scene.playback = Playback{integer(0, 9), integer(9, 99), maybe()};
     return scene;
   }
 
@@ -77,20 +77,20 @@ class RandomScene {
   double number(double min_value, double max_value) {
     return std::uniform_real_distribution<double>(min_value, max_value)(random_);
   }
-  int whole(int min_value, int max_value) {
+  int integer(int min_value, int max_value) {
     return std::uniform_int_distribution<int>(min_value, max_value)(random_);
   }
-  bool maybe() { return whole(0, 1) == 0; }
+  bool maybe() { return integer(0, 1) == 0; }
   glm::dvec3 point() { return {number(-1e6, 1e6), number(-1, 1), number(-1e-6, 1e-6)}; }
-  double below(double max_value, double) { return number(0.01, max_value); }
-  glm::dvec3 below(double max_value, const glm::dvec3&) {
+  double up_to(double max_value, double) { return number(0.01, max_value); }
+  glm::dvec3 up_to(double max_value, const glm::dvec3&) {
     return {number(0.01, max_value), number(0.01, max_value), number(0.01, max_value)};
   }
   template <class T>
   void keys(Keys<T>& keys, double max_value) {
     double time = number(-9, 9);
-    for (int i = maybe() ? whole(0, 4) : 0; i > 0; --i, time += number(1e-3, 5)) {
-      keys.push_back({time, below(max_value, T{}), static_cast<Interpolation>(whole(0, 1))});
+    for (int i = maybe() ? integer(0, 4) : 0; i > 0; --i, time += number(1e-3, 5)) {
+      keys.push_back({time, up_to(max_value, T{}), static_cast<Interpolation>(integer(0, 1))});
     }
   }
 

@@ -51,11 +51,11 @@ TEST(SceneBudget, CountsAllParticlesThatAreEverThere) {
   Emitter emitter;
   emitter.rate = 7.0;
   emitter.lifetime = 2.3;
-  std::size_t max_value = 0;
+  std::size_t max_count = 0;
   for (int i = 0; i < 1000; ++i)
-    max_value = std::max(max_value, particles_at(emitter, 0.01 * i).size());
-  EXPECT_LE(max_value, max_particles(emitter));
-  EXPECT_LE(max_particles(emitter), max_value + 1);
+    max_count = std::max(max_count, particles_at(emitter, 0.01 * i).size());
+  EXPECT_LE(max_count, max_particles(emitter));
+  EXPECT_LE(max_particles(emitter), max_count + 1);
   emitter.rate = 0.0;
   EXPECT_EQ(max_particles(emitter), 0u);
 }
@@ -81,7 +81,8 @@ TEST(SceneBudget, SequencesShareTheGaussiansOfTheScene) {
     EXPECT_TRUE(contains(error, part)) << part << " in " << error;
   }
   std::filesystem::rename(folder / "f_0.ply", folder / "f_0.csv");
-  EXPECT_TRUE(contains(error_of([&] { load("f_%d.csv", 3); }), "f_1.csv: line 3: found too many Gaussians"));
+  EXPECT_TRUE(contains(error_of([&] { load("f_%d.csv", 3); }),
+                       "f_1.csv: line 3: found too many Gaussians"));
 }
 
 // A mesh of 30,000 triangles, placed as often as surfaces may be.

@@ -110,8 +110,8 @@ void expect_as_the_library_has_it(typename Grid::ValueType unit) {
       EXPECT_EQ(info[0].type, written->valueType());
       EXPECT_EQ(info[0].voxels, written->activeVoxelCount());
       const auto box = written->evalActiveVoxelBoundingBox();
-      EXPECT_EQ(info[0].min_value, glm::dvec3(box.min().x(), box.min().y(), box.min().z()));
-      EXPECT_EQ(info[0].max_value, glm::dvec3(box.max().x(), box.max().y(), box.max().z()));
+      EXPECT_EQ(info[0].min_corner, glm::dvec3(box.min().x(), box.min().y(), box.min().z()));
+      EXPECT_EQ(info[0].max_corner, glm::dvec3(box.max().x(), box.max().y(), box.max().z()));
     }
   }
 }
@@ -185,17 +185,17 @@ TEST(VdbFile, GridsThatShareATreeAndGridsThatAreNoNumbers) {
 // ends the test.
 TEST(VdbFile, SurvivesDamage) {
   const TemporaryFolder folder;
-  const std::string whole = content_of(std::filesystem::path(BRUME_VOLUMES) / "smoke_0025.vdb");
+  const std::string complete = content_of(std::filesystem::path(BRUME_VOLUMES) / "smoke_0025.vdb");
   Random random(7);
   int refused = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    std::string damaged = whole;
+    std::string damaged = complete;
     // Most of them in the first bytes, where counts and places stand.
     for (int i = 0; i < 1 + trial % 8; ++i) {
       const double within =
-          random.uniform(0.0, 1.0) < 0.7 ? 4000.0 : static_cast<double>(whole.size());
-      const auto at = static_cast<std::size_t>(random.uniform(0.0, within - 1.0));
-      damaged[at] = static_cast<char>(random.uniform(0.0, 255.9));
+          random.uniform(0.0, 1.0) < 0.7 ? 4000.0 : static_cast<double>(complete.size());
+      const auto offset = static_cast<std::size_t>(random.uniform(0.0, within - 1.0));
+      damaged[offset] = static_cast<char>(random.uniform(0.0, 255.9));
     }
     const auto file = folder.write("a.vdb", damaged);
     for (const char* grid : {"density", "shadow"}) {

@@ -60,7 +60,7 @@ TEST(VolumeFile, ReadsBackWhatWasWritten) {
 TEST(VolumeFile, ReadsSmokeOfASimulation) {
   const DensityGrid grid = read_volume(volumes / "smoke_0025.vdb", "density");
   EXPECT_NEAR(grid.spacing.x, 1.0 / 12.0, 1e-6);
-  EXPECT_NEAR(grid.mass() / (935.5 / 1728.0), 1.0, 1e-3);
+  EXPECT_NEAR(grid.integral() / (935.5 / 1728.0), 1.0, 1e-3);
   EXPECT_EQ(volume_grids(volumes / "smoke_0025.vdb").size(), 5u);
 }
 
@@ -106,7 +106,7 @@ TEST(VolumeFile, TilesAreVoxels) {
   grid->fill(openvdb::CoordBBox(openvdb::Coord(0), openvdb::Coord(31)), 0.5);
   grid->setTransform(openvdb::math::Transform::createLinearTransform(0.1));
   write(folder / "a.vdb", "smoke", grid);
-  EXPECT_NEAR(read_volume(folder / "a.vdb", "smoke").mass(), 0.5 * std::pow(3.2, 3.0), 1e-4);
+  EXPECT_NEAR(read_volume(folder / "a.vdb", "smoke").integral(), 0.5 * std::pow(3.2, 3.0), 1e-4);
 }
 
 // 36 tiles of 128^3 voxels in a small file: 304 MB of blocks, and not twice.
@@ -181,15 +181,15 @@ TEST(VolumeFile, AllocatesNothingForEmptyVoxels) {
   grid->tree().setValue(openvdb::Coord(far), 1.0f);
   write(folder / "a.vdb", "density", grid);
   EXPECT_EQ(read_volume(folder / "a.vdb", "density").blocks.size(), 2u);
-  EXPECT_EQ(volume_grids(folder / "a.vdb").at(0).max_value, glm::dvec3(far));
+  EXPECT_EQ(volume_grids(folder / "a.vdb").at(0).max_corner, glm::dvec3(far));
 }
 
 TEST(VolumeFile, RefusesTruncatedFiles) {
   const TemporaryFolder folder;
-  const std::string whole = content_of(volumes / "smoke_0025.vdb");
+  const std::string complete = content_of(volumes / "smoke_0025.vdb");
   for (std::size_t percent = 0; percent < 100; ++percent) {
-    const auto file =
-        folder.write("a.vdb", std::string_view(whole).substr(0, whole.size() * percent / 100));
+    const auto file = folder.write(
+        "a.vdb", std::string_view(complete).substr(0, complete.size() * percent / 100));
     EXPECT_THROW(read_volume(file, "density"), InputError) << percent;
   }
 }

@@ -1,4 +1,4 @@
-#include "render/lighting/density_grid.h"
+#include "render/lighting/density_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ std::vector<float> density_on_grid(std::span<const GaussianTerm<double>> gaussia
   std::vector<float> density(nodes.size(), 0.0f);
   const auto width = static_cast<std::size_t>(nodes.count.x);
   const auto slab = width * static_cast<std::size_t>(nodes.count.y);
-  job.each(static_cast<std::size_t>(nodes.count.z), [&](std::size_t z) {
+  job.parallel_for(static_cast<std::size_t>(nodes.count.z), [&](std::size_t z) {
     Profile x;
     Profile y;
     for (const GaussianTerm<double>& g : gaussians) {
@@ -51,9 +51,9 @@ std::vector<float> density_on_grid(std::span<const GaussianTerm<double>> gaussia
       for (int row = y.begin; row < y.end(); ++row) {
         const float scale =
             static_cast<float>(peak) * y.values[static_cast<std::size_t>(row - y.begin)];
-        float* to = density.data() + z * slab + static_cast<std::size_t>(row) * width +
-                    static_cast<std::size_t>(x.begin);
-        for (std::size_t i = 0; i < x.values.size(); ++i) to[i] += scale * x.values[i];
+        float* target = density.data() + z * slab + static_cast<std::size_t>(row) * width +
+                        static_cast<std::size_t>(x.begin);
+        for (std::size_t i = 0; i < x.values.size(); ++i) target[i] += scale * x.values[i];
       }
     }
   });

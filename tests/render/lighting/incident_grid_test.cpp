@@ -26,8 +26,8 @@ TEST(NodeRadiance, MatchesTheReferenceInClouds) {
   const std::vector<ComparedError> rows = measure_incident_light(samples);
   ASSERT_EQ(rows.size(), std::size(bounds));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].grid) << rows[i].what;
-    EXPECT_GT(rows[i].other->rel_rmse, bounds[i].average) << rows[i].what;
+    EXPECT_LT(rows[i].error.rel_rmse, bounds[i].grid) << rows[i].label;
+    EXPECT_GT(rows[i].other->rel_rmse, bounds[i].average) << rows[i].label;
   }
 }
 

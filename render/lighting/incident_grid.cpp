@@ -1,4 +1,4 @@
-#include "render/lighting/incident_light.h"
+#include "render/lighting/incident_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int degree = 9;
 // So many sweeps are held at a time.
 constexpr std::size_t batch = 10;
 
-// Nodes are summed in blocks of so many.
+// Nodes per block of a parallel sum.
 constexpr std::size_t block = 1024;
 
 using Rows = std::array<std::span<const float>, 3>;  // R G B
@@ -71,13 +71,13 @@ std::vector<float> scattered_light(const GridNodes& nodes, std::span<const float
         weights.push_back(static_cast<float>(basis[f] * node.weight));
       }
     }
-    job.each(now.size(), [&](std::size_t k) {
+    job.parallel_for(now.size(), [&](std::size_t k) {
       thread_local std::vector<float> memory;
       const glm::dvec3& w = now[k].direction;
       sweep_emission(nodes, density, static_cast<float>(fog), source.seen_along(w, memory),
                      glm::vec3(w), {row(0, k), row(1, k), row(2, k)});
     });
-    job.each((stride + block - 1) / block, [&](std::size_t b) {
+    job.parallel_for((stride + block - 1) / block, [&](std::size_t b) {
       for (std::size_t c = 0; c < 3; ++c) {
         add_weighted(std::span(emitted).subspan(c * batch * stride, batch * stride), weights,
                      functions, stride, b * block, std::min((b + 1) * block, stride),
@@ -96,19 +96,20 @@ std::vector<float> incident_light(const GridNodes& nodes, std::span<const float>
   const std::vector<float> scattered =
       scattered_light(nodes, density, Source(unscattered, stride, optics.anisotropy), stride,
                       optics.fog_density, job);
-  const auto share = static_cast<float>(optics.scattered);
+  const auto scale = static_cast<float>(optics.scattered);
   std::vector<float> values(4 * functions * nodes.size(), 0.0f);
-  job.each((nodes.size() + block - 1) / block, [&](std::size_t b) {
+  job.parallel_for((nodes.size() + block - 1) / block, [&](std::size_t b) {
     const std::size_t end = std::min((b + 1) * block, nodes.size());
     for (int l = 0; l < grid_bands; ++l) {
-      const auto passes = static_cast<float>(optics.through_fog[static_cast<std::size_t>(l)]);
+      const auto transmittance =
+          static_cast<float>(optics.through_fog[static_cast<std::size_t>(l)]);
       for (int m = -l; m <= l; ++m) {
         const std::size_t f = sh_index(l, m);
         for (std::size_t c = 0; c < 3; ++c) {
           const float* input = unscattered.data() + (3 * f + c) * stride;
           const float* outgoing = scattered.data() + (c * functions + f) * stride;
           for (std::size_t i = b * block; i < end; ++i) {
-            values[4 * (functions * i + f) + c] = passes * input[i] + share * outgoing[i];
+            values[4 * (functions * i + f) + c] = transmittance * input[i] + scale * outgoing[i];
           }
         }
       }
