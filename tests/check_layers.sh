@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The floors of the house, by their includes: arrows point down only (CONTRIBUTING.md).
+# The layers, by their includes: arrows point down only (CONTRIBUTING.md).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -19,26 +19,26 @@ refuse() {
 }
 refuse "Qt or VTK" 'Q[A-Z]|Qt[A-Z]|vtk[A-Z]' core render tools
 refuse "OpenGL" 'epoxy/|GL/|EGL/' core tools
-refuse "a floor above itself" 'render/|app/|tools/' core
-refuse "a floor above itself" 'app/|tools/' render
+refuse "a layer above itself" 'render/|app/|tools/' core
+refuse "a layer above itself" 'app/|tools/' render
 refuse "the editor" 'app/' tools
 refuse "the command line" 'tools/' app
 refuse "a relative path" '\.\./' core render app tools
 
-# Within a floor: files, and what else of the floor they may include beside their own folder. Each
+# Within a layer: files, and what else of the layer they may include beside their own folder. Each
 # row names only rows above it, so there are no circles.
 values='render/frame.h render/settings.h render/stage.h render/view_transform.h'
 surfaces='render/geometry/ render/simd/ render/visibility/ render/lighting/ render/shading/'
 while IFS=: read -r files allowed; do
   [[ $files ]] || continue
-  floor=${files%%/*} folder=${files%/*}
+  layer=${files%%/*} folder=${files%/*}
   pattern=$(tr -s ' ' '|' <<<"${allowed# }${allowed:+ }$folder/[^/]*\$")
   found=$(compgen -G "$files" >/dev/null && grep -HoE '^\s*#\s*include\s*"[^"]+' $files |
-    sed -nE "s/^([^:]+):[^\"]*\"($floor\/.*)/\1 includes \2/p" |
+    sed -nE "s/^([^:]+):[^\"]*\"($layer\/.*)/\1 includes \2/p" |
     awk -v pattern="^($pattern)" '$3 !~ pattern' || true)
   if [[ $found ]]; then
     echo "$found"
-    echo "$files: may include of $floor only:$allowed"
+    echo "$files: may include of $layer only:$allowed"
     failed=1
   fi
 done <<ROWS

@@ -5,12 +5,12 @@
 namespace brume {
 namespace {
 
-// The script that keeps the floors apart, run on a tree of four small files.
-class Floors : public ::testing::Test {
+// The script that keeps the layers apart, run on a tree of four small files.
+class Layers : public ::testing::Test {
  protected:
-  Floors() {
+  Layers() {
     std::filesystem::create_directory(folder_ / "tests");
-    std::filesystem::copy_file(BRUME_FLOORS_SCRIPT, folder_ / "tests/check_floors.sh");
+    std::filesystem::copy_file(BRUME_LAYERS_SCRIPT, folder_ / "tests/check_layers.sh");
     write("core/a.h", "#include <vector>\n");
     write("render/a.h", "#include \"core/a.h\"\n#include <GL/gl.h>\n");
     write("tools/a.cpp", "#include \"render/a.h\"\n");
@@ -23,18 +23,18 @@ class Floors : public ::testing::Test {
   }
 
   [[nodiscard]] bool passes() const {
-    const std::string script = quoted((folder_ / "tests/check_floors.sh").string());
+    const std::string script = quoted((folder_ / "tests/check_layers.sh").string());
     return std::system(("bash " + script + " >/dev/null 2>&1").c_str()) == 0;
   }
 
   TemporaryFolder folder_;
 };
 
-TEST_F(Floors, PassWhereArrowsPointDown) {
+TEST_F(Layers, PassWhereArrowsPointDown) {
   EXPECT_TRUE(passes());
 }
 
-TEST_F(Floors, FailWhereAnArrowPointsUp) {
+TEST_F(Layers, FailWhereAnArrowPointsUp) {
   for (const auto& [file, text] : std::vector<std::pair<const char*, const char*>>{
            {"core/b.cpp", "#include \"render/a.h\"\n"},
            {"core/b.hpp", "#include \"render/a.h\"\n"},
@@ -55,7 +55,7 @@ TEST_F(Floors, FailWhereAnArrowPointsUp) {
   EXPECT_TRUE(passes());
 }
 
-TEST_F(Floors, FailWhereAFolderIsMissing) {
+TEST_F(Layers, FailWhereAFolderIsMissing) {
   for (const char* name : {"core", "render", "tools", "app"}) {
     std::filesystem::rename(folder_ / name, folder_ / "elsewhere");
     EXPECT_FALSE(passes()) << name;
