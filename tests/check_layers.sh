@@ -42,6 +42,20 @@ while IFS=: read -r files allowed; do
     failed=1
   fi
 done <<ROWS
+core/*.[hc]*:
+core/math/*.[hc]*:
+core/medium/*.[hc]*:core/[a-z_]+.h
+core/scene/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/
+core/transport/*.[hc]*:core/math/ core/medium/ core/scene/
+core/authoring/*.[hc]*:core/[a-z_]+.h core/math/ core/medium/ core/scene/ core/transport/
+core/volume/*.[hc]*:core/[a-z_]+.h core/medium/
+core/io/*.[hc]*:core/[a-z_]+.h core/scene/
+core/io/mesh/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
+core/io/image/*.[hc]*:core/[a-z_]+.h core/scene/ core/io/[a-z_]+.h
+core/io/volume/*.[hc]*:core/[a-z_]+.h core/volume/ core/io/[a-z_]+.h
+core/io/gaussians/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/[a-z_]+.h
+core/io/scene/*.[hc]*:core/[a-z_]+.h core/medium/ core/scene/ core/io/
+core/fit/*.[hc]*:core/medium/ core/transport/ core/volume/ core/io/volume/
 render/util/*.[hc]*:
 render/geometry/*.[hc]*:
 render/stage.*:

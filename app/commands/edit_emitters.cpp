@@ -5,8 +5,8 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
-#include "core/authoring/particles.h"
 #include "core/limits.h"
+#include "core/scene/particles.h"
 
 namespace brume {
 namespace {

@@ -4,9 +4,9 @@
 #include <QLocale>
 
 #include "app/document/document.h"
-#include "core/authoring/particles.h"
 #include "core/limits.h"
 #include "core/scene/at_time.h"
+#include "core/scene/particles.h"
 
 namespace brume {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/authoring/random_source.h"
+#include "core/math/random_source.h"
 #include "core/medium/gaussian.h"
 
 namespace brume {

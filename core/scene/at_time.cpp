@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/authoring/particles.h"
 #include "core/scene/animation.h"
+#include "core/scene/particles.h"
 
 namespace brume {
 

@@ -10,7 +10,7 @@ namespace brume {
 
 // A particle emitter (section 6 of the paper): emits at a constant rate from time 0; particles
 // follow parabolas, and their radius and density change over their life. Evaluated by
-// core/authoring/particles.h.
+// core/scene/particles.h.
 struct Emitter {
   glm::dvec3 position{0.0};
   double rate = 10.0;                  // particles per second, >= 0

@@ -92,7 +92,7 @@ struct NoiseKeys {
   bool operator==(const NoiseKeys&) const = default;
 };
 
-// Noise that displaces view rays; see core/medium/noise.h.
+// Noise that displaces view rays; see core/scene/ray_noise.h.
 struct Noise {
   double amplitude = 0.0;    // rms displacement relative to the radius, >= 0; 0: off
   double frequency = 1.0;    // lattice cells per u, >= 0

@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/medium/noise.h"
+#include "core/scene/ray_noise.h"
 #include "core/transport/optical_depth.h"
 
 namespace brume {

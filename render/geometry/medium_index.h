@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/medium/medium.h"
-#include "core/medium/noise.h"
 #include "core/revision.h"
+#include "core/scene/ray_noise.h"
 #include "core/transport/optical_depth.h"
 #include "render/geometry/sphere_bvh.h"
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
-#include "core/medium/noise.h"
 #include "core/scene/camera.h"
 #include "core/scene/measured_brdf.h"
+#include "core/scene/ray_noise.h"
 #include "render/frame.h"
 #include "render/geometry/direction_map.h"
 #include "render/geometry/edge_on.h"

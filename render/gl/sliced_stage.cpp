@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "core/medium/noise.h"
 #include "core/scene/radiance_map.h"
+#include "core/scene/ray_noise.h"
 #include "render/geometry/ray_range.h"
 
 namespace brume::gl {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/medium/noise.h"
+#include "core/scene/ray_noise.h"
 #include "core/transport/light_path.h"
 #include "render/reference/gaussian_sums.h"
 

@@ -1,5 +1,5 @@
-// Rays bent by noise in SIMD, in float: RayNoise::shift() of core/medium/noise.h. Included once per
-// instruction set by the files that Highway compiles for each.
+// Rays bent by noise in SIMD, in float: RayNoise::shift() of core/scene/ray_noise.h. Included once
+// per instruction set by the files that Highway compiles for each.
 
 #if defined(BRUME_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BRUME_NOISE_INL_H

@@ -1,4 +1,4 @@
-// Noise that bends view rays: section 5.5 of the paper, see core/medium/noise.h.
+// Noise that bends view rays: section 5.5 of the paper, see core/scene/ray_noise.h.
 
 #include <gtest/gtest.h>
 

@@ -13,9 +13,9 @@
 #include <string>
 
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium_summary.h"
 #include "core/scene/mesh.h"
 #include "core/scene/radiance_map.h"
+#include "core/transport/medium_summary.h"
 
 namespace brume {
 namespace {

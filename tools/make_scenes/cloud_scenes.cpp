@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <glm/vec3.hpp>
 
-#include "core/medium/medium_summary.h"
+#include "core/transport/medium_summary.h"
 #include "tools/make_scenes/generated_files.h"
 #include "tools/make_scenes/noise.h"
 #include "tools/make_scenes/random.h"

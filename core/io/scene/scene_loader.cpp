@@ -3,7 +3,6 @@
 #include <glm/geometric.hpp>
 #include <new>
 
-#include "core/authoring/particles.h"
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/json_reader.h"
@@ -15,6 +14,7 @@
 #include "core/io/text_scanner.h"
 #include "core/limits.h"
 #include "core/scene/animation.h"
+#include "core/scene/particles.h"
 
 namespace brume {
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "core/medium/medium_summary.h"
+#include "core/transport/medium_summary.h"
 #include "render/renderer.h"
 #include "tools/bench/measure/report_text.h"
 #include "tools/bench/scenes/benchmark_scenes.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/io/scene/scene_file.h"
-#include "core/medium/medium_summary.h"
 #include "core/scene/radiance_map.h"
+#include "core/transport/medium_summary.h"
 #include "render/quality/error_estimate.h"
 #include "tools/make_scenes/random.h"
 

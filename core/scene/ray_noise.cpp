@@ -1,4 +1,4 @@
-#include "core/medium/noise.h"
+#include "core/scene/ray_noise.h"
 
 #include <algorithm>
 #include <cmath>

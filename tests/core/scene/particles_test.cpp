@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/authoring/airbrush.h"
-#include "core/authoring/particles.h"
 #include "core/scene/at_time.h"
+#include "core/scene/particles.h"
 
 namespace brume {
 namespace {

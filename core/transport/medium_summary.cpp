@@ -1,4 +1,4 @@
-#include "core/medium/medium_summary.h"
+#include "core/transport/medium_summary.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,11 +1,11 @@
-#include "core/authoring/particles.h"
+#include "core/scene/particles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "core/authoring/random_source.h"
 #include "core/limits.h"
+#include "core/math/random_source.h"
 
 namespace brume {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/authoring/random_source.h"
+#include "core/math/random_source.h"
 
 namespace brume {
 
