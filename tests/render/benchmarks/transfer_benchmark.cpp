@@ -38,8 +38,8 @@ std::shared_ptr<const TriangleMesh> bumpy_ball() {
   return to_mesh(mesh);
 }
 
-// Order 6 with 256 directions, shadows alone and with so many bounces. relative_error is that of
-// the light of a white sky, rms over vertices, beside 4096 directions.
+// Order 6 with 256 directions, shadows alone and by number of bounces. relative_error is that of
+// the light of a white sky, rms over vertices, against 4096 directions.
 void transfer_of_70000_vertices(benchmark::State& state) {
   const std::shared_ptr<const TriangleMesh> mesh = bumpy_ball();
   TransferSettings settings{.bounces = static_cast<int>(state.range(0))};
