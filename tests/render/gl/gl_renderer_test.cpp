@@ -151,7 +151,7 @@ TEST_F(GlFrames, ShortRaysInALargeGaussian) {
   }
 }
 
-// A ball over a floor that shadow each other and themselves, lit by two lamps.
+// A ball over a floor that shadow each other and themselves, lit by two lights.
 class GlSurfaces : public GlFrames {
  protected:
   GlSurfaces() {
