@@ -31,7 +31,7 @@ struct Parser {
   std::string_view name;
   std::string_view extension;
   void (*parse)(const Path& file);
-  // Whoever asks for more at once is told that there is no more.
+  // A single allocation larger than this fails.
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();
 };
 

@@ -9,7 +9,7 @@
 namespace brume {
 
 // Renders an animation (camera, a light, Gaussians and a surface move; an environment, fog,
-// shadows) forwards, backwards, in pieces by renderers of their own and on one thread, and expects
+// shadows) forwards, backwards, in pieces by separate renderers and on one thread, and expects
 // every layer of every frame to be the same to the last bit.
 void expect_repeatable(const std::function<std::unique_ptr<FrameRenderer>()>& create_renderer,
                        Settings settings);

@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// Steps in the error of a frame's airlight where tiles meet, beside those within tiles. Each is the
+// Steps in the error of a frame's airlight at borders of tiles and within tiles. Each is the
 // mean along the side of a tile.
 struct Seams {
   // Absolute values, ascending, relative to the truth's rms.
@@ -18,8 +18,8 @@ struct Seams {
   [[nodiscard]] double ratio(double quantile) const;
 };
 
-// A scene of a few Gaussians, lights in and beside them, and now and then homogeneous fog, noise or
-// a ball: what is wrong with its airlight is smooth but for tiles. The same for the same seed.
+// A scene of a few Gaussians, lights in and next to them, and sometimes homogeneous fog, noise or a
+// ball: the error of its airlight is smooth except at tiles. Deterministic for a seed.
 Scene seam_scene(unsigned seed);
 
 // `frame` with its airlight at 1 / `scale`, `truth` of the same view. Where the eye sees edges of

@@ -238,7 +238,7 @@ TEST_F(CommandLine, RendersWithOpenGl) {
   EXPECT_EQ(automatic["device"].get<std::string>().find("llvmpipe"), std::string::npos);
 }
 
-// What auto chose and measured is told, and keeps what was asked for.
+// Reports what auto chose and measured, which meets the bound.
 TEST_F(CommandLine, ChoosesByMeasuredError) {
   const auto stats_of = [&](const char* max_error) {
     const ProgramResult result =

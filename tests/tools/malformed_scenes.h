@@ -5,7 +5,7 @@
 
 namespace brume {
 
-// A scene with one mistake. It refers to files that the test writes beside it.
+// A scene with one mistake. It refers to files that the test writes next to it.
 struct MalformedCase {
   const char* name;
   std::string text;

@@ -12,7 +12,7 @@
 
 namespace brume {
 
-// The real program on a terminal of its own, while it runs.
+// The real program on a pseudo-terminal, while it runs.
 class RunningProgram {
  public:
   explicit RunningProgram(std::vector<std::string> arguments) {
@@ -50,7 +50,7 @@ class RunningProgram {
     return true;
   }
 
-  // Reads what is shown next; false at the end, which a terminal tells as an error.
+  // Reads the next output; false at the end, which a terminal reports as an error.
   bool read() {
     char bytes[4096];
     const ssize_t count = ::read(terminal_, bytes, sizeof bytes);

@@ -41,7 +41,7 @@ TEST(UnbiasedError, ExcludesTheNoise) {
     }
     // The mean of the squares is right; cutting negative ones off adds a little.
     EXPECT_NEAR(std::sqrt(squares), error, 0.05 * error) << noise;
-    // 95%, of which 400 trials tell 2%.
+    // 95%, estimated to 2% by 400 trials.
     EXPECT_GT(held, 0.9 * trials) << noise;
   }
 }

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// While one lives, no file grows beyond so many bytes: writing fails as on a full disk.
+// While one lives, no file grows beyond a limit [bytes]: writing fails as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(std::uintmax_t bytes) {
@@ -144,7 +144,7 @@ TEST_F(FullDisk, GatherLeavesNothing) {
   EXPECT_EQ(folder_.entry_count(), 0u);
 }
 
-// As libraries do that cannot tell of errors.
+// Like libraries that cannot report errors.
 TEST_F(FullDisk, SwallowedExceptionsAreReported) {
   const fs::path file = folder_.write("a.txt", "old");
   std::string error;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How a process of its own ends that does `work`, with the handlers of the programs.
+// How a separate process that does `work` ends, with the handlers of the programs.
 int status_of(const std::function<void()>& work) {
   const pid_t child = ::fork();
   if (child == 0) {

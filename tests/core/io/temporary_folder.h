@@ -11,7 +11,7 @@
 
 namespace brume {
 
-// A folder of its own for one test, removed with all it holds.
+// A folder for one test, removed with all its content.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

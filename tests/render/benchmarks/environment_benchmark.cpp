@@ -1,5 +1,5 @@
 // The light of an environment in clouds: CPU time of the grid, and of the view pass with it over
-// that without, beside the error of the airlight against the reference.
+// that without, and the error of the airlight against the reference.
 
 #include <benchmark/benchmark.h>
 

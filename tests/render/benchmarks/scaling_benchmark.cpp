@@ -1,7 +1,7 @@
 // How the CPU time of a whole frame of `sliced` grows: with Gaussians at constant optical depth and
 // error, and with lights, all that a first frame builds included; with pixels and with slices,
 // where a camera move has left the tables of the lights alone. `exponent` is fitted over all sizes:
-// time ~ size^exponent. Each size's error stands beside it.
+// time ~ size^exponent, and the error of each size.
 
 #include <benchmark/benchmark.h>
 

@@ -1,11 +1,11 @@
 // Frames of 800 x 600 with the camera moving, airlight at every fourth pixel, everything that a
 // camera does not change built before: the measurement of Table 1 of the paper, on scenes of its
 // kinds, with the fewest slices that keep an error of 2%. The paper's frames per second (on a GPU
-// of 2007) stand beside ours. cpu_share is the CPU time over the time of all cores: far below 1
-// means that others used the machine too, and that frames per second say little; fps_alone is what
-// the CPU time gives on all cores at once. surfaces_share is that of the stage in the frame's time;
-// transfer_s is what radiance transfer took before, once. With BRUME_BENCHMARK_IMAGES=folder each
-// scene's last frame is written there.
+// of 2007) are listed next to ours. cpu_share is the CPU time over the time of all cores: far below
+// 1 means that others used the machine too, and that frames per second say little; fps_alone is
+// what the CPU time gives on all cores at once. surfaces_share is that of the stage in the frame's
+// time; transfer_s is what radiance transfer took before, once. With BRUME_BENCHMARK_IMAGES=folder
+// each scene's last frame is written there.
 
 #include <benchmark/benchmark.h>
 

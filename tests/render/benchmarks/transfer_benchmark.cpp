@@ -39,8 +39,8 @@ std::shared_ptr<const TriangleMesh> bumpy_ball() {
   return to_mesh(mesh);
 }
 
-// Order 6 with 256 directions, shadows alone and with so many bounces. relative_error is that of
-// the light of a white sky, rms over vertices, beside 4096 directions.
+// Order 6 with 256 directions, shadows alone and by number of bounces. relative_error is that of
+// the light of a white sky, rms over vertices, against 4096 directions.
 void transfer_of_70000_vertices(benchmark::State& state) {
   const std::shared_ptr<const TriangleMesh> mesh = bumpy_ball();
   TransferSettings settings{.bounces = static_cast<int>(state.range(0))};
@@ -74,8 +74,8 @@ BENCHMARK(transfer_of_70000_vertices)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);
 
-// The light at its vertices after fog, lamps or environment have changed: a frame of one pixel, the
-// lamp a little brighter each time. With interreflection; of a diffuse material and of Phong's.
+// The light at its vertices after fog, lights or environment have changed: a frame of one pixel, the
+// light a little brighter each time. With interreflection; of a diffuse material and of Phong's.
 void light_of_70000_vertices(benchmark::State& state) {
   Scene scene;
   Surface& surface = scene.surfaces.emplace_back();

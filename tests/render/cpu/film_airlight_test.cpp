@@ -30,7 +30,7 @@ Scene posts_before_fog() {
   for (const double x : {-0.9, -0.41, 0.03, 0.52, 0.97}) {
     Surface post = wall(1.2, 0.008, 0.5);
     post.translate = {x, 0.0, 0.0};
-    // Tall: the wall is square, so many of them make a post.
+    // The wall is square: several above each other make a post.
     for (int k = -40; k <= 40; ++k) {
       post.translate.y = 0.016 * k;
       scene.surfaces.push_back(post);
@@ -88,8 +88,8 @@ TEST(AirlightScale, SmoothFogIsAlmostAllInterpolated) {
   EXPECT_LT(frame.statistics.exact_pixels, full.statistics.exact_pixels / 8);
 }
 
-// Steps of a stair, each seen beside the next one farther away, and a ball: pixels beside an edge
-// are told from samples on their side of it.
+// Steps of a stair, each in front of the next, and a ball: pixels next to a depth edge are
+// extrapolated from samples on their side of it.
 TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
   Scene scene = cloud_scene(10, 1.0);
   scene.film = {480, 360};
@@ -113,7 +113,7 @@ TEST(AirlightScale, EdgesAreUpsampledFromTheirOwnSide) {
   EXPECT_LT(light.relative_rmse, 0.008);
   EXPECT_LT(light.max_error, 0.03);
   EXPECT_LT(taken.max_error, 0.005);
-  // 15,599 pixels without what surroundings tell, 11,521 with it; 10,920 are samples.
+  // 15,599 pixels without local fits, 11,521 with them; 10,920 are samples.
   EXPECT_LT(frame.statistics.exact_pixels, 12'500U);
 }
 

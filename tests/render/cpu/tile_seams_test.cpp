@@ -21,7 +21,7 @@ Frame frame_of(const Scene& scene, int slices, int scale) {
 }
 
 // Slices bend at borders, which shows a little in steps over the pixels of a sample: they are up to
-// 1.9 times those within tiles. Where each tile had slices of its own they were 4 to 22 times
+// 1.9 times those within tiles. With separate slices per tile they were 4 to 22 times
 // those.
 void expect_no_edges(const Seams& seams) {
   EXPECT_LT(seams.ratio(0.75), 2.5);

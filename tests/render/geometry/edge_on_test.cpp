@@ -54,8 +54,8 @@ std::size_t hits(const Frame& frame) {
       std::ranges::count_if(frame.depth, [](float t) { return std::isfinite(t); }));
 }
 
-// From beside the floor and from on it, ahead, askew, up and down; few triangles are drawn, many
-// met by rays.
+// From next to the floor and on it, ahead, askew, up and down; few triangles are rasterized, many
+// hit by rays.
 TEST(EdgeOn, PlanesThroughTheEyeAreInvisible) {
   for (const int cells : {1, 3, 30}) {
     for (const glm::dvec3& eye :

@@ -1,4 +1,4 @@
-// Pixels of the device where neighbours may tell another story: borders of tiles, the place of a
+// Pixels of the device whose neighbours may differ: borders of tiles, the place of a
 // light, and surfaces seen edge-on.
 
 #include <cmath>

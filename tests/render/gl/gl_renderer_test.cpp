@@ -132,7 +132,7 @@ TEST_F(GlFrames, Environments) {
   }
 }
 
-// A surface close before the eye in a large Gaussian, with a lamp beside it: rays are short, and
+// A surface close to the eye in a large Gaussian, with a light next to it: rays are short, and
 // where on them light is taken counts.
 TEST_F(GlFrames, ShortRaysInALargeGaussian) {
   Scene scene;
@@ -151,7 +151,7 @@ TEST_F(GlFrames, ShortRaysInALargeGaussian) {
   }
 }
 
-// A ball over a floor that shadow each other and themselves, lit by two lamps.
+// A ball over a floor that shadow each other and themselves, lit by two lights.
 class GlSurfaces : public GlFrames {
  protected:
   GlSurfaces() {

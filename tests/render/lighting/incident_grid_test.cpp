@@ -1,5 +1,5 @@
-// Light of an environment that arrives at surfaces through the medium: on a grid, and as the paper
-// has it, beside unbiased Monte Carlo.
+// Light of an environment incident at surfaces through the medium: on a grid, and as in the paper,
+// against unbiased Monte Carlo.
 
 #include "tools/bench/errors/incident_light_errors.h"
 

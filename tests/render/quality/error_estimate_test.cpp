@@ -167,7 +167,7 @@ TEST(ErrorEstimate, FindsASmallGaussianThatAFrameMissed) {
   }
 }
 
-// Those around a pixel that turned out wrong are looked at too.
+// Neighbours of a pixel with a large error are sampled too.
 TEST(ErrorEstimate, SamplesAroundErrors) {
   WrongFrame wrong(light_in_view());
   for (int y = small_y - 1; y <= small_y + 1; ++y) {
@@ -230,7 +230,7 @@ TEST(ErrorEstimate, GrowingKeepsPixelsAndNarrowsTheInterval) {
   EXPECT_EQ(sample->measure(frame).pixels, 1600u);
 }
 
-// One pixel that is as wrong as all others together tells little of others like it.
+// A pixel whose error dominates the sum says little about unsampled ones: the interval is wide.
 TEST(ErrorEstimate, ADominantPixelWidensTheInterval) {
   WrongFrame even(cloud_scene(30, 1.0));
   for (float& x : even.frame.airlight) x *= 1.01f;
@@ -250,7 +250,7 @@ TEST(ErrorEstimate, LightWhereAllIsBlackIsWrong) {
   EXPECT_EQ(wrong.sample(60, 1).measure(wrong.frame).low, 1.0);
 }
 
-// More pixels only while they may tell something.
+// The sample grows only while that may decide about the bound.
 TEST(FrameErrors, GrowOnlyWhileTheBoundIsInTheInterval) {
   Scene scene = cloud_scene(100, 3.0);
   scene.film = {60, 60};

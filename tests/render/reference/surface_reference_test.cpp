@@ -202,7 +202,7 @@ TEST(SurfaceReference, ErrorFallsWithTheRootOfTheSamples) {
       claimed += std::pow(light.error.x, 2) / runs;
     }
     rms[k] = std::sqrt(squares);
-    // The error that it states is the one that it makes; 100 runs tell it to 7%.
+    // The reported error matches the actual one, which 100 runs estimate to 7%.
     EXPECT_NEAR(std::sqrt(claimed) / rms[k], 1.0, 0.25);
   }
   EXPECT_NEAR(rms[0] / rms[1], 4.0, 1.0) << "16 times the samples";
@@ -232,7 +232,7 @@ TEST(SurfaceReference, MatchesAFrameForPointLights) {
   EXPECT_GT(reference.z, 5.0 * reference.x) << "a highlight";
 }
 
-// The light that the model of eq. 25 scatters onto a diffuse ball, beside the reference; the light
+// The light that the model of eq. 25 scatters onto a diffuse ball, against the reference; the light
 // is at distance 1 and so depth T. With the exact spread for T what is left is that six bands are
 // not sharp; with the paper's, which is that of depth 1, T decides.
 TEST(SurfaceModel, PointSpreadMatchesTheReferenceInFog) {
@@ -278,8 +278,8 @@ TEST(SurfaceModel, PointSpreadMatchesTheReferenceInFog) {
   }
 }
 
-// The light that eq. 27 scatters onto a ball from a smooth sky, beside the reference. The spread of
-// distant light leaves only the bands; the paper takes that of a light near by, at depth 1.
+// The light that eq. 27 scatters onto a ball from a smooth sky, against the reference. The spread
+// of distant light leaves only the bands; the paper takes that of a light near by, at depth 1.
 TEST(SurfaceModel, DistantSpreadMatchesTheReference) {
   struct Row {
     double T;

@@ -309,7 +309,7 @@ TEST(RadianceTransfer, RotatesWithTheObject) {
 }
 
 // A floor under a ball, turned, shrunk and moved, under a smooth sky: what eq. 23 and its case of
-// diffuse materials make of it, beside the reference.
+// diffuse materials make of it, against the reference.
 TEST(RadianceTransfer, ShadowsASkyAsTheReferenceDoes) {
   auto sky = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
   for (int i = 0; i < 64 * 32; ++i) {

@@ -92,7 +92,7 @@ TEST(MeshFile, WeighsSmoothNormalsByArea) {
 
 TEST(MeshFile, SmoothsSeamsAndKeepsEdges) {
   const TemporaryFolder folder;
-  // Two squares meet along x = 1 with vertices of their own; the second is bent up by `rise`.
+  // Two squares touch along x = 1 without sharing vertices; the second is bent up by `rise`.
   const auto normal_at_seam = [&](const char* rise) {
     const std::string right = std::string("v 2 0 ") + rise + "\nv 2 1 " + rise + "\n";
     const auto mesh =
