@@ -12,6 +12,14 @@ namespace {
 // second.
 constexpr std::size_t max_past_edits = 64;
 
+// By halves: one after another would take as many passes over the largest.
+MediumEdit merged(std::span<const MediumEdit* const> edits) {
+  if (edits.size() == 1) return *edits[0];
+  MediumEdit edit = merged(edits.first(edits.size() / 2));
+  edit.merge(merged(edits.subspan(edits.size() / 2)));
+  return edit;
+}
+
 }  // namespace
 
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
@@ -72,11 +80,11 @@ void Medium::record(const MediumEdit& edit) {
 
 std::optional<MediumEdit> Medium::edit_since(Revision revision) const {
   if (revision == revision_) return MediumEdit();
-  auto past = std::ranges::find(past_, revision, &Past::revision);
+  const auto past = std::ranges::find(past_, revision, &Past::revision);
   if (past == past_.end()) return std::nullopt;
-  MediumEdit edit = *past->edit;
-  while (++past != past_.end()) edit.merge(*past->edit);
-  return edit;
+  std::vector<const MediumEdit*> edits;
+  for (auto it = past; it != past_.end(); ++it) edits.push_back(it->edit.get());
+  return merged(edits);
 }
 
 bool Medium::operator==(const Medium& other) const {
