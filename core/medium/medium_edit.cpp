@@ -94,21 +94,6 @@ MediumEdit MediumEdit::inverted() const {
   return inverse;
 }
 
-MediumEdit MediumEdit::divided_by(double divisor) const {
-  MediumEdit divided = *this;
-  for (Entry& entry : divided.added_) entry.gaussian.density /= divisor;
-  for (Entry& entry : divided.removed_) entry.gaussian.density /= divisor;
-  for (Change& change : divided.changed_) {
-    change.before.density /= divisor;
-    change.after.density /= divisor;
-  }
-  if (divided.homogeneous_density_) {
-    divided.homogeneous_density_->first /= divisor;
-    divided.homogeneous_density_->second /= divisor;
-  }
-  return divided;
-}
-
 void MediumEdit::apply(Medium& medium) const {
   if (empty()) return;
   const auto put = [&medium](std::size_t index, const Gaussian& gaussian) {

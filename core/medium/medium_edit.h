@@ -37,8 +37,6 @@ class MediumEdit {
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] bool concerns(GaussianId id) const;
   [[nodiscard]] MediumEdit inverted() const;
-  // The same edit of Medium::divided_by().
-  [[nodiscard]] MediumEdit divided_by(double divisor) const;
   void apply(Medium& medium) const;
 
   // Appends a later edit, for drags and strokes that are one undo step. Changes that cancel are

@@ -180,11 +180,8 @@ TEST(MediumRevision, EditsSinceAKnownRevisionLeadToTheMedium) {
       const auto edit = medium.edit_since(before.revision());
       if (!edit) continue;
       ++known;
-      Medium halved = before.divided_by(2.0);
-      edit->divided_by(2.0).apply(halved);
       edit->apply(before);
       EXPECT_EQ(before, medium);
-      EXPECT_EQ(halved, medium.divided_by(2.0));
     }
     ASSERT_TRUE(medium.edit_since(medium.revision()));
     EXPECT_TRUE(medium.edit_since(medium.revision())->empty());

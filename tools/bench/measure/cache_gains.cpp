@@ -1,12 +1,10 @@
 #include "tools/bench/measure/cache_gains.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
-#include "core/medium/medium_edit.h"
 #include "render/renderer.h"
 #include "tools/bench/measure/plan_decisions.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
@@ -89,32 +87,6 @@ CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Rendere
     all.add(with, timed_frame(renderer, scene, camera, settings));
   }
   return all.gain(cache.name, view.name, cache.code);
-}
-
-// One of the Gaussians goes round in a circle of a tenth of its radius.
-CacheGain measure_patches(const MovingView& view, Renderer& making, int pairs) {
-  Scene scene = view.scene;
-  const std::array dragged{scene.medium.ids()[scene.medium.size() / 2]};
-  const Gaussian start = scene.medium.gaussian(scene.medium.size() / 2);
-  const Settings whole = view.settings;
-  Settings patched = whole;
-  patched.patch_light_tables = true;
-  // Of its own: whole tables would take the place of patched ones.
-  Renderer patching(view.transfers);
-  static_cast<void>(patching.render(scene, scene.camera, scene.film, patched));
-  static_cast<void>(making.render(scene, scene.camera, scene.film, whole));
-  CachePairs all(Stage::light_table);
-  for (int i = 1; i <= pairs; ++i) {
-    Gaussian g = start;
-    g.center += 0.1 * g.radius * glm::dvec3(std::cos(i), std::sin(i), 0.0);
-    MediumEdit::change(scene.medium, dragged, std::array{g}).apply(scene.medium);
-    const Camera camera = orbited(scene.camera, i);
-    const TimedFrame with = timed_frame(patching, scene, camera, patched);
-    all.add(with, timed_frame(making, scene, camera, whole));
-  }
-  return all.gain(
-      "optical depth tables patched, a Gaussian being dragged", view.name,
-      {165, "prepared_scene, optical_depth_table, direction_map, albedo, medium_edit, settings"});
 }
 
 FrameCache medium_index() {
@@ -282,9 +254,6 @@ std::vector<CacheGain> measure_caches(const MovingView& view, int pairs) {
   for (const FrameCache& cache : frame_caches()) {
     if (!cache.is_used(plan(cache.method), view.scene)) continue;
     gains.push_back(measure_cache(cache, view, renderer, pairs));
-  }
-  if (plan(AirlightMethod::sliced).runs(Stage::light_table)) {
-    gains.push_back(measure_patches(view, renderer, pairs));
   }
   return gains;
 }

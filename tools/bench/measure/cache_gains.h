@@ -61,8 +61,7 @@ struct CacheGain {
   double change = 0.0;  // largest of a pair's pictures: max_change()
 };
 
-// All frame_caches() that the view uses, and optical depth tables that are patched while a Gaussian
-// is dragged. In pairs of frames, one after the other.
+// All frame_caches() that the view uses, in pairs of frames, one after the other.
 std::vector<CacheGain> measure_caches(const MovingView& view, int pairs);
 
 }  // namespace brume
