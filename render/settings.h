@@ -83,12 +83,6 @@ struct Settings {
   enum class Precision { simd_float, plain_double };
   Precision precision = Precision::simd_float;
 
-  // Where few Gaussians have changed since the frame before, only the parts of the lights' tables
-  // that they are seen in are made again. Faster while one edits, but a pixel then depends on the
-  // edits before it, by the steps in which tables store optical depths. Not for frames that are
-  // kept.
-  bool patch_light_tables = false;
-
   bool operator==(const Settings&) const = default;
 };
 

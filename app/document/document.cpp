@@ -46,18 +46,14 @@ std::shared_ptr<const Scene> Document::visible_snapshot() const {
   return visible_;
 }
 
-// Follows edits of what is visible by the same edits, so that a renderer knows them.
+// Keeps its revision while neither the medium nor what is hidden changes.
 const Medium& Document::visible_medium() const {
-  const auto edit = medium().edit_since(visible_medium_of_);
-  const auto concerns = [&](GaussianId id) { return edit->concerns(id); };
-  if (edit && hidden_in_visible_medium_ == hidden_ && std::ranges::none_of(hidden_, concerns)) {
-    edit->apply(visible_medium_);
-  } else {
+  if (visible_medium_of_ != medium().revision() || hidden_in_visible_medium_ != hidden_) {
     visible_medium_ = medium();
     MediumEdit::remove(visible_medium_, hidden_).apply(visible_medium_);
     hidden_in_visible_medium_ = hidden_;
+    visible_medium_of_ = medium().revision();
   }
-  visible_medium_of_ = medium().revision();
   return visible_medium_;
 }
 

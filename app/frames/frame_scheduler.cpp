@@ -84,7 +84,6 @@ FrameRequest FrameScheduler::frame_request(bool moving) const {
   if (moving) {
     settings = sliced_settings(rest, motion_slices);
     settings.airlight = rest.airlight;
-    settings.patch_light_tables = true;
     if (scene == rested_scene_) {
       // Keeps prepared data: alternating between two would rebuild it each time.
       settings.optical_depth_table = rest.optical_depth_table;

@@ -42,6 +42,12 @@ std::shared_ptr<const Scene> View::shown_scene() const {
   if (at_time_of_ != scene) {
     Scene shown = evaluate_at(*scene, time_);
     if (!is_clear) shown.medium.set_homogeneous_density(0.0);
+    // A medium that stays the same stays the same revision: nothing made from it is made again.
+    if (at_time_of_ && at_time_->time == time_ &&
+        at_time_of_->medium.revision() == scene->medium.revision() &&
+        at_time_of_->emitters == scene->emitters && at_time_of_->sequences == scene->sequences) {
+      shown.medium = at_time_->medium;
+    }
     at_time_ = std::make_shared<const Scene>(std::move(shown));
     at_time_of_ = std::move(scene);
   }

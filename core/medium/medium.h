@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,22 +48,12 @@ class Medium {
 
   // Media of equal revision are equal; copies share theirs. 0: empty from the beginning.
   [[nodiscard]] Revision revision() const { return revision_; }
-  // What has changed since a revision, as one edit. nullopt: unknown, because it is not an ancestor
-  // of this medium, is too long ago, or more has changed than a renderer could make use of.
-  [[nodiscard]] std::optional<MediumEdit> edit_since(Revision revision) const;
 
   // Equal Gaussians, ids and b0; the next id does not matter.
   bool operator==(const Medium& other) const;
 
  private:
   friend class MediumEdit;
-  void record(const MediumEdit& edit);
-
-  // An edit and the revision it was applied to.
-  struct Past {
-    Revision revision;
-    std::shared_ptr<const MediumEdit> edit;
-  };
 
   std::vector<glm::dvec3> centers_;
   std::vector<double> radii_;
@@ -73,7 +62,6 @@ class Medium {
   GaussianId next_id_ = 1;
   double homogeneous_density_ = 0.0;
   Revision revision_ = 0;
-  std::vector<Past> past_;  // oldest first
 };
 
 }  // namespace brume

@@ -73,17 +73,6 @@ bool MediumEdit::empty() const {
   return added_.empty() && removed_.empty() && changed_.empty() && !homogeneous_density_;
 }
 
-std::size_t MediumEdit::size() const {
-  return added_.size() + removed_.size() + changed_.size();
-}
-
-bool MediumEdit::concerns(GaussianId id) const {
-  const auto has = [id](const auto& entries) {
-    return std::ranges::binary_search(entries, id, {}, [](const auto& entry) { return entry.id; });
-  };
-  return has(added_) || has(removed_) || has(changed_);
-}
-
 MediumEdit MediumEdit::inverted() const {
   MediumEdit inverse = *this;
   std::swap(inverse.added_, inverse.removed_);
@@ -92,21 +81,6 @@ MediumEdit MediumEdit::inverted() const {
     std::swap(inverse.homogeneous_density_->first, inverse.homogeneous_density_->second);
   }
   return inverse;
-}
-
-MediumEdit MediumEdit::divided_by(double divisor) const {
-  MediumEdit divided = *this;
-  for (Entry& entry : divided.added_) entry.gaussian.density /= divisor;
-  for (Entry& entry : divided.removed_) entry.gaussian.density /= divisor;
-  for (Change& change : divided.changed_) {
-    change.before.density /= divisor;
-    change.after.density /= divisor;
-  }
-  if (divided.homogeneous_density_) {
-    divided.homogeneous_density_->first /= divisor;
-    divided.homogeneous_density_->second /= divisor;
-  }
-  return divided;
 }
 
 void MediumEdit::apply(Medium& medium) const {
@@ -160,7 +134,7 @@ void MediumEdit::apply(Medium& medium) const {
     medium.next_id_ = std::max(medium.next_id_, added_.back().id + 1);
   }
   if (homogeneous_density_) medium.homogeneous_density_ = homogeneous_density_->second;
-  medium.record(*this);
+  medium.revision_ = new_revision();
 }
 
 std::vector<MediumEdit::Step> MediumEdit::steps() const {

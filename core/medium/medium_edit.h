@@ -33,12 +33,7 @@ class MediumEdit {
   static MediumEdit set_homogeneous_density(const Medium& medium, double b0);
 
   [[nodiscard]] bool empty() const;
-  // Gaussians added, removed and changed.
-  [[nodiscard]] std::size_t size() const;
-  [[nodiscard]] bool concerns(GaussianId id) const;
   [[nodiscard]] MediumEdit inverted() const;
-  // The same edit of Medium::divided_by().
-  [[nodiscard]] MediumEdit divided_by(double divisor) const;
   void apply(Medium& medium) const;
 
   // Appends a later edit, for drags and strokes that are one undo step. Changes that cancel are

@@ -77,27 +77,6 @@ DirectionMap DirectionMap::towards(const glm::dvec3& origin, std::span<const Bal
   return map.resized(size);
 }
 
-bool DirectionMap::shows(const glm::dvec3& origin, const Ball& ball) const {
-  if (octahedral) return true;
-  const glm::dvec3 q = ball.center - origin;
-  const double along = glm::dot(q, glm::dvec3(axis));
-  Interval u;
-  Interval v;
-  if (!widen(u, glm::dot(q, glm::dvec3(right)), along, ball.radius) ||
-      !widen(v, glm::dot(q, glm::dvec3(up)), along, ball.radius)) {
-    return false;
-  }
-  // A ball that the map was laid out for may touch its border.
-  const auto within = [](const Interval& angles, float by, float shift) {
-    constexpr double border = 1.0 + 1e-4;
-    const auto place = [&](double angle) {
-      return static_cast<double>(by) * std::tan(angle) + static_cast<double>(shift);
-    };
-    return place(angles.low) >= -border && place(angles.high) <= border;
-  };
-  return within(u, scale.x, offset.x) && within(v, scale.y, offset.y);
-}
-
 DirectionMap DirectionMap::resized(int size) const {
   DirectionMap map = full_sphere(size);
   if (octahedral) return map;

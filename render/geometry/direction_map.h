@@ -30,9 +30,6 @@ struct DirectionMap {
   // Covers the balls (those of radius <= 0 are ignored) with about size * size nearly square cells.
   static DirectionMap towards(const glm::dvec3& origin, std::span<const Ball> balls, int size);
 
-  // Whether the map covers a ball.
-  [[nodiscard]] bool shows(const glm::dvec3& origin, const Ball& ball) const;
-
   // The same directions at another resolution.
   [[nodiscard]] DirectionMap resized(int size) const;
 

@@ -99,49 +99,11 @@ OpticalDepthTable::OpticalDepthTable(const MediumIndex& medium, const glm::dvec3
   for (std::size_t i = radii - 1; i < exact.size(); i += radii) {
     deepest = std::max(deepest, exact[i]);
   }
-  // With room for what updates may add.
-  unit_ = std::max(std::min(1.25f * deepest, opaque), 1e-30f) / 65535.0f;
+  unit_ = std::max(std::min(deepest, opaque), 1e-30f) / 65535.0f;
   depths_.resize(exact.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, exact.size(), 1 << 16), [&](auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) depths_[i] = stored(exact[i]);
   });
-}
-
-bool OpticalDepthTable::update(const MediumIndex& medium, std::span<const TableGaussian> changed) {
-  pairs = 0;
-  revision_ = new_revision();
-  for (const TableGaussian& g : changed) {
-    if (!(g.cutoff_radius > 0.0)) continue;
-    const double distance = glm::length(g.center - light_);
-    if (empty() || std::max(distance - g.cutoff_radius, 0.0) < layout_.radii.first ||
-        distance + g.cutoff_radius > layout_.radii.last() ||
-        !layout_.map.shows(light_, {g.center, g.core})) {
-      return false;
-    }
-  }
-  if (empty()) return true;
-  const auto radii = static_cast<std::size_t>(layout_.radii.count);
-  // Beyond `opaque` transmittance is 0, so clamping is harmless.
-  const float max_storable = 65535.0f * unit_ < 0.999f * opaque
-                                 ? 65535.0f * unit_
-                                 : std::numeric_limits<float>::infinity();
-  std::atomic<std::uint64_t> all_pairs = 0;
-  std::atomic<bool> fits = true;
-  tbb::parallel_for(0, blocks_across() * blocks_down(), [&](int index) {
-    const Block block = block_at(index);
-    const RayBundle bundle(light_, block.ends);
-    if (std::none_of(changed.begin(), changed.end(), [&](const TableGaussian& g) {
-          return g.cutoff_radius > 0.0 && bundle.touches(g.center, g.cutoff_radius);
-        })) {
-      return;
-    }
-    all_pairs += find_depths(medium, block, [&](std::size_t cell, const float* depths) {
-      if (depths[radii - 1] > max_storable) fits = false;
-      for (std::size_t k = 0; k < radii; ++k) depths_[cell * radii + k] = stored(depths[k]);
-    });
-  });
-  pairs = all_pairs;
-  return fits;
 }
 
 int OpticalDepthTable::blocks_across() const {

@@ -65,11 +65,6 @@ class OpticalDepthTable {
   OpticalDepthTable(const MediumIndex& medium, const glm::dvec3& light,
                     const OpticalDepthTableSize& size);
 
-  // Recomputes the directions in which Gaussians have changed; `changed` holds them before and
-  // after, `medium` after. False if the table cannot represent the change, because a Gaussian is
-  // outside its range or too dense; the table is then invalid.
-  bool update(const MediumIndex& medium, std::span<const TableGaussian> changed);
-
   [[nodiscard]] Revision revision() const { return revision_; }
   [[nodiscard]] const glm::dvec3& light() const { return light_; }
   [[nodiscard]] const DirectionMap& map() const { return layout_.map; }
@@ -87,7 +82,7 @@ class OpticalDepthTable {
   };
   [[nodiscard]] View view() const;
 
-  std::uint64_t pairs = 0;  // Gaussian x ray pairs evaluated by the last build or update
+  std::uint64_t pairs = 0;  // Gaussian x ray pairs evaluated
 
  private:
   Revision revision_ = new_revision();

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/medium/medium_edit.h"
-
 namespace brume {
 
 std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo) {
@@ -29,11 +27,7 @@ Medium extinction_medium(const Medium& scattering, double albedo) {
 const Medium& ExtinctionMedia::update(std::size_t group, const Medium& scattering, double albedo) {
   if (entries_.size() <= group) entries_.resize(group + 1);
   Entry& entry = entries_[group];
-  const auto edit = entry.albedo == albedo ? scattering.edit_since(entry.scattering) : std::nullopt;
-  if (edit) {
-    edit->divided_by(albedo).apply(entry.medium);
-    entry.scattering = scattering.revision();
-  } else {
+  if (entry.albedo != albedo || entry.scattering != scattering.revision()) {
     entry = {scattering.revision(), albedo, extinction_medium(scattering, albedo)};
   }
   return entry.medium;

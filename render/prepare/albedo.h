@@ -26,8 +26,8 @@ std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo);
 // Densities divided by the albedo: the extinction coefficient.
 Medium extinction_medium(const Medium& scattering, double albedo);
 
-// The extinction media of a renderer's groups, cached: they change by the edits of the scattering
-// medium, as it does.
+// The extinction media of a renderer's groups, cached: each keeps its revision while the scattering
+// medium and the albedo do.
 class ExtinctionMedia {
  public:
   // Valid until the next call for this group.

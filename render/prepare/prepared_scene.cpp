@@ -2,69 +2,15 @@
 
 #include <algorithm>
 
-#include "core/medium/medium_edit.h"
-
 namespace brume {
-namespace {
-
-// A medium's index, and the ids of its Gaussians.
-struct IndexedIds {
-  const MediumIndex& index;
-  std::span<const GaussianId> ids;
-
-  [[nodiscard]] TableGaussian gaussian(GaussianId id) const {
-    const auto it = std::ranges::lower_bound(ids, id);
-    return {index, static_cast<std::size_t>(it - ids.begin())};
-  }
-};
-
-// The Gaussians of an edit, before and after it.
-std::vector<TableGaussian> table_gaussians(const MediumEdit& edit, const IndexedIds& before,
-                                           const IndexedIds& after) {
-  std::vector<TableGaussian> gaussians;
-  for (const auto& entry : edit.removed()) gaussians.push_back(before.gaussian(entry.id));
-  for (const auto& entry : edit.added()) gaussians.push_back(after.gaussian(entry.id));
-  for (const auto& change : edit.changed()) {
-    gaussians.push_back(before.gaussian(change.id));
-    gaussians.push_back(after.gaussian(change.id));
-  }
-  return gaussians;
-}
-
-}  // namespace
-
-// Adds the edits since the last medium to what is pending, or drops the tables that they change too
-// much.
-void PreparedScene::update_tables(const Medium& medium, const MediumIndex& index,
-                                  const IndexInputs& inputs) {
-  const auto edit = medium.edit_since(index_inputs_.medium);
-  if (!index_ || !edit || inputs.depth_error != index_inputs_.depth_error) {
-    tables_.clear();
-    return;
-  }
-  const std::vector<TableGaussian> changed =
-      table_gaussians(*edit, {*index_, ids_}, {index, medium.ids()});
-  for (const auto& entry : tables_) {
-    entry->changed.insert(entry->changed.end(), changed.begin(), changed.end());
-  }
-  // Where much has changed, a new table is soon made.
-  std::erase_if(tables_,
-                [&](const auto& entry) { return entry->changed.size() > medium.size() / 4 + 2; });
-}
-
 void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   const Settings& settings = plan.settings;
   const IndexInputs inputs{scene.medium.revision(), plan.depth_error, scene.optics.anisotropy};
   if (!index_ || inputs != index_inputs_) {
     depths_.clear();
+    tables_.clear();
     auto index = std::make_unique<MediumIndex>(
         scene.medium, culling_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
-    if (settings.patch_light_tables) {
-      update_tables(scene.medium, *index, inputs);
-    } else {
-      tables_.clear();
-    }
-    ids_.assign(scene.medium.ids().begin(), scene.medium.ids().end());
     index_ = std::move(index);
     index_inputs_ = inputs;
   }
@@ -83,9 +29,7 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   };
   std::erase_if(depths_, [&](const auto& entry) { return is_unused(entry->light); });
   std::erase_if(tables_, [&](const auto& entry) {
-    return is_unused(entry->table.light()) || !(entry->size == settings.optical_depth_table) ||
-           // Changes may be pending of a frame that was stopped.
-           (!settings.patch_light_tables && (entry->is_patched || !entry->changed.empty()));
+    return is_unused(entry->table.light()) || !(entry->size == settings.optical_depth_table);
   });
   std::erase_if(shadows_, [&](const auto& entry) { return is_unused(entry->light()); });
 }
@@ -105,20 +49,8 @@ const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
 const OpticalDepthTable& PreparedScene::optical_depth_table(const glm::dvec3& light,
                                                             const OpticalDepthTableSize& size,
                                                             std::uint64_t& pairs) {
-  const auto it = std::find_if(tables_.begin(), tables_.end(), [&](const auto& t) {
-    return t->table.light() == light && t->size == size;
-  });
-  if (it != tables_.end()) {
-    Table& entry = **it;
-    if (entry.changed.empty()) return entry.table;
-    const std::vector<TableGaussian> changed = std::move(entry.changed);
-    entry.changed.clear();
-    if (entry.table.update(*index_, changed)) {
-      entry.is_patched = true;
-      pairs += entry.table.pairs;
-      return entry.table;
-    }
-    tables_.erase(it);
+  for (const auto& entry : tables_) {
+    if (entry->table.light() == light && entry->size == size) return entry->table;
   }
   tables_.push_back(std::make_unique<Table>(size, OpticalDepthTable(*index_, light, size)));
   pairs += tables_.back()->table.pairs;

@@ -20,8 +20,7 @@
 namespace brume {
 
 // Acceleration structures and per-light caches of a scene. A camera move rebuilds nothing, a moved
-// light only its own data; an edit of the medium reaches the tables as the MediumEdit it is: the
-// directions in which its Gaussians are seen.
+// light only its own data, an edit of the medium what depends on the medium.
 class PreparedScene {
  public:
   // Brings medium and surfaces up to date and drops the caches of lights that are not the plan's.
@@ -53,11 +52,9 @@ class PreparedScene {
 
     bool operator==(const IndexInputs&) const = default;
   };
-  void update_tables(const Medium& medium, const MediumIndex& index, const IndexInputs& inputs);
 
   std::unique_ptr<MediumIndex> index_;
   IndexInputs index_inputs_;
-  std::vector<GaussianId> ids_;  // of the Gaussians of index_
 
   std::unique_ptr<RayCaster> ray_caster_;
   std::unique_ptr<ExactOcclusion> exact_occlusion_;
@@ -70,8 +67,6 @@ class PreparedScene {
   struct Table {
     OpticalDepthTableSize size;
     OpticalDepthTable table;
-    std::vector<TableGaussian> changed = {};  // before and after, since the table was computed
-    bool is_patched = false;
   };
   // Pointers, to keep references valid when a vector grows.
   std::vector<std::unique_ptr<Depths>> depths_;

@@ -247,24 +247,25 @@ class HistoryTest : public QObject {
 
  private Q_SLOTS:
   void visible_medium_follows_any_edit() {
-    int known = 0;
     for (unsigned seed = 1; seed <= 100; ++seed) {
       QGuiApplication::clipboard()->clear();
       Document document;
       document.open(starting_scene(), {});
       RandomHands hands(document, seed);
-      Revision revision = 0;
       for (int k = 0; k < 50; ++k) {
+        const Revision before = document.visible_snapshot()->medium.revision();
+        const Revision medium = document.medium().revision();
+        const std::vector<GaussianId> hidden = document.hidden();
         hands.act();
         Medium expected = document.medium();
         MediumEdit::remove(expected, document.hidden()).apply(expected);
         const Medium& visible = document.visible_snapshot()->medium;
         QVERIFY2(visible == expected, qPrintable(QString::number(seed)));
-        if (!document.hidden().empty() && visible.edit_since(revision)) ++known;
-        revision = visible.revision();
+        if (medium == document.medium().revision() && hidden == document.hidden()) {
+          QCOMPARE(visible.revision(), before);
+        }
       }
     }
-    QVERIFY2(known > 200, qPrintable(QString::number(known)));
   }
 
   void any_edit_can_be_undone_and_redone() {

@@ -16,6 +16,7 @@
 #include "tools/bench/report/bench_json.h"
 #include "tools/bench/report/bench_markdown.h"
 #include "tools/bench/report/bench_tables.h"
+#include "tools/bench/report/cache_table.h"
 
 namespace brume {
 namespace {
@@ -100,6 +101,60 @@ TEST(BenchCompare, RoundTripsReports) {
   EXPECT_TRUE(compare_reports("old.json", json(0.02), json(0.01)).empty());
 }
 
+// Of 30 lines; pictures differ.
+CacheGain cached(const char* cache, const char* scene, double gain) {
+  return {cache,
+          scene,
+          {30, "shadow_map"},
+          {20.0, 19.0, 21.0},
+          {22.0, 21.0, 23.0},
+          {30.0, 28.0, 33.0},
+          {gain, gain - 0.01, gain + 0.02},
+          1e-6};
+}
+
+TEST(BenchCompare, ComparesFramesWithCaches) {
+  const auto json = [](double cpu) {
+    BenchReport written;
+    written.caches = {cached("shadow maps", "statue", 0.3), cached("shadow maps", "box", 0.3)};
+    written.caches[1].with_cpu_ms = {cpu, 0.9 * cpu, 1.1 * cpu};
+    return to_json(written);
+  };
+  EXPECT_TRUE(compare_reports("old.json", json(10.0), json(12.0)).empty());
+  EXPECT_TRUE(compare_reports("old.json", report(10.0, 0.01), json(12.0)).empty());
+  const auto slower = compare_reports("old.json", json(10.0), json(14.0));
+  ASSERT_EQ(slower.size(), 1u);
+  EXPECT_EQ(slower[0], "box, shadow maps: slower, now at least 12.6 ms, before at most 11.0 ms");
+}
+
+// A cache has to give a quarter in one scene, or to be small and change nothing.
+TEST(CacheTable, NamesCachesThatGiveTooLittle) {
+  const auto says = [](const std::vector<CacheGain>& gains, const std::string& text) {
+    return cache_table(gains).remark.find(text) != std::string::npos;
+  };
+  const CacheGain much = cached("a", "statue", 0.3);
+  const CacheGain little = cached("a", "box", 0.1);
+  CacheGain small = cached("b", "box", 0.1);
+  small.code.lines = 19;
+  small.change = 0.0;
+  CacheGain changed = small;
+  changed.scene = "statue";
+  changed.change = 1e-6;
+  EXPECT_TRUE(says({little, much}, "Too little: none.")) << "it is enough in one scene";
+  EXPECT_TRUE(says({little, much}, "without effect: none."));
+  EXPECT_TRUE(says({little, small}, "Too little: a."));
+  EXPECT_TRUE(says({little, small}, "without effect: b."));
+  EXPECT_TRUE(says({small, changed}, "Too little: b."));
+}
+
+TEST(Quartiles, InterpolateValues) {
+  const Quartiles q = quartiles_of({4.0, 1.0, 3.0, 2.0});
+  EXPECT_EQ(q.median, 2.5);
+  EXPECT_EQ(q.lower, 1.75);
+  EXPECT_EQ(q.upper, 3.25);
+  EXPECT_EQ(quartiles_of({7.0}).upper, 7.0);
+}
+
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t n = 0;
   for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
@@ -130,8 +185,9 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
   report.savings.push_back({Stage::noise, "its amplitude is 0", {1, 1, 1}, {2, 2, 2}, 1e-8});
   report.hard_cases.emplace_back().hard_case.breaks = "x < y";
   report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}});
+  report.caches = {cached("shadow maps", "statue", 0.3), cached("shadow maps", "box", 0.1)};
   const std::vector<ReportTable> tables = bench_tables(report);
-  EXPECT_EQ(tables.size(), 16u);
+  EXPECT_EQ(tables.size(), 17u);
   const std::string page = to_markdown(report);
   const std::string html = to_html(report);
   for (const ReportTable& table : tables) {
@@ -148,7 +204,9 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
         "torn fog | 1.1% (1 to 1.2) | 152% (96 to 208)",
         "lit ball | 1.1% (1 to 1.2) | 152% (96 to 208)",
         "under a sky | 1.1% (1 to 1.2) | 152% (96 to 208)",
-        "floor | 1.1% (1 to 1.2) | 152% (96 to 208)", "bowl | 152% (96 to 208) |"}) {
+        "floor | 1.1% (1 to 1.2) | 152% (96 to 208)", "bowl | 152% (96 to 208) |",
+        "shadow maps | box | 20.0 (19.0 to 21.0) | 22.0 (21.0 to 23.0) | 10% (9 to 12) | 30 | "
+        "shadow_map | 1e-06"}) {
     EXPECT_EQ(count(page, std::string("\n| ") + row + " |\n"), 1u) << row;
   }
   EXPECT_EQ(count(html, "<td>1.1% (1 to 1.2)<td>152% (96 to 208)"), 4u);

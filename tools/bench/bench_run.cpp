@@ -3,6 +3,7 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "tools/bench/errors/incident_light_errors.h"
 #include "tools/bench/errors/surface_light_errors.h"
 #include "tools/bench/errors/transfer_errors.h"
+#include "tools/bench/measure/cache_gains.h"
 #include "tools/bench/scene_report.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 #include "tools/bench/scenes/table_one_scenes.h"
@@ -24,7 +26,12 @@ namespace {
 
 constexpr Film frontier_film{200, 150};
 
-TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options) {
+// In which caches are measured: those that differ in what they cache.
+constexpr std::array<std::string_view, 4> cached_scenes{"statue", "box", "machine", "terrain_sky"};
+
+// One of its scenes, and what caches give in it.
+void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
+                       BenchReport& report) {
   const Scene scene = kind.make();
   const auto transfers = std::make_shared<TransferStore>();
   transfers->make(needed_transfers(scene), {});
@@ -39,7 +46,12 @@ TableOneRow table_one_row(const TableOneScene& kind, const BenchOptions& options
   constexpr double turn = 0.5;
   row.measurement = measure(renderer, scene, settings, reference.sample, 2.0, {turn, 1});
   row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);
-  return row;
+  report.table_one.push_back(std::move(row));
+  if (std::ranges::find(cached_scenes, kind.name) == cached_scenes.end()) return;
+  for (CacheGain& gain :
+       measure_caches({kind.name, scene, transfers, settings}, options.quick ? 3 : 5)) {
+    report.caches.push_back(std::move(gain));
+  }
 }
 
 // Null if OpenGL is not requested or not available.
@@ -144,7 +156,7 @@ BenchReport run_bench(const BenchOptions& options,
     // In two minutes there is no time for radiance transfer.
     if (options.quick && std::string_view(kind.name) != "box") continue;
     log(std::string("Table 1: ") + kind.name);
-    report.table_one.push_back(table_one_row(kind, options));
+    measure_table_one(kind, options, report);
   }
   return report;
 }

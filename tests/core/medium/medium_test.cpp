@@ -165,45 +165,5 @@ TEST(MediumRevision, IsSharedByCopiesAndNewAfterEachChange) {
   EXPECT_EQ(copy.revision(), seen[1]);
 }
 
-// Whatever a renderer knows, it gets the edit that leads from there, or none.
-TEST(MediumRevision, EditsSinceAKnownRevisionLeadToTheMedium) {
-  std::mt19937 random(7);
-  int known = 0;
-  for (int round = 0; round < 200; ++round) {
-    Medium medium = make_medium(5 + static_cast<int>(random() % 40));
-    std::vector<Medium> past{medium};
-    for (int k = 0; k < 12; ++k) {
-      random_edit(medium, random).apply(medium);
-      past.push_back(medium);
-    }
-    for (Medium& before : past) {
-      const auto edit = medium.edit_since(before.revision());
-      if (!edit) continue;
-      ++known;
-      Medium halved = before.divided_by(2.0);
-      edit->divided_by(2.0).apply(halved);
-      edit->apply(before);
-      EXPECT_EQ(before, medium);
-      EXPECT_EQ(halved, medium.divided_by(2.0));
-    }
-    ASSERT_TRUE(medium.edit_since(medium.revision()));
-    EXPECT_TRUE(medium.edit_since(medium.revision())->empty());
-  }
-  EXPECT_GT(known, 1000);
-}
-
-TEST(MediumRevision, ForgetsWhatIsTooMuchOrOfAnotherMedium) {
-  Medium medium = make_medium(4);
-  const Revision start = medium.revision();
-  MediumEdit::add(medium, std::vector<Gaussian>(1000)).apply(medium);
-  EXPECT_FALSE(medium.edit_since(start));
-  const Revision filled = medium.revision();
-  MediumEdit::remove(medium, std::vector{medium.ids()[3]}).apply(medium);
-  EXPECT_TRUE(medium.edit_since(filled));
-  EXPECT_FALSE(make_medium(4).edit_since(filled));
-  medium.append({});
-  EXPECT_FALSE(medium.edit_since(filled)) << "created, not edited";
-}
-
 }  // namespace
 }  // namespace brume

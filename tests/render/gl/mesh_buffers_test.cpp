@@ -57,7 +57,7 @@ class DeviceRays : public GlTest {
     const Film film{160, 120};
     const CameraRays rays(camera, film);
     const RayCaster ray_caster(surfaces);
-    mesh_.update(ray_caster, ++revision_);
+    mesh_.update(ray_caster);
     depth_.reserve(Texture::Format::r32f, {film.width, film.height});
     mesh_.find_hits(programs_, rays, film, depth_);
     const std::vector<SurfaceHit> hits = mesh_.download_hits();
@@ -97,7 +97,6 @@ class DeviceRays : public GlTest {
   MeshBuffers mesh_;
   Texture depth_;
   Programs programs_;
-  std::uint64_t revision_ = 0;
 };
 
 TEST_F(DeviceRays, MatchEmbree) {

@@ -176,7 +176,6 @@ struct DeviceState {
   OpticalDepthTables lights;
   FilmTextures textures;
   SliceTexture slices;
-  std::uint64_t revision = 0;
 };
 
 Slices choose_on_device(DeviceState& device, const Case& c) {
@@ -187,14 +186,14 @@ Slices choose_on_device(DeviceState& device, const Case& c) {
   for (float& depth : depths) depth = std::isfinite(depth) ? depth : -1.0f;
   device.textures.reserve(film);
   device.textures.depth.upload(std::span<const float>(depths));
-  device.medium.update(medium, ++device.revision);
+  device.medium.update(medium);
   device.lists.build(device.programs, device.medium, medium, rays, film, scale, 1 << 28);
   device.lights.upload(c.lights, nullptr, rays.eye());
   Settings settings;
   settings.airlight_scale = scale;
-  const FilmView view{
-      film,     rays, std::numeric_limits<double>::infinity(), medium.homogeneous_density(),
-      settings, {}};
+  const RenderPlan plan(Scene(), film, settings);
+  const FilmView view{film, rays, std::numeric_limits<double>::infinity(),
+                      medium.homogeneous_density(), plan};
   device.slices.choose(device.programs, device.clock, device.lights, c.lights.size(), c.slices,
                        device.lists, view, device.textures);
   const glm::ivec2 tiles = device.lists.tiles();

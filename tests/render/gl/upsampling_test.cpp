@@ -137,7 +137,6 @@ struct DeviceState {
   FilmTextures textures;
   FilmAirlight film;
   Buffer given;
-  std::uint64_t revision = 0;
 };
 
 Upsampled upsample_on_device(DeviceState& device, const Given& given) {
@@ -150,12 +149,15 @@ Upsampled upsample_on_device(DeviceState& device, const Given& given) {
   for (float& t : distances) t = std::isfinite(t) ? t : -1.0f;
   device.textures.depth.upload(std::span<const float>(distances));
   device.textures.airlight.fill(-1.0f);
-  device.medium.update(medium, ++device.revision);
+  device.medium.update(medium);
   device.lists.build(device.programs, device.medium, medium, rays, given.film, given.scale,
                      1 << 28);
   device.given.upload(std::span<const glm::vec4>(given.values));
-  const FilmView view{given.film, rays,     std::numeric_limits<double>::infinity(),
-                      b0,         settings, given.lights};
+  Scene scene;
+  scene.lights = given.lights;
+  scene.medium.set_homogeneous_density(b0);
+  const RenderPlan plan(scene, given.film, settings);
+  const FilmView view{given.film, rays, std::numeric_limits<double>::infinity(), b0, plan};
   Upsampled upsampled;
   upsampled.exact = device.film.run(
       device.programs, device.clock, device.method,

@@ -19,6 +19,8 @@ double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
+}  // namespace
+
 Camera moved(Camera camera, const CameraStep& step, int steps) {
   const glm::dvec3 from_target = camera.eye - camera.target;
   if (step.turn == 0.0) {
@@ -30,8 +32,6 @@ Camera moved(Camera camera, const CameraStep& step, int steps) {
   }
   return camera;
 }
-
-}  // namespace
 
 Spread spread_of(std::vector<double> values) {
   std::ranges::sort(values);

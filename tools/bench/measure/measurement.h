@@ -31,6 +31,8 @@ struct CameraStep {
   double turn = 0.0;
   int first = 1;  // steps that the first frame has taken
 };
+// The camera after so many steps.
+Camera moved(Camera camera, const CameraStep& step, int steps);
 
 // Renders a number of frames, or more for at most `seconds`, up to 15. Uses the caches of
 // `renderer`, which a first frame must have filled.

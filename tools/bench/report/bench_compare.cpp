@@ -34,14 +34,19 @@ void compare_errors(const std::string& label, const Json& before, const Json& af
   }
 }
 
-void compare(const std::string& label, const Json& before, const Json& after,
-             std::vector<std::string>& lines) {
+void compare_times(const std::string& label, const Json& before, const Json& after,
+                   std::vector<std::string>& lines) {
   const double slowest = before.at("cpu_ms").at("max").get<double>();
   const double fastest = after.at("cpu_ms").at("min").get<double>();
   if (fastest > tolerated * slowest) {
     lines.push_back(label + ": slower, now at least " + milliseconds(fastest) +
                     ", before at most " + milliseconds(slowest));
   }
+}
+
+void compare(const std::string& label, const Json& before, const Json& after,
+             std::vector<std::string>& lines) {
+  compare_times(label, before, after, lines);
   compare_errors(label, before, after, lines);
 }
 
@@ -81,6 +86,18 @@ void compare_rows(const char* section, const Json& before, const Json& after,
   }
 }
 
+// Frames with a cache. Older reports do not have them.
+void compare_caches(const Json& before, const Json& after, std::vector<std::string>& lines) {
+  if (!before.contains("caches") || !after.contains("caches")) return;
+  for (const Json& row : after.at("caches")) {
+    for (const Json& old : before.at("caches")) {
+      if (old.at("cache") != row.at("cache") || old.at("scene") != row.at("scene")) continue;
+      compare_times(row.at("scene").get<std::string>() + ", " + row.at("cache").get<std::string>(),
+                    old, row, lines);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
@@ -93,6 +110,7 @@ std::vector<std::string> compare_reports(const std::filesystem::path& old_file,
     for (const char* section : {"patches", "noise", "lamp_light", "arriving_light", "transfer"}) {
       compare_rows(section, before, after, lines);
     }
+    compare_caches(before, after, lines);
   } catch (const Json::exception& e) {
     throw InputError(old_file, "", std::string("is not a report of brume bench: ") + e.what());
   }

@@ -13,6 +13,26 @@ Json to_json(const Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
+Json to_json(const Quartiles& quartiles) {
+  return {{"median", quartiles.median}, {"lower", quartiles.lower}, {"upper", quartiles.upper}};
+}
+
+Json to_json(const std::vector<CacheGain>& gains) {
+  Json json = Json::array();
+  for (const CacheGain& gain : gains) {
+    json.push_back({{"cache", gain.cache},
+                    {"scene", gain.scene},
+                    {"with_ms", to_json(gain.with_ms)},
+                    {"without_ms", to_json(gain.without_ms)},
+                    {"cpu_ms", to_json(gain.with_cpu_ms)},
+                    {"gain", to_json(gain.gain)},
+                    {"lines", gain.code.lines},
+                    {"files", gain.code.files},
+                    {"change", gain.change}});
+  }
+  return json;
+}
+
 Json to_json(const HardCaseError& error) {
   return {{"airlight", error.airlight}, {"transmittance", error.transmittance}};
 }
@@ -201,6 +221,7 @@ std::string to_json(const BenchReport& report) {
     rows.push_back(std::move(entry));
   }
   json["table_one"] = std::move(rows);
+  json["caches"] = to_json(report.caches);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

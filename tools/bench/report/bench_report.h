@@ -7,6 +7,7 @@
 #include "tools/bench/errors/compared_error.h"
 #include "tools/bench/errors/fog_errors.h"
 #include "tools/bench/errors/noise_errors.h"
+#include "tools/bench/measure/cache_gains.h"
 #include "tools/bench/measure/frontier.h"
 #include "tools/bench/measure/hard_cases.h"
 #include "tools/bench/measure/kernel_limit.h"
@@ -86,6 +87,7 @@ struct BenchReport {
   std::vector<PlanSaving> savings;
   std::vector<HardCaseRow> hard_cases;
   std::vector<TableOneRow> table_one;
+  std::vector<CacheGain> caches;
 };
 
 }  // namespace brume

@@ -2,6 +2,7 @@
 
 #include "tools/bench/measure/device_name.h"
 #include "tools/bench/measure/report_text.h"
+#include "tools/bench/report/cache_table.h"
 #include "tools/bench/report/error_tables.h"
 #include "tools/bench/report/speed_tables.h"
 
@@ -33,6 +34,7 @@ std::vector<ReportTable> bench_tables(const BenchReport& report) {
                                      peer_table(report.scenes),
                                      gl_table(report),
                                      table_one_table(report.table_one),
+                                     cache_table(report.caches),
                                      curve_table(report.curves),
                                      thread_table(report.thread_rows),
                                      saving_table(report.savings),

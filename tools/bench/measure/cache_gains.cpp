@@ -1,0 +1,261 @@
+#include "tools/bench/measure/cache_gains.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "render/renderer.h"
+#include "tools/bench/measure/plan_decisions.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+
+namespace brume {
+namespace {
+
+// A frame and what it took.
+struct TimedFrame {
+  Frame frame;
+  double milliseconds = 0.0;
+  double cpu_milliseconds = 0.0;
+
+  [[nodiscard]] double stage(Stage stage) const {
+    double sum = 0.0;
+    for (const StageTime& time : frame.statistics.stages) {
+      if (time.stage == stage) sum += time.milliseconds;
+    }
+    return sum;
+  }
+};
+
+TimedFrame timed_frame(Renderer& renderer, const Scene& scene, const Camera& camera,
+                       const Settings& settings) {
+  TimedFrame timed;
+  const double cpu_begin = cpu_seconds();
+  const auto begin = std::chrono::steady_clock::now();
+  timed.frame = *renderer.render(scene, camera, scene.film, settings);
+  timed.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  timed.cpu_milliseconds = 1e3 * (cpu_seconds() - cpu_begin);
+  return timed;
+}
+
+// Half a degree around the target per step.
+Camera orbited(const Camera& camera, int steps) {
+  return moved(camera, {.turn = 0.5}, steps);
+}
+
+// Collects pairs of frames.
+class CachePairs {
+ public:
+  explicit CachePairs(Stage stage) : stage_(stage) {}
+
+  void add(const TimedFrame& with, const TimedFrame& without) {
+    const double saved = without.stage(stage_) - with.stage(stage_);
+    with_ms_.push_back(with.milliseconds);
+    with_cpu_ms_.push_back(with.cpu_milliseconds);
+    without_ms_.push_back(with.milliseconds + saved);
+    gains_.push_back(saved / with.milliseconds);
+    change_ = std::max(change_, max_change(with.frame, without.frame, without.frame));
+  }
+
+  [[nodiscard]] CacheGain gain(std::string cache, std::string scene, CacheCode code) const {
+    return {std::move(cache),          std::move(scene),
+            std::move(code),           quartiles_of(with_ms_),
+            quartiles_of(without_ms_), spread_of(with_cpu_ms_),
+            quartiles_of(gains_),      change_};
+  }
+
+ private:
+  Stage stage_;
+  std::vector<double> with_ms_, with_cpu_ms_, without_ms_, gains_;
+  double change_ = 0.0;
+};
+
+CacheGain measure_cache(const FrameCache& cache, const MovingView& view, Renderer& renderer,
+                        int pairs) {
+  const Scene& scene = view.scene;
+  const Settings settings = view.settings_of(cache.method);
+  Scene other_scene = scene;
+  Settings other_settings = settings;
+  cache.displace(other_scene, other_settings);
+  static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
+  CachePairs all(cache.stage);
+  for (int i = 1; i <= pairs; ++i) {
+    const Camera camera = orbited(scene.camera, i);
+    const TimedFrame with = timed_frame(renderer, scene, camera, settings);
+    static_cast<void>(renderer.render(other_scene, camera, scene.film, other_settings));
+    all.add(with, timed_frame(renderer, scene, camera, settings));
+  }
+  return all.gain(cache.name, view.name, cache.code);
+}
+
+FrameCache medium_index() {
+  return {
+      .name = "index of the medium",
+      .code = {12, "prepared_scene"},
+      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_medium(); },
+      .displace = [](Scene&, Settings& settings) { settings.depth_error *= 2.0; },
+  };
+}
+
+FrameCache ray_caster() {
+  return {
+      .name = "ray caster",
+      .code = {20, "prepared_scene, ray_caster"},
+      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::visibility); },
+      .displace =
+          [](Scene& scene, Settings&) {
+            for (Surface& surface : scene.surfaces) surface.translate.x += 1e-3;
+          },
+  };
+}
+
+FrameCache depth_tables() {
+  return {
+      .name = "optical depth tables",
+      .code = {12, "prepared_scene"},
+      .stage = Stage::light_table,
+      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::light_table); },
+      .displace =
+          [](Scene&, Settings& settings) {
+            settings.optical_depth_table = {32, 16};
+          },
+  };
+}
+
+FrameCache shadow_maps() {
+  return {
+      .name = "shadow maps",
+      .code = {8, "prepared_scene, shadow_map"},
+      .stage = Stage::shadow_map,
+      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::shadow_map); },
+      .displace = [](Scene&, Settings& settings) { settings.shadow_cells = 32; },
+  };
+}
+
+FrameCache environment_grid() {
+  return {
+      .name = "grid of environment light",
+      .code = {25, "environment_source"},
+      .stage = Stage::environment,
+      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::environment); },
+      .displace =
+          [](Scene&, Settings& settings) {
+            settings.source_grid = {1000, 24};
+          },
+  };
+}
+
+FrameCache environment_light() {
+  return {
+      .name = "spherical harmonics of the environment",
+      .code = {5, "prepared_shading, environment_light"},
+      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.has_environment; },
+      .displace = [](Scene&,
+                     Settings& settings) { settings.paper_spread = !settings.paper_spread; },
+  };
+}
+
+FrameCache reflections() {
+  return {
+      .name = "spherical harmonics of glossy materials",
+      .code = {11, "prepared_shading"},
+      .is_used =
+          [](const RenderPlan& plan, const Scene& scene) {
+            return plan.has_indirect_light &&
+                   std::ranges::any_of(scene.surfaces, [](const Surface& surface) {
+                     return surface.material.type != Material::Type::diffuse;
+                   });
+          },
+      .displace =
+          [](Scene& scene, Settings&) {
+            for (Surface& surface : scene.surfaces) surface.material.reflectance *= 0.5;
+          },
+  };
+}
+
+FrameCache vertex_lighting() {
+  return {
+      .name = "vertex lighting",
+      .code = {67, "prepared_shading, vertex_lighting"},
+      .stage = Stage::surfaces,
+      .is_used = [](const RenderPlan& plan,
+                    const Scene&) { return plan.runs(Stage::vertex_light); },
+      .displace =
+          [](Scene&, Settings& settings) {
+            settings.precision = Settings::Precision::plain_double;
+          },
+  };
+}
+
+FrameCache center_depths_from_lights() {
+  return {
+      .name = "`paper`: optical depths from the lights to Gaussian centers",
+      .code = {11, "prepared_scene"},
+      .method = AirlightMethod::paper,
+      .stage = Stage::light_depth,
+      .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::light_depth); },
+      .displace =
+          [](Scene& scene, Settings&) {
+            for (PointLight& light : scene.lights) light.position.x += 1e-3;
+          },
+  };
+}
+
+FrameCache average_depths() {
+  return {
+      .name = "`paper`: grids of average optical depths",
+      .code = {22, "prepared_shading"},
+      .method = AirlightMethod::paper,
+      .is_used = [](const RenderPlan& plan,
+                    const Scene&) { return plan.runs(Stage::average_depth); },
+      // Which has none.
+      .displace =
+          [](Scene&, Settings& settings) {
+            settings.airlight = AirlightMethod::sliced;
+            settings.optical_depth_table = {32, 16};
+            settings.source_grid = {1000, 24};
+          },
+  };
+}
+
+}  // namespace
+
+Quartiles quartiles_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return std::lerp(values[below], values[above], place - std::floor(place));
+  };
+  return {at(0.5), at(0.25), at(0.75)};
+}
+
+Settings MovingView::settings_of(AirlightMethod method) const {
+  Settings result = settings;
+  result.airlight = method;
+  return result;
+}
+
+std::vector<FrameCache> frame_caches() {
+  return {medium_index(),  ray_caster(),       depth_tables(),
+          shadow_maps(),   environment_grid(), environment_light(),
+          reflections(),   vertex_lighting(),  center_depths_from_lights(),
+          average_depths()};
+}
+
+std::vector<CacheGain> measure_caches(const MovingView& view, int pairs) {
+  const auto plan = [&](AirlightMethod method) {
+    return RenderPlan(view.scene, view.scene.film, view.settings_of(method), view.transfers.get());
+  };
+  Renderer renderer(view.transfers);
+  std::vector<CacheGain> gains;
+  for (const FrameCache& cache : frame_caches()) {
+    if (!cache.is_used(plan(cache.method), view.scene)) continue;
+    gains.push_back(measure_cache(cache, view, renderer, pairs));
+  }
+  return gains;
+}
+
+}  // namespace brume
