@@ -129,11 +129,11 @@ class AnimationTest : public QObject {
     scene.optics.noise = {.amplitude = 0.5, .velocity = {1, 0, 0}};
     TestWindow window(scene);
     QVERIFY(window.settle());
-    const std::vector<float> before = window->viewport().shown()->frame.beauty;
+    const std::vector<float> before = window->viewport().frames().shown()->frame.beauty;
     window->findChild<QSlider*>("frame_slider")->setValue(15);
     QVERIFY(window.settle());
-    QCOMPARE(window->viewport().shown()->frame.time, 0.5);
-    QVERIFY(window->viewport().shown()->frame.beauty != before);
+    QCOMPARE(window->viewport().frames().shown()->frame.time, 0.5);
+    QVERIFY(window->viewport().frames().shown()->frame.beauty != before);
     QVERIFY(!window->document().is_modified());
   }
 

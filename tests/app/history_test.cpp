@@ -250,7 +250,7 @@ class HistoryTest : public QObject {
     for (unsigned seed = 1; seed <= 100; ++seed) {
       QGuiApplication::clipboard()->clear();
       Document document;
-      document.open(starting_scene(), {});
+      document.open(starting_document(), {});
       RandomHands hands(document, seed);
       for (int k = 0; k < 50; ++k) {
         const Revision before = document.visible_snapshot()->medium.revision();
