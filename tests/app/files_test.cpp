@@ -77,6 +77,9 @@ void choose(const fs::path& file, SeenDialog* seen = nullptr) {
       choose(file, seen);
       return;
     }
+    if (seen && seen->title.isEmpty()) {
+      *seen = {dialog->directory().canonicalPath(), dialog->windowTitle()};
+    }
     // While it still reads the folder, the dialog may select the file it was opened with, which
     // then counts for more than the text: selectFile() clears that.
     dialog->selectFile(to_qstring(file));
@@ -85,7 +88,6 @@ void choose(const fs::path& file, SeenDialog* seen = nullptr) {
       choose(file, seen);
       return;
     }
-    if (seen) *seen = {dialog->directory().canonicalPath(), dialog->windowTitle()};
     QMetaObject::invokeMethod(dialog, "accept");
   });
 }
