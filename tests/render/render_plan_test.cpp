@@ -265,8 +265,8 @@ TEST(RenderPlan, IsSharedByAlbedoGroups) {
   Scene scene = cloud_scene(3, 1.0);
   scene.film = {16, 12};
   scene.optics.albedo = {0.9, 0.5, 0.2};
-  const RenderPlan plan(scene, scene.film, {});
-  const FrameStatistics statistics = render_frame(scene, {}).statistics;
+  const RenderPlan plan(scene, scene.film, paper_settings);
+  const FrameStatistics statistics = render_frame(scene, paper_settings).statistics;
   StageSet ran;
   for (const StageTime& stage : statistics.stages) ran.add(stage.stage);
   EXPECT_EQ(to_string(ran), to_string(plan.stages));
