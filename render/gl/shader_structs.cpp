@@ -79,7 +79,7 @@ constexpr std::size_t round_up(std::size_t x, std::size_t unit) {
 // Whether std430 places the members where C++ does, and gives the struct the same size.
 constexpr bool is_std430(std::span<const Member> members, std::size_t size) {
   std::size_t end = 0;
-  std::size_t alignment = 0;
+  std::size_t alignment = 1;
   for (const Member& m : members) {
     if (round_up(end, m.alignment) != m.offset) return false;
     // Elements of arrays lie at multiples of their alignment.

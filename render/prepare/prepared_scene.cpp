@@ -41,7 +41,7 @@ const CenterDepths& PreparedScene::light_depths(const glm::dvec3& light,
     if (entry->light == light && entry->precision == precision) return entry->depths;
   }
   depths_.push_back(
-      std::make_unique<Depths>(light, precision, center_depths(*index_, light, precision)));
+      std::make_unique<Depths>(Depths{light, precision, center_depths(*index_, light, precision)}));
   pairs += depths_.back()->depths.pairs;
   return depths_.back()->depths;
 }
@@ -52,7 +52,7 @@ const OpticalDepthTable& PreparedScene::optical_depth_table(const glm::dvec3& li
   for (const auto& entry : tables_) {
     if (entry->table.light() == light && entry->size == size) return entry->table;
   }
-  tables_.push_back(std::make_unique<Table>(size, OpticalDepthTable(*index_, light, size)));
+  tables_.push_back(std::make_unique<Table>(Table{size, OpticalDepthTable(*index_, light, size)}));
   pairs += tables_.back()->table.pairs;
   return tables_.back()->table;
 }
