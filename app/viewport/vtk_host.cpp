@@ -7,6 +7,7 @@
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkLogger.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkOpenGLTexture.h>
@@ -90,6 +91,8 @@ class VtkHost::Shapes {
 };
 
 VtkHost::VtkHost(Context context) : context_(std::move(context)) {
+  // VTK 9.3 warns of the sizes of our framebuffer's channels, which it asks of the default one.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_ERROR);
   window_->SetMultiSamples(0);
   window_->SetReadyForRendering(false);  // until there is a context
   window_->SetOwnContext(0);
