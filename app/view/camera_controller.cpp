@@ -25,10 +25,7 @@ bool can_be_stored(const Camera& camera) {
 
 CameraController::CameraController(const Document& document, Projection projection,
                                    const QWidget& pane)
-    : document_(document),
-      projection_(projection),
-      pane_(pane),
-      camera_(document.scene().camera) {}
+    : document_(document), projection_(projection), pane_(pane), camera_(document.scene().camera) {}
 
 void CameraController::set_camera(const Camera& camera) {
   if (!can_be_stored(camera)) return;

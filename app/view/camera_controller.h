@@ -12,8 +12,8 @@ namespace brume {
 
 class Document;
 
-// The camera of a view, within the limits of scene files. Its moves are not undoable. Axis views pan
-// and zoom but do not orbit.
+// The camera of a view, within the limits of scene files. Its moves are not undoable. Axis views
+// pan and zoom but do not orbit.
 class CameraController : public QObject {
   Q_OBJECT
  public:

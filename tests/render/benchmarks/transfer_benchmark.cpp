@@ -74,8 +74,9 @@ BENCHMARK(transfer_of_70000_vertices)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);
 
-// The light at its vertices after fog, lights or environment have changed: a frame of one pixel, the
-// light a little brighter each time. With interreflection; of a diffuse material and of Phong's.
+// The light at its vertices after fog, lights or environment have changed: a frame of one pixel,
+// the light a little brighter each time. With interreflection; of a diffuse material and of
+// Phong's.
 void light_of_70000_vertices(benchmark::State& state) {
   Scene scene;
   Surface& surface = scene.surfaces.emplace_back();
