@@ -13,7 +13,7 @@ struct RenderPlan;
 class TransferStore;
 
 // The CPU renderer. Caches acceleration structures and optical depths of lights between frames, so
-// a camera move is cheap; detects changes by comparing values.
+// a camera move is cheap; knows changes by their revisions.
 class Renderer final : public FrameRenderer {
  public:
   Renderer();

@@ -91,7 +91,7 @@ class VtkHost::Shapes {
 };
 
 VtkHost::VtkHost(Context context) : context_(std::move(context)) {
-  // VTK 9.3 warns of the sizes of our framebuffer's channels, which it asks of the default one.
+  // VTK 9.3 warns on the terminal that it cannot read sizes of channels; errors still appear.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_ERROR);
   window_->SetMultiSamples(0);
   window_->SetReadyForRendering(false);  // until there is a context

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/medium/medium_edit.h"
-
 namespace brume {
 std::optional<std::size_t> Medium::index_of(GaussianId id) const {
   const auto it = std::lower_bound(ids_.begin(), ids_.end(), id);
@@ -28,7 +26,9 @@ void Medium::reserve(std::size_t count) {
 }
 
 void Medium::set_homogeneous_density(double b0) {
-  MediumEdit::set_homogeneous_density(*this, b0).apply(*this);
+  if (b0 == homogeneous_density_) return;
+  homogeneous_density_ = b0;
+  revision_ = new_revision();
 }
 
 Medium Medium::divided_by(double divisor) const {

@@ -9,9 +9,8 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
   if (!index_ || inputs != index_inputs_) {
     depths_.clear();
     tables_.clear();
-    auto index = std::make_unique<MediumIndex>(
+    index_ = std::make_unique<MediumIndex>(
         scene.medium, culling_tolerance(scene.medium, inputs.depth_error), inputs.anisotropy);
-    index_ = std::move(index);
     index_inputs_ = inputs;
   }
   index_->set_noise(RayNoise(scene.optics.noise, scene.time));

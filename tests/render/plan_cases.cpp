@@ -123,4 +123,12 @@ std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods)
   return varied(cases, &PlanCase::method, methods);
 }
 
+std::string in_words(const std::vector<SkippedStage>& stages) {
+  std::string words;
+  for (const SkippedStage& skipped : stages) {
+    words += std::string(to_string(skipped.stage)) + ": " + skipped.why + '\n';
+  }
+  return words;
+}
+
 }  // namespace brume

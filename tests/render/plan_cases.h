@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "render/frame.h"
 #include "render/settings.h"
 
 namespace brume {
@@ -40,5 +41,8 @@ std::vector<PlanCase> all_plan_cases();
 
 // Enough of them to be rendered: no idle parts, no noise, one scale.
 std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods);
+
+// One stage and its reason a line.
+std::string in_words(const std::vector<SkippedStage>& stages);
 
 }  // namespace brume

@@ -152,14 +152,6 @@ const SkipRule skip_rules[] = {
      [](const PlanCase& c) { return c.lights == PlanCase::Part::idle; }, 1},
 };
 
-std::string in_words(const std::vector<SkippedStage>& stages) {
-  std::string words;
-  for (const SkippedStage& skipped : stages) {
-    words += std::string(to_string(skipped.stage)) + ": " + skipped.why + '\n';
-  }
-  return words;
-}
-
 TEST(RenderPlan, SkipsStagesForTheirReasons) {
   for (const PlanCase& c : all_plan_cases()) {
     std::vector<SkippedStage> skipped;

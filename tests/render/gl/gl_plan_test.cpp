@@ -96,14 +96,6 @@ TEST(GlPlan, ReadsBackWhatIsNotDisplayed) {
   EXPECT_FALSE(stages(&picture).has(Stage::read_depth));
 }
 
-std::string in_words(const std::vector<SkippedStage>& stages) {
-  std::string words;
-  for (const SkippedStage& stage : stages) {
-    words += std::string(to_string(stage.stage)) + ": " + stage.why + '\n';
-  }
-  return words;
-}
-
 // Whatever a scene has: the stages of the CPU's plan run, some of its parts as stages.
 TEST(GlPlan, MovesStagesByTheirRules) {
   for (const PlanCase& c : all_plan_cases()) {
