@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct SkippedStage {
   std::string why;  // the words of a Reason, or of an error
 };
 
+// How far the iteration for light scattered more than once came.
+struct Convergence {
+  int sweeps = 0;
+  double residual = 0.0;  // relative to the light, rms over what scatters it
+};
+
 // Costs of a frame, and the stages it skipped.
 struct FrameStatistics {
   std::string backend = "cpu";  // or gl
@@ -41,6 +48,7 @@ struct FrameStatistics {
   std::size_t exact_pixels = 0;   // airlight evaluated, not interpolated
   std::uint64_t light_pairs = 0;  // Gaussian x ray pairs evaluated from lights
   std::uint64_t view_pairs = 0;   // Gaussian x ray pairs evaluated from the eye
+  std::optional<Convergence> scattering;
   // view_pairs per pixel, 0 for interpolated ones; empty without a medium.
   std::vector<float> pixel_pairs;
 };

@@ -1,6 +1,9 @@
 #include "render/render_plan.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "core/scene/mesh.h"
 
@@ -65,6 +68,31 @@ std::size_t triangle_count(const Scene& scene) {
   std::size_t count = 0;
   for (const Surface& surface : scene.surfaces) count += surface.mesh->n_faces();
   return count;
+}
+
+// A bound of the share of light that is scattered more than once: with each order there is at most
+// the albedo times the opacity of the deepest line as much.
+double max_multiple_share(const Scene& scene) {
+  const glm::dvec3& w = scene.optics.albedo;
+  if (scene.medium.homogeneous_density() > 0.0) return 1.0;  // fog may be endless
+  double depth = 0.0;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    const Gaussian g = scene.medium.gaussian(i);
+    depth += g.density * g.radius * std::sqrt(std::numbers::pi);
+  }
+  const double opacity = -std::expm1(-depth / std::min({w.x, w.y, w.z}));
+  return std::max({w.x, w.y, w.z}) * opacity;
+}
+
+// Nullopt: it matters.
+std::optional<Reason> why_scattered_once(const Scene& scene, const Content& content,
+                                         const Settings& settings) {
+  // Of the error that is allowed.
+  constexpr double negligible = 0.1;
+  if (!content.light()) return Reason::no_light;
+  if (!content.gaussians) return Reason::no_gaussians;
+  if (max_multiple_share(scene) < negligible * settings.max_error) return Reason::thin_medium;
+  return std::nullopt;
 }
 
 StageSet planned_stages(const Content& content, AirlightMethod method, bool has_transfers) {
@@ -178,6 +206,14 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
       planned_stages(content, method, !transfers.empty() && (!shared || shared->has(transfers)));
   parts = planned_parts(content, settings, !transfers.empty());
   skipped = skipped_stages(scene, content, method, *this);
+
+  if (method == AirlightMethod::sliced && settings.scattering == Scattering::multiple) {
+    if (const auto why = why_scattered_once(scene, content, settings)) {
+      skipped.push_back({Stage::scattering, to_string(*why)});
+    } else {
+      stages.add(Stage::scattering);
+    }
+  }
 
   const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
   rasterizes = content.surfaces && triangle_count(scene) <= pixels;

@@ -42,6 +42,10 @@ struct RenderPlan {
   bool has_environment = false;
   // Environment light enters the medium; Stage::environment runs only if the method wants a grid.
   bool has_environment_in_medium = false;
+  // A grid holds in-scattered light of the environment, or of more than one scattering.
+  [[nodiscard]] bool has_source_function() const {
+    return runs(Stage::environment) || runs(Stage::scattering);
+  }
   // First hits are rasterized where float is precise enough, faster than rays unless triangles
   // outnumber pixels.
   bool rasterizes = false;

@@ -134,8 +134,7 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
   const auto evaluate = [this, &work, lights](auto gaussians, const TileRays& rays,
                                               const TileAirlight& out) {
     return sliced_airlight(stages.prepared().medium(), gaussians, *lights,
-                           stages.scattered_environment(work), rays, film_slices.nodes(rays.tile),
-                           out);
+                           stages.source_function(work), rays, film_slices.nodes(rays.tile), out);
   };
   const auto prepare = [this, &work, lights](const FilmTiles& film) {
     film_slices.choose(film, stages.prepared().medium(), *lights, work.settings.slices, work.job);
@@ -153,7 +152,7 @@ AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {
                                                     const TileAirlight& out) {
             return marched_airlight(
                 stages.prepared().medium(), gaussians, stages.prepared().ray_caster(), lights,
-                stages.scattered_environment(work), rays, work.settings.march_steps, out);
+                stages.source_function(work), rays, work.settings.march_steps, out);
           },
           {}};
 }

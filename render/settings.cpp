@@ -21,6 +21,10 @@ const char* to_string(AirlightMethod method) {
   return "";
 }
 
+const char* to_string(Scattering scattering) {
+  return scattering == Scattering::single ? "single" : "multiple";
+}
+
 std::string airlight_name(const Settings& settings) {
   std::string name = to_string(settings.airlight);
   if (settings.airlight == AirlightMethod::paper) {

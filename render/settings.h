@@ -29,6 +29,22 @@ struct SourceGridSize {
   bool operator==(const SourceGridSize&) const = default;
 };
 
+// Which orders of scattering are rendered.
+enum class Scattering { single, multiple };
+
+// Where the iteration for light scattered more than once ends; see solve_scattering().
+struct ScatteringLimits {
+  // Of the quadrature rules of the sweeps' directions: of all; of the first if a point light is
+  // inside the medium, which radiates along them; more if scattering is anisotropic.
+  int degree = 7;
+  int light_degree = 15;
+  int anisotropic_extra = 2;
+  double tolerance = 1e-3;  // of the residual relative to the solution
+  int sweeps = 40;          // maximum
+
+  bool operator==(const ScatteringLimits&) const = default;
+};
+
 // Deviations of `paper` from the publication.
 struct PaperOptions {
   // Evaluates light at the Gaussian's mean on the ray instead of the projection of its center:
@@ -63,8 +79,12 @@ struct Settings {
   OpticalDepthTableSize optical_depth_table{};
   // `sliced`: cells of a light's shadow map = shadow_cells^2.
   int shadow_cells = 384;
-  // `sliced` and `march`: environment light in the medium.
+  // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
+  // than once.
   SourceGridSize source_grid{};
+  // `sliced`: light scattered more than once; the other methods are single. Surfaces get none yet.
+  Scattering scattering = Scattering::single;
+  ScatteringLimits scattering_limits{};
 
   // Uses the paper's single point spread function for light scattered onto surfaces and environment
   // inscattering, instead of one per optical depth.
@@ -87,6 +107,7 @@ struct Settings {
 };
 
 const char* to_string(AirlightMethod method);
+const char* to_string(Scattering scattering);
 
 // The method as on the command line, with its parameter: "march:64".
 std::string airlight_name(const Settings& settings);

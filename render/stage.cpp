@@ -18,6 +18,8 @@ const char* to_string(Stage stage) {
       return "eye_depth";
     case Stage::light_table:
       return "light_table";
+    case Stage::scattering:
+      return "scattering";
     case Stage::shadow_map:
       return "shadow_map";
     case Stage::airlight:
@@ -87,6 +89,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return "its intensity is 0";
     case Reason::no_homogeneous_density:
       return "the medium's homogeneous density is 0";
+    case Reason::thin_medium:
+      return "the medium is too thin for more than one scattering";
     case Reason::no_noise:
       return "its amplitude is 0";
     case Reason::no_transfer_requested:

@@ -16,6 +16,7 @@ enum class Stage {
   light_depth,  // `paper`: optical depths from the lights to Gaussian centers
   eye_depth,    // `paper`: the same from the eye
   light_table,  // `sliced`: optical depth tables of the lights
+  scattering,   // `sliced`: light scattered more than once
   shadow_map,   // `sliced`: of the lights, in the medium
   airlight,
   transmittance,  // in place of airlight where nothing emits light
@@ -77,6 +78,7 @@ enum class Reason {
   black_environment,
   no_homogeneous_density,
   no_noise,
+  thin_medium,
   no_transfer_requested,
   only_direct_light,
   transfer_pending,

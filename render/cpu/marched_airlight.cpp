@@ -115,7 +115,7 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
 }
 
 // Adds what the samples scatter of the environment, but for its peak.
-void add_environment(const EnvironmentSource& environment, const MediumIndex& medium,
+void add_environment(const SourceFunction& environment, const MediumIndex& medium,
                      const TileRays& rays, Scratch& s) {
   const SourceLookup source(environment.grid(), rays.eye);
   const auto b0 = static_cast<float>(medium.homogeneous_density());
@@ -131,7 +131,7 @@ void add_environment(const EnvironmentSource& environment, const MediumIndex& me
 }
 
 // Adds what the peak of the phase function scatters of it.
-void add_forward_lobe(const EnvironmentSource& environment, const TileRays& rays, Scratch& s) {
+void add_forward_lobe(const SourceFunction& environment, const TileRays& rays, Scratch& s) {
   const SourceLookup source(environment.grid(), rays.eye);
   PathBatch lines = s.rays;
   lines.make_endless();
@@ -147,8 +147,8 @@ void add_forward_lobe(const EnvironmentSource& environment, const TileRays& rays
 
 std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                                const RayCaster& ray_caster, std::span<const MarchedLight> lights,
-                               const EnvironmentSource* environment, const TileRays& rays,
-                               int steps, const TileAirlight& out) {
+                               const SourceFunction* environment, const TileRays& rays, int steps,
+                               const TileAirlight& out) {
   thread_local Scratch s;
   prepare(medium, gaussians, lights.size(), rays, steps, s);
   std::uint64_t pairs = 0;

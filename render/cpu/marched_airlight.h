@@ -2,7 +2,7 @@
 
 #include "render/geometry/medium_index.h"
 #include "render/geometry/tile_rays.h"
-#include "render/lighting/environment_source.h"
+#include "render/lighting/source_function.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -23,7 +23,7 @@ struct MarchedLight {
 // Thread-safe.
 std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                                const RayCaster& ray_caster, std::span<const MarchedLight> lights,
-                               const EnvironmentSource* environment, const TileRays& rays,
-                               int steps, const TileAirlight& out);
+                               const SourceFunction* environment, const TileRays& rays, int steps,
+                               const TileAirlight& out);
 
 }  // namespace brume

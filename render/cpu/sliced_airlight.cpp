@@ -16,31 +16,43 @@ struct Scratch {
   PathBatch rays;
   std::vector<float> increments;
   std::vector<float> depths;
-  std::vector<float> slice_weights;               // of the slices of all rays
-  std::vector<float> slice_centers, ray_weights;  // of those of one
-  PathBatch lines;                                // the rays without an end
+  std::vector<float> slice_weights;                     // of the slices of all rays
+  std::vector<float> lookup_positions, lookup_weights;  // of one ray
+  PathBatch lines;                                      // the rays without an end
   std::vector<float> along_rays, line_depths;
   std::array<std::vector<float>, light_pack> radiance;
 };
 
-// Adds what the slices scatter of the environment's light, taken in the middle of each.
-void add_environment(const EnvironmentSource& environment, const TileRays& rays, Scratch& s,
-                     std::span<glm::vec3> airlight) {
-  const SourceLookup source(environment.grid(), rays.eye);
+// Neighbouring slices share a look-up at their mean position: half the work, and more accurate than
+// the middle of each.
+constexpr std::size_t slices_per_lookup = 2;
+
+// Adds the source function of the slices.
+void add_source_function(const SourceFunction& function, const TileRays& rays, Scratch& s,
+                         std::span<glm::vec3> airlight) {
+  const SourceLookup source(function.grid(), rays.eye);
   const std::size_t stride = s.rays.padded_size();
   const std::size_t slices = s.slices.count() - 1;
-  s.slice_centers.resize(slices);
-  s.ray_weights.resize(slices);
   for (std::size_t i = 0; i < rays.directions.size(); ++i) {
-    for (std::size_t k = 0; k < slices; ++k) {
-      s.slice_centers[k] = 0.5f * (*s.slices.at(i, k) + *s.slices.at(i, k + 1));
-      s.ray_weights[k] = s.slice_weights[k * stride + i];
+    s.lookup_positions.clear();
+    s.lookup_weights.clear();
+    for (std::size_t k = 0; k < slices; k += slices_per_lookup) {
+      float weight = 0.0f;
+      float position = 0.0f;  // times weight
+      for (std::size_t j = k; j < std::min(k + slices_per_lookup, slices); ++j) {
+        const float slice_weight = s.slice_weights[j * stride + i];
+        weight += slice_weight;
+        position += slice_weight * 0.5f * (*s.slices.at(i, j) + *s.slices.at(i, j + 1));
+      }
+      if (!(weight > 0.0f)) continue;
+      s.lookup_positions.push_back(position / weight);
+      s.lookup_weights.push_back(weight);
     }
     const glm::dvec3& w = rays.directions[i];
-    const SourceWeights weights = environment.weights(w);
-    glm::vec3 scattered = source(glm::vec3(w), s.slice_centers, s.ray_weights, weights);
-    if (environment.has_forward_lobe()) {
-      scattered += s.along_rays[i] * environment.lobe(source, weights, s.line_depths[i]);
+    const SourceWeights weights = function.weights(w);
+    glm::vec3 scattered = source(glm::vec3(w), s.lookup_positions, s.lookup_weights, weights);
+    if (function.has_forward_lobe()) {
+      scattered += s.along_rays[i] * function.lobe(source, weights, s.line_depths[i]);
     }
     airlight[i] += glm::max(scattered, 0.0f);
   }
@@ -50,7 +62,7 @@ void add_environment(const EnvironmentSource& environment, const TileRays& rays,
 
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                               std::span<const SlicedLight> lights,
-                              const EnvironmentSource* environment, const TileRays& rays,
+                              const SourceFunction* source_function, const TileRays& rays,
                               const SliceNodes& slices, const TileAirlight& out) {
   thread_local Scratch s;
   const std::size_t count = rays.directions.size();
@@ -70,10 +82,13 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   const auto negligible = static_cast<float>(medium.negligible_depth());
   s.depths.resize(stride);
   SliceWeights slice_weights;
-  if (environment) {
+  const float light_extinction =
+      source_function ? static_cast<float>(source_function->light_extinction()) : 1.0f;
+  if (source_function) {
     s.slice_weights.resize(s.increments.size());
     slice_weights.per_slice = s.slice_weights.data();
-    if (environment->has_forward_lobe()) {
+    slice_weights.extinction = light_extinction;
+    if (source_function->has_forward_lobe()) {
       s.along_rays.resize(stride);
       slice_weights.along_rays = s.along_rays.data();
       s.line_depths.assign(stride, 0.0f);
@@ -90,8 +105,8 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     const std::size_t size = std::min(light_pack, lights.size() - first);
     for (std::size_t l = 0; l < size; ++l) {
       const SlicedLight& light = lights[first + l];
-      pack[l] = {glm::vec3(light.position - rays.eye), static_cast<float>(light.h_min), light.table,
-                 light.shadows};
+      pack[l] = {glm::vec3(light.position - rays.eye), static_cast<float>(light.h_min),
+                 light_extinction, light.table, light.shadows};
       s.radiance[l].assign(stride, 0.0f);
       radiance[l] = s.radiance[l].data();
     }
@@ -103,7 +118,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];
     }
   }
-  if (environment) add_environment(*environment, rays, s, out.airlight);
+  if (source_function) add_source_function(*source_function, rays, s, out.airlight);
   for (std::size_t k = 0; k < count; ++k) {
     // Homogeneous fog continues behind the last slice; the Gaussians do not.
     const auto sliced = static_cast<double>(*s.slices.at(k, last));

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "render/geometry/tile_rays.h"
-#include "render/lighting/environment_source.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/ray_slices.h"
 #include "render/lighting/shadow_map.h"
 #include "render/lighting/sliced_light.h"
+#include "render/lighting/source_function.h"
 
 namespace brume {
 
@@ -14,11 +14,11 @@ namespace brume {
 // from a grid. The error is due to light that varies within a slice.
 
 // Sliced airlight of one tile. Overwrites `out`. `gaussians`: indices of those that may contribute;
-// `environment`: may be null; `slices`: of the tile. Returns the Gaussian x ray pairs evaluated.
-// Thread-safe.
+// `source_function`: may be null; `slices`: of the tile. Returns the Gaussian x ray pairs
+// evaluated. Thread-safe.
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                               std::span<const SlicedLight> lights,
-                              const EnvironmentSource* environment, const TileRays& rays,
+                              const SourceFunction* source_function, const TileRays& rays,
                               const SliceNodes& slices, const TileAirlight& out);
 
 }  // namespace brume

@@ -38,7 +38,9 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
   program.set("anisotropy", static_cast<float>(medium.anisotropy()));
   program.set("negligible", static_cast<float>(medium.negligible_depth()));
-  upload_source(stages.scattered_environment(work), eye, program);
+  const SourceFunction* const source = stages.source_function(work);
+  program.set("light_extinction", source ? static_cast<float>(source->light_extinction()) : 1.0f);
+  upload_source(source, eye, program);
   return film_.run(
       device.programs, device.clock, program,
       [&] {
@@ -64,11 +66,11 @@ void SlicedStage::make_shadows(const FrameContext& work, std::span<const SlicedL
                     [&] { shadows_.make(device.programs, device.mesh, lights, directions); });
 }
 
-void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec3& eye,
+void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& eye,
                                 const Program& program) {
   program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
   if (!source) return;
-  const EnvironmentSource::WeightParts parts = source->weight_parts();
+  const SourceFunction::WeightParts parts = source->weight_parts();
   const bool is_new = source_revision_ != source->grid().revision();
   // As shaders/source.glsl has it; where things begin is known without the values.
   std::vector<glm::vec4> values;
@@ -93,6 +95,7 @@ void SlicedStage::upload_source(const EnvironmentSource* source, const glm::dvec
   program.set("source_factors", factors);
   program.set("source_bands", static_cast<int>(parts.factors.size()));
   program.set("source_scale", static_cast<float>(parts.scale));
+  program.set("source_harmonics_scale", static_cast<float>(parts.harmonics_scale));
   program.set("source_map_at", static_cast<int>(at));
   int beams = 0;
   for (std::size_t f = 0; f < parts.lobes.size(); ++f) beams |= parts.is_narrow[f] ? 1 << f : 0;

@@ -7,7 +7,7 @@
 #include "render/gl/optical_depth_tables.h"
 #include "render/gl/shadow_maps.h"
 #include "render/gl/slice_texture.h"
-#include "render/lighting/environment_source.h"
+#include "render/lighting/source_function.h"
 #include "render/prepare/frame_stages.h"
 
 namespace brume::gl {
@@ -35,8 +35,7 @@ class SlicedStage {
  private:
   void make_shadows(const FrameContext& work, std::span<const SlicedLight> lights,
                     std::span<const DirectionMap> tables, DeviceFrame& device);
-  void upload_source(const EnvironmentSource* source, const glm::dvec3& eye,
-                     const Program& program);
+  void upload_source(const SourceFunction* source, const glm::dvec3& eye, const Program& program);
 
   OpticalDepthTables lights_;
   ShadowMaps shadows_;

@@ -1,18 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <span>
 #include <vector>
 
-#include "core/math/spherical_harmonics.h"
-#include "render/lighting/sweep_kernels.h"
+#include "render/lighting/ordinates.h"
 #include "render/util/job.h"
 
 namespace brume {
-
-// Number of spherical-harmonics bands stored per grid node.
-inline constexpr int grid_bands = 4;
 
 // Effect of homogeneous fog and the medium's optics on light incident at surfaces.
 struct IncidentOptics {
@@ -30,11 +24,11 @@ struct IncidentOptics {
 // Environment light incident at the nodes of a grid, unscattered and scattered once, as
 // coefficients of four bands: per node and basis function R G B 0. Surfaces do not occlude it.
 //
-// `unscattered` holds the light transmitted by the Gaussians as rows of `stride` elements, R G B of
-// one coefficient after the other. Scattered light is swept through the grid for uniformly
-// distributed directions; no point spread function is assumed. Invalid after the job was stopped.
+// `unscattered` holds the light transmitted by the Gaussians, of three channels. Scattered light is
+// swept through the grid for uniformly distributed directions; no point spread function is assumed.
+// Invalid after the job was stopped.
 std::vector<float> incident_light(const GridNodes& nodes, std::span<const float> density,
-                                  std::span<const float> unscattered, std::size_t stride,
-                                  const IncidentOptics& optics, const Job& job);
+                                  const NodeLight& unscattered, const IncidentOptics& optics,
+                                  const Job& job);
 
 }  // namespace brume

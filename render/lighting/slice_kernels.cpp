@@ -226,12 +226,12 @@ HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
 }
 
 // SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
-// (G' + b0) exp(-b0 t) dt, or of (G' + b0) exp(-2 G - b0 t) dt for light from the eye. The exponent
+// (G' + b0) exp(-(1 -+ e) G - b0 t) dt, + for light from the eye, e its extinction. The exponent
 // grows evenly within a slice.
 void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments, float b0,
-                  bool from_eye, float* sums) {
+                  float exponent_per_depth, float* sums) {
   const D d;
-  const V per_depth = set(from_eye ? 2.0f : 0.0f);
+  const V per_depth = set(exponent_per_depth);
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     V begin = hn::LoadU(d, slices.at(i, 0));
     V transmittance_in = hn::Exp(d, hn::Mul(set(-b0), begin));
@@ -264,7 +264,9 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
   if (weights.along_rays) {
-    SumAlongRays(slices, stride, increments, b0, anisotropy < 0.0f, weights.along_rays);
+    const float from_eye = anisotropy < 0.0f ? 1.0f : -1.0f;
+    SumAlongRays(slices, stride, increments, b0, 1.0f + from_eye * weights.extinction,
+                 weights.along_rays);
   }
   std::array<OpticalDepthTable::View, light_pack> tables{};
   for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -319,7 +321,8 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           if (tables[l].depths) {
             light_depth = hn::Add(light_depth, Lookup(tables[l], q, distance));
           }
-          V light = hn::Mul(falloff, hn::Exp(d, hn::Neg(light_depth)));
+          light_depth = hn::Mul(light_depth, set(-lights[l].extinction));
+          V light = hn::Mul(falloff, hn::Exp(d, light_depth));
           if (anisotropy != 0.0f) {
             light = hn::Mul(light, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
           }

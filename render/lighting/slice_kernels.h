@@ -30,6 +30,7 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
 struct SliceLight {
   glm::vec3 position{0.0f};                  // relative to the rays' origin [u]
   float h_min = 0.0f;                        // see PointLightRay [u]
+  float extinction = 1.0f;                   // factor of optical depths towards the light
   const OpticalDepthTable* table = nullptr;  // null: no attenuation by Gaussians
   const ShadowMap* shadows = nullptr;        // null: no surfaces
 };
@@ -39,10 +40,11 @@ struct SliceWeights {
   // weights[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)) for slice k of ray i:
   // in-scattering of a unit uniform light.
   float* per_slice = nullptr;
-  // [i]: sum over the slices of ray i for light along the ray, attenuated by Gaussians only: from
-  // the eye, where it is 1, if the anisotropy is negative, else from behind, where it is
-  // exp(optical depth of the ray).
+  // [i]: sum over the slices of ray i for light along the ray, attenuated by Gaussians only, their
+  // densities times `extinction`: from the eye, where it is 1, if the anisotropy is negative, else
+  // from behind, where it is exp(that optical depth of the ray).
   float* along_rays = nullptr;
+  float extinction = 1.0f;
 };
 
 // Single scattering summed front to back over the slices (K = slices.count() - 1):

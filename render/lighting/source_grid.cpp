@@ -22,9 +22,6 @@ constexpr double core_radii = 2.5;
 // So many sweeps are held at a time.
 constexpr std::size_t batch = 32;
 
-// Nodes per block of a parallel sum.
-constexpr std::size_t block = 1024;
-
 struct Bounds {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
@@ -61,60 +58,86 @@ SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double m
   }
 }
 
-// Weights of a light for each basis function of incident light (R G B) and for the clusters'
-// transmittance.
-void append_weights(const SourceLight& source, int bands, int clusters,
-                    std::vector<float>& weights) {
-  const ShVector<double> basis = sh_basis(bands, source.light.direction);
-  for (std::size_t i = 0; i < basis.size(); ++i) {
-    for (int c = 0; c < 3; ++c)
-      weights.push_back(static_cast<float>(basis[i] * source.light.irradiance[c]));
+// Weights of the transmittance towards each light: of the coefficients of its light, channel after
+// channel, and of the clusters.
+struct LightWeights {
+  std::vector<float> light, clusters;
+
+  LightWeights(std::span<const SourceLight> lights, int bands, int cluster_count) {
+    for (const SourceLight& source : lights) {
+      const ShVector<double> basis = sh_basis(bands, source.light.direction);
+      for (int c = 0; c < 3; ++c) {
+        for (const double value : basis.values()) {
+          light.push_back(static_cast<float>(value * source.light.irradiance[c]));
+        }
+      }
+      for (int f = 0; f < cluster_count; ++f) {
+        clusters.push_back(f == source.cluster ? static_cast<float>(source.cluster_fraction)
+                                               : 0.0f);
+      }
+    }
   }
-  for (int f = 0; f < clusters; ++f) {
-    weights.push_back(f == source.cluster ? static_cast<float>(source.cluster_fraction) : 0.0f);
+};
+
+// Light transmitted to the nodes of a level, and the clusters' mean transmittances as rows.
+struct Transmitted {
+  NodeLight light;
+  std::vector<float> clusters;
+};
+
+Transmitted transmitted_light(const SourceGrid::Level& level, std::span<const SourceLight> lights,
+                              int bands, int clusters, const Job& job) {
+  const std::size_t nodes = level.nodes.size();
+  Transmitted result{NodeLight(bands, 3, nodes), {}};
+  const std::size_t stride = result.light.stride;
+  result.clusters.assign(static_cast<std::size_t>(clusters) * stride, 0.0f);
+  std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
+  for (std::size_t first = 0; first < lights.size(); first += batch) {
+    const auto current = lights.subspan(first, std::min(batch, lights.size() - first));
+    const LightWeights weights(current, bands, clusters);
+    job.parallel_for(current.size(), [&](std::size_t k) {
+      sweep_transmittance(level.nodes, level.density, glm::vec3(current[k].light.direction),
+                          std::span(transmittances).subspan(k * stride, nodes));
+    });
+    job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
+      const std::size_t begin = b * node_block;
+      const std::size_t end = std::min(begin + node_block, stride);
+      add_weighted(transmittances, weights.light, 3 * result.light.functions(), stride, begin, end,
+                   result.light.values);
+      if (clusters > 0) {
+        add_weighted(transmittances, weights.clusters, static_cast<std::size_t>(clusters), stride,
+                     begin, end, result.clusters);
+      }
+    });
   }
+  return result;
 }
 
 void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussians,
           std::span<const SourceLight> lights, const SourceGrid::Content& content, const Job& job) {
-  const std::vector<float> density = density_on_grid(gaussians, level.first, level.nodes, job);
+  level.density = density_on_grid(gaussians, level.first, level.nodes, job);
   const std::size_t nodes = level.nodes.size();
-  const std::size_t stride = padded(nodes);
-  const int bands = content.receivers ? grid_bands : content.bands;
   const int clusters = content.bands > 1 ? source_clusters : 0;
-  const std::size_t channels = 3 * sh_size(bands) + static_cast<std::size_t>(clusters);
-  std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
-  std::vector<float> sums(channels * stride, 0.0f);
-  for (std::size_t first = 0; first < lights.size(); first += batch) {
-    const auto batch_lights = lights.subspan(first, std::min(batch, lights.size() - first));
-    std::vector<float> weights;
-    for (const SourceLight& light : batch_lights) append_weights(light, bands, clusters, weights);
-    job.parallel_for(batch_lights.size(), [&](std::size_t k) {
-      sweep_transmittance(level.nodes, density, glm::vec3(batch_lights[k].light.direction),
-                          std::span(transmittances).subspan(k * stride, nodes));
-    });
-    job.parallel_for((stride + block - 1) / block, [&](std::size_t b) {
-      add_weighted(transmittances, weights, channels, stride, b * block,
-                   std::min((b + 1) * block, stride), sums);
-    });
-  }
+  const Transmitted transmitted = transmitted_light(
+      level, lights, content.receivers ? grid_bands : content.bands, clusters, job);
+  const std::size_t stride = transmitted.light.stride;
   const std::size_t functions = sh_size(content.bands);
   const std::size_t size = SourceGrid::node_size(content.bands);
   level.values.assign(size * nodes, 0.0f);
-  job.parallel_for((nodes + block - 1) / block, [&](std::size_t b) {
-    for (std::size_t i = b * block; i < std::min((b + 1) * block, nodes); ++i) {
-      for (std::size_t c = 0; c < 3 * functions; ++c) {
-        level.values[size * i + 4 * (c / 3) + c % 3] = sums[c * stride + i];
+  job.parallel_for((nodes + node_block - 1) / node_block, [&](std::size_t b) {
+    for (std::size_t i = b * node_block; i < std::min((b + 1) * node_block, nodes); ++i) {
+      float* node = level.values.data() + size * i;
+      for (std::size_t f = 0; f < functions; ++f) {
+        for (std::size_t c = 0; c < 3; ++c) node[4 * f + c] = transmitted.light.row(c, f)[i];
       }
-      for (std::size_t f = 4 * functions; f < size; ++f) {
-        const std::size_t channel = 3 * sh_size(bands) + f - 4 * functions;
-        level.values[size * i + f] = sums[channel * stride + i];
+      for (std::size_t f = 0; f < static_cast<std::size_t>(clusters); ++f) {
+        node[4 * functions + f] = transmitted.clusters[f * stride + i];
       }
     }
   });
   if (content.receivers) {
-    level.incident =
-        incident_light(level.nodes, density, sums, stride, content.receivers->optics, job);
+    level.incident = incident_light(level.nodes, level.density, transmitted.light,
+                                    content.receivers->optics, job);
   }
 }
 
@@ -173,6 +196,43 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     }
   }
   for (Level& level : levels_) fill(level, gaussians, lights, content, job);
+}
+
+void SourceGrid::set_scattered(const Scattered& scattered, const Job& job) {
+  const std::size_t size = node_size(bands_);
+  const auto distant_scale = static_cast<float>(scattered.distant_scale);
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    const NodeLight& light = scattered.levels[k];
+    if (level.distant.empty()) level.distant = level.values;
+    job.parallel_for((level.nodes.size() + node_block - 1) / node_block, [&](std::size_t b) {
+      const std::size_t begin = b * node_block;
+      const std::size_t end = std::min(begin + node_block, level.nodes.size());
+      for (int l = 0; l < bands_; ++l) {
+        const glm::vec3 scale =
+            scattered.color * static_cast<float>(scattered.factors[static_cast<std::size_t>(l)]);
+        for (std::size_t f = sh_size(l); f < sh_size(l + 1); ++f) {
+          for (int c = 0; c < 3; ++c) {
+            const auto channel = static_cast<std::size_t>(c);
+            const float* row = light.row(light.channels == 3 ? channel : 0, f).data();
+            for (std::size_t i = begin; i < end; ++i) {
+              const std::size_t at = size * i + 4 * f + channel;
+              level.values[at] = distant_scale * level.distant[at] + scale[c] * row[i];
+            }
+          }
+        }
+      }
+    });
+  }
+  revision_ = new_revision();
+}
+
+void SourceGrid::remove_scattered() {
+  for (Level& level : levels_) {
+    level.values = std::move(level.distant);
+    level.distant.clear();
+  }
+  revision_ = new_revision();
 }
 
 bool SourceGrid::holds(const Box& box) const {

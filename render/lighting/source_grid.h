@@ -12,6 +12,7 @@
 #include "render/geometry/box.h"
 #include "render/lighting/distant_lights.h"
 #include "render/lighting/incident_grid.h"
+#include "render/lighting/ordinates.h"
 #include "render/lighting/sweep_kernels.h"
 #include "render/settings.h"
 #include "render/util/job.h"
@@ -81,13 +82,32 @@ class SourceGrid {
              const Content& content, const SourceGridSize& size, const Job& job);
 
   [[nodiscard]] Revision revision() const { return revision_; }
+  // Of the distant lights' J.
+  [[nodiscard]] Revision distant_revision() const { return distant_revision_; }
+  // Light that is scattered already, for all levels: of one channel times `color`, or of three.
+  struct Scattered {
+    std::span<const NodeLight> levels;  // of bands() bands
+    glm::vec3 color;
+    std::span<const double> factors;  // of the bands
+    double distant_scale;             // of the distant lights' J
+  };
+  // J is distant_scale times that of the distant lights, plus `scattered`; and as it was.
+  void set_scattered(const Scattered& scattered, const Job& job);
+  void remove_scattered();
   // Data for SourceLookup. A node holds R G B 0 per basis function; J also has the transmittance
   // per cluster if there is more than one band.
   struct Level {
     glm::dvec3 first{0.0};  // position of node 0
     GridNodes nodes;
-    std::vector<float> values;    // J
+    std::vector<float> density;  // of the Gaussians, per node [1/u]
+    std::vector<float> values;   // J
+    // J of distant light alone, if there is more.
+    std::vector<float> distant;
     std::vector<float> incident;  // see incident_light(); empty without receivers
+
+    [[nodiscard]] std::span<const float> unscattered() const {
+      return distant.empty() ? values : distant;
+    }
   };
   // Floats per node of J.
   static constexpr std::size_t node_size(int bands) {
@@ -101,6 +121,7 @@ class SourceGrid {
 
  private:
   Revision revision_ = new_revision();
+  Revision distant_revision_ = revision_;
   int bands_;
   Box core_;  // bounds of the fine grid; empty without Gaussians
   std::vector<Level> levels_;

@@ -1,9 +1,12 @@
 #include "render/lighting/sweep_kernels.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <utility>
+#include <vector>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -175,15 +178,16 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
   }
 }
 
-void SweepEmission(const GridNodes& nodes, std::span<const float> density, float fog,
-                   const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
-                   const std::array<std::span<float>, 3>& emitted) {
+template <std::size_t channels>
+void SweepChannels(const GridNodes& nodes, std::span<const float> density, float fog,
+                   std::span<const std::span<const float>> source, const glm::vec3& w,
+                   std::span<const std::span<float>> emitted) {
   const D d;
   const Sweep sweep(nodes, w);
   const TwoSlabs empty(sweep.columns, sweep.rows, 0.0f);
   TwoSlabs b = empty;
-  TwoSlabs emission[] = {empty, empty, empty};  // density times source
-  TwoSlabs light[] = {empty, empty, empty};
+  std::vector<TwoSlabs> emission(channels, empty);  // source function: emission over extinction
+  std::vector<TwoSlabs> light(channels, empty);
   const std::size_t stride = b.now.stride;
   const Taps taps(sweep.shift_u, sweep.shift_v, stride);
   const V one = hn::Set(d, 1.0f);
@@ -193,7 +197,7 @@ void SweepEmission(const GridNodes& nodes, std::span<const float> density, float
     for (std::size_t v = 0; v < sweep.rows; ++v) {
       const std::ptrdiff_t row = sweep.row(k, v);
       sweep.read(density.data() + row, b.now.row(v));
-      for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t c = 0; c < channels; ++c) {
         sweep.read(source[c].data() + row, emission[c].now.row(v));
       }
       for (std::size_t u = 0; u < sweep.columns; u += hn::Lanes(d)) {
@@ -201,33 +205,50 @@ void SweepEmission(const GridNodes& nodes, std::span<const float> density, float
         const V far = taps.Mix(b.before.row(v) + u, stride);
         const V depth = hn::MulAdd(half_step, hn::Add(near, far), fog_step);
         const V transmitted = hn::Exp(d, hn::Neg(depth));
-        // (1 - e^-x) / x loses its digits for small x.
-        const V mean = hn::IfThenElse(hn::Lt(depth, hn::Set(d, 1e-2f)),
-                                      hn::NegMulAdd(hn::Set(d, 0.5f), depth, one),
-                                      hn::Div(hn::Sub(one, transmitted), depth));
-        const V weight = hn::Mul(half_step, mean);
-        for (std::size_t c = 0; c < 3; ++c) {
+        // The source is linear in the optical depth x on the way: its ends have the weights
+        // 1 - (1 - e^-x) / x and (1 - e^-x) / x - e^-x, which lose their digits for small x.
+        const auto is_thin = hn::Lt(depth, hn::Set(d, 0.05f));
+        const V mean = hn::Div(hn::Sub(one, transmitted), hn::Max(depth, hn::Set(d, 1e-6f)));
+        const V half_depth = hn::Mul(hn::Set(d, 0.5f), depth);
+        const V third = hn::Set(d, 1.0f / 3.0f);
+        const V weight_near = hn::IfThenElse(
+            is_thin, hn::Mul(half_depth, hn::NegMulAdd(third, depth, one)), hn::Sub(one, mean));
+        const V weight_far = hn::IfThenElse(
+            is_thin, hn::Mul(half_depth, hn::NegMulAdd(hn::Add(third, third), depth, one)),
+            hn::Sub(mean, transmitted));
+        const V scattering =
+            hn::Div(near, hn::Max(hn::Add(near, hn::Set(d, fog)), hn::Set(d, 1e-30f)));
+        for (std::size_t c = 0; c < channels; ++c) {
           float* source_row = emission[c].now.row(v) + u;
-          const V emitted_here = hn::Mul(near, hn::LoadU(d, source_row));
+          const V emitted_here = hn::Mul(scattering, hn::LoadU(d, source_row));
           hn::StoreU(emitted_here, d, source_row);
-          const V all = hn::Add(emitted_here, taps.Mix(emission[c].before.row(v) + u, stride));
+          const V emitted =
+              hn::MulAdd(weight_near, emitted_here,
+                         hn::Mul(weight_far, taps.Mix(emission[c].before.row(v) + u, stride)));
           const V incoming = taps.Mix(light[c].before.row(v) + u, stride);
-          hn::StoreU(hn::MulAdd(incoming, transmitted, hn::Mul(weight, all)), d,
-                     light[c].now.row(v) + u);
+          hn::StoreU(hn::MulAdd(incoming, transmitted, emitted), d, light[c].now.row(v) + u);
         }
       }
-      for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t c = 0; c < channels; ++c) {
         emission[c].now.end_row(v);
         light[c].now.end_row(v);
         sweep.write(light[c].now.row(v), emitted[c].data() + row);
       }
     }
     b.advance();
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < channels; ++c) {
       emission[c].advance();
       light[c].advance();
     }
   }
+}
+
+void SweepEmission(const GridNodes& nodes, std::span<const float> density, float fog,
+                   std::span<const std::span<const float>> source, const glm::vec3& w,
+                   std::span<const std::span<float>> emitted) {
+  assert(source.size() == emitted.size() && (source.size() == 1 || source.size() == 3));
+  if (source.size() == 1) return SweepChannels<1>(nodes, density, fog, source, w, emitted);
+  SweepChannels<3>(nodes, density, fog, source, w, emitted);
 }
 
 void AddWeighted(std::span<const float> transmittances, std::span<const float> weights,
@@ -262,8 +283,8 @@ void sweep_transmittance(const GridNodes& nodes, std::span<const float> density,
 }
 
 void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
-                    const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
-                    const std::array<std::span<float>, 3>& emitted) {
+                    std::span<const std::span<const float>> source, const glm::vec3& w,
+                    std::span<const std::span<float>> emitted) {
   HWY_DYNAMIC_DISPATCH(SweepEmission)(nodes, density, fog, source, w, emitted);
 }
 

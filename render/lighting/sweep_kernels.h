@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -22,16 +22,38 @@ struct GridNodes {
   }
 };
 
+// A node that surfaces hide neighbours from.
+struct OccludedNode {
+  std::uint32_t blocked = 0;  // bit neighbour_index() of each neighbour that is hidden
+  std::uint32_t first = 0;    // of its links, in the order of the bits
+};
+
+// The neighbour of a node at an offset of -1, 0 or 1 along each axis.
+constexpr int neighbour_index(int x, int y, int z) {
+  return (z + 1) * 9 + (y + 1) * 3 + x + 1;
+}
+constexpr glm::ivec3 neighbour_offset(int index) {
+  return {index % 3 - 1, index / 3 % 3 - 1, index / 9 - 1};
+}
+
+// Surfaces between the nodes of a grid; see GridOcclusion.
+struct SweepOcclusion {
+  std::span<const std::int32_t> index;  // per grid node, in `nodes` or -1; empty: no surfaces
+  std::span<const OccludedNode> nodes;
+  std::span<const float> fractions;  // per hidden neighbour, of the way to it
+};
+
 // transmittance[i] = exp(-optical depth) from node i along the unit vector w to the grid's border,
 // empty beyond. Thread-safe.
 void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
                          std::span<float> transmittance);
 
-// emitted[c][i] = radiance arriving at node i from direction w, for c = R, G, B: the integral of
-// density times source[c], attenuated by density + fog. Empty beyond the grid. Thread-safe.
+// emitted[c][i] = radiance arriving at node i from direction w, for one or three channels c: the
+// integral of density times source[c], attenuated by density + fog. Empty beyond the grid.
+// Thread-safe.
 void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
-                    const std::array<std::span<const float>, 3>& source, const glm::vec3& w,
-                    const std::array<std::span<float>, 3>& emitted);
+                    std::span<const std::span<const float>> source, const glm::vec3& w,
+                    std::span<const std::span<float>> emitted);
 
 // sums[c][i] += sum over k of transmittances[k][i] * weights[k][c], for nodes i in [begin, end),
 // multiples of 16. Rows of `transmittances` and `sums` have `stride` >= end elements.

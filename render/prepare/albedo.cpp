@@ -81,6 +81,10 @@ void add_cost(const FrameStatistics& group_frame, FrameStatistics& sum) {
   sum.light_pairs += group_frame.light_pairs;
   sum.view_pairs += group_frame.view_pairs;
   sum.exact_pixels = std::max(sum.exact_pixels, group_frame.exact_pixels);
+  if (group_frame.scattering && sum.scattering) {
+    sum.scattering->sweeps += group_frame.scattering->sweeps;
+    sum.scattering->residual = std::max(sum.scattering->residual, group_frame.scattering->residual);
+  }
   for (std::size_t i = 0; i < group_frame.pixel_pairs.size(); ++i) {
     sum.pixel_pairs[i] += group_frame.pixel_pairs[i];
   }

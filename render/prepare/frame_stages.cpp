@@ -92,20 +92,45 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
   clock.finish(Stage::visibility);
 }
 
-bool FrameStages::prepare_source(const FrameContext& work, StageClock& clock) {
-  if (!work.plan.has_environment_in_medium) source_.clear();
-  if (!work.plan.runs(Stage::environment)) return true;
-  EnvironmentSource::Input input{*work.scene.environment,
-                                 work.scene.medium,
-                                 work.scene.optics.anisotropy,
-                                 fog_depth(work),
-                                 {},
-                                 work.settings.source_grid};
+bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
+  const bool has_environment = work.plan.runs(Stage::environment);
+  const bool has_multiple = work.plan.runs(Stage::scattering);
+  if (!work.plan.has_environment_in_medium && !has_multiple) source_.clear();
+  if (!work.plan.has_source_function()) return true;
+  SourceFunction::Input input{has_environment ? &*work.scene.environment : nullptr,
+                              work.scene.medium,
+                              work.scene.optics.anisotropy,
+                              has_environment ? fog_depth(work) : 0.0,
+                              {},
+                              work.settings.source_grid,
+                              {}};
   if (work.plan.has_receivers)
     input.receivers = {prepared_.ray_caster().bounds(), incident_optics(work)};
-  const bool made = source_.update(input, work.job);
-  clock.finish(Stage::environment);
-  return made;
+  if (has_multiple) input.multiple = multiple_scattering(work, clock);
+  if (!source_.update(input, work.job)) return false;
+  clock.finish(has_environment ? Stage::environment : Stage::scattering);
+  if (!source_.update_multiple(input, work.job)) return false;
+  if (has_multiple) {
+    work.frame.statistics.scattering = source_.convergence();
+    clock.finish(Stage::scattering);
+  }
+  return true;
+}
+
+SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, StageClock& clock) {
+  SourceFunction::Multiple multiple{
+      {},
+      work.albedo,
+      work.plan.runs(Stage::visibility) ? &prepared_.ray_caster() : nullptr,
+      work.settings.scattering_limits};
+  for (const PointLight& light : work.plan.lights) {
+    multiple.lights.push_back(
+        {light.position, light.intensity,
+         &prepared_.optical_depth_table(light.position, work.settings.optical_depth_table,
+                                        work.frame.statistics.light_pairs)});
+  }
+  if (!multiple.lights.empty()) clock.finish(Stage::light_table);
+  return multiple;
 }
 
 IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {

@@ -7,9 +7,9 @@
 
 #include "core/scene/scene.h"
 #include "render/frame.h"
-#include "render/lighting/environment_source.h"
 #include "render/lighting/paper_lights.h"
 #include "render/lighting/sliced_light.h"
+#include "render/lighting/source_function.h"
 #include "render/prepare/fog_extent.h"
 #include "render/prepare/prepared_scene.h"
 #include "render/prepare/ray_ends.h"
@@ -83,8 +83,8 @@ class FrameStages {
   bool begin(FrameContext& work, StageClock& clock);
   // First hits of the view rays; fills the depth layer.
   void find_hits(FrameContext& work, StageClock& clock);
-  // Environment light in the medium. False if the job was stopped.
-  bool prepare_source(const FrameContext& work, StageClock& clock);
+  // In-scattered light on a grid. False if the job was stopped.
+  bool prepare_source(FrameContext& work, StageClock& clock);
 
   // State of the frame after begin().
   [[nodiscard]] const PreparedScene& prepared() const { return prepared_; }
@@ -93,9 +93,9 @@ class FrameStages {
   [[nodiscard]] RayEnds ray_ends(const FrameContext& work) const {
     return {work.fog_extent.ray_distance(work.rays.eye()), distances_};
   }
-  // In-scattered environment light; null: none.
-  [[nodiscard]] const EnvironmentSource* scattered_environment(const FrameContext& work) const {
-    return work.plan.runs(Stage::environment) ? &source_ : nullptr;
+  // Null: there is none.
+  [[nodiscard]] const SourceFunction* source_function(const FrameContext& work) const {
+    return work.plan.has_source_function() ? &source_ : nullptr;
   }
   // Optical depth of b0 from any point to the end of the fog.
   [[nodiscard]] double fog_depth(const FrameContext& work) const {
@@ -120,10 +120,11 @@ class FrameStages {
   static bool make_transfers(FrameContext& work);
   SurfaceLighting tabled_lighting(FrameContext& work);
   [[nodiscard]] IncidentOptics incident_optics(const FrameContext& work) const;
+  SourceFunction::Multiple multiple_scattering(FrameContext& work, StageClock& clock);
 
   PreparedScene prepared_;
   PreparedShading shading_;
-  EnvironmentSource source_;
+  SourceFunction source_;
   // Members to reuse their memory.
   std::vector<RasterPixel> hits_;
   std::vector<double> distances_;  // of hits_ in double, where float is too coarse; else empty

@@ -77,6 +77,7 @@ Settings PlanCase::settings() const {
   Settings settings;
   settings.airlight = method;
   settings.airlight_scale = scale;
+  settings.scattering = scattering;
   settings.slices = 8;
   settings.march_steps = 8;
   settings.reference_tolerance = 0.1;
@@ -93,7 +94,8 @@ std::string PlanCase::name() const {
   };
   return to_string(method) + (scale > 1 ? " scale " + std::to_string(scale) : std::string()) +
          part("lights", lights) + part("sky", sky) + part("Gaussians", gaussians) +
-         (fog ? " fog" : "") + (noise ? " noise" : "") + (surfaces ? " surfaces" : "") +
+         (scattering == Scattering::multiple ? " multiple" : "") + (fog ? " fog" : "") +
+         (noise ? " noise" : "") + (surfaces ? " surfaces" : "") +
          (transfer != Surface::Transfer::none ? " transfer" : "");
 }
 
@@ -107,6 +109,7 @@ std::vector<PlanCase> all_plan_cases() {
     cases = varied(cases, part, {false, true});
   }
   cases = varied(cases, &PlanCase::scale, {1, 4});
+  cases = varied(cases, &PlanCase::scattering, {Scattering::single, Scattering::multiple});
   return varied(cases, &PlanCase::method,
                 {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
                  AirlightMethod::reference});
@@ -120,6 +123,7 @@ std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods)
   }
   cases = varied(cases, &PlanCase::fog, {false, true});
   cases = varied(cases, &PlanCase::scale, {4});
+  cases = varied(cases, &PlanCase::scattering, {Scattering::multiple});
   return varied(cases, &PlanCase::method, methods);
 }
 

@@ -22,6 +22,7 @@ struct PlanCase {
   Surface::Transfer transfer = Surface::Transfer::none;  // requested by the surfaces
   AirlightMethod method = AirlightMethod::paper;
   int scale = 1;
+  Scattering scattering = Scattering::single;
 
   [[nodiscard]] bool has_lights() const { return lights == Part::active; }
   [[nodiscard]] bool has_sky() const { return sky == Part::active; }
@@ -29,6 +30,10 @@ struct PlanCase {
   [[nodiscard]] bool has_medium() const { return has_gaussians() || fog; }
   [[nodiscard]] bool has_any_light() const { return has_lights() || has_sky(); }
   [[nodiscard]] bool is(AirlightMethod wanted) const { return method == wanted; }
+  // Of a method that renders more than one scattering, asked to.
+  [[nodiscard]] bool is_multiple() const {
+    return is(AirlightMethod::sliced) && scattering == Scattering::multiple;
+  }
 
   [[nodiscard]] Scene scene() const;
   // With grids and tables of few cells.

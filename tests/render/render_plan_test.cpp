@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 
 #include "render/renderer.h"
@@ -53,6 +55,8 @@ const StageRule stage_rules[] = {
      [](const PlanCase& c) { return c.is(Method::paper) && c.has_lights() && c.has_gaussians(); }},
     {Stage::light_table,
      [](const PlanCase& c) { return c.is(Method::sliced) && c.has_lights() && c.has_gaussians(); }},
+    {Stage::scattering,
+     [](const PlanCase& c) { return c.is_multiple() && c.has_any_light() && c.has_gaussians(); }},
     {Stage::shadow_map,
      [](const PlanCase& c) {
        return c.is(Method::sliced) && c.has_lights() && c.has_medium() && c.surfaces;
@@ -83,7 +87,7 @@ StageSet expected(std::span<const StageRule> rules, const PlanCase& c) {
 }
 
 TEST(RenderPlan, RunsStagesByTheirRules) {
-  ASSERT_EQ(all_plan_cases().size(), 4u * 27u * 4u * 8u);
+  ASSERT_EQ(all_plan_cases().size(), 4u * 27u * 4u * 16u);
   for (const PlanCase& c : all_plan_cases()) {
     const RenderPlan plan = plan_of(c);
     ASSERT_EQ(to_string(plan.stages), to_string(expected(stage_rules, c))) << c.name();
@@ -150,6 +154,10 @@ const SkipRule skip_rules[] = {
      [](const PlanCase& c) { return c.lights == PlanCase::Part::idle; }, 1},
     {Stage::lights, Reason::black_lights,
      [](const PlanCase& c) { return c.lights == PlanCase::Part::idle; }, 1},
+    {Stage::scattering, Reason::no_light,
+     [](const PlanCase& c) { return c.is_multiple() && !c.has_any_light(); }},
+    {Stage::scattering, Reason::no_gaussians,
+     [](const PlanCase& c) { return c.is_multiple() && c.has_any_light() && !c.has_gaussians(); }},
 };
 
 TEST(RenderPlan, SkipsStagesForTheirReasons) {
@@ -195,6 +203,24 @@ TEST(RenderPlan, RasterizesWherePixelsOutnumberTriangles) {
   EXPECT_FALSE(RenderPlan(scene, {3, 1}, {}).rasterizes);
   scene.surfaces.clear();
   EXPECT_FALSE(RenderPlan(scene, {2, 2}, {}).rasterizes);
+}
+
+TEST(RenderPlan, LeavesMoreThanOneScatteringOutOfThinMedia) {
+  Settings settings;
+  settings.scattering = Scattering::multiple;
+  const auto plan_of_depth = [&](double depth) {
+    Scene scene;
+    scene.medium.append({{0, 0, 0}, 1.0, depth / std::sqrt(std::numbers::pi)});
+    scene.lights.emplace_back();
+    return RenderPlan(scene, {4, 4}, settings);
+  };
+  EXPECT_TRUE(plan_of_depth(0.003).runs(Stage::scattering));
+  const RenderPlan thin = plan_of_depth(0.001);
+  EXPECT_FALSE(thin.runs(Stage::scattering));
+  EXPECT_EQ(thin.skipped.back().stage, Stage::scattering);
+  EXPECT_EQ(thin.skipped.back().why, to_string(Reason::thin_medium));
+  settings.max_error = 0.001;
+  EXPECT_TRUE(plan_of_depth(0.001).runs(Stage::scattering)) << "matters at the bound asked for";
 }
 
 TEST(RenderPlan, KeepsTheRequestedPrecision) {

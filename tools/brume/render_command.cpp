@@ -55,6 +55,13 @@ void set_airlight(Settings& settings, const std::string& name) {
                    std::to_string(max_march_steps));
 }
 
+Scattering parse_scattering(const std::string& name) {
+  for (const auto scattering : {Scattering::single, Scattering::multiple}) {
+    if (name == to_string(scattering)) return scattering;
+  }
+  throw UsageError("--scattering: found " + quoted_text(name) + "; allowed: single, multiple");
+}
+
 Film parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   const auto side = [&](std::string_view part) {
@@ -78,6 +85,9 @@ class RenderCommand final : public Command {
         ->required();
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
     app.add_option("--airlight", airlight_, "auto, paper, sliced, reference or march:STEPS")
+        ->capture_default_str();
+    app.add_option("--scattering", scattering_,
+                   "sliced: single or multiple, all orders in the medium; surfaces get one order")
         ->capture_default_str();
     app.add_option("--slices", slices_, "slices per view ray, for sliced")
         ->check(finite_in(4, 256))
@@ -121,6 +131,7 @@ class RenderCommand final : public Command {
     Settings settings = sliced_settings({}, slices_);
     set_airlight(settings, airlight_);
     const bool is_auto = settings.airlight == AirlightMethod::auto_;
+    settings.scattering = parse_scattering(scattering_);
     settings.max_error = max_error_;
     settings.paper = paper_;
     settings.paper_spread = paper_spread_;
@@ -245,6 +256,7 @@ class RenderCommand final : public Command {
   PaperOptions paper_;
   bool paper_spread_ = false;
   double max_error_ = Settings{}.max_error;
+  std::string scattering_ = to_string(Settings{}.scattering);
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
   double time_ = 0.0;

@@ -76,6 +76,11 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
   if (!first.on_cpu.empty()) json["on_cpu"] = reasons(first.on_cpu);
   json["gaussians"] = Json{{"total", first.gaussians_total}, {"used", first.gaussians_used}};
   json["pairs"] = Json{{"light", first.light_pairs}, {"view", first.view_pairs}};
+  json["scattering"] = nullptr;
+  if (first.scattering) {
+    json["scattering"] =
+        Json{{"sweeps", first.scattering->sweeps}, {"residual", first.scattering->residual}};
+  }
   json["error"] = nullptr;
   if (run.error) {
     // `low` and `high`: 95% confidence interval of the frame's error.

@@ -17,6 +17,7 @@
 uniform float b0;
 uniform float anisotropy;
 uniform float negligible;
+uniform float light_extinction;  // factor of optical depths towards lights
 
 // The length of a ray without an end, whose products with exponents are still floats.
 const float endless_line = 1e18;
@@ -54,6 +55,8 @@ void main() {
   float depth = 0.0;
   vec3 airlight = vec3(0.0);
   vec3 scattered = vec3(0.0);
+  float lookup_weight = 0.0;
+  float lookup_position = 0.0;  // times weight
   uint pairs = 0u;
   float boundary = last > 0 ? slice_boundary(position, 0) : 0.0;
   float t_begin = min(boundary, length_);
@@ -113,7 +116,8 @@ void main() {
       const float fog = b0 * (t_end - t_begin);
       const float increment = fog + gaussians;
       if (has_forward_lobe) {
-        const float exponent = anisotropy < 0.0 ? 2.0 * gaussians + fog : fog;
+        const float from_eye = anisotropy < 0.0 ? light_extinction : -light_extinction;
+        const float exponent = (1.0 + from_eye) * gaussians + fog;
         const float transmittance_out = transmittance_in * exp(-exponent);
         along_ray += increment * (exponent < small_exponent
                                       ? transmittance_in - 0.5 * exponent * transmittance_in
@@ -126,7 +130,8 @@ void main() {
             exp(-depth) * (increment < small_increment ? increment - 0.5 * increment * increment
                                                        : 1.0 - exp(-increment));
         const float center = 0.5 * (t_begin + t_end);
-        if (source_levels > 0) scattered += scattered_fraction * source_at(center * w);
+        lookup_weight += scattered_fraction;
+        lookup_position += scattered_fraction * center;
         for (int l = 0; l < light_count; ++l) {
           const vec3 s = lights[l].position;
           const float ts = dot(s, w);
@@ -137,7 +142,7 @@ void main() {
           const vec3 q = center * w - s;
           float light_depth = b0 * distance_;
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
-          float light = mean_inverse_square(t_begin - ts, t_end - ts, h2) * exp(-light_depth);
+          float light = mean_inverse_square(t_begin - ts, t_end - ts, h2) * exp(-light_extinction * light_depth);
           if (anisotropy != 0.0) {
             light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
           }
@@ -147,10 +152,18 @@ void main() {
       }
       depth += increment;
       t_begin = t_end;
+      // Neighbouring slices share a look-up at their mean position.
+      const int next = first + k + 1;
+      if (source_levels > 0 && lookup_weight > 0.0 &&
+          (next % 2 == 0 || next == last)) {
+        scattered += lookup_weight * source_at(lookup_position / lookup_weight * w);
+        lookup_weight = 0.0;
+        lookup_position = 0.0;
+      }
     }
   }
   if (has_forward_lobe) {
-    scattered += along_ray * source_forward_lobe(anisotropy < 0.0, line_depth);
+    scattered += along_ray * source_forward_lobe(anisotropy < 0.0, light_extinction * line_depth);
   }
   // Homogeneous fog continues behind the last slice; the Gaussians do not.
   if (b0 > 0.0 && last > 0) depth += b0 * (length_ - t_begin);

@@ -1,18 +1,19 @@
-// What a medium scatters of an environment's light at a point of a view ray: SourceLookup, and the
-// weights of EnvironmentSource.
+// The source function that a grid holds at a point of a view ray: SourceLookup, and the weights of
+// SourceFunction.
 #include "radiance_map.glsl"
 #include "spherical_harmonics.glsl"
 
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
-uniform int source_levels;  // 0: there is no environment
+uniform int source_levels;  // 0: there is no grid
 // Per level: position of its first node relative to the eye, and nodes per unit; nodes along x, y and
 // z, and the index of its first value.
 uniform vec4 source_first[2];
 uniform ivec4 source_count[2];
 uniform int source_bands;     // of a node: 1, or 4 where scattering is anisotropic
+uniform float source_harmonics_scale;  // of what the grid holds
 uniform vec4 source_factors;  // what the phase function makes of each band
-uniform float source_scale;
+uniform float source_scale;            // of the environment
 // With more than one band, nodes also hold the transmittance per cluster, and maps of the forward
 // lobe per cluster begin at source_map_at.
 uniform int source_map_at;
@@ -30,7 +31,7 @@ void set_source_weights(vec3 w) {
   sh_basis(w, y);
   for (int l = 0; l < source_bands; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      source_weights[i] = source_scale * source_factors[l] * y[i];
+      source_weights[i] = source_harmonics_scale * source_factors[l] * y[i];
     }
   }
   if (source_bands == 1) return;
@@ -104,7 +105,7 @@ vec3 source_at(vec3 p) {
   return sum;
 }
 
-// EnvironmentSource::lobe().
+// SourceFunction::lobe().
 vec3 source_forward_lobe(bool from_eye, float line_depth) {
   const vec3 eye = vec3(0.0);
   vec3 sum = vec3(0.0);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "render/lighting/environment_source.h"
+#include "render/lighting/source_function.h"
 #include "render/quality/auto_quality.h"
 #include "render/renderer.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
@@ -30,12 +30,17 @@ void environment(benchmark::State& state) {
   const double dark = frame_seconds();
   scene.environment.emplace().map = sunny_sky();
   const double lit = frame_seconds();
-  EnvironmentSource source;
+  SourceFunction source;
   const auto grid_seconds = [&](const std::optional<SourceGrid::Receivers>& receivers) {
     const double start = cpu_seconds();
     scene.environment->rotation += 1.0;
-    source.update({*scene.environment, scene.medium, scene.optics.anisotropy, 0.0, receivers,
-                   settings.source_grid},
+    source.update({&*scene.environment,
+                   scene.medium,
+                   scene.optics.anisotropy,
+                   0.0,
+                   receivers,
+                   settings.source_grid,
+                   {}},
                   Job{});
     return cpu_seconds() - start;
   };

@@ -8,7 +8,7 @@
 
 #include "core/transport/average_depth.h"
 #include "render/lighting/environment_light.h"
-#include "render/lighting/environment_source.h"
+#include "render/lighting/source_function.h"
 #include "render/reference/surface_reference.h"
 #include "tools/bench/errors/unbiased_error.h"
 #include "tools/bench/measure/report_text.h"
@@ -59,9 +59,14 @@ ComparedError error_on_grid(const std::string& label, const Scene& scene,
                             const Runs& reference, const SourceGridSize& size) {
   IncidentOptics optics;
   optics.anisotropy = scene.optics.anisotropy;
-  EnvironmentSource source;
-  source.update({*scene.environment, scene.medium, scene.optics.anisotropy, 0.0,
-                 SourceGrid::Receivers{box_around(receivers), optics}, size},
+  SourceFunction source;
+  source.update({&*scene.environment,
+                 scene.medium,
+                 scene.optics.anisotropy,
+                 0.0,
+                 SourceGrid::Receivers{box_around(receivers), optics},
+                 size,
+                 {}},
                 Job{});
   Runs grid = reference;
   Runs average = reference;

@@ -136,7 +136,7 @@ FrameCache shadow_maps() {
 FrameCache environment_grid() {
   return {
       .name = "grid of environment light",
-      .code = {25, "environment_source"},
+      .code = {25, "source_function"},
       .stage = Stage::environment,
       .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::environment); },
       .displace =

@@ -43,7 +43,7 @@ Lights slice_lights(PreparedScene& prepared, const Scene& scene, const OpticalDe
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     const glm::dvec3& position = scene.lights[l].position;
     const OpticalDepthTable& table = prepared.optical_depth_table(position, size, pairs);
-    lights[l] = {glm::vec3(position - scene.camera.eye), 1e-3f, &table,
+    lights[l] = {glm::vec3(position - scene.camera.eye), 1e-3f, 1.0f, &table,
                  &prepared.shadow_map(position, table.map().resized(shadow_cells))};
   }
   return lights;

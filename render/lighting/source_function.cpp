@@ -1,4 +1,4 @@
-#include "render/lighting/environment_source.h"
+#include "render/lighting/source_function.h"
 
 #include <algorithm>
 #include <array>
@@ -64,6 +64,15 @@ std::shared_ptr<const RadianceMap> scattered_by_forward_lobe(
   return map;
 }
 
+std::vector<GaussianTerm<double>> gaussian_terms(const Medium& medium, double factor) {
+  std::vector<GaussianTerm<double>> gaussians;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    gaussians.emplace_back(medium.gaussian(i));
+    gaussians.back().c *= factor;
+  }
+  return gaussians;
+}
+
 double power(const DistantLight& light) {
   return light.irradiance.x + light.irradiance.y + light.irradiance.z;
 }
@@ -84,45 +93,103 @@ bool is_narrow(std::span<const LightGroup* const> cluster) {
 
 }  // namespace
 
-bool EnvironmentSource::update(const Input& input, const Job& job) {
-  const Environment& environment = input.environment;
-  const bool same_light = grid_ && environment_.map == environment.map &&
-                          anisotropy_ == input.anisotropy && size_ == input.size;
-  const bool same = same_light && environment_.rotation == environment.rotation &&
-                    has_same(input.receivers) && medium_ == input.medium.revision();
-  environment_ = environment;
+void SourceFunction::clear() {
+  grid_.reset();
+  multiple_.clear();
+  added_ = 0;
+}
+
+bool SourceFunction::update(const Input& input, const Job& job) {
   attenuation_ = std::exp(-input.fog_depth);
+  if (make_grid(input, job)) return true;
+  clear();
+  return false;
+}
+
+bool SourceFunction::update_multiple(const Input& input, const Job& job) {
+  if (!input.multiple) {
+    multiple_.clear();
+    if (has_multiple()) grid_->remove_scattered();
+    added_ = 0;
+    return true;
+  }
+  if (add_multiple(input, *input.multiple, job)) return true;
+  clear();
+  return false;
+}
+
+bool SourceFunction::make_grid(const Input& input, const Job& job) {
+  const Environment* const environment = input.environment;
+  const bool same_map = environment ? environment_ && environment_->map == environment->map
+                                    : !environment_.has_value();
+  phase_ = PhaseBands(input.anisotropy);
+  const double extinction =
+      input.multiple
+          ? TruncatedScattering(input.multiple->albedo, input.anisotropy, phase_.count()).extinction
+          : 1.0;
+  const bool same_light =
+      grid_ && same_map && anisotropy_ == input.anisotropy && size_ == input.size;
+  const bool same =
+      same_light && (!environment || environment_->rotation == environment->rotation) &&
+      has_same(input.receivers) && medium_ == input.medium.revision() && extinction_ == extinction;
+  environment_.reset();
+  if (environment) environment_ = *environment;
   if (same) return true;
-  if (!same_light) read_map(*environment.map, input.anisotropy, input.size.directions, job);
+  if (!environment) {
+    lights_.clear();
+    lobes_.clear();
+    power_ = 0.0;
+  } else if (!same_light) {
+    read_map(*environment->map, input.anisotropy, input.size.directions, job);
+  }
   medium_ = input.medium.revision();
+  extinction_ = extinction;
   anisotropy_ = input.anisotropy;
   receivers_ = input.receivers;
   size_ = input.size;
 
+  const bool has_fog = input.medium.homogeneous_density() > 0.0;
+  grid_.emplace(gaussian_terms(input.medium, extinction), lights_in_world(),
+                SourceGrid::Content{phase_.count(), has_fog, receivers_}, input.size, job);
+  added_ = 0;
+  return !job.stop.stop_requested();
+}
+
+std::vector<SourceLight> SourceFunction::lights_in_world() const {
   std::vector<SourceLight> lights = lights_;
   for (SourceLight& light : lights) {
-    light.light.direction = environment_rotation(environment) * light.light.direction;
+    light.light.direction = environment_rotation(*environment_) * light.light.direction;
   }
-  std::vector<GaussianTerm<double>> gaussians;
-  for (std::size_t i = 0; i < input.medium.size(); ++i) {
-    gaussians.emplace_back(input.medium.gaussian(i));
+  return lights;
+}
+
+bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, const Job& job) {
+  const double scale = weight_parts().scale;
+  if (!multiple_.update(
+          {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.albedo, anisotropy_,
+           input.medium.homogeneous_density(), multiple.surfaces, multiple.limits},
+          job)) {
+    return false;
   }
-  const bool has_fog = input.medium.homogeneous_density() > 0.0;
-  grid_.emplace(gaussians, lights, SourceGrid::Content{phase_.count(), has_fog, receivers_},
-                input.size, job);
-  if (job.stop.stop_requested()) grid_.reset();
-  return grid_.has_value();
+  if (added_ == multiple_.revision() && added_scale_ == scale) return true;
+  // Look-ups multiply by bands without the forward lobe.
+  std::vector<double> factors = phase_bands(anisotropy_, phase_.count());
+  for (std::size_t l = 0; l < factors.size(); ++l) factors[l] /= phase_.factors()[l];
+  grid_->set_scattered({multiple_.levels(), multiple_.color(), factors, scale}, job);
+  added_ = multiple_.revision();
+  added_scale_ = scale;
+  return !job.stop.stop_requested();
 }
 
 // Of where receivers are only that counts which decides on the grid.
-bool EnvironmentSource::has_same(const std::optional<SourceGrid::Receivers>& receivers) const {
+bool SourceFunction::has_same(const std::optional<SourceGrid::Receivers>& receivers) const {
   if (!receivers_ || !receivers) return receivers_.has_value() == receivers.has_value();
   return receivers_->optics == receivers->optics &&
          grid_->holds(receivers_->box) == grid_->holds(receivers->box);
 }
 
-void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std::size_t directions,
-                                 const Job& job) {
+void SourceFunction::read_map(const RadianceMap& map, double anisotropy, std::size_t directions,
+                              const Job& job) {
   const std::vector<LightGroup> groups = distant_light_groups(
       map, {.groups = directions, .clusters = static_cast<std::size_t>(source_clusters)});
   std::array<double, source_clusters> powers{};
@@ -137,13 +204,12 @@ void EnvironmentSource::read_map(const RadianceMap& map, double anisotropy, std:
                        group_power / powers[static_cast<std::size_t>(group.cluster)]});
     power_ += group_power;
   }
-  phase_ = PhaseBands(anisotropy);
   lobes_.clear();
   if (phase_.count() > 1) find_forward_lobes(groups, anisotropy, job);
 }
 
-void EnvironmentSource::find_forward_lobes(std::span<const LightGroup> groups, double anisotropy,
-                                           const Job& job) {
+void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, double anisotropy,
+                                        const Job& job) {
   for (std::size_t cluster = 0; cluster < source_clusters; ++cluster) {
     std::vector<const LightGroup*> members;
     for (const LightGroup& group : groups) {
@@ -154,18 +220,20 @@ void EnvironmentSource::find_forward_lobes(std::span<const LightGroup> groups, d
   }
 }
 
-EnvironmentSource::WeightParts EnvironmentSource::weight_parts() const {
+SourceFunction::WeightParts SourceFunction::weight_parts() const {
+  if (!environment_) return {1.0, 1.0, phase_.factors(), {}, is_narrow_, 0.0};
   // Sums of what is beyond float would not be numbers.
   const double scale =
-      std::min(attenuation_ * environment_.intensity, 1e30 / std::max(power_, 1e-30));
-  return {scale, phase_.factors(), lobes_, is_narrow_, environment_.rotation};
+      std::min(attenuation_ * environment_->intensity, 1e30 / std::max(power_, 1e-30));
+  return {scale,      has_multiple() ? 1.0 : scale, phase_.factors(), lobes_,
+          is_narrow_, environment_->rotation};
 }
 
-glm::vec3 EnvironmentSource::lobe(const SourceLookup& from_eye, const SourceWeights& weights,
-                                  float line_depth) const {
+glm::vec3 SourceFunction::lobe(const SourceLookup& from_eye, const SourceWeights& weights,
+                               float line_depth) const {
   SourceLookup::ClusterTransmittance passes;
   if (anisotropy_ > 0.0) {
-    passes.fill(std::exp(-line_depth));
+    passes.fill(std::exp(-static_cast<float>(extinction_) * line_depth));
   } else {
     passes = from_eye.cluster_transmittance();
   }
@@ -174,17 +242,19 @@ glm::vec3 EnvironmentSource::lobe(const SourceLookup& from_eye, const SourceWeig
   return sum;
 }
 
-SourceWeights EnvironmentSource::weights(const glm::dvec3& w) const {
+SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
   const double scale = weight_parts().scale;
+  const double harmonics_scale = weight_parts().harmonics_scale;
   const auto bands = phase_.at(w);
   SourceWeights weights;
   for (std::size_t i = 0; i < sh_size(phase_.count()); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      weights.harmonics[4 * i + c] = static_cast<float>(scale * static_cast<double>(bands[i]));
+      weights.harmonics[4 * i + c] =
+          static_cast<float>(harmonics_scale * static_cast<double>(bands[i]));
     }
   }
   if (lobes_.empty()) return weights;
-  const glm::vec3 in_map(glm::conjugate(environment_rotation(environment_)) * w);
+  const glm::vec3 in_map(glm::conjugate(environment_rotation(*environment_)) * w);
   for (std::size_t f = 0; f < lobes_.size(); ++f) {
     const glm::vec3 scattered = static_cast<float>(scale) * map_radiance(*lobes_[f], in_map);
     (is_narrow_[f] ? weights.narrow : weights.spread)[f] = scattered;

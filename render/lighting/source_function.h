@@ -11,6 +11,7 @@
 #include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/lighting/distant_lights.h"
+#include "render/lighting/multiple_scattering.h"
 #include "render/lighting/source_grid.h"
 #include "render/lighting/source_lookup.h"
 #include "render/settings.h"
@@ -18,8 +19,9 @@
 
 namespace brume {
 
-// In-scattered environment light towards the eye: the source function J on a SourceGrid, cached
-// between frames. Rebuilt only when its inputs change, never for a camera move.
+// The source function of the medium towards the eye, as far as a grid holds it: light of the
+// environment that was scattered once, and all light that was scattered more often. Cached between
+// frames; made anew only when its inputs change, never for a camera move.
 //
 // The grid stores few bands. The forward lobe of the phase function (see PhaseBands) is convolved
 // with the map without medium, once per cluster of directions. The medium attenuates it
@@ -27,22 +29,37 @@ namespace brume {
 //   - for the others by the transmittance along the view ray: from behind where g > 0, from the eye
 //   where g < 0.
 // This is exact for thin media, and converges for narrow lobes.
-class EnvironmentSource {
+class SourceFunction {
  public:
+  // For light that is scattered more than once.
+  struct Multiple {
+    std::vector<MultipleScattering::Light> lights;
+    double albedo;
+    const RayCaster* surfaces;  // null: none
+    ScatteringLimits limits;
+  };
   struct Input {
-    const Environment& environment;
-    const Medium& medium;  // densities are extinction coefficients
+    const Environment* environment;  // null: none
+    const Medium& medium;            // densities are extinction coefficients
     double anisotropy;
     double fog_depth;  // optical depth of b0 from any point to the end of the fog
     std::optional<SourceGrid::Receivers> receivers;
     SourceGridSize size;
+    std::optional<Multiple> multiple;
   };
-  // False, and empty, if the job was stopped.
+  // The environment's part; then the rest, with the same input. False, and empty, if the job was
+  // stopped.
   bool update(const Input& input, const Job& job);
-  void clear() { grid_.reset(); }
+  bool update_multiple(const Input& input, const Job& job);
+  void clear();
 
   // The results of the last update().
   [[nodiscard]] const SourceGrid& grid() const { return *grid_; }
+  // Extinction of light on its way to where it is scattered to the eye, relative to the medium's:
+  // with more than one scattering, what the forward lobe scatters goes on. See TruncatedScattering.
+  [[nodiscard]] double light_extinction() const { return extinction_; }
+  // Of light that is scattered more than once; of no sweeps if there is none.
+  [[nodiscard]] Convergence convergence() const { return multiple_.convergence(); }
   [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
   [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
   // Forward-lobe scattering of the light along a view ray, per unit of SliceWeights::along_rays.
@@ -53,7 +70,8 @@ class EnvironmentSource {
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
   // The inputs of weights(), for computing many at once on a device.
   struct WeightParts {
-    double scale;
+    double scale;                     // of the environment's light
+    double harmonics_scale;           // of what the grid holds
     std::span<const double> factors;  // of the phase function's bands
     // The map convolved with the forward lobe, per cluster; empty without lobe.
     std::span<const std::shared_ptr<const RadianceMap>> lobes;
@@ -65,11 +83,18 @@ class EnvironmentSource {
  private:
   [[nodiscard]] bool has_same(const std::optional<SourceGrid::Receivers>& receivers) const;
   void read_map(const RadianceMap& map, double anisotropy, std::size_t directions, const Job& job);
+  // False if stopped.
+  bool make_grid(const Input& input, const Job& job);
+  bool add_multiple(const Input& input, const Multiple& multiple, const Job& job);
+  [[nodiscard]] std::vector<SourceLight> lights_in_world() const;
+  // Whether the grid holds light that was scattered more than once, and all in its own scale.
+  [[nodiscard]] bool has_multiple() const { return added_ != 0; }
   void find_forward_lobes(std::span<const LightGroup> groups, double anisotropy, const Job& job);
 
   // Inputs of the cached grid and lights.
-  Environment environment_;
+  std::optional<Environment> environment_;
   Revision medium_ = 0;
+  double extinction_ = 1.0;
   double anisotropy_ = 0.0;
   std::optional<SourceGrid::Receivers> receivers_;
   SourceGridSize size_;
@@ -82,6 +107,10 @@ class EnvironmentSource {
   std::array<bool, source_clusters> is_narrow_{};
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
+  MultipleScattering multiple_;
+  // What the grid holds of it.
+  Revision added_ = 0;
+  double added_scale_ = 0.0;
 };
 
 }  // namespace brume

@@ -1,0 +1,119 @@
+#include "render/lighting/incident_point_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "core/math/spherical_harmonics.h"
+#include "render/lighting/slice_kernels.h"
+#include "render/simd/gaussian_kernels.h"
+
+namespace brume {
+namespace {
+
+// Nodes within so many spacings of the light along each axis get means.
+constexpr double near_spacings = 3.0;
+
+// Points along each axis of a mean, over two spacings.
+constexpr int mean_points = 8;
+
+struct WeightedPoint {
+  glm::dvec3 offset;  // from the node, in spacings
+  double weight;
+};
+
+std::vector<WeightedPoint> mean_rule() {
+  std::vector<WeightedPoint> rule;
+  const auto coordinate = [](int i) { return 2.0 * (i + 0.5) / mean_points - 1.0; };
+  double sum = 0.0;
+  for (int z = 0; z < mean_points; ++z) {
+    for (int y = 0; y < mean_points; ++y) {
+      for (int x = 0; x < mean_points; ++x) {
+        const glm::dvec3 offset(coordinate(x), coordinate(y), coordinate(z));
+        const glm::dvec3 hat = 1.0 - glm::abs(offset);
+        rule.push_back({offset, hat.x * hat.y * hat.z});
+        sum += rule.back().weight;
+      }
+    }
+  }
+  for (WeightedPoint& point : rule) point.weight /= sum;
+  return rule;
+}
+
+// Light at points, as coefficients of one channel per unit of intensity.
+class PointsAroundLight {
+ public:
+  explicit PointsAroundLight(const NodePointLight& light) : light_(light) {}
+
+  // Calls add(k, basis) for the points that see the light; basis functions times exp(-T) / r^2.
+  template <class Add>
+  void each(int bands, std::span<const glm::dvec3> points, Add add) {
+    self_.assign(points.size(), -1);
+    paths_.assign(light_.position, points, self_);
+    depths_.assign(paths_.padded_size(), 0.0f);
+    if (light_.table) lookup_depths(*light_.table, paths_, depths_.data());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const glm::dvec3 q = light_.position - points[k];
+      const double r2 = glm::dot(q, q);
+      if (!(r2 > 0.0)) continue;
+      const double r = std::sqrt(r2);
+      const double depth = light_.extinction * static_cast<double>(depths_[k]) + light_.fog * r;
+      if (light_.surfaces && light_.surfaces->occluded(points[k], light_.position)) continue;
+      ShVector<double> basis = sh_basis(bands, q / r);
+      for (std::size_t f = 0; f < basis.size(); ++f) basis[f] *= std::exp(-depth) / r2;
+      add(k, basis);
+    }
+  }
+
+ private:
+  const NodePointLight& light_;
+  std::vector<std::int32_t> self_;
+  PathBatch paths_;
+  std::vector<float> depths_;
+};
+
+}  // namespace
+
+void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
+                     NodeLight& incident, const Job& job) {
+  static const std::vector<WeightedPoint> rule = mean_rule();
+  const double spacing = static_cast<double>(nodes.spacing);
+  const auto width = static_cast<std::size_t>(nodes.count.x);
+  const auto height = static_cast<std::size_t>(nodes.count.y);
+  job.parallel_for(height * static_cast<std::size_t>(nodes.count.z), [&](std::size_t row) {
+    PointsAroundLight around(light);
+    const auto add = [&](std::size_t node, double weight, const ShVector<double>& basis) {
+      for (std::size_t c = 0; c < incident.channels; ++c) {
+        const double intensity = weight * static_cast<double>(light.intensity[c]);
+        for (std::size_t f = 0; f < basis.size(); ++f) {
+          incident.row(c, f)[node] += static_cast<float>(intensity * basis[f]);
+        }
+      }
+    };
+    const glm::dvec3 begin = first + spacing * glm::dvec3(0.0, static_cast<double>(row % height),
+                                                          static_cast<double>(row / height));
+    std::vector<glm::dvec3> points;
+    std::vector<std::size_t> at;
+    for (std::size_t x = 0; x < width; ++x) {
+      const glm::dvec3 point = begin + glm::dvec3(spacing * static_cast<double>(x), 0.0, 0.0);
+      const glm::dvec3 distance = glm::abs(point - light.position) / spacing;
+      if (std::max({distance.x, distance.y, distance.z}) > near_spacings) {
+        points.push_back(point);
+        at.push_back(row * width + x);
+        continue;
+      }
+      std::vector<glm::dvec3> around_node;
+      for (const WeightedPoint& p : rule) around_node.push_back(point + spacing * p.offset);
+      around.each(incident.bands, around_node, [&](std::size_t k, const ShVector<double>& basis) {
+        add(row * width + x, rule[k].weight, basis);
+      });
+    }
+    around.each(incident.bands, points,
+                [&](std::size_t k, const ShVector<double>& basis) { add(at[k], 1.0, basis); });
+  });
+}
+
+}  // namespace brume

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "render/lighting/optical_depth_table.h"
+#include "render/lighting/ordinates.h"
+#include "render/util/job.h"
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+
+// A point light and what attenuates it on its way to the nodes of a grid.
+struct NodePointLight {
+  glm::dvec3 position{0.0};
+  std::array<float, 3> intensity{};          // per channel [W/sr]
+  const OpticalDepthTable* table = nullptr;  // null: no Gaussians
+  double extinction = 1.0;                   // factor of the table's optical depths
+  double fog = 0.0;                          // homogeneous extinction [1/u]
+  const RayCaster* surfaces = nullptr;       // that occlude it; null: none
+};
+
+// Adds its unscattered light I exp(-T) / r^2 to `incident`, at nodes of which the first lies at
+// `first`. Nodes near the light get the mean over the cells around them, weighted by their share of
+// a trilinear interpolation: so the integral of 1 / r^2 is kept.
+void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
+                     NodeLight& incident, const Job& job);
+
+}  // namespace brume

@@ -1,0 +1,244 @@
+#include "render/lighting/multiple_scattering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace brume {
+namespace {
+
+// Bands in which scattered light is solved for and kept.
+int solution_bands(double anisotropy) {
+  return anisotropy == 0.0 ? 1 : grid_bands;
+}
+
+// The colour of all light if it is the same: then one channel is enough.
+std::optional<glm::vec3> common_color(const MultipleScattering::Input& input) {
+  if (input.environment_scale > 0.0) return std::nullopt;
+  glm::dvec3 color(0.0);
+  for (const MultipleScattering::Light& light : input.lights) {
+    const double max = std::max({light.intensity.x, light.intensity.y, light.intensity.z});
+    if (!(max > 0.0)) continue;
+    const glm::dvec3 own = light.intensity / max;
+    if (color == glm::dvec3(0.0)) color = own;
+    if (!glm::all(glm::lessThan(glm::abs(own - color), glm::dvec3(1e-9)))) return std::nullopt;
+  }
+  return glm::vec3(color);
+}
+
+// Trilinear interpolation between the nodes of another grid.
+class Resampling {
+ public:
+  Resampling(const glm::dvec3& from_first, const GridNodes& from, const glm::dvec3& first,
+             const GridNodes& nodes)
+      : from_(from), nodes_(nodes) {
+    scale_ = static_cast<double>(nodes.spacing) / static_cast<double>(from.spacing);
+    offset_ = (first - from_first) / static_cast<double>(from.spacing);
+  }
+
+  // Values beyond the other grid are those of its border.
+  void apply(std::span<const float> values, std::span<float> result) const {
+    std::size_t i = 0;
+    for (int z = 0; z < nodes_.count.z; ++z) {
+      for (int y = 0; y < nodes_.count.y; ++y) {
+        for (int x = 0; x < nodes_.count.x; ++x, ++i) {
+          result[i] = at(values, offset_ + scale_ * glm::dvec3(x, y, z));
+        }
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] float at(std::span<const float> values, const glm::dvec3& coordinate) const {
+    const glm::dvec3 last(from_.count - 1);
+    const glm::dvec3 x = glm::clamp(coordinate, glm::dvec3(0.0), last);
+    const glm::ivec3 low = glm::min(glm::ivec3(x), from_.count - 2);
+    const glm::vec3 f(x - glm::dvec3(low));
+    const auto row = static_cast<std::size_t>(from_.count.x);
+    const std::size_t slab = row * static_cast<std::size_t>(from_.count.y);
+    const float* corner = values.data() + static_cast<std::size_t>(low.x) +
+                          static_cast<std::size_t>(low.y) * row +
+                          static_cast<std::size_t>(low.z) * slab;
+    const auto edge = [&](std::size_t k) { return glm::mix(corner[k], corner[k + 1], f.x); };
+    return glm::mix(glm::mix(edge(0), edge(row), f.y), glm::mix(edge(slab), edge(slab + row), f.y),
+                    f.z);
+  }
+
+  GridNodes from_, nodes_;
+  double scale_;
+  glm::dvec3 offset_;
+};
+
+NodeLight resampled(const NodeLight& light, const Resampling& resampling, std::size_t nodes,
+                    const Job& job) {
+  NodeLight result(light.bands, light.channels, nodes);
+  job.parallel_for(light.channels * light.functions(), [&](std::size_t row) {
+    const std::size_t c = row / light.functions();
+    const std::size_t f = row % light.functions();
+    resampling.apply(light.row(c, f), result.row(c, f).first(nodes));
+  });
+  return result;
+}
+
+// The environment's unscattered light at the nodes of a level, times `scale`.
+void add_environment(const SourceGrid& grid, std::size_t k, double scale, NodeLight& light) {
+  const SourceGrid::Level& level = grid.levels()[k];
+  const std::size_t size = SourceGrid::node_size(grid.bands());
+  const auto factor = static_cast<float>(scale);
+  for (std::size_t c = 0; c < light.channels; ++c) {
+    for (std::size_t f = 0; f < light.functions(); ++f) {
+      const std::span<float> row = light.row(c, f);
+      const float* input = level.unscattered().data() + 4 * f + c;
+      for (std::size_t i = 0; i < level.nodes.size(); ++i) row[i] += factor * input[size * i];
+    }
+  }
+}
+
+// Unscattered light at the nodes of a level, in a medium whose extinction is `extinction` times
+// that of the lights' tables.
+NodeLight unscattered_light(const MultipleScattering::Input& input, std::size_t k,
+                            double extinction, const std::optional<glm::vec3>& color,
+                            const Job& job) {
+  const SourceGrid::Level& level = input.grid.levels()[k];
+  NodeLight light(solution_bands(input.anisotropy), color ? 1 : 3, level.nodes.size());
+  if (input.environment_scale > 0.0) add_environment(input.grid, k, input.environment_scale, light);
+  for (const MultipleScattering::Light& source : input.lights) {
+    const glm::vec3 intensity(source.intensity);
+    NodePointLight point{source.position, {intensity.x, intensity.y, intensity.z}, source.table,
+                         extinction,      extinction * input.fog_density,          input.surfaces};
+    if (color) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
+    add_point_light(point, level.first, level.nodes, light, job);
+  }
+  return light;
+}
+
+// Of the same channels and bands.
+void add(NodeLight& sum, const NodeLight& light) {
+  for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += light.values[i];
+}
+
+// What arrives at the nodes of the finer level from the coarser one's outside of it.
+NodeLight light_from_outside(const SourceGrid::Level& coarse, const SourceGrid::Level& fine,
+                             const GridMedium& medium, const TruncatedScattering& scattering,
+                             NodeLight total, int degree, const Job& job) {
+  const double spacing = static_cast<double>(coarse.nodes.spacing);
+  const glm::dvec3 low = fine.first;
+  const glm::dvec3 high =
+      low + glm::dvec3(fine.nodes.count - 1) * static_cast<double>(fine.nodes.spacing);
+  std::size_t i = 0;
+  for (int z = 0; z < coarse.nodes.count.z; ++z) {
+    for (int y = 0; y < coarse.nodes.count.y; ++y) {
+      for (int x = 0; x < coarse.nodes.count.x; ++x, ++i) {
+        const glm::dvec3 p = coarse.first + spacing * glm::dvec3(x, y, z);
+        if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high))) continue;
+        for (std::size_t row = 0; row < total.channels * total.functions(); ++row) {
+          total.values[row * total.stride + i] = 0.0f;
+        }
+      }
+    }
+  }
+  std::vector<double> phase = scattering.phase;
+  for (double& factor : phase) factor *= scattering.albedo;
+  NodeLight arriving(total.bands, total.channels, coarse.nodes.size());
+  scatter_once(medium, total, phase, degree, arriving, job);
+  return resampled(arriving, {coarse.first, coarse.nodes, fine.first, fine.nodes},
+                   fine.nodes.size(), job);
+}
+
+// Whether a light is among nodes that scatter.
+bool is_in_medium(const SourceGrid::Level& level, double fog, const glm::dvec3& light) {
+  const glm::dvec3 coordinate =
+      (light - level.first) / static_cast<double>(level.nodes.spacing) + 0.5;
+  const glm::ivec3 node(glm::floor(coordinate));
+  if (glm::any(glm::lessThan(node, glm::ivec3(0))) ||
+      glm::any(glm::greaterThanEqual(node, level.nodes.count))) {
+    return false;
+  }
+  const auto index = [&](int k) { return static_cast<std::size_t>(k); };
+  const std::size_t at =
+      (index(node.z) * index(level.nodes.count.y) + index(node.y)) * index(level.nodes.count.x) +
+      index(node.x);
+  return static_cast<double>(level.density[at]) + fog > 0.0;
+}
+
+SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceGrid::Level& level) {
+  const int extra = input.anisotropy == 0.0 ? 0 : input.limits.anisotropic_extra;
+  SweepDegrees degrees{input.limits.degree + extra, input.limits.degree + extra};
+  for (const MultipleScattering::Light& light : input.lights) {
+    if (is_in_medium(level, input.fog_density, light.position)) {
+      degrees.first = std::max(degrees.first, input.limits.light_degree);
+    }
+  }
+  return degrees;
+}
+
+std::vector<float> with_fog(std::vector<float> density, double fog) {
+  for (float& value : density) value += static_cast<float>(fog);
+  return density;
+}
+
+}  // namespace
+
+void MultipleScattering::clear() {
+  *this = MultipleScattering();
+}
+
+bool MultipleScattering::update(const Input& input, const Job& job) {
+  Key key{input.grid.distant_revision(),
+          input.environment_scale,
+          {input.lights.begin(), input.lights.end()},
+          input.albedo,
+          input.anisotropy,
+          input.fog_density,
+          input.surfaces ? input.surfaces->revision() : 0,
+          input.limits};
+  if (!levels_.empty() && key == key_) return true;
+  key_ = std::move(key);
+  levels_.clear();
+  const std::optional<glm::vec3> color = common_color(input);
+  color_ = color.value_or(glm::vec3(1.0f));
+
+  const TruncatedScattering truncation(input.albedo, input.anisotropy,
+                                       solution_bands(input.anisotropy));
+  const auto levels = input.grid.levels();
+  std::vector<NodeLight> solved(levels.size());
+  std::optional<NodeLight> outside;
+  for (std::size_t k = levels.size(); k-- > 0;) {
+    const SourceGrid::Level& level = levels[k];
+    const std::vector<float> extinction =
+        with_fog(level.density, truncation.extinction * input.fog_density);
+    const GridMedium medium{level.nodes, extinction, 0.0};
+    NodeLight incident = unscattered_light(input, k, truncation.extinction, color, job);
+    if (outside) add(incident, *outside);
+    NodeLight scattered = first_guess(k, level, incident.bands, incident.channels);
+    convergence_ = solve_scattering(medium, truncation, incident, sweep_degrees(input, level),
+                                    input.limits, scattered, job);
+    if (job.stop.stop_requested()) {
+      clear();
+      return false;
+    }
+    solutions_[k] = Solution{level.first, level.nodes, scattered};
+    if (k == 1) {
+      add(incident, scattered);
+      outside = light_from_outside(level, levels[0], medium, truncation, std::move(incident),
+                                   sweep_degrees(input, level).rest, job);
+    } else if (outside) {
+      add(scattered, *outside);
+    }
+    solved[k] = std::move(scattered);
+  }
+  levels_ = std::move(solved);
+  revision_ = new_revision();
+  return true;
+}
+
+NodeLight MultipleScattering::first_guess(std::size_t k, const SourceGrid::Level& level, int bands,
+                                          std::size_t channels) const {
+  const std::optional<Solution>& last = solutions_[k];
+  if (!last || last->scattered.bands != bands || last->scattered.channels != channels) return {};
+  return resampled(last->scattered, {last->first, last->nodes, level.first, level.nodes},
+                   level.nodes.size(), {});
+}
+
+}  // namespace brume

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/revision.h"
+#include "render/lighting/incident_point_light.h"
+#include "render/lighting/scattering_solver.h"
+#include "render/lighting/source_grid.h"
+#include "render/util/job.h"
+
+namespace brume {
+
+// The light in a medium that was scattered at least once, of all orders, at the nodes of a
+// SourceGrid. What the forward lobe beyond the grid's bands scatters counts as not scattered. Kept
+// between frames; solved anew when something that it depends on has changed, from the last solution
+// on.
+class MultipleScattering {
+ public:
+  struct Light {
+    glm::dvec3 position{0.0};
+    glm::dvec3 intensity{0.0};                 // RGB [W/sr]
+    const OpticalDepthTable* table = nullptr;  // null: no Gaussians
+
+    // Of the same light; tables depend on medium and position only.
+    bool operator==(const Light& other) const {
+      return position == other.position && intensity == other.intensity;
+    }
+  };
+  struct Input {
+    // Densities, and the environment's light if any, in the medium of the truncated extinction; see
+    // TruncatedScattering.
+    const SourceGrid& grid;
+    double environment_scale;  // of the light in the grid; 0: none
+    std::span<const Light> lights;
+    double albedo;
+    double anisotropy;
+    double fog_density;         // [1/u]
+    const RayCaster* surfaces;  // that keep the point lights out; null: none
+    ScatteringLimits limits;
+  };
+  // False, and empty, if the job was stopped.
+  bool update(const Input& input, const Job& job);
+  void clear();
+
+  // The results of the last update(). Light for each level of the grid, with bands() bands; of one
+  // channel times color(), or of three.
+  [[nodiscard]] Revision revision() const { return revision_; }
+  [[nodiscard]] std::span<const NodeLight> levels() const { return levels_; }
+  [[nodiscard]] const glm::vec3& color() const { return color_; }
+  // Of the finest level.
+  [[nodiscard]] const Convergence& convergence() const { return convergence_; }
+
+ private:
+  // What the solution depends on.
+  struct Key {
+    Revision grid = 0;
+    double environment_scale = 0.0;
+    std::vector<Light> lights;
+    double albedo = 0.0, anisotropy = 0.0, fog_density = 0.0;
+    Revision surfaces = 0;
+    ScatteringLimits limits;
+
+    bool operator==(const Key&) const = default;
+  };
+  // A level's last solution and where it lies.
+  struct Solution {
+    glm::dvec3 first{0.0};
+    GridNodes nodes;
+    NodeLight scattered;  // without what comes from the coarser level
+  };
+  [[nodiscard]] NodeLight first_guess(std::size_t k, const SourceGrid::Level& level, int bands,
+                                      std::size_t channels) const;
+
+  Key key_;
+  Revision revision_ = 0;
+  glm::vec3 color_{1.0f};
+  std::vector<NodeLight> levels_;
+  std::array<std::optional<Solution>, 2> solutions_;
+  Convergence convergence_;
+};
+
+}  // namespace brume

@@ -1,0 +1,170 @@
+// Light scattered more than once, against radiances by an independent path tracer
+// (tests/golden/multiple_scattering.json), and against what must hold exactly.
+
+#include "render/lighting/multiple_scattering.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "render/renderer.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+using Json = nlohmann::json;
+
+glm::dvec3 vec(const Json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+struct GoldenRay {
+  std::string name;
+  Scene scene;  // whose only pixel is the ray
+  double radiance = 0.0;
+  double standard_error = 0.0;
+};
+
+std::vector<GoldenRay> golden_rays() {
+  std::ifstream file(std::string(BRUME_GOLDEN_FOLDER) + "/multiple_scattering.json");
+  const Json all = Json::parse(file);
+  std::vector<GoldenRay> rays;
+  for (const Json& in : all.at("rays")) {
+    GoldenRay ray;
+    ray.name = in.at("name").get<std::string>();
+    const double albedo = in.at("albedo").get<double>();
+    Scene& scene = ray.scene;
+    scene.film = {1, 1};
+    scene.camera = {vec(in.at("eye")), vec(in.at("target")), {0, 1, 0}, 30.0};
+    for (const Json& g : in.at("gaussians")) {
+      scene.medium.append({vec(g.at("center")), g.at("radius").get<double>(),
+                           albedo * g.at("density").get<double>()});
+    }
+    for (const Json& light : in.at("lights")) {
+      scene.lights.push_back(
+          {vec(light.at("position")), glm::dvec3(light.at("intensity").get<double>()), {}});
+    }
+    scene.optics.albedo = glm::dvec3(albedo);
+    scene.optics.anisotropy = in.at("anisotropy").get<double>();
+    if (const double sky = in.at("environment").get<double>(); sky > 0.0) {
+      scene.environment.emplace().map = constant_sky(static_cast<float>(sky));
+    }
+    ray.radiance = in.at("order_1").get<double>() + in.at("order_2").get<double>() +
+                   in.at("order_3_and_up").get<double>();
+    ray.standard_error = in.at("standard_error").at("all").get<double>();
+    rays.push_back(std::move(ray));
+  }
+  return rays;
+}
+
+Settings multiple_settings() {
+  Settings settings = sliced_settings({}, Settings{}.slices);
+  settings.scattering = Scattering::multiple;
+  return settings;
+}
+
+double airlight(const Scene& scene, const Settings& settings = multiple_settings()) {
+  return static_cast<double>(render_frame(scene, settings).airlight[0]);
+}
+
+TEST(MultipleScattering, MatchesGoldenRays) {
+  const std::vector<GoldenRay> rays = golden_rays();
+  ASSERT_EQ(rays.size(), 20u);
+  for (const GoldenRay& ray : rays) {
+    // A light inside the medium makes a field like 1 / r, which nodes do not resolve.
+    const double bound = ray.name.starts_with("lamp_inside") ? 0.05 : 0.02;
+    EXPECT_NEAR(airlight(ray.scene), ray.radiance, bound * ray.radiance + 2.0 * ray.standard_error)
+        << ray.name;
+  }
+}
+
+// One ray through a ball of depth 10, lit from above.
+Scene ball(double albedo, double anisotropy = 0.0) {
+  Scene scene;
+  scene.film = {1, 1};
+  scene.camera = {{0, 0.3, 6}, {0.2, 0.1, 0}, {0, 1, 0}, 30.0};
+  scene.medium.append({{0, 0, 0}, 1.0, albedo * 10.0 / std::sqrt(std::numbers::pi)});
+  scene.lights.push_back({{2.6, 2.0, 1.6}, glm::dvec3(20.0), {}});
+  scene.optics.albedo = glm::dvec3(albedo);
+  scene.optics.anisotropy = anisotropy;
+  return scene;
+}
+
+// Light from all directions that is only scattered stays as it is: a furnace.
+TEST(MultipleScattering, KeepsAUniformField) {
+  for (const double depth : {0.3, 3.0, 10.0, 30.0}) {
+    Scene scene = cloud_scene(5, depth);
+    scene.film = {8, 8};
+    scene.lights.clear();
+    scene.environment.emplace().map = constant_sky(1.0f);
+    const Frame frame = render_frame(scene, multiple_settings());
+    double squares = 0.0;
+    for (std::size_t i = 0; i < 64; ++i) {
+      const float radiance = frame.airlight[3 * i] + frame.transmittance[3 * i];
+      squares += std::pow(static_cast<double>(radiance) - 1.0, 2.0);
+    }
+    // The sky is sampled in 96 directions, which shows the more the steeper light falls off.
+    EXPECT_LT(std::sqrt(squares / 64.0), depth > 3.0 ? 0.006 : 0.003) << depth;
+  }
+}
+
+// Black fog scatters each light once.
+TEST(MultipleScattering, FadesWithTheAlbedo) {
+  Settings single = multiple_settings();
+  single.scattering = Scattering::single;
+  const Scene dark = ball(0.01);
+  EXPECT_NEAR(airlight(dark) / airlight(dark, single), 1.0, 0.015);
+  EXPECT_GT(airlight(ball(1.0)) / airlight(ball(1.0), single), 3.0);
+}
+
+TEST(MultipleScattering, DependsOnTheColoursOfLightsLinearly) {
+  Scene both = ball(0.9);
+  both.lights.push_back({{-3, 0.5, 1}, {0, 8, 16}, {}});
+  Scene first = both;
+  first.lights.pop_back();
+  Scene second = both;
+  second.lights.erase(second.lights.begin());
+  const Frame all = render_frame(both, multiple_settings());
+  const Frame one = render_frame(first, multiple_settings());
+  const Frame other = render_frame(second, multiple_settings());
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(all.airlight[c], one.airlight[c] + other.airlight[c], 2e-3f * all.airlight[c]);
+  }
+}
+
+TEST(MultipleScattering, EndsTheSameFromAnyFirstGuess) {
+  Settings settings = multiple_settings();
+  settings.scattering_limits.tolerance = 1e-5;
+  Renderer renderer;
+  Scene scene = ball(1.0, 0.4);
+  renderer.render(scene, scene.camera, scene.film, settings);
+  scene.lights[0].position = {-2.0, 1.0, 2.0};
+  const Frame moved = *renderer.render(scene, scene.camera, scene.film, settings);
+  const Frame anew = render_frame(scene, settings);
+  EXPECT_LT(moved.statistics.scattering->sweeps, anew.statistics.scattering->sweeps + 2);
+  EXPECT_NEAR(moved.airlight[0], anew.airlight[0], 1e-4f * anew.airlight[0]);
+}
+
+TEST(MultipleScattering, IsIndependentOfTheNumberOfThreads) {
+  const Scene scene = ball(0.95, 0.5);
+  Settings settings = multiple_settings();
+  settings.threads = 1;
+  const double one = airlight(scene, settings);
+  settings.threads = 2;
+  EXPECT_EQ(airlight(scene, settings), one);
+}
+
+// Homogeneous fog is scattered in as well, and beyond the finer grid.
+TEST(MultipleScattering, IncludesFog) {
+  Scene scene = ball(0.9);
+  scene.medium.set_homogeneous_density(1e-7);
+  // With fog there is a second level, which holds what is beyond 2.5 radii: 0.6% of the light.
+  EXPECT_NEAR(airlight(scene), airlight(ball(0.9)), 1e-2 * airlight(scene)) << "hardly any";
+}
+
+}  // namespace
+}  // namespace brume
