@@ -22,6 +22,7 @@
 #include "render/lighting/slice_boundaries.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/lighting/source_grid.h"
+#include "render/lighting/source_lookup.h"
 #include "render/prepare/upsampling_limits.h"
 #include "render/simd/coefficients.h"
 #include "render/simd/reflection_kernels.h"
@@ -122,6 +123,7 @@ void add_kernels(Constants& constants) {
 // Of light given as spherical harmonics, and of materials.
 void add_reflection(Constants& constants) {
   constants.add("source_clusters", source_clusters);
+  constants.add("source_blocked_bits", neighbour_bits);
   constants.add("sh_bands", sh_max_bands);
   constants.add("sh_count", sh_max_bands * sh_max_bands);
   const ShRecurrence recurrence;

@@ -5,17 +5,22 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "render/lighting/resampling.h"
+
 namespace brume {
 namespace {
 
-// Bands in which scattered light is solved for and kept.
-int solution_bands(double anisotropy) {
-  return anisotropy == 0.0 ? 1 : grid_bands;
+// Bands in which scattered light is kept: surfaces reflect more than isotropic media scatter.
+int solution_bands(const MultipleScattering::Input& input) {
+  return input.anisotropy == 0.0 && !input.surfaces ? 1 : grid_bands;
 }
 
-// The colour of all light if it is the same: then one channel is enough.
+// The colour of all light if it is the same and stays: then one channel is enough.
 std::optional<glm::vec3> common_color(const MultipleScattering::Input& input) {
   if (input.environment_scale > 0.0) return std::nullopt;
+  for (const SourceGrid::Level& level : input.grid.levels()) {
+    if (level.surfaces && !level.surfaces->is_grey()) return std::nullopt;
+  }
   glm::dvec3 color(0.0);
   for (const MultipleScattering::Light& light : input.lights) {
     const double max = std::max({light.intensity.x, light.intensity.y, light.intensity.z});
@@ -26,49 +31,6 @@ std::optional<glm::vec3> common_color(const MultipleScattering::Input& input) {
   }
   return glm::vec3(color);
 }
-
-// Trilinear interpolation between the nodes of another grid.
-class Resampling {
- public:
-  Resampling(const glm::dvec3& from_first, const GridNodes& from, const glm::dvec3& first,
-             const GridNodes& nodes)
-      : from_(from), nodes_(nodes) {
-    scale_ = static_cast<double>(nodes.spacing) / static_cast<double>(from.spacing);
-    offset_ = (first - from_first) / static_cast<double>(from.spacing);
-  }
-
-  // Values beyond the other grid are those of its border.
-  void apply(std::span<const float> values, std::span<float> result) const {
-    std::size_t i = 0;
-    for (int z = 0; z < nodes_.count.z; ++z) {
-      for (int y = 0; y < nodes_.count.y; ++y) {
-        for (int x = 0; x < nodes_.count.x; ++x, ++i) {
-          result[i] = at(values, offset_ + scale_ * glm::dvec3(x, y, z));
-        }
-      }
-    }
-  }
-
- private:
-  [[nodiscard]] float at(std::span<const float> values, const glm::dvec3& coordinate) const {
-    const glm::dvec3 last(from_.count - 1);
-    const glm::dvec3 x = glm::clamp(coordinate, glm::dvec3(0.0), last);
-    const glm::ivec3 low = glm::min(glm::ivec3(x), from_.count - 2);
-    const glm::vec3 f(x - glm::dvec3(low));
-    const auto row = static_cast<std::size_t>(from_.count.x);
-    const std::size_t slab = row * static_cast<std::size_t>(from_.count.y);
-    const float* corner = values.data() + static_cast<std::size_t>(low.x) +
-                          static_cast<std::size_t>(low.y) * row +
-                          static_cast<std::size_t>(low.z) * slab;
-    const auto edge = [&](std::size_t k) { return glm::mix(corner[k], corner[k + 1], f.x); };
-    return glm::mix(glm::mix(edge(0), edge(row), f.y), glm::mix(edge(slab), edge(slab + row), f.y),
-                    f.z);
-  }
-
-  GridNodes from_, nodes_;
-  double scale_;
-  glm::dvec3 offset_;
-};
 
 NodeLight resampled(const NodeLight& light, const Resampling& resampling, std::size_t nodes,
                     const Job& job) {
@@ -82,15 +44,13 @@ NodeLight resampled(const NodeLight& light, const Resampling& resampling, std::s
 }
 
 // The environment's unscattered light at the nodes of a level, times `scale`.
-void add_environment(const SourceGrid& grid, std::size_t k, double scale, NodeLight& light) {
-  const SourceGrid::Level& level = grid.levels()[k];
-  const std::size_t size = SourceGrid::node_size(grid.bands());
+void add_environment(const SourceGrid::Level& level, double scale, NodeLight& light) {
   const auto factor = static_cast<float>(scale);
   for (std::size_t c = 0; c < light.channels; ++c) {
     for (std::size_t f = 0; f < light.functions(); ++f) {
       const std::span<float> row = light.row(c, f);
-      const float* input = level.unscattered().data() + 4 * f + c;
-      for (std::size_t i = 0; i < level.nodes.size(); ++i) row[i] += factor * input[size * i];
+      const std::span<const float> input = level.transmitted.row(c, f);
+      for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * input[i];
     }
   }
 }
@@ -101,8 +61,8 @@ NodeLight unscattered_light(const MultipleScattering::Input& input, std::size_t 
                             double extinction, const std::optional<glm::vec3>& color,
                             const Job& job) {
   const SourceGrid::Level& level = input.grid.levels()[k];
-  NodeLight light(solution_bands(input.anisotropy), color ? 1 : 3, level.nodes.size());
-  if (input.environment_scale > 0.0) add_environment(input.grid, k, input.environment_scale, light);
+  NodeLight light(solution_bands(input), color ? 1 : 3, level.nodes.size());
+  if (input.environment_scale > 0.0) add_environment(level, input.environment_scale, light);
   for (const MultipleScattering::Light& source : input.lights) {
     const glm::vec3 intensity(source.intensity);
     NodePointLight point{source.position, {intensity.x, intensity.y, intensity.z}, source.table,
@@ -191,7 +151,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
           input.albedo,
           input.anisotropy,
           input.fog_density,
-          input.surfaces ? input.surfaces->revision() : 0,
+          input.surfaces_revision,
           input.limits};
   if (!levels_.empty() && key == key_) return true;
   key_ = std::move(key);
@@ -200,7 +160,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   color_ = color.value_or(glm::vec3(1.0f));
 
   const TruncatedScattering truncation(input.albedo, input.anisotropy,
-                                       solution_bands(input.anisotropy));
+                                       input.anisotropy == 0.0 ? 1 : grid_bands);
   const auto levels = input.grid.levels();
   std::vector<NodeLight> solved(levels.size());
   std::optional<NodeLight> outside;
@@ -208,7 +168,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     const SourceGrid::Level& level = levels[k];
     const std::vector<float> extinction =
         with_fog(level.density, truncation.extinction * input.fog_density);
-    const GridMedium medium{level.nodes, extinction, 0.0};
+    const GridMedium medium{level.nodes, extinction, 0.0, level.surfaces.get()};
     NodeLight incident = unscattered_light(input, k, truncation.extinction, color, job);
     if (outside) add(incident, *outside);
     NodeLight scattered = first_guess(k, level, incident.bands, incident.channels);

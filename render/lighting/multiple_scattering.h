@@ -39,7 +39,8 @@ class MultipleScattering {
     double albedo;
     double anisotropy;
     double fog_density;         // [1/u]
-    const RayCaster* surfaces;  // that keep the point lights out; null: none
+    const RayCaster* surfaces;  // null: none
+    Revision surfaces_revision;
     ScatteringLimits limits;
   };
   // False, and empty, if the job was stopped.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 
 #include "core/math/sphere_rule.h"
+#include "render/lighting/environment_light.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
@@ -29,6 +31,37 @@ void scattered_along(const glm::dvec3& w, const NodeLight& incident, std::span<c
       }
     }
   }
+}
+
+// Radiance of the surfaces that hide neighbours from nodes, as the light at the nodes lights them:
+// per channel and link.
+std::vector<float> reflected(const GridOcclusion& surfaces, const NodeLight& incident) {
+  constexpr int bands = 3;  // of the clamped cosine; the fourth has none
+  assert(incident.bands >= bands);
+  const ScatterTable::Bands& cosine = EnvironmentLight::cosine_factors();
+  const std::size_t links = surfaces.surfels().size();
+  std::vector<float> result(incident.channels * links, 0.0f);
+  for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
+    const std::size_t node = surfaces.grid_nodes()[i];
+    const std::size_t first = surfaces.nodes()[i].first;
+    const auto count = static_cast<std::size_t>(std::popcount(surfaces.nodes()[i].blocked));
+    for (std::size_t link = first; link < first + count; ++link) {
+      const GridOcclusion::Surfel& surfel = surfaces.surfels()[link];
+      const ShVector<float> basis = sh_basis(bands, surfel.normal);
+      for (std::size_t c = 0; c < incident.channels; ++c) {
+        float sum = 0.0f;
+        for (int l = 0; l < bands; ++l) {
+          for (std::size_t f = sh_size(l); f < sh_size(l + 1); ++f) {
+            sum += cosine[static_cast<std::size_t>(l)] * basis[f] * incident.row(c, f)[node];
+          }
+        }
+        // With one channel all surfaces are grey.
+        const float reflectance = surfel.reflectance[static_cast<int>(c)];
+        result[c * links + link] = reflectance * std::max(sum, 0.0f);
+      }
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -59,6 +92,14 @@ void scatter_once(const GridMedium& medium, const NodeLight& incident,
     isotropic.resize(channels * stride);
     scattered_along({0.0, 0.0, 1.0}, incident, phase, isotropic);
   }
+  const SweepOcclusion occlusion = medium.surfaces ? medium.surfaces->sweep() : SweepOcclusion{};
+  const std::vector<float> outgoing =
+      medium.surfaces ? reflected(*medium.surfaces, incident) : std::vector<float>{};
+  std::array<std::span<const float>, 3> outgoing_rows;
+  for (std::size_t c = 0; c < channels; ++c) {
+    const std::size_t links = outgoing.size() / channels;
+    outgoing_rows[c] = std::span(outgoing).subspan(c * links, links);
+  }
   std::vector<float> arriving(channels * batch * stride, 0.0f);
   for (std::size_t first = 0; first < directions.size(); first += batch) {
     const auto current =
@@ -84,8 +125,8 @@ void scatter_once(const GridMedium& medium, const NodeLight& incident,
         target[c] = std::span(arriving).subspan((c * batch + k) * stride, stride);
       }
       sweep_emission(medium.nodes, medium.density, static_cast<float>(medium.fog),
-                     std::span(source).first(channels), glm::vec3(current[k].direction),
-                     std::span(target).first(channels));
+                     std::span(source).first(channels), glm::vec3(current[k].direction), occlusion,
+                     std::span(outgoing_rows).first(channels), std::span(target).first(channels));
     });
     job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
       for (std::size_t c = 0; c < channels; ++c) {

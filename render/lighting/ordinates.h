@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
+#include "render/lighting/grid_occlusion.h"
 #include "render/lighting/sweep_kernels.h"
 #include "render/util/job.h"
 
@@ -36,8 +37,9 @@ struct NodeLight {
 // A medium on a grid; empty beyond it.
 struct GridMedium {
   GridNodes nodes;
-  std::span<const float> density;  // that scatters and attenuates, per node [1/u]
-  double fog = 0.0;                // that only attenuates [1/u]
+  std::span<const float> density;           // that scatters and attenuates, per node [1/u]
+  double fog = 0.0;                         // that only attenuates [1/u]
+  const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
 };
 
 // Bands of the Henyey-Greenstein phase function, from 0 on: g^l.
@@ -47,10 +49,11 @@ std::vector<double> phase_bands(double anisotropy, int count);
 inline constexpr std::size_t node_block = 1024;
 
 // The light that arrives at the nodes after `medium` has scattered the light `incident` once more,
-// with an albedo of 1: one sweep for each direction of a quadrature rule that is exact for
-// spherical harmonics up to `degree`. Band l of the phase function is phase[l], at most
-// incident.bands of them. Sets `scattered`, whose bands are its own; the rows may not overlap.
-// Independent of the number of threads. Invalid after the job was stopped.
+// with an albedo of 1, or surfaces have reflected it diffusely: one sweep for each direction of a
+// quadrature rule that is exact for spherical harmonics up to `degree`. Band l of the phase
+// function is phase[l], at most incident.bands of them; surfaces need at least 3 bands of
+// `incident`. Sets `scattered`, whose bands are its own; the rows may not overlap. Independent of
+// the number of threads. Invalid after the job was stopped.
 void scatter_once(const GridMedium& medium, const NodeLight& incident,
                   std::span<const double> phase, int degree, NodeLight& scattered, const Job& job);
 

@@ -28,7 +28,7 @@ Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering
   std::copy(medium.density.begin(), medium.density.end(), weights.begin());
   AndersonAcceleration acceleration(weights);
 
-  NodeLight first(static_cast<int>(phase.size()), incident.channels, medium.nodes.size());
+  NodeLight first(incident.bands, incident.channels, medium.nodes.size());
   scatter_once(medium, incident, phase, degrees.first, first, job);
   if (scattered.values.empty()) scattered = first;
   NodeLight next = first;

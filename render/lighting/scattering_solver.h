@@ -31,8 +31,8 @@ struct SweepDegrees {
 
 // Solves M = w P K (U + M) for M, the light at the nodes that was scattered at least once: K is
 // transport through `medium`, whose density is the truncated extinction, P the phase function, U
-// the light `incident`, which was not. `scattered` has the bands of the phase function and holds a
-// first guess, or nothing.
+// the light `incident`, which was not. `scattered` has the bands of `incident`, at least those of
+// the phase function, and holds a first guess, or nothing.
 Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering& scattering,
                              const NodeLight& incident, const SweepDegrees& degrees,
                              const ScatteringLimits& limits, NodeLight& scattered, const Job& job);

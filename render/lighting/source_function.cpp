@@ -127,11 +127,19 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
       input.multiple
           ? TruncatedScattering(input.multiple->albedo, input.anisotropy, phase_.count()).extinction
           : 1.0;
+  LevelOcclusion* surfaces = nullptr;
+  if (input.multiple && input.multiple->ray_caster) {
+    surfaces = &occlusion_;
+    occlusion_.set(*input.multiple->ray_caster, input.multiple->surfaces);
+  }
+  const Revision surfaces_revision = surfaces ? occlusion_.revision() : 0;
   const bool same_light =
       grid_ && same_map && anisotropy_ == input.anisotropy && size_ == input.size;
-  const bool same =
-      same_light && (!environment || environment_->rotation == environment->rotation) &&
-      has_same(input.receivers) && medium_ == input.medium.revision() && extinction_ == extinction;
+  const bool same = same_light &&
+                    (!environment || environment_->rotation == environment->rotation) &&
+                    has_same(input.receivers) && medium_ == input.medium.revision() &&
+                    extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
+                    surfaces_revision_ == surfaces_revision;
   environment_.reset();
   if (environment) environment_ = *environment;
   if (same) return true;
@@ -144,13 +152,17 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   }
   medium_ = input.medium.revision();
   extinction_ = extinction;
+  keeps_transmitted_ = input.multiple.has_value();
+  surfaces_revision_ = surfaces_revision;
   anisotropy_ = input.anisotropy;
   receivers_ = input.receivers;
   size_ = input.size;
 
   const bool has_fog = input.medium.homogeneous_density() > 0.0;
   grid_.emplace(gaussian_terms(input.medium, extinction), lights_in_world(),
-                SourceGrid::Content{phase_.count(), has_fog, receivers_}, input.size, job);
+                SourceGrid::Content{phase_.count(), has_fog, receivers_, surfaces,
+                                    input.multiple.has_value()},
+                input.size, job);
   added_ = 0;
   return !job.stop.stop_requested();
 }
@@ -165,10 +177,10 @@ std::vector<SourceLight> SourceFunction::lights_in_world() const {
 
 bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, const Job& job) {
   const double scale = weight_parts().scale;
-  if (!multiple_.update(
-          {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.albedo, anisotropy_,
-           input.medium.homogeneous_density(), multiple.surfaces, multiple.limits},
-          job)) {
+  if (!multiple_.update({*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.albedo,
+                         anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
+                         occlusion_.revision(), multiple.limits},
+                        job)) {
     return false;
   }
   if (added_ == multiple_.revision() && added_scale_ == scale) return true;

@@ -35,7 +35,8 @@ class SourceFunction {
   struct Multiple {
     std::vector<MultipleScattering::Light> lights;
     double albedo;
-    const RayCaster* surfaces;  // null: none
+    const RayCaster* ray_caster;  // of the surfaces; null: there are none
+    std::span<const Surface> surfaces;
     ScatteringLimits limits;
   };
   struct Input {
@@ -95,6 +96,8 @@ class SourceFunction {
   std::optional<Environment> environment_;
   Revision medium_ = 0;
   double extinction_ = 1.0;
+  bool keeps_transmitted_ = false;
+  Revision surfaces_revision_ = 0;
   double anisotropy_ = 0.0;
   std::optional<SourceGrid::Receivers> receivers_;
   SourceGridSize size_;
@@ -107,6 +110,7 @@ class SourceFunction {
   std::array<bool, source_clusters> is_narrow_{};
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
+  LevelOcclusion occlusion_;
   MultipleScattering multiple_;
   // What the grid holds of it.
   Revision added_ = 0;

@@ -10,6 +10,7 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "render/lighting/density_samples.h"
+#include "render/lighting/resampling.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
@@ -58,6 +59,10 @@ SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double m
   }
 }
 
+SweepOcclusion occlusion_of(const SourceGrid::Level& level) {
+  return level.surfaces ? level.surfaces->sweep() : SweepOcclusion{};
+}
+
 // Weights of the transmittance towards each light: of the coefficients of its light, channel after
 // channel, and of the clusters.
 struct LightWeights {
@@ -79,14 +84,33 @@ struct LightWeights {
   }
 };
 
+// Values at the nodes of another grid's border, interpolated.
+void interpolate_border(const SourceGrid::Level& coarse, std::span<const float> values,
+                        const SourceGrid::Level& level, std::span<float> border) {
+  const glm::ivec3 last = level.nodes.count - 1;
+  std::size_t i = 0;
+  const Resampling resampling(coarse.first, coarse.nodes, level.first, level.nodes);
+  for (int z = 0; z <= last.z; ++z) {
+    for (int y = 0; y <= last.y; ++y) {
+      for (int x = 0; x <= last.x; ++x, ++i) {
+        const bool is_border =
+            x == 0 || y == 0 || z == 0 || x == last.x || y == last.y || z == last.z;
+        if (is_border) border[i] = resampling.at(values, {x, y, z});
+      }
+    }
+  }
+}
+
 // Light transmitted to the nodes of a level, and the clusters' mean transmittances as rows.
 struct Transmitted {
   NodeLight light;
   std::vector<float> clusters;
 };
 
-Transmitted transmitted_light(const SourceGrid::Level& level, std::span<const SourceLight> lights,
-                              int bands, int clusters, const Job& job) {
+// `occluded`: by surfaces, also in the level `coarse` around this one, null if there is none.
+Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::Level* coarse,
+                              bool occluded, std::span<const SourceLight> lights, int bands,
+                              int clusters, const Job& job) {
   const std::size_t nodes = level.nodes.size();
   Transmitted result{NodeLight(bands, 3, nodes), {}};
   const std::size_t stride = result.light.stride;
@@ -96,7 +120,18 @@ Transmitted transmitted_light(const SourceGrid::Level& level, std::span<const So
     const auto current = lights.subspan(first, std::min(batch, lights.size() - first));
     const LightWeights weights(current, bands, clusters);
     job.parallel_for(current.size(), [&](std::size_t k) {
-      sweep_transmittance(level.nodes, level.density, glm::vec3(current[k].light.direction),
+      thread_local std::vector<float> around;
+      thread_local std::vector<float> inflow;
+      const glm::vec3 w(current[k].light.direction);
+      inflow.clear();
+      if (occluded && coarse) {
+        around.resize(coarse->nodes.size());
+        inflow.resize(nodes);
+        sweep_transmittance(coarse->nodes, coarse->density, w, occlusion_of(*coarse), {}, around);
+        interpolate_border(*coarse, around, level, inflow);
+      }
+      sweep_transmittance(level.nodes, level.density, w,
+                          occluded ? occlusion_of(level) : SweepOcclusion{}, inflow,
                           std::span(transmittances).subspan(k * stride, nodes));
     });
     job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
@@ -113,13 +148,15 @@ Transmitted transmitted_light(const SourceGrid::Level& level, std::span<const So
   return result;
 }
 
-void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussians,
+// `coarse`: see transmitted_light().
+void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
           std::span<const SourceLight> lights, const SourceGrid::Content& content, const Job& job) {
-  level.density = density_on_grid(gaussians, level.first, level.nodes, job);
   const std::size_t nodes = level.nodes.size();
   const int clusters = content.bands > 1 ? source_clusters : 0;
-  const Transmitted transmitted = transmitted_light(
-      level, lights, content.receivers ? grid_bands : content.bands, clusters, job);
+  const int bands = content.receivers || content.surfaces ? grid_bands : content.bands;
+  const bool occluded = content.surfaces != nullptr;
+  Transmitted transmitted =
+      transmitted_light(level, coarse, occluded, lights, bands, clusters, job);
   const std::size_t stride = transmitted.light.stride;
   const std::size_t functions = sh_size(content.bands);
   const std::size_t size = SourceGrid::node_size(content.bands);
@@ -136,9 +173,14 @@ void fill(SourceGrid::Level& level, std::span<const GaussianTerm<double>> gaussi
     }
   });
   if (content.receivers) {
-    level.incident = incident_light(level.nodes, level.density, transmitted.light,
-                                    content.receivers->optics, job);
+    // Receivers lie on surfaces, with nodes behind them: they get light as if nothing occluded it.
+    Transmitted open;
+    if (occluded) open = transmitted_light(level, coarse, false, lights, bands, 0, job);
+    level.incident =
+        incident_light(level.nodes, level.density, occluded ? open.light : transmitted.light,
+                       content.receivers->optics, job);
   }
+  if (content.keeps_transmitted) level.transmitted = std::move(transmitted.light);
 }
 
 }  // namespace
@@ -188,14 +230,23 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     levels_.emplace_back();
   } else {
     levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes));
-    if (content.has_fog || (content.receivers && !holds(content.receivers->box))) {
+    const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
+                             (content.surfaces && !holds(content.surfaces->bounds()));
+    if (content.has_fog || goes_beyond) {
       const double beyond = glm::length(bounds.high - bounds.low);
       levels_.push_back(layout(bounds.low - beyond, bounds.high + beyond,
                                2.0 * static_cast<double>(levels_[0].nodes.spacing),
                                size.nodes / 2));
     }
   }
-  for (Level& level : levels_) fill(level, gaussians, lights, content, job);
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    level.density = density_on_grid(gaussians, level.first, level.nodes, job);
+    if (content.surfaces) level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
+  }
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    fill(levels_[k], k == 0 && levels_.size() > 1 ? &levels_[1] : nullptr, lights, content, job);
+  }
 }
 
 void SourceGrid::set_scattered(const Scattered& scattered, const Job& job) {

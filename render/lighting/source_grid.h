@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/transport/optical_depth.h"
 #include "render/geometry/box.h"
 #include "render/lighting/distant_lights.h"
+#include "render/lighting/grid_occlusion.h"
 #include "render/lighting/incident_grid.h"
 #include "render/lighting/ordinates.h"
 #include "render/lighting/sweep_kernels.h"
@@ -74,6 +76,8 @@ class SourceGrid {
     int bands = 1;  // bands of J, <= grid_bands
     bool has_fog = false;
     std::optional<Receivers> receivers;
+    LevelOcclusion* surfaces = nullptr;  // that occlude all light; null: none do
+    bool keeps_transmitted = false;      // see Level
   };
 
   // With fog or surfaces, a second, coarser grid covers four times the extent. In parallel; invalid
@@ -103,11 +107,9 @@ class SourceGrid {
     std::vector<float> values;   // J
     // J of distant light alone, if there is more.
     std::vector<float> distant;
-    std::vector<float> incident;  // see incident_light(); empty without receivers
-
-    [[nodiscard]] std::span<const float> unscattered() const {
-      return distant.empty() ? values : distant;
-    }
+    std::vector<float> incident;                    // see incident_light(); empty without receivers
+    NodeLight transmitted;                          // light of the distant lights, if it is kept
+    std::shared_ptr<const GridOcclusion> surfaces;  // null: none
   };
   // Floats per node of J.
   static constexpr std::size_t node_size(int bands) {

@@ -21,21 +21,51 @@ struct Cell {
 
   // `at`: in cells from the first node; `size`: floats in a node.
   Cell(const SourceLookup::Level& level, const float* values, const glm::vec3& coordinate,
-       std::ptrdiff_t size)
+       std::ptrdiff_t size, bool hides_corners)
       : corner(values), row(size * level.count.x), slab(row * level.count.y) {
     const std::ptrdiff_t step[] = {size, row, slab};
     float f[3];
+    std::size_t low_node[3];
     for (int k = 0; k < 3; ++k) {
       const auto last = static_cast<float>(level.count[k] - 2);
       const float x = std::min(std::max(coordinate[k], 0.0f), last + 1.0f);
       const float low = std::min(static_cast<float>(static_cast<int>(x)), last);
       corner += static_cast<std::ptrdiff_t>(low) * step[k];
+      low_node[k] = static_cast<std::size_t>(low);
       f[k] = x - low;
     }
+    std::size_t node = 0;
+    for (int k = 3; k-- > 0;) node = node * static_cast<std::size_t>(level.count[k]) + low_node[k];
     for (int i = 0; i < 8; ++i) {
       corner_weights[i] = ((i & 1) != 0 ? f[0] : 1.0f - f[0]) *
                           ((i & 2) != 0 ? f[1] : 1.0f - f[1]) * ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
     }
+    if (hides_corners && level.blocked) HideCorners(level, node);
+  }
+
+ private:
+  // Drops the corners that the nearest one does not see.
+  void HideCorners(const SourceLookup::Level& level, std::size_t node) {
+    int nearest = 0;
+    for (int i = 1; i < 8; ++i) {
+      if (corner_weights[i] > corner_weights[nearest]) nearest = i;
+    }
+    const auto width = static_cast<std::size_t>(level.count.x);
+    const auto height = static_cast<std::size_t>(level.count.y);
+    const auto bit = [](int corner_index, int k) { return corner_index >> k & 1; };
+    node += static_cast<std::size_t>(bit(nearest, 0)) +
+            width * (static_cast<std::size_t>(bit(nearest, 1)) +
+                     height * static_cast<std::size_t>(bit(nearest, 2)));
+    const std::uint32_t blocked = level.blocked[node];
+    if (blocked == 0) return;
+    float sum = 0.0f;
+    for (int i = 0; i < 8; ++i) {
+      const int link = neighbour_index(bit(i, 0) - bit(nearest, 0), bit(i, 1) - bit(nearest, 1),
+                                       bit(i, 2) - bit(nearest, 2));
+      if ((blocked >> link & 1u) != 0) corner_weights[i] = 0.0f;
+      sum += corner_weights[i];
+    }
+    for (float& weight : corner_weights) weight /= sum;
   }
 };
 
@@ -48,14 +78,14 @@ bool Holds(const SourceLookup::Level& level, const glm::vec3& coordinate) {
 
 // The cell of the finest level that holds a point, of nodes of `size` floats.
 Cell CellAt(std::span<const SourceLookup::Level> levels, const float* SourceLookup::Level::*values,
-            const glm::vec3& p, std::ptrdiff_t size) {
+            const glm::vec3& p, std::ptrdiff_t size, bool hides_corners = true) {
   const SourceLookup::Level* level = levels.data();
   glm::vec3 coordinate = level->per_unit * (p - level->first);
   if (levels.size() > 1 && !Holds(*level, coordinate)) {
     ++level;
     coordinate = level->per_unit * (p - level->first);
   }
-  return {*level, level->*values, coordinate, size};
+  return {*level, level->*values, coordinate, size, hides_corners};
 }
 
 // What a cell has at its point, from float i of its nodes on.
@@ -118,7 +148,7 @@ void ClusterTransmittanceAtOrigin(std::span<const SourceLookup::Level> levels,
 void MixIncident(std::span<const SourceLookup::Level> levels, const glm::vec3& p, float* values) {
   constexpr std::size_t size = std::tuple_size_v<NodeRadiance>;
   const hn::CappedTag<float, 16> d;
-  const Cell cell = CellAt(levels, &SourceLookup::Level::incident, p, size);
+  const Cell cell = CellAt(levels, &SourceLookup::Level::incident, p, size, false);
   for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
     hn::StoreU(Mixed<size>(cell, d, i), d, values + i);
   }
@@ -146,8 +176,14 @@ HWY_EXPORT(MixIncident);
 SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin)
     : bands_(grid.bands()) {
   for (const SourceGrid::Level& level : grid.levels()) {
-    levels_[count_++] = {glm::vec3(level.first - origin), 1.0f / level.nodes.spacing,
-                         level.nodes.count, level.values.data(), level.incident.data()};
+    levels_[count_++] = {glm::vec3(level.first - origin),
+                         1.0f / level.nodes.spacing,
+                         level.nodes.count,
+                         level.values.data(),
+                         level.incident.data(),
+                         level.surfaces && !level.surfaces->blocked().empty()
+                             ? level.surfaces->blocked().data()
+                             : nullptr};
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -21,13 +22,17 @@ struct SourceWeights {
 // Incident light at a point: R G B 0 per basis function.
 using NodeRadiance = std::array<float, 4 * sh_size(grid_bands)>;
 
+// The bits of all neighbours, see GridOcclusion::blocked().
+inline constexpr std::uint32_t neighbour_bits = (1u << 27) - 1u;
+
 // Look-ups in a SourceGrid relative to an origin (Highway, single precision). Keeps a reference to
 // the grid.
 class SourceLookup {
  public:
   SourceLookup(const SourceGrid& grid, const glm::dvec3& origin);
 
-  // Sum over k of sample_weights[k] J(origin + t[k] w), clamped to the grid. Zero weights cost
+  // Sum over k of sample_weights[k] J(origin + t[k] w), clamped to the grid; of nodes that
+  // surfaces hide from the nearest one, nothing. Zero weights cost
   // nothing.
   // Thread-safe.
   [[nodiscard]] glm::vec3 operator()(const glm::vec3& w, std::span<const float> t,
@@ -49,6 +54,7 @@ class SourceLookup {
     glm::ivec3 count{2};
     const float* values = nullptr;
     const float* incident = nullptr;
+    const std::uint32_t* blocked = nullptr;  // see GridOcclusion; null: no surfaces
   };
 
  private:

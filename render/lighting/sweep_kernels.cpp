@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
@@ -147,7 +148,112 @@ struct Sweep {
   }
 };
 
+// Where light along a sweep comes from at a node beside surfaces: linear between the four nodes of
+// the slab before, of which only those count that the node sees.
+class Links {
+ public:
+  Links(const Sweep& sweep, const glm::vec3& w) {
+    const int low_u = sweep.shift_u < 0.0f ? -1 : 0;
+    const int low_v = sweep.shift_v < 0.0f ? -1 : 0;
+    const float f_u = sweep.shift_u - static_cast<float>(low_u);
+    const float f_v = sweep.shift_v - static_cast<float>(low_v);
+    for (int i = 0; i < 4; ++i) {
+      Link& link = links_[static_cast<std::size_t>(i)];
+      link.u = low_u + (i & 1);
+      link.v = low_v + (i >> 1);
+      link.weight = ((i & 1) != 0 ? f_u : 1.0f - f_u) * ((i >> 1) != 0 ? f_v : 1.0f - f_v);
+      glm::ivec3 offset(0);
+      offset[sweep.axes.u] = link.u;
+      offset[sweep.axes.v] = link.v;
+      offset[sweep.axes.s] = w[sweep.axes.s] > 0.0f ? 1 : -1;
+      link.neighbour = neighbour_index(offset.x, offset.y, offset.z);
+      if (link.weight > links_[nearest_].weight) nearest_ = static_cast<std::size_t>(i);
+    }
+  }
+
+  // The hidden neighbour that decides what the node sees, or -1: it sees others.
+  [[nodiscard]] int hidden(const OccludedNode& node) const {
+    const int neighbour = links_[nearest_].neighbour;
+    return (node.blocked >> neighbour & 1u) != 0 ? neighbour : -1;
+  }
+  // Of the nodes that are seen, in the slab before.
+  [[nodiscard]] float mix(const OccludedNode& node, Slab& slab, std::size_t u,
+                          std::size_t v) const {
+    float sum = 0.0f;
+    float weight = 0.0f;
+    for (const Link& link : links_) {
+      if ((node.blocked >> link.neighbour & 1u) != 0) continue;
+      const auto row = static_cast<std::ptrdiff_t>(v) + link.v;
+      const float* values = slab.row(0) + row * static_cast<std::ptrdiff_t>(slab.stride);
+      sum += link.weight * values[static_cast<std::ptrdiff_t>(u) + link.u];
+      weight += link.weight;
+    }
+    return sum / weight;
+  }
+  // Index of a hidden neighbour's link.
+  static std::size_t link_of(const OccludedNode& node, int neighbour) {
+    const std::uint32_t before = node.blocked & ((1u << neighbour) - 1u);
+    return node.first + static_cast<std::size_t>(std::popcount(before));
+  }
+
+ private:
+  struct Link {
+    int u = 0, v = 0;
+    float weight = 0.0f;
+    int neighbour = 0;
+  };
+  std::array<Link, 4> links_{};
+  std::size_t nearest_ = 0;
+};
+
+// Calls fix(u, node) for the nodes of a row that surfaces hide neighbours from.
+template <class Fix>
+void each_occluded(const SweepOcclusion& occlusion, const Sweep& sweep, std::ptrdiff_t row,
+                   Fix fix) {
+  if (occlusion.empty()) return;
+  for (std::size_t u = 0; u < sweep.columns; ++u) {
+    const std::ptrdiff_t i = row + static_cast<std::ptrdiff_t>(u) * sweep.axes.step_u;
+    const std::int32_t index = occlusion.index[static_cast<std::size_t>(i)];
+    if (index >= 0) fix(u, occlusion.nodes[static_cast<std::size_t>(index)]);
+  }
+}
+
+// Replaces the light of nodes of a row where it enters the grid, and what lies beyond its ends.
+void let_in(const Sweep& sweep, std::size_t slab, std::size_t v, std::ptrdiff_t row,
+            std::span<const float> inflow, Slab& light) {
+  if (inflow.empty()) return;
+  const auto at = [&](std::size_t u) {
+    return inflow[static_cast<std::size_t>(row +
+                                           static_cast<std::ptrdiff_t>(u) * sweep.axes.step_u)];
+  };
+  float* values = light.row(v);
+  const bool whole_row = slab == 0 || (sweep.shift_v < 0.0f && v == 0) ||
+                         (sweep.shift_v > 0.0f && v + 1 == sweep.rows);
+  for (std::size_t u = 0; whole_row && u < sweep.columns; ++u) values[u] = at(u);
+  if (sweep.shift_u < 0.0f) values[0] = at(0);
+  if (sweep.shift_u > 0.0f) values[sweep.columns - 1] = at(sweep.columns - 1);
+}
+
+// Continues a slab beyond its ends.
+void extend(const Sweep& sweep, std::span<const float> inflow, Slab& slab) {
+  if (inflow.empty()) return;
+  const auto rows = static_cast<std::ptrdiff_t>(sweep.rows);
+  const auto columns = static_cast<std::ptrdiff_t>(sweep.columns);
+  const auto stride = static_cast<std::ptrdiff_t>(slab.stride);
+  float* const first = slab.row(0);
+  for (std::ptrdiff_t v = 0; v < rows; ++v) {
+    float* row = first + v * stride;
+    row[-2] = row[-1] = row[0];
+    row[columns] = row[columns + 1] = row[columns - 1];
+  }
+  for (const std::ptrdiff_t v : {-2, -1}) {
+    std::copy_n(first - 2, columns + 4, first - 2 + v * stride);
+    std::copy_n(first - 2 + (rows - 1) * stride, columns + 4, first - 2 + (rows - 1 - v) * stride);
+  }
+}
+
 void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
+                        const SweepOcclusion& occlusion, std::span<const float> inflow,
                         std::span<float> transmittance) {
   const D d;
   const Sweep sweep(nodes, w);
@@ -155,6 +261,7 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
   TwoSlabs light(sweep.columns, sweep.rows, 1.0f);
   const std::size_t stride = b.now.stride;
   const Taps taps(sweep.shift_u, sweep.shift_v, stride);
+  const Links links(sweep, w);
   const V half_step = hn::Set(d, 0.5f * sweep.length);
   for (std::size_t k = 0; k < sweep.slabs; ++k) {
     for (std::size_t v = 0; v < sweep.rows; ++v) {
@@ -171,8 +278,20 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
         hn::StoreU(light_here, d, light.now.row(v) + u);
       }
       light.now.end_row(v);
+      let_in(sweep, k, v, row, inflow, light.now);
+      each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
+        float& here = light.now.row(v)[u];
+        if (links.hidden(node) >= 0) {
+          here = 0.0f;
+          return;
+        }
+        const float depth =
+            0.5f * sweep.length * (b.now.row(v)[u] + links.mix(node, b.before, u, v));
+        here = links.mix(node, light.before, u, v) * std::exp(-depth);
+      });
       sweep.write(light.now.row(v), transmittance.data() + row);
     }
+    extend(sweep, inflow, light.now);
     b.advance();
     light.advance();
   }
@@ -181,6 +300,8 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
 template <std::size_t channels>
 void SweepChannels(const GridNodes& nodes, std::span<const float> density, float fog,
                    std::span<const std::span<const float>> source, const glm::vec3& w,
+                   const SweepOcclusion& occlusion,
+                   std::span<const std::span<const float>> outgoing,
                    std::span<const std::span<float>> emitted) {
   const D d;
   const Sweep sweep(nodes, w);
@@ -190,6 +311,7 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
   std::vector<TwoSlabs> light(channels, empty);
   const std::size_t stride = b.now.stride;
   const Taps taps(sweep.shift_u, sweep.shift_v, stride);
+  const Links links(sweep, w);
   const V one = hn::Set(d, 1.0f);
   const V half_step = hn::Set(d, 0.5f * sweep.length);
   const V fog_step = hn::Set(d, fog * sweep.length);
@@ -222,16 +344,37 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
           float* source_row = emission[c].now.row(v) + u;
           const V emitted_here = hn::Mul(scattering, hn::LoadU(d, source_row));
           hn::StoreU(emitted_here, d, source_row);
-          const V emitted =
+          const V from_here =
               hn::MulAdd(weight_near, emitted_here,
                          hn::Mul(weight_far, taps.Mix(emission[c].before.row(v) + u, stride)));
           const V incoming = taps.Mix(light[c].before.row(v) + u, stride);
-          hn::StoreU(hn::MulAdd(incoming, transmitted, emitted), d, light[c].now.row(v) + u);
+          hn::StoreU(hn::MulAdd(incoming, transmitted, from_here), d, light[c].now.row(v) + u);
         }
       }
       for (std::size_t c = 0; c < channels; ++c) {
         emission[c].now.end_row(v);
         light[c].now.end_row(v);
+      }
+      each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
+        const int hidden = links.hidden(node);
+        const std::size_t link = hidden >= 0 ? Links::link_of(node, hidden) : 0;
+        const float near = b.now.row(v)[u];
+        const float far = hidden >= 0 ? near : links.mix(node, b.before, u, v);
+        const float way = hidden >= 0 ? occlusion.fractions[link] : 1.0f;
+        const float depth = way * sweep.length * (0.5f * (near + far) + fog);
+        const float transmitted = std::exp(-depth);
+        for (std::size_t c = 0; c < channels; ++c) {
+          float incoming = 0.0f;
+          if (hidden < 0) {
+            incoming = links.mix(node, light[c].before, u, v);
+          } else if (!outgoing.empty()) {
+            incoming = outgoing[c][link];
+          }
+          light[c].now.row(v)[u] =
+              transmitted * incoming + (1.0f - transmitted) * emission[c].now.row(v)[u];
+        }
+      });
+      for (std::size_t c = 0; c < channels; ++c) {
         sweep.write(light[c].now.row(v), emitted[c].data() + row);
       }
     }
@@ -245,10 +388,12 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
 
 void SweepEmission(const GridNodes& nodes, std::span<const float> density, float fog,
                    std::span<const std::span<const float>> source, const glm::vec3& w,
+                   const SweepOcclusion& occlusion,
+                   std::span<const std::span<const float>> outgoing,
                    std::span<const std::span<float>> emitted) {
   assert(source.size() == emitted.size() && (source.size() == 1 || source.size() == 3));
-  if (source.size() == 1) return SweepChannels<1>(nodes, density, fog, source, w, emitted);
-  SweepChannels<3>(nodes, density, fog, source, w, emitted);
+  const auto sweep = source.size() == 1 ? SweepChannels<1> : SweepChannels<3>;
+  sweep(nodes, density, fog, source, w, occlusion, outgoing, emitted);
 }
 
 void AddWeighted(std::span<const float> transmittances, std::span<const float> weights,
@@ -278,14 +423,18 @@ HWY_EXPORT(SweepEmission);
 HWY_EXPORT(AddWeighted);
 
 void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
+                         const SweepOcclusion& occlusion, std::span<const float> inflow,
                          std::span<float> transmittance) {
-  HWY_DYNAMIC_DISPATCH(SweepTransmittance)(nodes, density, w, transmittance);
+  HWY_DYNAMIC_DISPATCH(SweepTransmittance)(nodes, density, w, occlusion, inflow, transmittance);
 }
 
 void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
                     std::span<const std::span<const float>> source, const glm::vec3& w,
+                    const SweepOcclusion& occlusion,
+                    std::span<const std::span<const float>> outgoing,
                     std::span<const std::span<float>> emitted) {
-  HWY_DYNAMIC_DISPATCH(SweepEmission)(nodes, density, fog, source, w, emitted);
+  HWY_DYNAMIC_DISPATCH(SweepEmission)
+  (nodes, density, fog, source, w, occlusion, outgoing, emitted);
 }
 
 void add_weighted(std::span<const float> transmittances, std::span<const float> weights,

@@ -20,6 +20,7 @@ struct GridNodes {
     return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
            static_cast<std::size_t>(count.z);
   }
+  bool operator==(const GridNodes&) const = default;
 };
 
 // A node that surfaces hide neighbours from.
@@ -41,18 +42,25 @@ struct SweepOcclusion {
   std::span<const std::int32_t> index;  // per grid node, in `nodes` or -1; empty: no surfaces
   std::span<const OccludedNode> nodes;
   std::span<const float> fractions;  // per hidden neighbour, of the way to it
+
+  [[nodiscard]] bool empty() const { return index.empty(); }
 };
 
 // transmittance[i] = exp(-optical depth) from node i along the unit vector w to the grid's border,
-// empty beyond. Thread-safe.
+// empty beyond; 0 behind surfaces. Unless `inflow` is empty, light that enters the grid arrives at
+// nodes of its border with inflow[i] in place of 1. Thread-safe.
 void sweep_transmittance(const GridNodes& nodes, std::span<const float> density, const glm::vec3& w,
+                         const SweepOcclusion& occlusion, std::span<const float> inflow,
                          std::span<float> transmittance);
 
 // emitted[c][i] = radiance arriving at node i from direction w, for one or three channels c: the
-// integral of density times source[c], attenuated by density + fog. Empty beyond the grid.
+// integral of density times source[c], attenuated by density + fog, from the first surface on,
+// whose radiance is outgoing[c] per hidden neighbour; empty: black. Empty beyond the grid.
 // Thread-safe.
 void sweep_emission(const GridNodes& nodes, std::span<const float> density, float fog,
                     std::span<const std::span<const float>> source, const glm::vec3& w,
+                    const SweepOcclusion& occlusion,
+                    std::span<const std::span<const float>> outgoing,
                     std::span<const std::span<float>> emitted);
 
 // sums[c][i] += sum over k of transmittances[k][i] * weights[k][c], for nodes i in [begin, end),

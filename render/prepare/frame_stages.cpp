@@ -122,6 +122,7 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
       {},
       work.albedo,
       work.plan.runs(Stage::visibility) ? &prepared_.ray_caster() : nullptr,
+      work.scene.surfaces,
       work.settings.scattering_limits};
   for (const PointLight& light : work.plan.lights) {
     multiple.lights.push_back(

@@ -3,6 +3,7 @@
 #include "radiance_map.glsl"
 #include "spherical_harmonics.glsl"
 
+// R G B, and in the first of each node the neighbours that surfaces hide, as bits.
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
 uniform int source_levels;  // 0: there is no grid
@@ -10,6 +11,7 @@ uniform int source_levels;  // 0: there is no grid
 // z, and the index of its first value.
 uniform vec4 source_first[2];
 uniform ivec4 source_count[2];
+uniform int source_surfaces;  // whether they hide nodes from each other
 uniform int source_bands;     // of a node: 1, or 4 where scattering is anisotropic
 uniform float source_harmonics_scale;  // of what the grid holds
 uniform vec4 source_factors;  // what the phase function makes of each band
@@ -53,15 +55,34 @@ bool is_on_source(int level, vec3 coordinate) {
          all(lessThanEqual(coordinate, vec3(source_count[level].xyz - 1)));
 }
 
-// A corner of the cell that holds a point: where its node begins, and its share.
-struct SourceCorner {
-  int first;
-  float weight;
-};
-
 int source_functions() { return source_bands * source_bands; }
 
-SourceCorner source_corner(vec3 p, int c) {
+// The cell that holds a point: where the nodes at its corners begin, and their shares.
+struct SourceCell {
+  int first[8];
+  float weights[8];
+};
+
+// Drops the corners that surfaces hide from the nearest one: GridOcclusion::blocked().
+void hide_corners(inout SourceCell cell) {
+  int nearest = 0;
+  for (int c = 1; c < 8; ++c) {
+    if (cell.weights[c] > cell.weights[nearest]) nearest = c;
+  }
+  const uint blocked = floatBitsToUint(source_values[cell.first[nearest]].w) & source_blocked_bits;
+  if (blocked == 0u) return;
+  const ivec3 from = ivec3(nearest & 1, (nearest >> 1) & 1, nearest >> 2);
+  float sum = 0.0;
+  for (int c = 0; c < 8; ++c) {
+    const ivec3 offset = ivec3(c & 1, (c >> 1) & 1, c >> 2) - from + 1;
+    const int link = (offset.z * 3 + offset.y) * 3 + offset.x;
+    if (((blocked >> link) & 1u) != 0u) cell.weights[c] = 0.0;
+    sum += cell.weights[c];
+  }
+  for (int c = 0; c < 8; ++c) cell.weights[c] /= sum;
+}
+
+SourceCell source_cell(vec3 p) {
   int level = 0;
   vec3 coordinate = source_position(0, p);
   if (source_levels > 1 && !is_on_source(0, coordinate)) {
@@ -72,13 +93,17 @@ SourceCorner source_corner(vec3 p, int c) {
   const vec3 last = vec3(count.xyz - 2);
   const vec3 x = clamp(coordinate, vec3(0.0), last + 1.0);
   const vec3 low = min(floor(x), last);
-  const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-  const vec3 weight = mix(1.0 - (x - low), x - low, vec3(corner_));
-  const ivec3 node = ivec3(low) + corner_;
   const int node_size = source_functions() + (source_bands > 1 ? source_clusters / 4 : 0);
-  return SourceCorner(
-      count.w + ((node.z * count.y + node.y) * count.x + node.x) * node_size,
-      weight.x * weight.y * weight.z);
+  SourceCell cell;
+  for (int c = 0; c < 8; ++c) {
+    const ivec3 corner = ivec3(c & 1, (c >> 1) & 1, c >> 2);
+    const vec3 weight = mix(1.0 - (x - low), x - low, vec3(corner));
+    const ivec3 node = ivec3(low) + corner;
+    cell.first[c] = count.w + ((node.z * count.y + node.y) * count.x + node.x) * node_size;
+    cell.weights[c] = weight.x * weight.y * weight.z;
+  }
+  if (source_surfaces != 0) hide_corners(cell);
+  return cell;
 }
 
 // Contribution of the narrow clusters at a node.
@@ -92,15 +117,16 @@ vec3 source_clusters_at(int node, bool is_narrow) {
 }
 
 vec3 source_at(vec3 p) {
+  const SourceCell cell = source_cell(p);
   vec3 sum = vec3(0.0);
   for (int c = 0; c < 8; ++c) {
-    const SourceCorner corner_ = source_corner(p, c);
+    if (cell.weights[c] == 0.0) continue;
     vec3 value = vec3(0.0);
     for (int i = 0; i < source_functions(); ++i) {
-      value += source_weights[i] * source_values[corner_.first + i].rgb;
+      value += source_weights[i] * source_values[cell.first[c] + i].rgb;
     }
-    if (source_beams != 0) value += source_clusters_at(corner_.first, true);
-    sum += corner_.weight * value;
+    if (source_beams != 0) value += source_clusters_at(cell.first[c], true);
+    sum += cell.weights[c] * value;
   }
   return sum;
 }
@@ -110,9 +136,9 @@ vec3 source_forward_lobe(bool from_eye, float line_depth) {
   const vec3 eye = vec3(0.0);
   vec3 sum = vec3(0.0);
   if (from_eye && is_on_source(source_levels - 1, source_position(source_levels - 1, eye))) {
+    const SourceCell cell = source_cell(eye);
     for (int c = 0; c < 8; ++c) {
-      const SourceCorner corner_ = source_corner(eye, c);
-      sum += corner_.weight * source_clusters_at(corner_.first, false);
+      sum += cell.weights[c] * source_clusters_at(cell.first[c], false);
     }
     return sum;
   }

@@ -166,5 +166,42 @@ TEST(MultipleScattering, IncludesFog) {
   EXPECT_NEAR(airlight(scene), airlight(ball(0.9)), 1e-2 * airlight(scene)) << "hardly any";
 }
 
+double mean_airlight(const Frame& frame) {
+  double sum = 0.0;
+  for (const float value : frame.airlight) sum += static_cast<double>(value);
+  return sum / static_cast<double>(frame.airlight.size());
+}
+
+// A cloud in a hollow ball under a sky.
+TEST(MultipleScattering, ClosedWallsKeepTheSkyOut) {
+  Scene scene = cloud_scene(5, 1.0);
+  scene.camera.eye = {0, 0, 2};
+  scene.film = {8, 8};
+  scene.lights.clear();
+  scene.environment.emplace().map = constant_sky(1.0f);
+  const double outdoors = mean_airlight(render_frame(scene, multiple_settings()));
+  Surface& ball = scene.surfaces.emplace_back();
+  ball.mesh = ball_mesh(24);
+  ball.scale = 2.5;
+  const double indoors = mean_airlight(render_frame(scene, multiple_settings()));
+  EXPECT_GT(outdoors, 0.3);
+  // A wall without thickness lets a little pass, where slanting light moves between nodes.
+  EXPECT_LT(indoors, 0.01 * outdoors);
+}
+
+TEST(MultipleScattering, SurfacesSendLightBack) {
+  const auto beside_wall = [](double reflectance) {
+    Scene scene = cloud_scene(20, 1.0);
+    scene.film = {8, 8};
+    scene.lights = {{{0.0, 0.0, 3.0}, glm::dvec3(10.0), {}}};
+    scene.surfaces.push_back(wall(-1.2, 6.0, reflectance));
+    return mean_airlight(render_frame(scene, multiple_settings()));
+  };
+  const double black = beside_wall(0.0);
+  const double white = beside_wall(1.0);
+  EXPECT_GT(white, 1.1 * black);
+  EXPECT_NEAR(beside_wall(0.5), 0.5 * (black + white), 0.05 * (white - black)) << "nearly linear";
+}
+
 }  // namespace
 }  // namespace brume
