@@ -92,6 +92,13 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
   clock.finish(Stage::visibility);
 }
 
+SurfaceHit FrameStages::hit(std::size_t pixel) const {
+  if (hits_.empty()) return {};
+  SurfaceHit hit = prepared_.ray_caster().hit_of(hits_[pixel]);
+  if (!distances_.empty()) hit.distance = distances_[pixel];
+  return hit;
+}
+
 bool FrameStages::prepare_source(const FrameContext& work, StageClock& clock) {
   if (!work.plan.has_environment_in_medium) source_.clear();
   if (!work.plan.runs(Stage::environment)) return true;

@@ -80,7 +80,9 @@ std::vector<Settings> slow_methods(unsigned seed) {
   Settings plain = on_one_thread(AirlightMethod::paper);
   plain.precision = Settings::Precision::plain_double;
   if (seed % 2 == 0) plain.paper = {.at_mean = true, .conserve_energy = true};
-  return {plain, on_one_thread(AirlightMethod::reference)};
+  Settings path = on_one_thread(AirlightMethod::path);
+  path.paths = 2;
+  return {plain, on_one_thread(AirlightMethod::reference), path};
 }
 
 std::string broken_promise(unsigned seed, std::span<const Settings> methods) {
