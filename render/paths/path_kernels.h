@@ -10,17 +10,20 @@
 
 namespace brume {
 
-// Gaussians as arrays for vector kernels in double, padded with some of no density.
+// Pointers to the arrays below.
+struct GaussianColumns {
+  const double *x, *y, *z, *a, *peak, *scale, *cutoff2;
+  const double *group_x, *group_y, *group_z, *group_radius2;
+};
+
+// Gaussians as arrays for vector kernels in double. Segments are tested against groups of
+// consecutive Gaussians first: neighbours should be added one after the other.
 class GaussianArrays {
  public:
-  void clear();
   // Segments farther than `cutoff_radius` from the center ignore it.
   void add(const GaussianTerm<double>& g, double cutoff_radius);
-  void add(const GaussianArrays& from, std::size_t i);
-  // Call after the last add().
-  void pad();
-
-  [[nodiscard]] std::size_t size() const { return size_; }
+  // Call once, after the last add().
+  void finish();
 
   // Optical depth of a segment; w unit, length finite. Relative error 1e-14 per Gaussian.
   [[nodiscard]] double depth(const glm::dvec3& origin, const glm::dvec3& w, double length) const;
@@ -29,11 +32,15 @@ class GaussianArrays {
   // its end, where any valid index must stand.
   [[nodiscard]] double density(std::span<const std::uint32_t> indices, const glm::dvec3& x) const;
 
+  // The size of a group, and padding.
   static constexpr std::size_t max_lanes = 8;
 
  private:
+  void add_group(std::size_t first);
+  [[nodiscard]] GaussianColumns columns() const;
+
   std::vector<double> x_, y_, z_, a_, peak_, scale_, cutoff2_;
-  std::size_t size_ = 0;
+  std::vector<double> group_x_, group_y_, group_z_, group_radius2_;
 };
 
 }  // namespace brume

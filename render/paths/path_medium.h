@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "render/geometry/medium_index.h"
 #include "render/paths/majorant_grid.h"
@@ -33,13 +35,16 @@ class PathMedium {
 
   // After so many tentative collisions of one segment the rest is found from its closed form:
   // opaque Gaussians much smaller than a cell would take millions.
-  static constexpr int max_tentative = 500;
+  static constexpr int max_tentative = 64;
   // Segments pass through the hierarchy where there are more Gaussians.
-  static constexpr std::size_t max_unsorted = 256;
+  static constexpr std::size_t max_grouped = 4096;
 
  private:
   [[nodiscard]] double collision_by_depth(const glm::dvec3& origin, const glm::dvec3& w,
                                           double length, PathRandom& random) const;
+
+  // Of the Gaussians, in an order in which neighbours in space are near each other.
+  static std::vector<std::uint32_t> spatial_order(const MediumIndex& medium);
 
   const MediumIndex& medium_;
   GaussianArrays arrays_;

@@ -250,7 +250,7 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
                       OrderedRadiance& sum) const {
   const double full = max_component(throughput);
   double importance = 1.0;
-  for (int events = 1; events < max_events; ++events) {
+  for (int events = 1;; ++events) {
     if (events >= first_roulette) {
       const double growth = max_component(throughput) / full;
       if (growth < 1.0) {
@@ -258,6 +258,11 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
         throughput /= growth;
       }
       if (growth > max_growth) return;
+    }
+    if (events >= long_path) {
+      constexpr double survival = 1.0 - 1.0 / long_path;
+      if (random.uniform() >= survival) return;
+      throughput /= survival;
     }
     const Direction direction = sample_direction(vertex, random);
     if (!(direction.pdf > 0.0)) return;

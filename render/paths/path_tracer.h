@@ -26,7 +26,7 @@ struct OrderedRadiance {
 // 2012).
 //
 // Biases, all far below any noise: culling (PathMedium), h_min of lights, the end of endless fog,
-// and max_events. Thread-safe.
+// and max_growth. Thread-safe.
 class PathTracer {
  public:
   explicit PathTracer(const PathScene& scene) : scene_(scene) {}
@@ -40,12 +40,13 @@ class PathTracer {
   // Outgoing radiance of a surface point towards the eye.
   [[nodiscard]] OrderedRadiance surface(const SurfacePoint& point, PathRandom& random) const;
 
-  // Scattering events of a path, and how much its throughput may grow, against surfaces that make
-  // energy.
-  static constexpr int max_events = 100'000;
-  static constexpr double max_growth = 1e20;
-  // Russian roulette begins after this many.
+  // Russian roulette by throughput begins after so many scattering events.
   static constexpr int first_roulette = 5;
+  // Where nothing absorbs, paths end by chance after so many, and so many more on average: light
+  // diffuses through an optical depth of 100 in fewer.
+  static constexpr int long_path = 10'000;
+  // How much throughput may grow, against surfaces that make energy.
+  static constexpr double max_growth = 1e20;
   // Where there are more lights, one is chosen at random.
   static constexpr std::size_t max_lights_each = 3;
 
