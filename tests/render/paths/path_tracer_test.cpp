@@ -198,6 +198,38 @@ TEST(PathTracer, SurfacesReflectDirectAndScatteredLight) {
   expect_reflected_light(scene, 0.03);
 }
 
+// A mirror shows the light that is scattered along one segment of a walk: in fog, collisions and
+// equi-angular samples share it, these the rarer the farther the light is.
+TEST(PathTracer, SegmentsOfWalksMatchTheReferenceCloseToLights) {
+  Scene scene;
+  scene.surfaces = {wall(-0.5, 2.0)};
+  Material& material = scene.surfaces[0].material;
+  material.type = Material::Type::phong;
+  material.reflectance = glm::dvec3(0.0);
+  material.specular = glm::dvec3(1.0);
+  material.exponent = 1e8;
+  scene.optics.anisotropy = 0.3;
+  const glm::dvec3 target(0.2, -0.1, -0.5);
+  for (const double b0 : {0.3, 2.0}) {
+    scene.medium = Medium();
+    scene.medium.set_homogeneous_density(b0);
+    if (b0 < 1.0) scene.medium.append({{0.4, 0.0, 0.8}, 0.5, 3.0});
+    for (const double x : {0.25, 0.7, 1.2}) {
+      scene.lights = {{{x, 0.1, 0.4}, glm::dvec3(3.0), {}}};
+      // Absorbing: further orders, not looked at here, end soon.
+      const TracedScene traced(scene, 0.1);
+      const glm::dvec3 w = glm::normalize(target - eye);
+      const glm::dvec3 mirrored(w.x, w.y, -w.z);
+      const glm::dvec3 expected =
+          mirrored.z * traced.single_scattering(target + 1e-4 * mirrored, target + mirrored);
+      const PathEstimate got = traced.surface(eye, target, 16'000).orders[1];
+      // The lobe is a ten thousandth wide.
+      EXPECT_NEAR(got.mean.x, expected.x, 4.0 * got.error.x + 1e-3 * expected.x);
+      EXPECT_LT(got.error.x, 0.01 * expected.x);
+    }
+  }
+}
+
 TEST(PathTracer, SurfacesReflectASky) {
   Scene scene = cloud_scene(20, 1.0);
   scene.lights.clear();
