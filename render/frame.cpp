@@ -43,6 +43,24 @@ void add_time(std::vector<StageTime>& stages, Stage stage, double milliseconds) 
   }
 }
 
+std::optional<RelativeNoise> relative_noise(const Frame& frame) {
+  const std::optional<PathNoise>& noise = frame.statistics.path_noise;
+  if (!noise) return std::nullopt;
+  // `stride` values per pixel, the first three of which count.
+  const auto relative = [](double variance, const std::vector<float>& layer, std::size_t stride) {
+    double square = 0.0;
+    for (std::size_t i = 0; i < layer.size(); i += stride) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        square += static_cast<double>(layer[i + c]) * static_cast<double>(layer[i + c]);
+      }
+    }
+    return square > 0.0 ? std::sqrt(variance / square) : 0.0;
+  };
+  return RelativeNoise{
+      noise->paths, relative(noise->airlight_variance, frame.airlight, 3),
+      relative(noise->airlight_variance + noise->surface_variance, frame.beauty, 4)};
+}
+
 ImageLayers to_layers(const Frame& frame) {
   ImageLayers image;
   image.width = frame.film.width;

@@ -34,6 +34,13 @@ struct Convergence {
   double residual = 0.0;  // relative to the light, rms over what scatters it
 };
 
+// How noisy a path-traced frame is: sums over pixels and channels of squared standard errors.
+struct PathNoise {
+  int paths = 0;  // per pixel, >= 2
+  double airlight_variance = 0.0;
+  double surface_variance = 0.0;  // of surfaces seen through the medium
+};
+
 // Costs of a frame, and the stages it skipped.
 struct FrameStatistics {
   std::string backend = "cpu";  // or gl
@@ -51,6 +58,7 @@ struct FrameStatistics {
   std::optional<Convergence> scattering;
   // view_pairs per pixel, 0 for interpolated ones; empty without a medium.
   std::vector<float> pixel_pairs;
+  std::optional<PathNoise> path_noise;  // of `path` with two paths or more
 };
 
 // A rendered frame: linear radiance, rows from the top, width * height pixels. Its `depth` is a
@@ -72,6 +80,14 @@ inline float finite(float x) {
   assert(!std::isnan(x));
   return std::isnan(x) ? 0.0f : std::clamp(x, 0.0f, max_radiance);
 }
+
+// Standard error of a path-traced frame, relative to the RMS of the layer; 0 where that is black.
+struct RelativeNoise {
+  int paths = 0;
+  double airlight = 0.0;
+  double picture = 0.0;
+};
+std::optional<RelativeNoise> relative_noise(const Frame& frame);
 
 // The EXR layers of the contract: R G B A, airlight.R/G/B, transmittance.R/G/B, Z.
 ImageLayers to_layers(const Frame& frame);

@@ -98,10 +98,12 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
 StageSet planned_stages(const Content& content, AirlightMethod method, bool has_transfers) {
   const bool paper = method == AirlightMethod::paper;
   const bool sliced = method == AirlightMethod::sliced;
+  const bool path = method == AirlightMethod::path;
   const bool lit_gaussians = content.gaussians && content.point_light();
   // Of airlight and of light at surfaces. `paper` has average optical depths, and the integral of
   // the reference is its own.
-  const bool needs_grid = sliced || method == AirlightMethod::march || (content.surfaces && !paper);
+  const bool needs_grid =
+      sliced || method == AirlightMethod::march || (content.surfaces && !paper && !path);
   StageSet stages{Stage::prepare, Stage::composite};
   stages.add(Stage::transfer, has_transfers);
   stages.add(Stage::visibility, content.surfaces);
@@ -111,20 +113,26 @@ StageSet planned_stages(const Content& content, AirlightMethod method, bool has_
   stages.add(Stage::light_table, sliced && lit_gaussians);
   stages.add(Stage::shadow_map,
              sliced && content.surfaces && content.medium() && content.point_light());
-  stages.add(content.light() ? Stage::airlight : Stage::transmittance, content.medium());
-  stages.add(Stage::surfaces, content.surfaces && content.light());
+  if (path && content.light()) {
+    stages.add(Stage::paths, content.medium() || content.surfaces);
+  } else {
+    stages.add(content.light() ? Stage::airlight : Stage::transmittance, content.medium());
+    stages.add(Stage::surfaces, content.surfaces && content.light());
+  }
   return stages;
 }
 
 StageSet planned_parts(const Content& content, const Settings& settings, bool has_transfers) {
   const bool paper = settings.airlight == AirlightMethod::paper;
+  const bool path = settings.airlight == AirlightMethod::path;
   StageSet parts;
   parts.add(Stage::homogeneous, content.homogeneous);
   parts.add(Stage::noise, content.noise);
-  parts.add(Stage::upsample, content.medium() && settings.airlight_scale > 1);
+  parts.add(Stage::upsample, content.medium() && settings.airlight_scale > 1 && !path);
   parts.add(Stage::average_depth,
             paper && content.surfaces && content.environment && content.gaussians);
-  parts.add(Stage::surface_scattering, content.surfaces && content.medium() && content.light());
+  parts.add(Stage::surface_scattering,
+            content.surfaces && content.medium() && content.light() && !path);
   // Of what is known already if the rest is still to come.
   parts.add(Stage::vertex_light, has_transfers);
   return parts;
@@ -133,6 +141,7 @@ StageSet planned_parts(const Content& content, const Settings& settings, bool ha
 RenderPlan::SurfaceDepths planned_surface_depths(const Content& content, AirlightMethod method) {
   using enum RenderPlan::SurfaceDepths;
   if (!content.surfaces || !content.gaussians || !content.point_light()) return none;
+  if (method == AirlightMethod::path) return none;
   return method == AirlightMethod::sliced ? tables : exact;
 }
 
@@ -149,9 +158,10 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   if (!content.surfaces) skip(Stage::visibility, Reason::no_surfaces);
   if (content.surfaces && !content.light()) skip(Stage::surfaces, Reason::no_light);
   if (plan.transfers.empty()) {
-    skip(Stage::transfer, !requests_transfer ? Reason::no_transfer_requested
-                          : !content.light() ? Reason::no_light
-                                             : Reason::only_direct_light);
+    skip(Stage::transfer, !requests_transfer               ? Reason::no_transfer_requested
+                          : !content.light()               ? Reason::no_light
+                          : method == AirlightMethod::path ? Reason::part_of_paths
+                                                           : Reason::only_direct_light);
   }
   if (content.surfaces && content.light() && !content.medium()) {
     skip(Stage::surface_scattering, Reason::no_medium);
@@ -179,7 +189,7 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   if (!content.noise) {
     skip(Stage::noise, content.gaussians ? Reason::no_noise : Reason::no_gaussians);
   }
-  if (!plan.runs(Stage::airlight)) {
+  if (!plan.runs(Stage::airlight) && !(plan.runs(Stage::paths) && content.medium())) {
     skip(Stage::airlight, content.medium() ? Reason::no_light : Reason::no_medium);
   }
   if (content.lights_off > 0) skip(Stage::lights, Reason::lights_off, content.lights_off);
@@ -198,9 +208,11 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   settings = without_auto(requested);
   const AirlightMethod method = settings.airlight;
   const bool is_reference = method == AirlightMethod::reference;
+  const bool is_path = method == AirlightMethod::path;
   settings = limit_light_map_memory(settings, content.lights.size(), content.surfaces);
   lights = content.lights;
-  transfers = content.transfers(scene);
+  has_density = content.medium();
+  if (!is_path) transfers = content.transfers(scene);
 
   stages =
       planned_stages(content, method, !transfers.empty() && (!shared || shared->has(transfers)));
@@ -220,11 +232,13 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   has_environment = content.environment;
   has_environment_in_medium = content.environment && content.medium();
   has_receivers = runs(Stage::environment) && content.surfaces;
-  has_indirect_light = content.indirect_light();
+  has_indirect_light = content.indirect_light() && !is_path;
   surface_depths = planned_surface_depths(content, method);
   has_exact_occlusion = is_reference;
   precision = is_reference ? Settings::Precision::plain_double : settings.precision;
-  depth_error = is_reference ? reference_depth_error : settings.depth_error;
+  depth_error = is_reference ? reference_depth_error
+                : is_path    ? path_depth_error
+                             : settings.depth_error;
 }
 
 bool RenderPlan::needs_transfer(const Surface& surface) const {

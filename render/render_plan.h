@@ -12,6 +12,8 @@ namespace brume {
 
 // What the reference leaves out of a ray's optical depth.
 inline constexpr double reference_depth_error = 1e-8;
+// What paths leave out.
+inline constexpr double path_depth_error = 1e-6;
 
 // What a frame computes and how: the single place that decides. Made once a frame, before the scene
 // is split into albedo groups, which share it. The backend gl moves it to the device (gl/gl_plan).
@@ -32,12 +34,15 @@ struct RenderPlan {
   // Whether a stage, or a part of one, runs.
   [[nodiscard]] bool runs(Stage stage) const { return stages.has(stage) || parts.has(stage); }
 
-  // The stage that finds what the medium does to view rays.
+  // The stage that finds what the medium does to view rays, if there is one.
   [[nodiscard]] Stage medium_stage() const {
-    return runs(Stage::airlight) ? Stage::airlight : Stage::transmittance;
+    return runs(Stage::airlight) ? Stage::airlight
+           : runs(Stage::paths)  ? Stage::paths
+                                 : Stage::transmittance;
   }
-  [[nodiscard]] bool has_medium() const { return runs(medium_stage()); }
+  [[nodiscard]] bool has_medium() const { return has_density; }
 
+  bool has_density = false;  // of Gaussians or homogeneous
   // An environment with non-zero radiance: behind the scene, and lighting it.
   bool has_environment = false;
   // Environment light enters the medium; Stage::environment runs only if the method wants a grid.

@@ -12,6 +12,7 @@
 #include "render/cpu/marched_airlight.h"
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
+#include "render/cpu/traced_paths.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
 #include "render/prepare/light_limits.h"
@@ -22,8 +23,11 @@ namespace brume {
 struct Renderer::Impl {
   FrameStages stages;
   FilmSlices film_slices;
+  TracedPaths paths;
 
   std::optional<Frame> render(FrameContext& work);
+  // Outgoing radiance of surfaces, RGB per pixel; empty if none is lit.
+  std::span<const glm::vec3> trace_paths(FrameContext& work, StageClock& clock);
   void integrate_medium(FrameContext& work, StageClock& clock);
   AirlightIntegrator airlight_method(FrameContext& work, StageClock& clock);
   AirlightIntegrator paper(FrameContext& work, StageClock& clock);
@@ -72,15 +76,26 @@ std::optional<Frame> Renderer::Impl::render(FrameContext& work) {
   work.make_layers();
   if (!stages.begin(work, clock)) return std::nullopt;
   stages.find_hits(work, clock);
-  if (!stages.prepare_source(work, clock)) return std::nullopt;
-  integrate_medium(work, clock);
-  const std::span<const glm::vec3> surfaces = stages.shade_surfaces(work, clock);
+  std::span<const glm::vec3> surfaces;
+  if (work.settings.airlight == AirlightMethod::path) {
+    surfaces = trace_paths(work, clock);
+  } else {
+    if (!stages.prepare_source(work, clock)) return std::nullopt;
+    integrate_medium(work, clock);
+    surfaces = stages.shade_surfaces(work, clock);
+  }
   if (work.job.stop.stop_requested()) return std::nullopt;
   composite(work.rays, stages.shading().environment(), surfaces, work.job, work.frame);
   clock.finish(Stage::composite);
   work.frame.statistics.frame_milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return std::move(work.frame);
+}
+
+std::span<const glm::vec3> Renderer::Impl::trace_paths(FrameContext& work, StageClock& clock) {
+  const std::span<const glm::vec3> surfaces = paths.trace(stages, work);
+  if (work.plan.runs(work.plan.medium_stage())) clock.finish(work.plan.medium_stage());
+  return surfaces;
 }
 
 // Airlight and transmittance of the view rays.
@@ -108,6 +123,8 @@ AirlightIntegrator Renderer::Impl::airlight_method(FrameContext& work, StageCloc
       return march(work);
     case AirlightMethod::reference:
       return reference(work);
+    case AirlightMethod::path:  // trace_paths()
+      break;
   }
   return {};
 }

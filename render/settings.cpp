@@ -17,6 +17,8 @@ const char* to_string(AirlightMethod method) {
       return "march";
     case AirlightMethod::reference:
       return "reference";
+    case AirlightMethod::path:
+      return "path";
   }
   return "";
 }
@@ -33,6 +35,7 @@ std::string airlight_name(const Settings& settings) {
   }
   if (settings.airlight == AirlightMethod::march)
     name += ':' + std::to_string(settings.march_steps);
+  if (settings.airlight == AirlightMethod::path) name += ':' + std::to_string(settings.paths);
   return name;
 }
 

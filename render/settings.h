@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace brume {
@@ -11,6 +12,7 @@ enum class AirlightMethod {
   sliced,     // exact optical depths per slice of the ray, light from a table
   march,      // ray marching: midpoint rule with exact optical depths, for comparison
   reference,  // the converged integral
+  path,       // path tracing: all orders of scattering, surfaces included
 };
 
 // Resolution of the optical depth table of a light.
@@ -96,6 +98,12 @@ struct Settings {
   // `march`: steps per ray, >= 1.
   int march_steps = 64;
 
+  // `path`: paths per pixel, 1 to max_paths. A frame that differs from the last in nothing but more
+  // of them goes on where that stopped.
+  int paths = 64;
+  // `path`: of its random numbers.
+  std::uint64_t path_seed = 0;
+
   // `reference`: relative tolerance of each ray's quadrature.
   double reference_tolerance = 1e-4;
 
@@ -105,6 +113,8 @@ struct Settings {
 
   bool operator==(const Settings&) const = default;
 };
+
+inline constexpr int max_paths = 1'000'000;
 
 const char* to_string(AirlightMethod method);
 const char* to_string(Scattering scattering);

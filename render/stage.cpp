@@ -26,6 +26,8 @@ const char* to_string(Stage stage) {
       return "airlight";
     case Stage::transmittance:
       return "transmittance";
+    case Stage::paths:
+      return "paths";
     case Stage::surfaces:
       return "surfaces";
     case Stage::composite:
@@ -103,12 +105,16 @@ std::string to_string(Reason reason, std::size_t count) {
       return "switched off: " + std::to_string(count);
     case Reason::black_lights:
       return std::to_string(count) + " lights of intensity 0";
+    case Reason::part_of_paths:
+      return "paths carry its light";
     case Reason::double_precision:
       return "double precision was requested";
     case Reason::march_on_cpu:
       return "airlight march runs only on the CPU";
     case Reason::reference_on_cpu:
       return "airlight reference runs only on the CPU";
+    case Reason::path_on_cpu:
+      return "airlight path runs only on the CPU";
     case Reason::too_many_slices:
       return "more slices than fit into a work group";
     case Reason::too_many_radii:

@@ -20,6 +20,7 @@ enum class Stage {
   shadow_map,   // `sliced`: of the lights, in the medium
   airlight,
   transmittance,  // in place of airlight where nothing emits light
+  paths,          // `path`: airlight, transmittance and surfaces
   surfaces,       // their shading
   composite,
   // Parts of the stages above. OpenGL takes time for some of them.
@@ -84,10 +85,12 @@ enum class Reason {
   transfer_pending,
   lights_off,
   black_lights,
+  part_of_paths,
   // On the CPU.
   double_precision,
   march_on_cpu,
   reference_on_cpu,
+  path_on_cpu,
   too_many_slices,
   too_many_radii,
   center_depths_on_cpu,

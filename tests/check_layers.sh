@@ -68,9 +68,10 @@ render/render_plan.*:$values render/transfer/
 render/lighting/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/
 render/shading/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
 render/prepare/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
-render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
-render/gl/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
 render/reference/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
+render/paths/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ render/reference/
+render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/ render/paths/
+render/gl/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
 render/output/*.[hc]*:$values
 render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/prepare/ render/reference/
 app/document/*.[hc]*:

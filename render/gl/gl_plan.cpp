@@ -30,6 +30,8 @@ std::optional<Reason> refusal(const RenderPlan& plan) {
       return Reason::march_on_cpu;
     case AirlightMethod::reference:
       return Reason::reference_on_cpu;
+    case AirlightMethod::path:
+      return Reason::path_on_cpu;
     case AirlightMethod::auto_:  // plans have none
     case AirlightMethod::sliced:
       break;

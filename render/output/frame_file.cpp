@@ -18,6 +18,7 @@ std::map<std::string, std::string> metadata_of(const FrameInfo& info) {
                                               {"brume:version", BRUME_VERSION},
                                               {"brume:airlight", info.airlight},
                                               {"brume:backend", info.backend}};
+  if (info.noise) metadata["brume:noise"] = quoted_text(info.noise->picture);
   std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
   return metadata;
 }

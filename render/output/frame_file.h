@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "render/frame.h"
@@ -12,7 +13,8 @@ struct FrameInfo {
   std::string scene;  // file name
   std::string airlight;
   std::string backend;
-  double exposure = 0.0;  // [stops], of a PNG; an EXR is linear
+  double exposure = 0.0;               // [stops], of a PNG; an EXR is linear
+  std::optional<RelativeNoise> noise;  // of a path-traced frame
 };
 
 // Throws InputError unless the extension is .exr or .png, in any case.

@@ -60,6 +60,9 @@ std::optional<Frame> render_groups(const Scene& scene, ExtinctionMedia& media, c
     std::optional<Frame> group_frame =
         render(absorbing, i, groups[i].albedo, job.subrange(progress_at(i), progress_at(i + 1)));
     if (!group_frame) return std::nullopt;
+    if (auto& noise = group_frame->statistics.path_noise) {
+      noise->airlight_variance *= groups[i].albedo * groups[i].albedo;
+    }
     if (!frame) {
       frame = *group_frame;
     } else {
@@ -87,6 +90,10 @@ void add_cost(const FrameStatistics& group_frame, FrameStatistics& sum) {
   }
   for (std::size_t i = 0; i < group_frame.pixel_pairs.size(); ++i) {
     sum.pixel_pairs[i] += group_frame.pixel_pairs[i];
+  }
+  if (sum.path_noise && group_frame.path_noise) {
+    sum.path_noise->airlight_variance += group_frame.path_noise->airlight_variance;
+    sum.path_noise->surface_variance += group_frame.path_noise->surface_variance;
   }
   for (const StageTime& stage : group_frame.stages) {
     add_time(sum.stages, stage.stage, stage.milliseconds);

@@ -92,6 +92,13 @@ void FrameStages::find_hits(FrameContext& work, StageClock& clock) {
   clock.finish(Stage::visibility);
 }
 
+SurfaceHit FrameStages::hit(std::size_t pixel) const {
+  if (hits_.empty()) return {};
+  SurfaceHit hit = prepared_.ray_caster().hit_of(hits_[pixel]);
+  if (!distances_.empty()) hit.distance = distances_[pixel];
+  return hit;
+}
+
 bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
   const bool has_environment = work.plan.runs(Stage::environment);
   const bool has_multiple = work.plan.runs(Stage::scattering);

@@ -93,6 +93,8 @@ class FrameStages {
   [[nodiscard]] RayEnds ray_ends(const FrameContext& work) const {
     return {work.fog_extent.ray_distance(work.rays.eye()), distances_};
   }
+  // First hit of a pixel's ray, after find_hits().
+  [[nodiscard]] SurfaceHit hit(std::size_t pixel) const;
   // Null: there is none.
   [[nodiscard]] const SourceFunction* source_function(const FrameContext& work) const {
     return work.plan.has_source_function() ? &source_ : nullptr;

@@ -83,6 +83,13 @@ std::vector<Settings> slow_methods(unsigned seed) {
   return {plain, on_one_thread(AirlightMethod::reference)};
 }
 
+// In opaque media that absorb nothing a path takes milliseconds.
+std::vector<Settings> path_methods(unsigned) {
+  Settings path = on_one_thread(AirlightMethod::path);
+  path.paths = 1;
+  return {path};
+}
+
 std::string broken_promise(unsigned seed, std::span<const Settings> methods) {
   const Scene scene = random_scene(seed);
   Renderer renderer;  // what materials need is prepared once for all methods
@@ -122,6 +129,10 @@ TEST(Fuzz, FramesAreFiniteAndInTheirBounds) {
 
 TEST(Fuzz, FramesInDoubleAreFiniteAndInTheirBounds) {
   run_scenes(10'001, 200, slow_methods);
+}
+
+TEST(Fuzz, PathTracedFramesAreFiniteAndInTheirBounds) {
+  run_scenes(10'201, 100, path_methods);
 }
 
 }  // namespace

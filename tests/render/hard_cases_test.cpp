@@ -32,11 +32,13 @@ TEST_P(HardCases, MatchTheGoldenValues) {
 }
 
 TEST_P(HardCases, AreFiniteInEveryLayer) {
-  for (const AirlightMethod method : {AirlightMethod::paper, AirlightMethod::sliced,
-                                      AirlightMethod::march, AirlightMethod::reference}) {
+  for (const AirlightMethod method :
+       {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
+        AirlightMethod::reference, AirlightMethod::path}) {
     for (const int scale : {1, 4}) {
       Settings settings;
       settings.airlight = method;
+      settings.paths = 2;
       settings.airlight_scale = scale;
       expect_finite(render_frame(GetParam().scene, settings));
     }

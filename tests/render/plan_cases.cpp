@@ -80,6 +80,7 @@ Settings PlanCase::settings() const {
   settings.scattering = scattering;
   settings.slices = 8;
   settings.march_steps = 8;
+  settings.paths = 2;
   settings.reference_tolerance = 0.1;
   settings.optical_depth_table = {16, 8};
   settings.shadow_cells = 32;
@@ -112,7 +113,7 @@ std::vector<PlanCase> all_plan_cases() {
   cases = varied(cases, &PlanCase::scattering, {Scattering::single, Scattering::multiple});
   return varied(cases, &PlanCase::method,
                 {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
-                 AirlightMethod::reference});
+                 AirlightMethod::reference, AirlightMethod::path});
 }
 
 std::vector<PlanCase> few_plan_cases(const std::vector<AirlightMethod>& methods) {

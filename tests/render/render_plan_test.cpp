@@ -26,13 +26,14 @@ RenderPlan plan_of(const PlanCase& c) {
   return {scene, scene.film, c.settings()};
 }
 
+// What surfaces take from all directions by other means than paths.
 bool has_indirect_light(const PlanCase& c) {
-  return c.has_sky() || (c.has_lights() && c.has_medium());
+  return !c.is(Method::path) && (c.has_sky() || (c.has_lights() && c.has_medium()));
 }
 
 bool uses_transfer(const PlanCase& c) {
   return (c.transfer == Transfer::shadow && has_indirect_light(c)) ||
-         (c.transfer == Transfer::interreflection && c.has_any_light());
+         (c.transfer == Transfer::interreflection && c.has_any_light() && !c.is(Method::path));
 }
 
 struct StageRule {
@@ -46,7 +47,7 @@ const StageRule stage_rules[] = {
     {Stage::visibility, [](const PlanCase& c) { return c.surfaces; }},
     {Stage::environment,
      [](const PlanCase& c) {
-       return c.has_sky() && c.has_medium() && !c.is(Method::paper) &&
+       return c.has_sky() && c.has_medium() && !c.is(Method::paper) && !c.is(Method::path) &&
               (!c.is(Method::reference) || c.surfaces);
      }},
     {Stage::light_depth,
@@ -61,22 +62,31 @@ const StageRule stage_rules[] = {
      [](const PlanCase& c) {
        return c.is(Method::sliced) && c.has_lights() && c.has_medium() && c.surfaces;
      }},
-    {Stage::airlight, [](const PlanCase& c) { return c.has_medium() && c.has_any_light(); }},
+    {Stage::airlight,
+     [](const PlanCase& c) { return c.has_medium() && c.has_any_light() && !c.is(Method::path); }},
+    {Stage::paths,
+     [](const PlanCase& c) {
+       return c.is(Method::path) && c.has_any_light() && (c.has_medium() || c.surfaces);
+     }},
     {Stage::transmittance, [](const PlanCase& c) { return c.has_medium() && !c.has_any_light(); }},
-    {Stage::surfaces, [](const PlanCase& c) { return c.surfaces && c.has_any_light(); }},
+    {Stage::surfaces,
+     [](const PlanCase& c) { return c.surfaces && c.has_any_light() && !c.is(Method::path); }},
     {Stage::composite, [](const PlanCase&) { return true; }},
 };
 
 const StageRule part_rules[] = {
     {Stage::homogeneous, [](const PlanCase& c) { return c.fog; }},
     {Stage::noise, [](const PlanCase& c) { return c.noise && c.has_gaussians(); }},
-    {Stage::upsample, [](const PlanCase& c) { return c.has_medium() && c.scale > 1; }},
+    {Stage::upsample,
+     [](const PlanCase& c) { return c.has_medium() && c.scale > 1 && !c.is(Method::path); }},
     {Stage::average_depth,
      [](const PlanCase& c) {
        return c.is(Method::paper) && c.surfaces && c.has_sky() && c.has_gaussians();
      }},
     {Stage::surface_scattering,
-     [](const PlanCase& c) { return c.surfaces && c.has_any_light() && c.has_medium(); }},
+     [](const PlanCase& c) {
+       return c.surfaces && c.has_any_light() && c.has_medium() && !c.is(Method::path);
+     }},
     {Stage::vertex_light, uses_transfer},
 };
 
@@ -87,7 +97,7 @@ StageSet expected(std::span<const StageRule> rules, const PlanCase& c) {
 }
 
 TEST(RenderPlan, RunsStagesByTheirRules) {
-  ASSERT_EQ(all_plan_cases().size(), 4u * 27u * 4u * 16u);
+  ASSERT_EQ(all_plan_cases().size(), 4u * 27u * 4u * 20u);
   for (const PlanCase& c : all_plan_cases()) {
     const RenderPlan plan = plan_of(c);
     ASSERT_EQ(to_string(plan.stages), to_string(expected(stage_rules, c))) << c.name();
@@ -113,7 +123,12 @@ const SkipRule skip_rules[] = {
      [](const PlanCase& c) { return c.transfer != Transfer::none && !c.has_any_light(); }},
     {Stage::transfer, Reason::only_direct_light,
      [](const PlanCase& c) {
-       return c.transfer == Transfer::shadow && c.has_lights() && !c.has_sky() && !c.has_medium();
+       return c.transfer == Transfer::shadow && c.has_lights() && !c.has_sky() && !c.has_medium() &&
+              !c.is(Method::path);
+     }},
+    {Stage::transfer, Reason::part_of_paths,
+     [](const PlanCase& c) {
+       return c.transfer != Transfer::none && c.has_any_light() && c.is(Method::path);
      }},
     {Stage::surface_scattering, Reason::no_medium,
      [](const PlanCase& c) { return c.surfaces && c.has_any_light() && !c.has_medium(); }},
@@ -176,22 +191,26 @@ TEST(RenderPlan, ChoosesByItsRules) {
     const bool is_reference = c.is(Method::reference);
     ASSERT_EQ(plan.has_environment, c.has_sky()) << c.name();
     ASSERT_EQ(plan.has_environment_in_medium, c.has_sky() && c.has_medium()) << c.name();
-    ASSERT_EQ(plan.has_receivers,
-              c.has_sky() && c.has_medium() && c.surfaces && !c.is(Method::paper))
+    ASSERT_EQ(plan.has_receivers, c.has_sky() && c.has_medium() && c.surfaces &&
+                                      !c.is(Method::paper) && !c.is(Method::path))
         << c.name();
     ASSERT_EQ(plan.has_indirect_light, has_indirect_light(c)) << c.name();
-    ASSERT_EQ(plan.surface_depths, !c.surfaces || !c.has_lights() || !c.has_gaussians()
-                                       ? SurfaceDepths::none
-                                   : c.is(Method::sliced) ? SurfaceDepths::tables
-                                                          : SurfaceDepths::exact)
+    const bool sums_depths = c.surfaces && c.has_lights() && c.has_gaussians();
+    ASSERT_EQ(plan.surface_depths, !sums_depths || c.is(Method::path) ? SurfaceDepths::none
+                                   : c.is(Method::sliced)             ? SurfaceDepths::tables
+                                                                      : SurfaceDepths::exact)
         << c.name();
     ASSERT_EQ(plan.has_exact_occlusion, is_reference);
     ASSERT_EQ(plan.precision,
               is_reference ? Settings::Precision::plain_double : Settings::Precision::simd_float);
-    ASSERT_EQ(plan.depth_error, is_reference ? reference_depth_error : Settings{}.depth_error);
+    ASSERT_EQ(plan.depth_error, is_reference         ? reference_depth_error
+                                : c.is(Method::path) ? path_depth_error
+                                                     : Settings{}.depth_error);
     ASSERT_EQ(plan.lights.size(), c.has_lights() ? 2u : 0u);
     ASSERT_EQ(plan.transfers.size(), uses_transfer(c) ? 1u : 0u);
-    ASSERT_EQ(plan.transfers, needed_transfers(c.scene()));
+    if (!c.is(Method::path)) {
+      ASSERT_EQ(plan.transfers, needed_transfers(c.scene()));
+    }
     ASSERT_EQ(plan.has_medium(), c.has_medium());
   }
 }
@@ -263,8 +282,8 @@ TEST(RenderPlan, WaitsForSharedTransfer) {
 }
 
 TEST(RenderPlan, MatchesTheStatisticsOfFrames) {
-  for (const PlanCase& c :
-       few_plan_cases({Method::paper, Method::sliced, Method::march, Method::reference})) {
+  for (const PlanCase& c : few_plan_cases(
+           {Method::paper, Method::sliced, Method::march, Method::reference, Method::path})) {
     const Scene scene = c.scene();
     const RenderPlan plan(scene, scene.film, c.settings());
     const FrameStatistics statistics = render_frame(scene, c.settings()).statistics;

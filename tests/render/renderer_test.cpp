@@ -197,10 +197,12 @@ TEST(Renderer, NoStageIsBothRunAndSkipped) {
   scenes.back().lights.clear();
   for (Scene& scene : scenes) {
     scene.film = {8, 8};
-    for (const AirlightMethod method : {AirlightMethod::paper, AirlightMethod::sliced,
-                                        AirlightMethod::march, AirlightMethod::reference}) {
+    for (const AirlightMethod method :
+         {AirlightMethod::paper, AirlightMethod::sliced, AirlightMethod::march,
+          AirlightMethod::reference, AirlightMethod::path}) {
       Settings settings;
       settings.airlight = method;
+      settings.paths = 2;
       const FrameStatistics statistics = render_frame(scene, settings).statistics;
       for (const StageTime& ran : statistics.stages) {
         for (const SkippedStage& skipped : statistics.skipped) {

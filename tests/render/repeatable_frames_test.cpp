@@ -39,5 +39,12 @@ TEST(RepeatableFrames, March) {
   expect_repeatable(create_cpu_renderer, settings);
 }
 
+TEST(RepeatableFrames, Paths) {
+  Settings settings;
+  settings.airlight = AirlightMethod::path;
+  settings.paths = 2;
+  expect_repeatable(create_cpu_renderer, settings);
+}
+
 }  // namespace
 }  // namespace brume

@@ -54,6 +54,13 @@ TEST_F(CommandLine, RefusesBadUsageInOneLineWithASuggestion) {
     expect_refused({"render", scene_, "-o", out, "--airlight", march},
                    {march, "march:N with N from 1 to 65536"});
   }
+  for (const char* path : {"path", "path:", "path:0", "path:-3", "path:1000001", "path:1e3",
+                           "path:8x", "path:nan", "path:99999999999999999999", "Path:8"}) {
+    expect_refused({"render", scene_, "-o", out, "--airlight", path},
+                   {path, "path:N with N from 1 to 1000000"});
+  }
+  expect_refused({"render", scene_, "-o", out, "--airlight", "path:8", "--airlight-scale", "2"},
+                 {"--airlight-scale: path is never interpolated"});
   expect_refused({"render", scene_, "-o", out, "--backend", "vulkan"}, {"allowed: auto, cpu, gl"});
   expect_refused({"info", file("smoke.vdb")}, {"smoke.vdb", "no such file"});
   expect_refused({"info", file("a.txt")}, {"allowed: .brume, .ply"});
@@ -95,7 +102,7 @@ TEST_F(CommandLine, RefusesOutputsBeforeItRenders) {
 }
 
 TEST_F(CommandLine, RendersAllLayersToExr) {
-  for (const char* airlight : {"paper", "sliced", "reference", "march:24", "march:1"}) {
+  for (const char* airlight : {"paper", "sliced", "reference", "march:24", "march:1", "path:4"}) {
     SCOPED_TRACE(airlight);
     const ProgramResult result = run_brume(
         {"render", scene_, "-o", file("o.exr"), "--airlight", airlight, "--backend", "cpu"});
@@ -180,11 +187,11 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   const auto stats = nlohmann::ordered_json::parse(content_of(folder_ / "s.json"));
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{"version", "scene", "size", "backend", "device", "airlight",
-                                      "slices", "airlight_scale", "exact_pixels", "threads",
-                                      "repeat", "frame_ms", "first_frame_ms", "transfer_ms",
-                                      "stages", "skipped", "gaussians", "pairs", "error"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{
+                      "version",  "scene",     "size",           "backend",      "device",
+                      "airlight", "slices",    "airlight_scale", "exact_pixels", "threads",
+                      "repeat",   "frame_ms",  "first_frame_ms", "transfer_ms",  "stages",
+                      "skipped",  "gaussians", "pairs",          "error",        "noise"}));
   EXPECT_EQ(stats["version"], BRUME_VERSION);
   EXPECT_EQ(stats["scene"], scene_);
   EXPECT_EQ(stats["size"], Json::array({8, 6}));
@@ -196,6 +203,7 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   EXPECT_GT(stats["error"]["rel_rmse"], 0.0);
   EXPECT_GT(stats["error"]["pixels"], 0);
   EXPECT_TRUE(stats["slices"].is_null());
+  EXPECT_TRUE(stats["noise"].is_null());
   EXPECT_LE(stats["frame_ms"]["min"], stats["frame_ms"]["median"]);
   EXPECT_LE(stats["frame_ms"]["median"], stats["frame_ms"]["max"]);
   EXPECT_GT(stats["first_frame_ms"], 0.0);
@@ -209,6 +217,22 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
   EXPECT_EQ(stats["gaussians"]["total"], 2);
   EXPECT_TRUE(stats["pairs"]["light"].is_number());
   EXPECT_TRUE(stats["pairs"]["view"].is_number());
+}
+
+TEST_F(CommandLine, TellsTheNoiseOfPaths) {
+  const ProgramResult result =
+      run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "8x6",
+                 "--airlight", "path:16", "--backend", "cpu"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
+  EXPECT_EQ(stats["airlight"], "path:16");
+  EXPECT_TRUE(stats["error"].is_null());
+  EXPECT_EQ(stats["noise"]["paths"], 16);
+  EXPECT_GT(stats["noise"]["airlight"], 0.0);
+  EXPECT_LT(stats["noise"]["airlight"], 1.0);
+  EXPECT_GT(stats["noise"]["picture"], 0.0);
+  const ImageLayers image = read_exr(folder_ / "o.exr");
+  EXPECT_NEAR(std::stod(image.metadata.at("brume:noise")), stats["noise"]["picture"], 1e-3);
 }
 
 TEST_F(CommandLine, RendersWithOpenGl) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <sstream>
 
 #include "core/error.h"
@@ -33,26 +34,37 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int max_march_steps = 65'536;
 
+// N of `name` = "method:N", in [1, max].
+std::optional<int> method_count(std::string_view name, AirlightMethod method, int max) {
+  const std::string prefix = std::string(to_string(method)) + ':';
+  if (!name.starts_with(prefix)) return std::nullopt;
+  const auto count = parse_integer(name.substr(prefix.size()));
+  if (!count || *count < 1 || *count > max) return std::nullopt;
+  return static_cast<int>(*count);
+}
+
 // Sets the method and what belongs to it.
 void set_airlight(Settings& settings, const std::string& name) {
-  constexpr std::string_view march = "march:";
   for (const auto method : {AirlightMethod::auto_, AirlightMethod::paper, AirlightMethod::sliced,
                             AirlightMethod::reference}) {
     if (name != to_string(method)) continue;
     settings.airlight = method;
     return;
   }
-  if (name.starts_with(march)) {
-    const auto steps = parse_integer(std::string_view(name).substr(march.size()));
-    if (steps && *steps >= 1 && *steps <= max_march_steps) {
-      settings.airlight = AirlightMethod::march;
-      settings.march_steps = static_cast<int>(*steps);
-      return;
-    }
+  if (const auto steps = method_count(name, AirlightMethod::march, max_march_steps)) {
+    settings.airlight = AirlightMethod::march;
+    settings.march_steps = *steps;
+    return;
+  }
+  if (const auto paths = method_count(name, AirlightMethod::path, max_paths)) {
+    settings.airlight = AirlightMethod::path;
+    settings.paths = *paths;
+    return;
   }
   throw UsageError("--airlight: found " + quoted_text(name) +
                    "; allowed: auto, paper, sliced, reference, march:N with N from 1 to " +
-                   std::to_string(max_march_steps));
+                   std::to_string(max_march_steps) + ", path:N with N from 1 to " +
+                   std::to_string(max_paths));
 }
 
 Scattering parse_scattering(const std::string& name) {
@@ -84,7 +96,8 @@ class RenderCommand final : public Command {
     app.add_option("-o,--output", output_, "the image: .exr (linear, all layers) or .png")
         ->required();
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
-    app.add_option("--airlight", airlight_, "auto, paper, sliced, reference or march:STEPS")
+    app.add_option("--airlight", airlight_,
+                   "auto, paper, sliced, reference, march:STEPS or path:PATHS")
         ->capture_default_str();
     app.add_option("--scattering", scattering_,
                    "sliced: single or multiple, all orders in the medium; surfaces get one order")
@@ -135,8 +148,11 @@ class RenderCommand final : public Command {
     settings.max_error = max_error_;
     settings.paper = paper_;
     settings.paper_spread = paper_spread_;
-    if (airlight_scale_ > 1 && settings.airlight == AirlightMethod::reference) {
-      throw UsageError("--airlight-scale: the reference is never interpolated; allowed: 1");
+    const bool is_path = settings.airlight == AirlightMethod::path;
+    const bool is_truth = is_path || settings.airlight == AirlightMethod::reference;
+    if (airlight_scale_ > 1 && is_truth) {
+      throw UsageError(std::string("--airlight-scale: ") + (is_path ? "path" : "the reference") +
+                       " is never interpolated; allowed: 1");
     }
     settings.airlight_scale = airlight_scale_ > 0 ? airlight_scale_ : is_auto ? 4 : 1;
     settings.reference_tolerance = tolerance_;
@@ -154,7 +170,7 @@ class RenderCommand final : public Command {
     const Scene scene = evaluate_at(read_scene(scene_file_, files), time_);
     const Film film = size_.empty() ? scene.film : wanted;
     const auto transfers = std::make_shared<TransferStore>();
-    const double transfer_milliseconds = make_transfers(scene, *transfers);
+    const double transfer_milliseconds = is_path ? 0.0 : make_transfers(scene, *transfers);
     std::string problem;
     const std::unique_ptr<FrameRenderer> made = make_renderer(backend, transfers, problem);
     FrameRenderer& renderer = *made;
@@ -185,15 +201,19 @@ class RenderCommand final : public Command {
     }
     check_interrupted();
     write_frame(output_, frame,
-                {scene_file_, airlight_name(settings), frame.statistics.backend, exposure_});
+                {scene_file_, airlight_name(settings), frame.statistics.backend, exposure_,
+                 relative_noise(frame)});
     if (!stats_file_.empty()) {
-      if (!error && settings.airlight != AirlightMethod::reference) {
+      // What paths say of their error is their noise; the integral is scattered once only.
+      if (!error && !is_truth) {
         const ProgressLine line("measuring the error");
         error =
             finished(measure_error(scene, scene.camera, frame, interruption(), line.progress()));
       }
-      const RenderRun run{scene_file_,           film, settings, repeat_, first.count(),
-                          transfer_milliseconds, error};
+      const RenderRun run{scene_file_,   film,
+                          settings,      repeat_,
+                          first.count(), transfer_milliseconds,
+                          error,         relative_noise(frame)};
       write_atomically(stats_file_, statistics_json(run, frame.statistics, moved));
     }
     return done;

@@ -89,6 +89,13 @@ std::string statistics_json(const RenderRun& run, const FrameStatistics& first,
                          {"low", run.error->low},
                          {"high", run.error->high}};
   }
+  json["noise"] = nullptr;
+  if (run.noise) {
+    // Standard errors, relative to the RMS of the layer.
+    json["noise"] = Json{{"paths", run.noise->paths},
+                         {"airlight", run.noise->airlight},
+                         {"picture", run.noise->picture}};
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -19,6 +19,7 @@ struct RenderRun {
   double first_frame_milliseconds = 0.0;  // with loading and building everything once
   double transfer_milliseconds = 0.0;     // of those, for radiance transfer
   std::optional<ErrorEstimate> error;     // of the first frame
+  std::optional<RelativeNoise> noise;     // of the first frame, if path-traced
 };
 
 // The JSON of --stats. Counts are those of the first frame; frame_ms and stages are over `moved`,

@@ -30,7 +30,7 @@ struct GoldenRay {
 };
 
 std::vector<GoldenRay> golden_rays() {
-  std::ifstream file(std::string(BRUME_GOLDEN_FOLDER) + "/multiple_scattering.json");
+  std::ifstream file(BRUME_MULTIPLE_SCATTERING);
   const Json all = Json::parse(file);
   std::vector<GoldenRay> rays;
   for (const Json& in : all.at("rays")) {

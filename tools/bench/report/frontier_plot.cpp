@@ -25,6 +25,7 @@ const char* color_of(const Settings& settings) {
     case AirlightMethod::march:
       return settings.airlight_scale > 1 ? "#d62728" : "#f19c99";
     case AirlightMethod::reference:
+    case AirlightMethod::path:
       return reference_color;
   }
   return "#000";

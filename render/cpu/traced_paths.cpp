@@ -1,0 +1,90 @@
+#include "render/cpu/traced_paths.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "render/prepare/light_limits.h"
+
+namespace brume {
+namespace {
+
+std::vector<PathLight> lights_of(const FrameContext& work) {
+  std::vector<PathLight> lights;
+  for (const PointLight& light : work.plan.lights) {
+    lights.push_back({light.position, light.intensity,
+                      min_light_distance(work.rays, work.camera, light.position)});
+  }
+  return lights;
+}
+
+// 1 for the channels of the frame's albedo group.
+glm::dvec3 channels_of(const FrameContext& work) {
+  glm::dvec3 channels(0.0);
+  for (int c = 0; c < 3; ++c) {
+    if (work.scene.optics.albedo[c] == work.albedo) channels[c] = 1.0;
+  }
+  return channels;
+}
+
+}  // namespace
+
+void TracedPaths::prepare(const FrameStages& stages, const FrameContext& work) {
+  const MediumIndex& index = stages.prepared().medium();
+  if (!medium_ || medium_revision_ != index.revision()) {
+    medium_ = std::make_unique<PathMedium>(index);
+    medium_revision_ = index.revision();
+  }
+  if (!work.plan.has_environment) {
+    environment_.reset();
+  } else if (!environment_ || environment_->environment() != *work.scene.environment) {
+    environment_.emplace(*work.scene.environment);
+  }
+}
+
+std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameContext& work) {
+  const bool is_lit = work.plan.runs(Stage::paths);
+  if (!is_lit && !work.plan.has_medium()) return {};
+  prepare(stages, work);
+
+  const RayCaster& ray_caster = stages.prepared().ray_caster();
+  std::vector<PathLight> lights = lights_of(work);
+  PathScene scene{.medium = *medium_,
+                  .albedo = work.albedo,
+                  .fog = PathFog::around(medium_->index(), ray_caster, lights, work.rays.eye(),
+                                         work.fog_extent.surface_distance()),
+                  .ray_caster = ray_caster,
+                  .surfaces = work.scene.surfaces};
+  if (environment_ && !environment_->empty()) scene.environment = &*environment_;
+  for (const Surface& surface : work.scene.surfaces) scene.materials.emplace_back(surface.material);
+  scene.set_lights(std::move(lights));
+
+  PathKey key;
+  key.medium = medium_revision_;
+  key.noise = medium_->index().noise();
+  key.albedo = work.albedo;
+  key.lights = work.plan.lights;
+  key.environment = work.scene.environment;
+  key.surfaces = work.scene.surfaces;
+  key.fog_distance = scene.fog.distance;
+  key.camera = work.camera;
+  key.film = work.frame.film;
+  key.channels = channels_of(work);
+  key.seed = work.settings.path_seed;
+
+  const PathFilm::View view{.scene = scene,
+                            .rays = work.rays,
+                            .open_end = stages.ray_ends(work).open,
+                            .hit = [&](std::size_t pixel) { return stages.hit(pixel); },
+                            .paths = is_lit ? work.settings.paths : 0,
+                            .has_medium = work.plan.has_medium(),
+                            .has_surfaces = work.plan.runs(Stage::visibility)};
+  film_.trace(key, view, work.job, work.frame);
+
+  FrameStatistics& statistics = work.frame.statistics;
+  statistics.exact_pixels = work.frame.depth.size();
+  statistics.gaussians_used = static_cast<std::size_t>(std::ranges::count_if(
+      medium_->index().cutoff_radii(), [](double radius) { return radius > 0.0; }));
+  return film_.surfaces();
+}
+
+}  // namespace brume

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "core/scene/scene.h"
+#include "render/paths/path_random.h"
+
+namespace brume {
+
+// Draws directions of incident light at a surface roughly in proportion to brdf() cos(theta_i): a
+// mixture of the cosine and of a lobe. The lobe of Phong is exact; that of a measured material
+// follows its half vectors, (n.h)^e with e from where its highlight has fallen to half.
+// Directions are unit, and leave the surface; those of the lobe may lie behind it.
+class MaterialSampler {
+ public:
+  explicit MaterialSampler(const Material& material);
+
+  // For light that is reflected towards wo.
+  [[nodiscard]] glm::dvec3 sample(const glm::dvec3& n, const glm::dvec3& wo,
+                                  PathRandom& random) const;
+  // Probability density of sample() [1/sr].
+  [[nodiscard]] double pdf(const glm::dvec3& wi, const glm::dvec3& n, const glm::dvec3& wo) const;
+
+ private:
+  enum class Lobe { none, mirrored, half_vector };
+
+  Lobe lobe_ = Lobe::none;
+  double exponent_ = 1.0;
+  double lobe_share_ = 0.0;  // of the samples
+};
+
+}  // namespace brume

@@ -1,0 +1,116 @@
+#include "render/paths/path_film.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brume {
+namespace {
+
+// Rays with less have no airlight: products with random numbers must stay normal.
+constexpr double min_depth = 1e-200;
+
+// Surfaces behind more than this optical depth are not seen: exp(-50) = 2e-22.
+constexpr double hidden = 50.0;
+
+// Streams of random numbers of a pixel.
+enum Stream : std::uint64_t { block_stream, airlight_stream, surface_stream };
+
+void set_pixel(std::vector<float>& layer, std::size_t pixel, const glm::dvec3& value) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    layer[3 * pixel + c] = finite(static_cast<float>(value[static_cast<int>(c)]));
+  }
+}
+
+}  // namespace
+
+void PathFilm::trace(const PathKey& key, const View& view, const Job& job, Frame& frame) {
+  const std::size_t pixels = frame.depth.size();
+  if (key != key_ || view.paths < paths_ || counts_.size() != pixels) {
+    key_ = key;
+    counts_.assign(pixels, 0);
+    airlight_.assign(view.has_medium ? pixels : 0, {});
+    surfaces_.assign(view.has_surfaces ? pixels : 0, {});
+  }
+  paths_ = view.paths;
+  surface_radiance_.assign(view.has_surfaces ? pixels : 0, glm::vec3(0.0f));
+
+  const PathTracer tracer(view.scene);
+  const std::size_t runs = (pixels + run - 1) / run;
+  std::vector<Variances> variances(runs);
+  job.parallel_for_with_progress(runs, [&](std::size_t r) {
+    for (std::size_t pixel = r * run; pixel < std::min((r + 1) * run, pixels); ++pixel) {
+      trace_pixel(view, tracer, pixel, job, frame, variances[r]);
+    }
+  });
+  if (job.stop.stop_requested()) return;
+  if (view.has_medium) {
+    for (const float pairs : frame.statistics.pixel_pairs) {
+      frame.statistics.view_pairs += static_cast<std::uint64_t>(pairs);
+    }
+  }
+  if (view.paths < 2) return;
+  PathNoise& noise = frame.statistics.path_noise.emplace();
+  noise.paths = view.paths;
+  for (const Variances& each : variances) {
+    noise.airlight_variance += each.airlight;
+    noise.surface_variance += each.surfaces;
+  }
+}
+
+void PathFilm::trace_pixel(const View& view, const PathTracer& tracer, std::size_t pixel,
+                           const Job& job, Frame& frame, Variances& variances) {
+  const auto width = static_cast<std::size_t>(frame.film.width);
+  const glm::dvec3& eye = view.rays.eye();
+  const glm::dvec3 w = view.rays.direction(static_cast<double>(pixel % width) + 0.5,
+                                           static_cast<double>(pixel / width) + 0.5);
+  const SurfaceHit hit = view.has_surfaces ? view.hit(pixel) : SurfaceHit{};
+  const double end = hit ? hit.distance : view.open_end;
+  std::optional<CameraRay> ray;
+  if (view.has_medium) ray.emplace(view.scene.medium.index(), eye, w, end);
+  const double depth = ray ? ray->depth() : 0.0;
+  const bool has_airlight = depth > min_depth;
+  const bool sees_surface = hit && depth < hidden;
+  SurfacePoint point;
+  if (sees_surface) point = view.scene.ray_caster.point(hit, eye, w, view.scene.surfaces);
+
+  int& count = counts_[pixel];
+  for (; count < view.paths; ++count) {
+    if (!has_airlight && !sees_surface) {
+      count = view.paths;
+      break;
+    }
+    if (job.stop.stop_requested()) return;
+    const auto sample = static_cast<std::uint64_t>(count);
+    if (has_airlight) {
+      const PathRandom block(key_.seed, pixel, sample / path_block, block_stream);
+      PathRandom random(key_.seed, pixel, sample, airlight_stream);
+      const StratifiedPair stratified(block, static_cast<unsigned>(count % path_block), random);
+      airlight_[pixel].add(count, tracer.airlight(*ray, stratified, random).sum(), key_.channels);
+    }
+    if (sees_surface) {
+      PathRandom random(key_.seed, pixel, sample, surface_stream);
+      surfaces_[pixel].add(count, tracer.surface(point, random).sum(), key_.channels);
+    }
+  }
+
+  const double transmittance = std::exp(-depth);
+  if (view.has_medium) {
+    set_pixel(frame.transmittance, pixel, glm::dvec3(transmittance));
+    frame.statistics.pixel_pairs[pixel] = static_cast<float>(ray->gaussians());
+  }
+  if (view.paths == 0) return;
+  if (has_airlight) {
+    set_pixel(frame.airlight, pixel, airlight_[pixel].mean(view.paths));
+    variances.airlight += airlight_[pixel].variance(view.paths, key_.channels);
+  }
+  if (sees_surface) {
+    const glm::dvec3 radiance = surfaces_[pixel].mean(view.paths);
+    for (int c = 0; c < 3; ++c) {
+      surface_radiance_[pixel][c] = finite(static_cast<float>(radiance[c]));
+    }
+    variances.surfaces +=
+        transmittance * transmittance * surfaces_[pixel].variance(view.paths, key_.channels);
+  }
+}
+
+}  // namespace brume

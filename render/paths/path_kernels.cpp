@@ -1,0 +1,178 @@
+#include "render/paths/path_kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+// Highway includes this file once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/paths/path_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own order: foreach_target first.
+#include "render/simd/gaussian-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+
+// At most eight lanes, the padding of the arrays.
+using D = hn::CappedTag<double, 8>;
+using V = hn::Vec<D>;
+
+// A segment for vectors.
+struct Segment {
+  V3<V> origin, direction;
+  V length;
+
+  Segment(D d, const glm::dvec3& from, const glm::dvec3& w, double end)
+      : origin{hn::Set(d, from.x), hn::Set(d, from.y), hn::Set(d, from.z)},
+        direction{hn::Set(d, w.x), hn::Set(d, w.y), hn::Set(d, w.z)},
+        length(hn::Set(d, end)) {}
+
+  // Points relative to the origin.
+  HWY_INLINE V3<V> Relative(D d, const double* x, const double* y, const double* z) const {
+    return {hn::Sub(hn::LoadU(d, x), origin.x), hn::Sub(hn::LoadU(d, y), origin.y),
+            hn::Sub(hn::LoadU(d, z), origin.z)};
+  }
+  // Whether the segment comes nearer to them than the root of radius2.
+  HWY_INLINE auto Touches(D d, const V3<V>& q, const double* radius2) const {
+    const V t = hn::Min(hn::Max(dot(q, direction), hn::Zero(d)), length);
+    const V3<V> offset = minus(q, t, direction);
+    return hn::Lt(dot(offset, offset), hn::LoadU(d, radius2));
+  }
+};
+
+double SegmentDepth(const GaussianColumns& g, std::size_t group_count, const glm::dvec3& origin,
+                    const glm::dvec3& direction, double end) {
+  const D d;
+  const Segment segment(d, origin, direction, end);
+  V sum = hn::Zero(d);
+  // The Gaussians of a group.
+  const auto add = [&](std::size_t group) HWY_ATTR {
+    const std::size_t first = group * GaussianArrays::max_lanes;
+    for (std::size_t i = first; i < first + GaussianArrays::max_lanes; i += hn::Lanes(d)) {
+      const V3<V> q = segment.Relative(d, g.x + i, g.y + i, g.z + i);
+      const auto near = segment.Touches(d, q, g.cutoff2 + i);
+      if (hn::AllFalse(d, near)) continue;
+      const V a = hn::LoadU(d, g.a + i);
+      const V depth =
+          hn::Mul(hn::LoadU(d, g.scale + i),
+                  LineProfile<D>(q, segment.direction, a).UnitDepth(d, a, segment.length));
+      sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
+    }
+  };
+  for (std::size_t first = 0; first < group_count; first += hn::Lanes(d)) {
+    const V3<V> q = segment.Relative(d, g.group_x + first, g.group_y + first, g.group_z + first);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, segment.Touches(d, q, g.group_radius2 + first), bits);
+    for (unsigned touched = bits[0]; touched != 0; touched &= touched - 1) {
+      add(first + static_cast<std::size_t>(std::countr_zero(touched)));
+    }
+  }
+  return hn::GetLane(hn::SumOfLanes(d, sum));
+}
+
+double PointDensity(const GaussianColumns& g, const std::uint32_t* indices, std::size_t count,
+                    const glm::dvec3& point) {
+  const D d;
+  const hn::Rebind<std::int64_t, D> di;
+  const hn::Rebind<std::int32_t, D> d32;
+  V sum = hn::Zero(d);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto at =
+        hn::PromoteTo(di, hn::LoadU(d32, reinterpret_cast<const std::int32_t*>(indices + i)));
+    const V ai = hn::GatherIndex(d, g.a, at);
+    const V qx = hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.x, at), hn::Set(d, point.x)));
+    const V qy = hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.y, at), hn::Set(d, point.y)));
+    const V qz = hn::Mul(ai, hn::Sub(hn::GatherIndex(d, g.z, at), hn::Set(d, point.z)));
+    const V e = hn::MulAdd(qx, qx, hn::MulAdd(qy, qy, hn::Mul(qz, qz)));
+    const V density = hn::Mul(hn::GatherIndex(d, g.peak, at), hn::Exp(d, hn::Neg(e)));
+    sum = hn::Add(sum, hn::IfThenElseZero(hn::FirstN(d, count - i), density));
+  }
+  return hn::GetLane(hn::SumOfLanes(d, sum));
+}
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace brume {
+
+HWY_EXPORT(SegmentDepth);
+HWY_EXPORT(PointDensity);
+
+void GaussianArrays::add(const GaussianTerm<double>& g, double cutoff_radius) {
+  x_.push_back(g.b.x);
+  y_.push_back(g.b.y);
+  z_.push_back(g.b.z);
+  a_.push_back(g.a);
+  peak_.push_back(g.c);
+  scale_.push_back(g.c / g.a * 0.5 * std::sqrt(std::numbers::pi));
+  cutoff2_.push_back(cutoff_radius > 0.0 ? cutoff_radius * cutoff_radius : -1.0);
+}
+
+void GaussianArrays::finish() {
+  const auto pad = [](std::vector<double>& values, double value) {
+    values.resize((values.size() + max_lanes - 1) / max_lanes * max_lanes, value);
+  };
+  for (auto* values : {&x_, &y_, &z_, &peak_, &scale_}) pad(*values, 0.0);
+  pad(a_, 1.0);
+  pad(cutoff2_, -1.0);
+  for (std::size_t first = 0; first < x_.size(); first += max_lanes) add_group(first);
+  for (auto* values : {&group_x_, &group_y_, &group_z_}) pad(*values, 0.0);
+  pad(group_radius2_, -1.0);
+}
+
+// A ball around the cutoff spheres of the group that begins at `first`.
+void GaussianArrays::add_group(std::size_t first) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-std::numeric_limits<double>::infinity());
+  const auto each = [&](auto visit) {
+    for (std::size_t i = first; i < first + max_lanes; ++i) {
+      if (cutoff2_[i] > 0.0) visit(glm::dvec3(x_[i], y_[i], z_[i]), std::sqrt(cutoff2_[i]));
+    }
+  };
+  each([&](const glm::dvec3& center, double radius) {
+    low = glm::min(low, center - radius);
+    high = glm::max(high, center + radius);
+  });
+  const bool is_empty = !(low.x < high.x);
+  const glm::dvec3 middle = is_empty ? glm::dvec3(0.0) : 0.5 * (low + high);
+  double reach = 0.0;
+  each([&](const glm::dvec3& center, double radius) {
+    reach = std::max(reach, glm::length(center - middle) + radius);
+  });
+  group_x_.push_back(middle.x);
+  group_y_.push_back(middle.y);
+  group_z_.push_back(middle.z);
+  // A little more for its rounding.
+  group_radius2_.push_back(is_empty ? -1.0 : reach * reach * (1.0 + 1e-12));
+}
+
+GaussianColumns GaussianArrays::columns() const {
+  return {x_.data(),
+          y_.data(),
+          z_.data(),
+          a_.data(),
+          peak_.data(),
+          scale_.data(),
+          cutoff2_.data(),
+          group_x_.data(),
+          group_y_.data(),
+          group_z_.data(),
+          group_radius2_.data()};
+}
+
+double GaussianArrays::depth(const glm::dvec3& origin, const glm::dvec3& w, double length) const {
+  return HWY_DYNAMIC_DISPATCH(SegmentDepth)(columns(), group_x_.size(), origin, w, length);
+}
+
+double GaussianArrays::density(std::span<const std::uint32_t> indices, const glm::dvec3& x) const {
+  return HWY_DYNAMIC_DISPATCH(PointDensity)(columns(), indices.data(), indices.size(), x);
+}
+
+}  // namespace brume
+#endif

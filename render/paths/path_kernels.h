@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/transport/optical_depth.h"
+
+namespace brume {
+
+// Pointers to the arrays below.
+struct GaussianColumns {
+  const double *x, *y, *z, *a, *peak, *scale, *cutoff2;
+  const double *group_x, *group_y, *group_z, *group_radius2;
+};
+
+// Gaussians as arrays for vector kernels in double. Segments are tested against groups of
+// consecutive Gaussians first: neighbours should be added one after the other.
+class GaussianArrays {
+ public:
+  // Segments farther than `cutoff_radius` from the center ignore it.
+  void add(const GaussianTerm<double>& g, double cutoff_radius);
+  // Call once, after the last add().
+  void finish();
+
+  // Optical depth of a segment; w unit, length finite. Relative error 1e-14 per Gaussian.
+  [[nodiscard]] double depth(const glm::dvec3& origin, const glm::dvec3& w, double length) const;
+
+  // Sum of the densities of some Gaussians at x [1/u]. `indices` may be read up to max_lanes past
+  // its end, where any valid index must stand.
+  [[nodiscard]] double density(std::span<const std::uint32_t> indices, const glm::dvec3& x) const;
+
+  // The size of a group, and padding.
+  static constexpr std::size_t max_lanes = 8;
+
+ private:
+  void add_group(std::size_t first);
+  [[nodiscard]] GaussianColumns columns() const;
+
+  std::vector<double> x_, y_, z_, a_, peak_, scale_, cutoff2_;
+  std::vector<double> group_x_, group_y_, group_z_, group_radius2_;
+};
+
+}  // namespace brume

@@ -1,0 +1,84 @@
+#include "render/paths/path_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+namespace brume {
+
+PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
+                        std::span<const PathLight> lights, const glm::dvec3& eye, double distance) {
+  PathFog fog;
+  const double density = medium.homogeneous_density();
+  if (!(density > 0.0)) return fog;
+  glm::dvec3 low(std::numeric_limits<double>::infinity());
+  glm::dvec3 high(-std::numeric_limits<double>::infinity());
+  const auto add = [&](const glm::dvec3& p, double radius) {
+    low = glm::min(low, p - radius);
+    high = glm::max(high, p + radius);
+  };
+  for (const GaussianTerm<double>& g : medium.gaussians()) {
+    if (g.c > 0.0) add(g.b, 3.0 / g.a);
+  }
+  if (!ray_caster.empty()) {
+    add(ray_caster.bounds().low, 0.0);
+    add(ray_caster.bounds().high, 0.0);
+  }
+  for (const PathLight& light : lights) add(light.position, 0.0);
+  if (!(low.x <= high.x)) low = high = eye;
+  fog.center = 0.5 * (low + high);
+  const double scene_radius = 0.5 * glm::length(high - low);
+  const double eye_distance = glm::length(eye - fog.center);
+  fog.density = density;
+  fog.distance = distance;
+  fog.is_endless = !std::isfinite(distance);
+  if (fog.is_endless) {
+    fog.scene_radius = std::max(scene_radius, eye_distance) + 1.0 / density;
+    fog.radius = fog.scene_radius + max_free_paths / density;
+  } else {
+    fog.scene_radius = scene_radius;
+    fog.radius = distance + std::max(scene_radius, eye_distance);
+  }
+  return fog;
+}
+
+double PathFog::length(const glm::dvec3& x, const glm::dvec3& w, bool seen_by_camera) const {
+  if (!(density > 0.0)) return 0.0;
+  const glm::dvec3 q = x - center;
+  const double along = glm::dot(q, w);
+  const double square = along * along + radius * radius - glm::dot(q, q);
+  const double out = square > 0.0 ? std::max(0.0, std::sqrt(square) - along) : 0.0;
+  // Endless fog ends somewhere even for points seen far away.
+  if (seen_by_camera && !is_endless) return distance;
+  return std::min(distance, out);
+}
+
+double PathFog::importance(const glm::dvec3& x) const {
+  if (!is_endless) return 1.0;
+  const double ratio = scene_radius / std::max(glm::length(x - center), scene_radius);
+  return ratio * std::sqrt(ratio);
+}
+
+void PathScene::set_lights(std::vector<PathLight> all) {
+  lights = std::move(all);
+  const MajorantGrid& grid = medium.grid();
+  double max_density = fog.density;
+  for (const GaussianTerm<double>& g : medium.index().gaussians()) {
+    max_density = std::max(max_density, fog.density + g.c);
+  }
+  const double extent =
+      grid.empty() ? 0.0 : 0.5 * glm::length(grid.bounds().high - grid.bounds().low);
+  for (PathLight& light : lights) {
+    const double density = fog.density + medium.density(light.position);
+    if (!(density > 0.0)) continue;
+    // A mean free path; less where the bulk of the medium is denser, since the light's surroundings
+    // then scatter little of what the bulk does, and equi-angular samples know nothing of the bulk.
+    const double bulk = density < max_density ? extent * density / max_density : 1.0 / density;
+    light.near_radius = std::min(1.0 / density, bulk);
+  }
+}
+
+}  // namespace brume

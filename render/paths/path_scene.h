@@ -1,0 +1,70 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/paths/environment_sampler.h"
+#include "render/paths/material_sampler.h"
+#include "render/paths/path_medium.h"
+#include "render/visibility/ray_caster.h"
+
+namespace brume {
+
+struct PathLight {
+  glm::dvec3 position{0.0};
+  glm::dvec3 intensity{0.0};  // RGB [W/sr]
+  double h_min = 0.0;         // see min_light_distance() [u]
+  // Closer than this, light scattered by the medium around is found by equi-angular samples,
+  // farther away by collisions; 0 without medium there. See PathScene::set_lights() [u].
+  double near_radius = 0.0;
+};
+
+// Where homogeneous fog is. As everywhere, rays towards an environment cross `distance` of it;
+// paths that stray out of a ball around the scene find none outside.
+struct PathFog {
+  double density = 0.0;  // b0 [1/u]
+  glm::dvec3 center{0.0};
+  double scene_radius = 0.0;  // of the ball around everything that sends or scatters light [u]
+  double distance = 0.0;      // that a ray crosses, at most; may be +inf [u]
+  double radius = 0.0;        // of the ball that it fills [u]
+  bool is_endless = false;    // no environment limits it
+
+  // Without an environment fog is endless. Walks in it are followed to this many mean free paths
+  // beyond the scene: at albedo 1 a hundredth of the light that is scattered often comes from
+  // farther away, at albedo 0.99 nothing.
+  static constexpr double max_free_paths = 100.0;
+
+  // Around all that sends or scatters light; `distance` as of FogExtent::surface_distance().
+  static PathFog around(const MediumIndex& medium, const RayCaster& ray_caster,
+                        std::span<const PathLight> lights, const glm::dvec3& eye, double distance);
+
+  // Length of a ray from x in the unit direction w in it [u]. A point that the camera sees has all
+  // of `distance`.
+  [[nodiscard]] double length(const glm::dvec3& x, const glm::dvec3& w, bool seen_by_camera) const;
+
+  // What light from a collision at x is worth, relative to one in the scene: endless fog falls off
+  // between diffusion's 1 / distance and free flight's square of it.
+  [[nodiscard]] double importance(const glm::dvec3& x) const;
+};
+
+// What paths are traced in: one albedo group of a scene, whose medium's densities are extinction.
+// What it refers to outlives it.
+struct PathScene {
+  const PathMedium& medium;
+  double albedo = 1.0;
+  PathFog fog;
+  std::vector<PathLight> lights{};
+  const EnvironmentSampler* environment = nullptr;  // null: none, or black
+  const RayCaster& ray_caster;
+  std::span<const Surface> surfaces;
+  std::vector<MaterialSampler> materials{};  // of the surfaces
+
+  // Sets the lights and their near_radius.
+  void set_lights(std::vector<PathLight> all);
+
+  [[nodiscard]] double anisotropy() const { return medium.index().anisotropy(); }
+};
+
+}  // namespace brume

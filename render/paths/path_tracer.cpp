@@ -1,0 +1,309 @@
+#include "render/paths/path_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "core/scene/brdf.h"
+#include "core/transport/light_path.h"
+#include "core/transport/phase_function.h"
+#include "render/paths/direction_sampling.h"
+
+namespace brume {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double max_component(const glm::dvec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+// The light relative to the segment that ends at a point of the medium.
+PointLightRay<double> relative_to(const PathLight& light, const glm::dvec3& start,
+                                  const glm::dvec3& w) {
+  return {light.position, start, w, light.h_min};
+}
+
+}  // namespace
+
+PathTracer::Vertex PathTracer::Vertex::in_medium(const glm::dvec3& start, const glm::dvec3& w,
+                                                 double t) {
+  Vertex vertex;
+  vertex.position = start + t * w;
+  vertex.w = w;
+  vertex.start = start;
+  vertex.t = t;
+  return vertex;
+}
+
+PathTracer::Vertex PathTracer::Vertex::on_surface(const SurfacePoint& point) {
+  Vertex vertex;
+  vertex.position = point.shadow_origin;
+  vertex.w = -point.to_eye;
+  vertex.is_surface = true;
+  vertex.point = point;
+  return vertex;
+}
+
+const MaterialSampler& PathTracer::material(const Vertex& vertex) const {
+  return scene_.materials[static_cast<std::size_t>(vertex.point.surface - scene_.surfaces.data())];
+}
+
+glm::dvec3 PathTracer::scattering(const Vertex& vertex, const glm::dvec3& l) const {
+  if (!vertex.is_surface) {
+    return glm::dvec3(henyey_greenstein(glm::dot(vertex.w, l), scene_.anisotropy()) / (4.0 * pi));
+  }
+  const SurfacePoint& point = vertex.point;
+  const double cosine = glm::dot(l, point.normal);
+  if (!(cosine > 0.0)) return glm::dvec3(0.0);
+  return cosine * brdf(point.surface->material, l, point.to_eye, point.normal);
+}
+
+PathTracer::Direction PathTracer::sample_direction(const Vertex& vertex, PathRandom& random) const {
+  if (vertex.is_surface) {
+    const glm::dvec3 w = material(vertex).sample(vertex.point.normal, vertex.point.to_eye, random);
+    return {w, direction_pdf(vertex, w)};
+  }
+  const double g = scene_.anisotropy();
+  const double cosine = sample_henyey_greenstein(g, random);
+  return {direction_around(vertex.w, cosine, random), henyey_greenstein(cosine, g) / (4.0 * pi)};
+}
+
+double PathTracer::direction_pdf(const Vertex& vertex, const glm::dvec3& l) const {
+  if (!vertex.is_surface) return scattering(vertex, l).x;
+  return material(vertex).pdf(l, vertex.point.normal, vertex.point.to_eye);
+}
+
+template <class Importance, class Visit>
+void PathTracer::choose_lights(Importance importance, PathRandom& random, Visit visit) const {
+  const std::vector<PathLight>& lights = scene_.lights;
+  if (lights.size() <= max_lights_each) {
+    for (const PathLight& light : lights) visit(light, 1.0);
+    return;
+  }
+  double sum = 0.0;
+  for (const PathLight& light : lights) sum += importance(light);
+  if (!(sum > 0.0)) return;
+  double u = sum * random.uniform();
+  const PathLight* chosen = nullptr;
+  double probability = 0.0;
+  for (const PathLight& light : lights) {
+    const double share = importance(light);
+    if (!(share > 0.0)) continue;
+    chosen = &light;
+    probability = share / sum;
+    if ((u -= share) < 0.0) break;
+  }
+  visit(*chosen, probability);
+}
+
+double PathTracer::visibility(const glm::dvec3& x, const glm::dvec3& light, const glm::dvec3& l,
+                              double r) const {
+  const double depth = scene_.medium.depth(x, l, r) + scene_.fog.density * r;
+  const double transmittance = std::exp(-depth);
+  if (!(transmittance > 0.0)) return 0.0;
+  if (!scene_.ray_caster.empty() && scene_.ray_caster.occluded(x, light)) return 0.0;
+  return transmittance;
+}
+
+template <class Weight>
+glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom& random) const {
+  glm::dvec3 sum(0.0);
+  const auto importance = [&](const PathLight& light) {
+    const glm::dvec3 q = light.position - vertex.position;
+    return max_component(light.intensity) /
+           std::max({glm::dot(q, q), light.h_min * light.h_min, 1e-30});
+  };
+  choose_lights(importance, random, [&](const PathLight& light, double probability) {
+    const glm::dvec3 q = light.position - vertex.position;
+    const double r = glm::length(q);
+    if (!(r > 0.0)) return;
+    const glm::dvec3 l = q / r;
+    const glm::dvec3 value = scattering(vertex, l);
+    if (!(max_component(value) > 0.0)) return;
+    const double r2 = vertex.is_surface
+                          ? std::max(r * r, light.h_min * light.h_min)
+                          : relative_to(light, vertex.start, vertex.w).distance2(vertex.t);
+    const double factor = weight(light, r) / (probability * r2);
+    if (!(factor > 0.0)) return;
+    sum += factor * visibility(vertex.position, light.position, l, r) * value * light.intensity;
+  });
+  return sum;
+}
+
+glm::dvec3 PathTracer::environment_at(const Vertex& vertex, PathRandom& random) const {
+  const EnvironmentSampler* environment = scene_.environment;
+  if (!environment) return glm::dvec3(0.0);
+  const glm::dvec3 l = environment->sample(random);
+  const double pdf = environment->pdf(l);
+  const glm::dvec3 value = scattering(vertex, l);
+  if (!(pdf > 0.0) || !(max_component(value) > 0.0)) return glm::dvec3(0.0);
+  if (scene_.ray_caster.first_hit(vertex.position, l)) return glm::dvec3(0.0);
+  const double depth =
+      scene_.medium.depth(vertex.position, l, infinity) +
+      scene_.fog.density * scene_.fog.length(vertex.position, l, vertex.seen_by_camera);
+  return std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value * environment->radiance(l);
+}
+
+glm::dvec3 PathTracer::direct_light(const Vertex& vertex, PathRandom& random) const {
+  const auto weight = [&](const PathLight& light, double r) {
+    return vertex.is_surface ? 1.0 : 1.0 - equi_angular_weight(light, r);
+  };
+  return light_at(vertex, weight, random) + environment_at(vertex, random);
+}
+
+glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity, double u,
+                                            PathRandom& random) const {
+  glm::dvec3 sum(0.0);
+  const auto importance = [&](const PathLight& light) {
+    return max_component(light.intensity) / relative_to(light, ray.eye(), ray.w()).h;
+  };
+  choose_lights(importance, random, [&](const PathLight& light, double probability) {
+    const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
+    const EquiAngular<double> angular(path, ray.visible_length());
+    if (!(angular.span > 0.0)) return;
+    const double t = std::min(angular.t(u * angular.span), ray.visible_length());
+    const CameraRay::Point point = ray.at(t);
+    const double scattered = point.density * std::exp(-point.depth);
+    if (!(scattered > 0.0)) return;
+    const Vertex vertex = Vertex::in_medium(ray.eye(), ray.w(), t);
+    const glm::dvec3 q = light.position - vertex.position;
+    const double r = glm::length(q);
+    if (!(r > 0.0)) return;
+    // The balance heuristic: divided by the sum of both densities.
+    const double r2 = path.distance2(t);
+    const double density = scattered / opacity + path.h / (angular.span * r2);
+    const double factor = scattered / (density * r2 * probability);
+    sum += factor * visibility(vertex.position, light.position, q / r, r) *
+           scattering(vertex, q / r) * light.intensity;
+  });
+  return sum;
+}
+
+glm::dvec3 PathTracer::lights_on_segment(const glm::dvec3& origin, const glm::dvec3& w,
+                                         double length, double fog, PathRandom& random) const {
+  glm::dvec3 sum(0.0);
+  for (const PathLight& light : scene_.lights) {
+    if (!(light.near_radius > 0.0)) continue;
+    // The farther the segment passes, the less often: equi_angular_weight() is as small there.
+    const glm::dvec3 from_origin = light.position - origin;
+    const double nearest = std::clamp(glm::dot(from_origin, w), 0.0, length);
+    const glm::dvec3 offset = from_origin - nearest * w;
+    const double near2 = light.near_radius * light.near_radius;
+    const double probability = near2 / std::max(glm::dot(offset, offset), near2);
+    if (random.uniform() >= probability) continue;
+
+    const PointLightRay<double> path = relative_to(light, origin, w);
+    const EquiAngular<double> angular(path, length);
+    if (!(angular.span > 0.0)) continue;
+    const double t = std::min(angular.t(random.uniform() * angular.span), length);
+    const Vertex vertex = Vertex::in_medium(origin, w, t);
+    const double density =
+        scene_.medium.density(vertex.position) + (t < fog ? scene_.fog.density : 0.0);
+    if (!(density > 0.0)) continue;
+    const glm::dvec3 q = light.position - vertex.position;
+    const double r = glm::length(q);
+    if (!(r > 0.0)) continue;
+    const double depth = scene_.medium.depth(origin, w, t) + scene_.fog.density * std::min(t, fog);
+    const double factor = density * std::exp(-depth) * equi_angular_weight(light, r) *
+                          angular.span / (path.h * probability);
+    if (!(factor > 0.0)) continue;
+    sum += factor * visibility(vertex.position, light.position, q / r, r) *
+           scattering(vertex, q / r) * light.intensity;
+  }
+  return sum;
+}
+
+OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair& stratified,
+                                     PathRandom& random) const {
+  OrderedRadiance sum;
+  const double opacity = -std::expm1(-ray.depth());
+  const CameraRay::Point point = ray.at_depth(-std::log1p(-opacity * stratified.first));
+  Vertex vertex = Vertex::in_medium(ray.eye(), ray.w(), point.t);
+  vertex.seen_by_camera = true;
+  const double density = point.density * std::exp(-point.depth) / opacity;
+  const auto weight = [&](const PathLight& light, double) {
+    const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
+    const EquiAngular<double> angular(path, ray.visible_length());
+    if (!(angular.span > 0.0) || point.t > ray.visible_length()) return 1.0;
+    return density / (density + path.h / (angular.span * path.distance2(point.t)));
+  };
+  sum.add(1, opacity * (light_at(vertex, weight, random) + environment_at(vertex, random)) +
+                 lights_on_camera_ray(ray, opacity, stratified.second, random));
+  walk(vertex, glm::dvec3(opacity), random, sum);
+  return sum;
+}
+
+OrderedRadiance PathTracer::surface(const SurfacePoint& point, PathRandom& random) const {
+  OrderedRadiance sum;
+  Vertex vertex = Vertex::on_surface(point);
+  vertex.seen_by_camera = true;
+  sum.add(1, direct_light(vertex, random));
+  walk(vertex, glm::dvec3(1.0), random, sum);
+  return sum;
+}
+
+void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
+                      OrderedRadiance& sum) const {
+  const double full = max_component(throughput);
+  double importance = 1.0;
+  for (int events = 1;; ++events) {
+    if (events >= first_roulette) {
+      const double growth = max_component(throughput) / full;
+      if (growth < 1.0) {
+        if (random.uniform() >= growth) return;
+        throughput /= growth;
+      }
+      if (growth > max_growth) return;
+    }
+    if (events >= long_path) {
+      constexpr double survival = 1.0 - 1.0 / long_path;
+      if (random.uniform() >= survival) return;
+      throughput /= survival;
+    }
+    const Direction direction = sample_direction(vertex, random);
+    if (!(direction.pdf > 0.0)) return;
+    if (vertex.is_surface) {
+      throughput *= scattering(vertex, direction.w) / direction.pdf;
+      if (!(max_component(throughput) > 0.0)) return;
+    }
+    const glm::dvec3 origin = vertex.position;
+    const SurfaceHit hit = scene_.ray_caster.first_hit(origin, direction.w);
+    const double fog = scene_.fog.length(origin, direction.w, vertex.seen_by_camera);
+    sum.add(events + 1, scene_.albedo * throughput *
+                            lights_on_segment(origin, direction.w, hit.distance, fog, random));
+
+    double in_fog = infinity;
+    if (scene_.fog.density > 0.0) {
+      const double t = -std::log(random.uniform()) / scene_.fog.density;
+      if (t < fog) in_fog = t;
+    }
+    const double end = std::min(hit.distance, in_fog);
+    const double t = std::min(scene_.medium.collision(origin, direction.w, end, random), in_fog);
+    if (t < hit.distance) {
+      vertex = Vertex::in_medium(origin, direction.w, t);
+      throughput *= scene_.albedo;
+      const double now = scene_.fog.importance(vertex.position);
+      if (now < importance) {
+        if (random.uniform() >= now / importance) return;
+        throughput *= importance / now;
+        importance = now;
+      }
+    } else if (hit) {
+      vertex =
+          Vertex::on_surface(scene_.ray_caster.point(hit, origin, direction.w, scene_.surfaces));
+    } else {
+      if (!scene_.environment) return;
+      const double pdf = scene_.environment->pdf(direction.w);
+      sum.add(events, direction.pdf / (direction.pdf + pdf) * throughput *
+                          scene_.environment->radiance(direction.w));
+      return;
+    }
+    sum.add(events + 1, throughput * direct_light(vertex, random));
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "render/paths/camera_ray.h"
+#include "render/paths/path_random.h"
+#include "render/paths/path_scene.h"
+
+namespace brume {
+
+// Radiance by how often its light was scattered or reflected on the way: once, twice, more often.
+struct OrderedRadiance {
+  std::array<glm::dvec3, 3> orders{};
+
+  void add(int order, const glm::dvec3& radiance) {
+    orders[static_cast<std::size_t>(order < 3 ? order - 1 : 2)] += radiance;
+  }
+  [[nodiscard]] glm::dvec3 sum() const { return orders[0] + orders[1] + orders[2]; }
+};
+
+// Unbiased estimates of the light along view rays: random walks through medium and surfaces with
+// next-event estimation at every vertex, all orders, optical depths in closed form. Environments
+// are sampled by their radiance and by phase function or material, combined by the balance
+// heuristic (Veach); lights inside the medium by collisions and equi-angularly (Kulla and Fajardo
+// 2012).
+//
+// Biases, all far below any noise: culling (PathMedium), h_min of lights, the end of endless fog,
+// and max_growth. Thread-safe.
+class PathTracer {
+ public:
+  explicit PathTracer(const PathScene& scene) : scene_(scene) {}
+
+  // Radiance scattered towards the eye along a ray of depth > 0, per unit of albedo at the first
+  // collision, as elsewhere (prepare/albedo.h). `stratified` places the first collision and the
+  // samples of lights on the ray.
+  [[nodiscard]] OrderedRadiance airlight(const CameraRay& ray, const StratifiedPair& stratified,
+                                         PathRandom& random) const;
+
+  // Outgoing radiance of a surface point towards the eye.
+  [[nodiscard]] OrderedRadiance surface(const SurfacePoint& point, PathRandom& random) const;
+
+  // Russian roulette by throughput begins after so many scattering events.
+  static constexpr int first_roulette = 5;
+  // Where nothing absorbs, paths end by chance after so many, and so many more on average: light
+  // diffuses through an optical depth of 100 in fewer.
+  static constexpr int long_path = 10'000;
+  // How much throughput may grow, against surfaces that make energy.
+  static constexpr double max_growth = 1e20;
+  // Where there are more lights, one is chosen at random.
+  static constexpr std::size_t max_lights_each = 3;
+
+ private:
+  // Where a path is scattered or reflected.
+  struct Vertex {
+    glm::dvec3 position{0.0};  // origin of the rays that leave it
+    glm::dvec3 w{0.0};         // unit, in which the path came
+    glm::dvec3 start{0.0};     // of the segment that ended here
+    double t = 0.0;            // and its length
+    bool is_surface = false;
+    bool seen_by_camera = false;
+    SurfacePoint point;  // of a surface
+
+    static Vertex in_medium(const glm::dvec3& start, const glm::dvec3& w, double t);
+    static Vertex on_surface(const SurfacePoint& point);
+  };
+
+  [[nodiscard]] const MaterialSampler& material(const Vertex& vertex) const;
+  // Phase function, or BRDF and cosine, for light from the unit direction l [1/sr].
+  [[nodiscard]] glm::dvec3 scattering(const Vertex& vertex, const glm::dvec3& l) const;
+  // Draws a direction; returns it and its probability density [1/sr].
+  struct Direction {
+    glm::dvec3 w{0.0};
+    double pdf = 0.0;
+  };
+  [[nodiscard]] Direction sample_direction(const Vertex& vertex, PathRandom& random) const;
+  [[nodiscard]] double direction_pdf(const Vertex& vertex, const glm::dvec3& l) const;
+
+  // Calls visit(index, probability) for each light, or for one chosen by importance(light).
+  template <class Importance, class Visit>
+  void choose_lights(Importance importance, PathRandom& random, Visit visit) const;
+
+  // Radiance of a light that reaches the vertex and is scattered once there; weight(index, distance
+  // of the light) is that of the technique.
+  template <class Weight>
+  [[nodiscard]] glm::dvec3 light_at(const Vertex& vertex, Weight weight, PathRandom& random) const;
+  // The same of the environment.
+  [[nodiscard]] glm::dvec3 environment_at(const Vertex& vertex, PathRandom& random) const;
+  // The same of all, on a random walk.
+  [[nodiscard]] glm::dvec3 direct_light(const Vertex& vertex, PathRandom& random) const;
+  // Transmittance and visibility of a light from x, in the direction l at a distance r.
+  [[nodiscard]] double visibility(const glm::dvec3& x, const glm::dvec3& light, const glm::dvec3& l,
+                                  double r) const;
+
+  // The weight of equi-angular samples on the segments of walks, by the distance from the light;
+  // that of collisions is the rest.
+  static double equi_angular_weight(const PathLight& light, double r) {
+    const double near2 = light.near_radius * light.near_radius;
+    return near2 > 0.0 ? near2 / (near2 + r * r) : 0.0;
+  }
+  [[nodiscard]] glm::dvec3 lights_on_camera_ray(const CameraRay& ray, double opacity, double u,
+                                                PathRandom& random) const;
+  // Light scattered on a segment of a walk close to a light in the medium; in fog up to `fog`.
+  [[nodiscard]] glm::dvec3 lights_on_segment(const glm::dvec3& origin, const glm::dvec3& w,
+                                             double length, double fog, PathRandom& random) const;
+
+  // What is scattered and reflected after the first vertex, whose own light is not included.
+  void walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random, OrderedRadiance& sum) const;
+
+  const PathScene& scene_;
+};
+
+}  // namespace brume
