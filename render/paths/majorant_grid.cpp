@@ -56,7 +56,8 @@ MajorantGrid::MajorantGrid(std::span<const GaussianTerm<double>> gaussians,
 
 void MajorantGrid::choose_size(std::span<const double> cutoff_radii) {
   const glm::dvec3 extent = bounds_.high - bounds_.low;
-  for (double cells = max_cells;; cells *= 0.8) {
+  const double wanted = 2.0 * std::cbrt(static_cast<double>(cutoff_radii.size()));
+  for (double cells = std::clamp(wanted, double{min_cells}, double{max_cells});; cells *= 0.8) {
     const double edge = max_component(extent) / cells;
     double entries = 0.0;
     for (const double radius : cutoff_radii) {

@@ -45,7 +45,7 @@ struct Segment {
   }
 };
 
-double SegmentDepth(const GaussianColumns& g, std::size_t group_count, const glm::dvec3& origin,
+double SegmentDepth(const GaussianColumns& g, std::size_t cluster_count, const glm::dvec3& origin,
                     const glm::dvec3& direction, double end) {
   const D d;
   const Segment segment(d, origin, direction, end);
@@ -64,13 +64,28 @@ double SegmentDepth(const GaussianColumns& g, std::size_t group_count, const glm
       sum = hn::Add(sum, hn::IfThenElseZero(near, depth));
     }
   };
-  for (std::size_t first = 0; first < group_count; first += hn::Lanes(d)) {
-    const V3<V> q = segment.Relative(d, g.group_x + first, g.group_y + first, g.group_z + first);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, segment.Touches(d, q, g.group_radius2 + first), bits);
-    for (unsigned touched = bits[0]; touched != 0; touched &= touched - 1) {
-      add(first + static_cast<std::size_t>(std::countr_zero(touched)));
+  // The balls of a row of eight that the segment touches, as bits.
+  const auto touched = [&](const BallColumns& balls, std::size_t first) HWY_ATTR {
+    unsigned result = 0;
+    for (std::size_t i = 0; i < GaussianArrays::max_lanes; i += hn::Lanes(d)) {
+      const std::size_t at = first + i;
+      const V3<V> q = segment.Relative(d, balls.x + at, balls.y + at, balls.z + at);
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, segment.Touches(d, q, balls.radius2 + at), bits);
+      result |= static_cast<unsigned>(bits[0]) << i;
     }
+    return result;
+  };
+  const auto each = [](unsigned bits, std::size_t first, auto visit) HWY_ATTR {
+    for (; bits != 0; bits &= bits - 1) {
+      visit(first + static_cast<std::size_t>(std::countr_zero(bits)));
+    }
+  };
+  for (std::size_t row = 0; row < cluster_count; row += GaussianArrays::max_lanes) {
+    each(touched(g.clusters, row), row, [&](std::size_t cluster) HWY_ATTR {
+      const std::size_t first = cluster * GaussianArrays::max_lanes;
+      each(touched(g.groups, first), first, add);
+    });
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));
 }
@@ -115,59 +130,54 @@ void GaussianArrays::add(const GaussianTerm<double>& g, double cutoff_radius) {
 }
 
 void GaussianArrays::finish() {
-  const auto pad = [](std::vector<double>& values, double value) {
-    values.resize((values.size() + max_lanes - 1) / max_lanes * max_lanes, value);
-  };
   for (auto* values : {&x_, &y_, &z_, &peak_, &scale_}) pad(*values, 0.0);
   pad(a_, 1.0);
   pad(cutoff2_, -1.0);
-  for (std::size_t first = 0; first < x_.size(); first += max_lanes) add_group(first);
-  for (auto* values : {&group_x_, &group_y_, &group_z_}) pad(*values, 0.0);
-  pad(group_radius2_, -1.0);
+  groups_.enclose({x_.data(), y_.data(), z_.data(), cutoff2_.data()}, x_.size());
+  clusters_.enclose(groups_.columns(), groups_.x.size());
 }
 
-// A ball around the cutoff spheres of the group that begins at `first`.
-void GaussianArrays::add_group(std::size_t first) {
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  const auto each = [&](auto visit) {
-    for (std::size_t i = first; i < first + max_lanes; ++i) {
-      if (cutoff2_[i] > 0.0) visit(glm::dvec3(x_[i], y_[i], z_[i]), std::sqrt(cutoff2_[i]));
-    }
-  };
-  each([&](const glm::dvec3& center, double radius) {
-    low = glm::min(low, center - radius);
-    high = glm::max(high, center + radius);
-  });
-  const bool is_empty = !(low.x < high.x);
-  const glm::dvec3 middle = is_empty ? glm::dvec3(0.0) : 0.5 * (low + high);
-  double reach = 0.0;
-  each([&](const glm::dvec3& center, double radius) {
-    reach = std::max(reach, glm::length(center - middle) + radius);
-  });
-  group_x_.push_back(middle.x);
-  group_y_.push_back(middle.y);
-  group_z_.push_back(middle.z);
-  // A little more for its rounding.
-  group_radius2_.push_back(is_empty ? -1.0 : reach * reach * (1.0 + 1e-12));
+void GaussianArrays::pad(std::vector<double>& values, double value) {
+  values.resize((values.size() + max_lanes - 1) / max_lanes * max_lanes, value);
+}
+
+void GaussianArrays::Balls::enclose(const BallColumns& inner, std::size_t count) {
+  for (std::size_t first = 0; first < count; first += max_lanes) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high(-std::numeric_limits<double>::infinity());
+    const auto each = [&](auto visit) {
+      for (std::size_t i = first; i < first + max_lanes; ++i) {
+        if (!(inner.radius2[i] > 0.0)) continue;
+        visit(glm::dvec3(inner.x[i], inner.y[i], inner.z[i]), std::sqrt(inner.radius2[i]));
+      }
+    };
+    each([&](const glm::dvec3& center, double radius) {
+      low = glm::min(low, center - radius);
+      high = glm::max(high, center + radius);
+    });
+    const bool is_empty = !(low.x < high.x);
+    const glm::dvec3 middle = is_empty ? glm::dvec3(0.0) : 0.5 * (low + high);
+    double reach = 0.0;
+    each([&](const glm::dvec3& center, double radius) {
+      reach = std::max(reach, glm::length(center - middle) + radius);
+    });
+    x.push_back(middle.x);
+    y.push_back(middle.y);
+    z.push_back(middle.z);
+    // A little more for its rounding.
+    radius2.push_back(is_empty ? -1.0 : reach * reach * (1.0 + 1e-12));
+  }
+  for (auto* values : {&x, &y, &z}) pad(*values, 0.0);
+  pad(radius2, -1.0);
 }
 
 GaussianColumns GaussianArrays::columns() const {
-  return {x_.data(),
-          y_.data(),
-          z_.data(),
-          a_.data(),
-          peak_.data(),
-          scale_.data(),
-          cutoff2_.data(),
-          group_x_.data(),
-          group_y_.data(),
-          group_z_.data(),
-          group_radius2_.data()};
+  return {x_.data(),     y_.data(),       z_.data(),         a_.data(),          peak_.data(),
+          scale_.data(), cutoff2_.data(), groups_.columns(), clusters_.columns()};
 }
 
 double GaussianArrays::depth(const glm::dvec3& origin, const glm::dvec3& w, double length) const {
-  return HWY_DYNAMIC_DISPATCH(SegmentDepth)(columns(), group_x_.size(), origin, w, length);
+  return HWY_DYNAMIC_DISPATCH(SegmentDepth)(columns(), clusters_.x.size(), origin, w, length);
 }
 
 double GaussianArrays::density(std::span<const std::uint32_t> indices, const glm::dvec3& x) const {

@@ -11,13 +11,17 @@
 namespace brume {
 
 // Pointers to the arrays below.
+struct BallColumns {
+  const double *x, *y, *z, *radius2;
+};
 struct GaussianColumns {
   const double *x, *y, *z, *a, *peak, *scale, *cutoff2;
-  const double *group_x, *group_y, *group_z, *group_radius2;
+  BallColumns groups, clusters;
 };
 
-// Gaussians as arrays for vector kernels in double. Segments are tested against groups of
-// consecutive Gaussians first: neighbours should be added one after the other.
+// Gaussians as arrays for vector kernels in double. Segments are tested against balls around
+// clusters of eight groups of eight consecutive Gaussians first, then of the groups: neighbours
+// should be added one after the other.
 class GaussianArrays {
  public:
   // Segments farther than `cutoff_radius` from the center ignore it.
@@ -36,11 +40,20 @@ class GaussianArrays {
   static constexpr std::size_t max_lanes = 8;
 
  private:
-  void add_group(std::size_t first);
+  // Balls around eight balls each; radius2 < 0: nothing.
+  struct Balls {
+    std::vector<double> x, y, z, radius2;
+
+    void enclose(const BallColumns& inner, std::size_t count);
+    [[nodiscard]] BallColumns columns() const {
+      return {x.data(), y.data(), z.data(), radius2.data()};
+    }
+  };
+  static void pad(std::vector<double>& values, double value);
   [[nodiscard]] GaussianColumns columns() const;
 
   std::vector<double> x_, y_, z_, a_, peak_, scale_, cutoff2_;
-  std::vector<double> group_x_, group_y_, group_z_, group_radius2_;
+  Balls groups_, clusters_;
 };
 
 }  // namespace brume

@@ -64,14 +64,7 @@ double PathMedium::depth(const glm::dvec3& origin, const glm::dvec3& w, double l
   const Box& box = grid_.bounds();
   const double far =
       glm::length(0.5 * (box.low + box.high) - origin) + glm::length(box.high - box.low);
-  const double end = std::min(length, far);
-  if (medium_.size() <= max_grouped) return arrays_.depth(origin, w, end);
-  double sum = 0.0;
-  medium_.bvh().query(RaySegment{origin, w, end}, [&](std::uint32_t i) {
-    const GaussianTerm<double>& g = medium_.gaussians()[i];
-    sum += optical_depth(g, line_profile(g, origin, w), end);
-  });
-  return sum;
+  return arrays_.depth(origin, w, std::min(length, far));
 }
 
 double PathMedium::collision(const glm::dvec3& origin, const glm::dvec3& w, double length,

@@ -36,8 +36,6 @@ class PathMedium {
   // After so many tentative collisions of one segment the rest is found from its closed form:
   // opaque Gaussians much smaller than a cell would take millions.
   static constexpr int max_tentative = 64;
-  // Segments pass through the hierarchy where there are more Gaussians.
-  static constexpr std::size_t max_grouped = 4096;
 
  private:
   [[nodiscard]] double collision_by_depth(const glm::dvec3& origin, const glm::dvec3& w,

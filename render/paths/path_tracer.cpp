@@ -183,36 +183,78 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
   return sum;
 }
 
-glm::dvec3 PathTracer::lights_on_segment(const glm::dvec3& origin, const glm::dvec3& w,
-                                         double length, double fog, PathRandom& random) const {
+PathTracer::Segment PathTracer::segment(const Vertex& vertex, const glm::dvec3& w) const {
+  return {vertex.position, w, scene_.ray_caster.first_hit(vertex.position, w),
+          scene_.fog.length(vertex.position, w, vertex.seen_by_camera)};
+}
+
+glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& segment,
+                                        PathRandom& random) const {
+  const glm::dvec3 none(0.0);
+  const auto& [origin, w, hit, fog] = segment;
+  // The farther the segment passes, the less often: equi_angular_weight() is as small there.
+  const glm::dvec3 from_origin = light.position - origin;
+  const double nearest = std::clamp(glm::dot(from_origin, w), 0.0, hit.distance);
+  const glm::dvec3 offset = from_origin - nearest * w;
+  const double near2 = light.near_radius * light.near_radius;
+  const double probability = near2 / std::max(glm::dot(offset, offset), near2);
+  if (random.uniform() >= probability) return none;
+
+  const PointLightRay<double> path = relative_to(light, origin, w);
+  const EquiAngular<double> angular(path, hit.distance);
+  if (!(angular.span > 0.0)) return none;
+  const double t = std::min(angular.t(random.uniform() * angular.span), hit.distance);
+  const Vertex vertex = Vertex::in_medium(origin, w, t);
+  const double density =
+      scene_.medium.density(vertex.position) + (t < fog ? scene_.fog.density : 0.0);
+  if (!(density > 0.0)) return none;
+  const glm::dvec3 q = light.position - vertex.position;
+  const double r = glm::length(q);
+  if (!(r > 0.0)) return none;
+  const double depth = scene_.medium.depth(origin, w, t) + scene_.fog.density * std::min(t, fog);
+  const double factor = density * std::exp(-depth) * equi_angular_weight(light, r) * angular.span /
+                        (path.h * probability);
+  if (!(factor > 0.0)) return none;
+  return factor * visibility(vertex.position, light.position, q / r, r) *
+         scattering(vertex, q / r) * light.intensity;
+}
+
+PathTracer::TowardsLight::TowardsLight(const PathLight& light, const Vertex& vertex) {
+  const glm::dvec3 q = light.position - vertex.position;
+  const double distance = glm::length(q);
+  if (!(distance > 0.0)) return;
+  axis = q / distance;
+  rate = std::min(1.0, light.near_radius / distance);
+}
+
+double PathTracer::TowardsLight::density(const glm::dvec3& w) const {
+  if (!(rate > 0.0)) return 0.0;
+  const double sine = std::max(glm::length(glm::cross(axis, w)), 1e-12);
+  return rate / (2.0 * pi * pi * sine);
+}
+
+glm::dvec3 PathTracer::lights_around(const Vertex& vertex, PathRandom& random) const {
   glm::dvec3 sum(0.0);
   for (const PathLight& light : scene_.lights) {
     if (!(light.near_radius > 0.0)) continue;
-    // The farther the segment passes, the less often: equi_angular_weight() is as small there.
-    const glm::dvec3 from_origin = light.position - origin;
-    const double nearest = std::clamp(glm::dot(from_origin, w), 0.0, length);
-    const glm::dvec3 offset = from_origin - nearest * w;
-    const double near2 = light.near_radius * light.near_radius;
-    const double probability = near2 / std::max(glm::dot(offset, offset), near2);
-    if (random.uniform() >= probability) continue;
+    const TowardsLight towards(light, vertex);
+    if (random.uniform() >= towards.rate) continue;
+    const glm::dvec3 w = direction_around(towards.axis, std::cos(pi * random.uniform()), random);
+    const glm::dvec3 value = scattering(vertex, w);
+    if (!(max_component(value) > 0.0)) continue;
+    sum += value / (direction_pdf(vertex, w) + towards.density(w)) *
+           light_on_segment(light, segment(vertex, w), random);
+  }
+  return sum;
+}
 
-    const PointLightRay<double> path = relative_to(light, origin, w);
-    const EquiAngular<double> angular(path, length);
-    if (!(angular.span > 0.0)) continue;
-    const double t = std::min(angular.t(random.uniform() * angular.span), length);
-    const Vertex vertex = Vertex::in_medium(origin, w, t);
-    const double density =
-        scene_.medium.density(vertex.position) + (t < fog ? scene_.fog.density : 0.0);
-    if (!(density > 0.0)) continue;
-    const glm::dvec3 q = light.position - vertex.position;
-    const double r = glm::length(q);
-    if (!(r > 0.0)) continue;
-    const double depth = scene_.medium.depth(origin, w, t) + scene_.fog.density * std::min(t, fog);
-    const double factor = density * std::exp(-depth) * equi_angular_weight(light, r) *
-                          angular.span / (path.h * probability);
-    if (!(factor > 0.0)) continue;
-    sum += factor * visibility(vertex.position, light.position, q / r, r) *
-           scattering(vertex, q / r) * light.intensity;
+glm::dvec3 PathTracer::lights_along(const Vertex& vertex, const Segment& segment, double pdf,
+                                    PathRandom& random) const {
+  glm::dvec3 sum(0.0);
+  for (const PathLight& light : scene_.lights) {
+    if (!(light.near_radius > 0.0)) continue;
+    const double other = TowardsLight(light, vertex).density(segment.w);
+    sum += pdf / (pdf + other) * light_on_segment(light, segment, random);
   }
   return sum;
 }
@@ -264,17 +306,17 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       if (random.uniform() >= survival) return;
       throughput /= survival;
     }
+    sum.add(events + 1, scene_.albedo * throughput * lights_around(vertex, random));
     const Direction direction = sample_direction(vertex, random);
     if (!(direction.pdf > 0.0)) return;
     if (vertex.is_surface) {
       throughput *= scattering(vertex, direction.w) / direction.pdf;
       if (!(max_component(throughput) > 0.0)) return;
     }
-    const glm::dvec3 origin = vertex.position;
-    const SurfaceHit hit = scene_.ray_caster.first_hit(origin, direction.w);
-    const double fog = scene_.fog.length(origin, direction.w, vertex.seen_by_camera);
-    sum.add(events + 1, scene_.albedo * throughput *
-                            lights_on_segment(origin, direction.w, hit.distance, fog, random));
+    const Segment next = segment(vertex, direction.w);
+    const auto& [origin, w, hit, fog] = next;
+    sum.add(events + 1,
+            scene_.albedo * throughput * lights_along(vertex, next, direction.pdf, random));
 
     double in_fog = infinity;
     if (scene_.fog.density > 0.0) {
@@ -282,9 +324,9 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       if (t < fog) in_fog = t;
     }
     const double end = std::min(hit.distance, in_fog);
-    const double t = std::min(scene_.medium.collision(origin, direction.w, end, random), in_fog);
+    const double t = std::min(scene_.medium.collision(origin, w, end, random), in_fog);
     if (t < hit.distance) {
-      vertex = Vertex::in_medium(origin, direction.w, t);
+      vertex = Vertex::in_medium(origin, w, t);
       throughput *= scene_.albedo;
       const double now = scene_.fog.importance(vertex.position);
       if (now < importance) {
@@ -293,13 +335,12 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
         importance = now;
       }
     } else if (hit) {
-      vertex =
-          Vertex::on_surface(scene_.ray_caster.point(hit, origin, direction.w, scene_.surfaces));
+      vertex = Vertex::on_surface(scene_.ray_caster.point(hit, origin, w, scene_.surfaces));
     } else {
       if (!scene_.environment) return;
-      const double pdf = scene_.environment->pdf(direction.w);
-      sum.add(events, direction.pdf / (direction.pdf + pdf) * throughput *
-                          scene_.environment->radiance(direction.w));
+      const double pdf = scene_.environment->pdf(w);
+      sum.add(events,
+              direction.pdf / (direction.pdf + pdf) * throughput * scene_.environment->radiance(w));
       return;
     }
     sum.add(events + 1, throughput * direct_light(vertex, random));

@@ -100,9 +100,33 @@ class PathTracer {
   }
   [[nodiscard]] glm::dvec3 lights_on_camera_ray(const CameraRay& ray, double opacity, double u,
                                                 PathRandom& random) const;
-  // Light scattered on a segment of a walk close to a light in the medium; in fog up to `fog`.
-  [[nodiscard]] glm::dvec3 lights_on_segment(const glm::dvec3& origin, const glm::dvec3& w,
-                                             double length, double fog, PathRandom& random) const;
+  // Where a walk goes from a vertex, up to a surface or endlessly, in fog up to `fog`.
+  struct Segment {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 w{0.0};
+    SurfaceHit hit;
+    double fog = 0.0;
+  };
+  [[nodiscard]] Segment segment(const Vertex& vertex, const glm::dvec3& w) const;
+  // What a segment scatters of a light in the medium, the share of equi-angular samples.
+  [[nodiscard]] glm::dvec3 light_on_segment(const PathLight& light, const Segment& segment,
+                                            PathRandom& random) const;
+
+  // The same falls off like 1 / distance from the light, so segments are chosen in two ways: as the
+  // walk goes, and uniformly in the angle from the light, combined by the balance heuristic.
+  struct TowardsLight {
+    glm::dvec3 axis{0.0};  // unit, to the light
+    double rate = 0.0;     // how often the second way is taken
+
+    TowardsLight(const PathLight& light, const Vertex& vertex);
+    // Density of the second way, times its rate [1/sr].
+    [[nodiscard]] double density(const glm::dvec3& w) const;
+  };
+  // By the second way, without albedo.
+  [[nodiscard]] glm::dvec3 lights_around(const Vertex& vertex, PathRandom& random) const;
+  // By the first.
+  [[nodiscard]] glm::dvec3 lights_along(const Vertex& vertex, const Segment& segment, double pdf,
+                                        PathRandom& random) const;
 
   // What is scattered and reflected after the first vertex, whose own light is not included.
   void walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random, OrderedRadiance& sum) const;

@@ -28,7 +28,7 @@ glm::dvec3 direction(Random& random) {
   }
 }
 
-// Few Gaussians are summed at once, many through the hierarchy.
+// Few are in one group, many in many clusters of groups.
 class PathMediumOf : public testing::TestWithParam<int> {};
 
 TEST_P(PathMediumOf, SumsDensitiesAndDepths) {

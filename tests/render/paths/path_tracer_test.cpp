@@ -168,7 +168,7 @@ TEST(PathTracer, LightAndEyeCanBeExchanged) {
 }
 
 // What a surface reflects of direct light, and of light that was scattered once before.
-void expect_reflected_light(const Scene& scene, double relative_error) {
+void expect_reflected_light(const Scene& scene, double relative_error, int paths = 40'000) {
   const TracedScene traced(scene);
   const glm::dvec3 target(0.2, -0.1, -0.5);
   const glm::dvec3 w = glm::normalize(target - eye);
@@ -176,8 +176,8 @@ void expect_reflected_light(const Scene& scene, double relative_error) {
   ASSERT_TRUE(hit);
   const SurfacePoint point = traced.ray_caster().point(hit, eye, w, scene.surfaces);
   const ReflectedLight expected =
-      reflected_light(scene, traced.ray_caster(), point, {.samples = 100'000});
-  const TracedScene::Estimate got = traced.surface(eye, target, 40'000);
+      reflected_light(scene, traced.ray_caster(), point, {.samples = static_cast<std::size_t>(2 * paths)});
+  const TracedScene::Estimate got = traced.surface(eye, target, paths);
   for (int c = 0; c < 3; ++c) {
     const double direct = std::hypot(got.orders[0].error[c], expected.error[c]);
     const double scattered = std::hypot(got.orders[1].error[c], expected.error[c]);
@@ -235,7 +235,7 @@ TEST(PathTracer, SurfacesReflectASky) {
   scene.lights.clear();
   scene.environment = gradient_sky();
   scene.surfaces = {wall(-0.5, 2.0)};
-  expect_reflected_light(scene, 0.03);
+  expect_reflected_light(scene, 0.03, 30'000);
 }
 
 }  // namespace
