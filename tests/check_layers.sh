@@ -73,7 +73,7 @@ render/paths/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/v
 render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/ render/paths/
 render/gl/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
 render/output/*.[hc]*:$values
-render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/prepare/ render/reference/
+render/quality/*.[hc]*:$values render/frame_renderer.h render/util/ render/geometry/ render/prepare/ render/reference/ render/visibility/ render/render_plan.h render/paths/
 app/document/*.[hc]*:
 app/commands/*.[hc]*:app/document/
 app/widgets/*.[hc]*:app/document/ app/commands/

@@ -74,7 +74,10 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
   FrameErrors errors(scene, camera, seed_of_choice);
   std::vector<double> found;
   for (const Settings& tried : ladder) {
-    const std::optional<Frame> frame = renderer.render(scene, camera, small, tried, stop);
+    // What the settings differ in shows in light that is scattered once, whose reference is exact.
+    Settings single = tried;
+    single.scattering = Scattering::single;
+    const std::optional<Frame> frame = renderer.render(scene, camera, small, single, stop);
     if (!frame) return std::nullopt;
     const std::optional<ErrorEstimate> error =
         errors.measure(*frame, std::nullopt, stop, begin > 0.6 ? nullptr : measuring.progress);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "render/quality/sample_probabilities.h"
-#include "render/reference/view_reference.h"
+#include "render/quality/view_reference.h"
 
 namespace brume {
 namespace {
@@ -18,20 +18,26 @@ double random_number(std::uint64_t seed, std::size_t index) {
   return static_cast<double>((x ^ x >> 31) >> 11) * 0x1p-53;
 }
 
-// Sums over RGB.
+// Sums over RGB, without what the noise of the reference adds: they may be negative.
 struct Squares {
   double error = 0.0;
   double reference = 0.0;
+  double noise = 0.0;  // variance of `error` that comes from the reference
 };
 
-Squares squares_of(const Frame& frame, std::size_t pixel, const glm::dvec3& reference) {
+Squares squares_of(const Frame& frame, std::size_t pixel, const PixelAirlight& reference) {
   Squares squares;
+  squares.error = -reference.variance;
+  squares.reference = -reference.variance;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double t = reference[static_cast<int>(k)];
+    const double t = reference.radiance[static_cast<int>(k)];
     const double d = static_cast<double>(frame.airlight[3 * pixel + k]) - t;
     squares.error += d * d;
     squares.reference += t * t;
   }
+  // Of the square of a normal variable; the channels mostly vary together.
+  squares.noise =
+      reference.variance * (2.0 * reference.variance + 4.0 * std::max(squares.error, 0.0));
   return squares;
 }
 
@@ -56,8 +62,11 @@ std::optional<ErrorSample> ErrorSample::create(const Scene& scene, const Camera&
                                                std::uint64_t seed, double tolerance,
                                                std::stop_token stop,
                                                const std::function<void(double)>& progress) {
-  return create(std::make_shared<ViewReference>(scene, camera, guide.film, tolerance), scene,
-                camera, guide, count, seed, std::move(stop), progress);
+  // A frame without more than one scattering, whatever the reason, claims to need none.
+  const Scattering scattering =
+      guide.statistics.scattering ? Scattering::multiple : Scattering::single;
+  return create(std::make_shared<ViewReference>(scene, camera, guide.film, tolerance, scattering),
+                scene, camera, guide, count, seed, std::move(stop), progress);
 }
 
 std::optional<ErrorSample> ErrorSample::create(std::shared_ptr<ViewReference> reference,
@@ -140,8 +149,10 @@ ErrorEstimate ErrorSample::measure(const Frame& frame) const {
     Squares squares = squares_of(frame, i, reference_->airlight(i));
     squares.error /= probabilities_[i];
     squares.reference /= probabilities_[i];
+    squares.noise /= probabilities_[i] * probabilities_[i];
     sums.error += squares.error;
     sums.reference += squares.reference;
+    sums.noise += squares.noise;
     weighted.push_back(squares);
   }
   ErrorEstimate estimate;
@@ -151,8 +162,8 @@ ErrorEstimate ErrorSample::measure(const Frame& frame) const {
     if (sums.error > 0.0) estimate.rel_rmse = estimate.low = estimate.high = 1.0;
     return estimate;
   }
-  const double ratio = sums.error / sums.reference;
-  double spread = 0.0;
+  const double ratio = std::max(sums.error, 0.0) / sums.reference;
+  double spread = sums.noise;
   double fourth = 0.0;
   double worst = 0.0;
   for (std::size_t k = 0; k < pixels_.size(); ++k) {
@@ -162,14 +173,23 @@ ErrorEstimate ErrorSample::measure(const Frame& frame) const {
     fourth += square * square;
     worst = std::max(worst, weighted[k].error);
   }
-  const double relative = ratio > 0.0 ? std::sqrt(spread) / sums.error : 0.0;
   // Effective number of samples: 1 if one pixel dominates.
   const double effective_samples = fourth > 0.0 ? spread * spread / fourth : 1.0;
-  const double factor =
-      std::exp(0.5 * interval_sigmas * (1.0 + 1.0 / effective_samples) * relative);
+  const double sigmas = interval_sigmas * (1.0 + 1.0 / effective_samples);
   estimate.rel_rmse = std::sqrt(ratio);
-  estimate.low = estimate.rel_rmse / factor;
-  estimate.high = std::sqrt(ratio * factor * factor + unsampled_share * worst / sums.reference);
+  double high = 0.0;  // of the ratio
+  if (sums.noise > 0.0) {
+    // A noisy reference leaves errors of any size near zero: on a logarithm they have no interval.
+    const double range = sigmas * std::sqrt(spread) / sums.reference;
+    estimate.low = std::sqrt(std::max(ratio - range, 0.0));
+    high = ratio + range;
+  } else {
+    const double relative = ratio > 0.0 ? std::sqrt(spread) / sums.error : 0.0;
+    const double factor = std::exp(0.5 * sigmas * relative);
+    estimate.low = estimate.rel_rmse / factor;
+    high = ratio * factor * factor;
+  }
+  estimate.high = std::sqrt(high + unsampled_share * worst / sums.reference);
   return estimate;
 }
 

@@ -5,7 +5,7 @@
 #include "render/prepare/light_pixels.h"
 #include "render/quality/auto_quality.h"
 #include "render/quality/sample_probabilities.h"
-#include "render/reference/view_reference.h"
+#include "render/quality/view_reference.h"
 #include "render/renderer.h"
 #include "tests/render/test_scenes.h"
 

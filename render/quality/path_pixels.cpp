@@ -1,0 +1,95 @@
+#include "render/quality/path_pixels.h"
+
+#include <algorithm>
+
+#include "render/paths/camera_ray.h"
+#include "render/paths/path_sums.h"
+#include "render/paths/path_tracer.h"
+#include "render/prepare/albedo.h"
+#include "render/prepare/fog_extent.h"
+#include "render/prepare/light_limits.h"
+#include "render/render_plan.h"
+#include "render/util/job.h"
+
+namespace brume {
+namespace {
+
+// Depths of less have no airlight.
+constexpr double min_depth = 1e-200;
+
+// Of the random numbers, other than those of frames.
+constexpr std::uint64_t seed = 0x6d65;
+
+}  // namespace
+
+PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& film, int paths)
+    : rays_(camera, film),
+      width_(static_cast<std::size_t>(film.width)),
+      paths_(paths),
+      surfaces_(scene.surfaces),
+      ray_caster_(surfaces_) {
+  Settings settings;
+  settings.airlight = AirlightMethod::path;
+  const RenderPlan plan(scene, film, settings);
+  const FogExtent fog_extent(scene);
+  ray_end_ = fog_extent.ray_distance(rays_.eye());
+  if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
+  std::vector<PathLight> lights;
+  for (const PointLight& light : plan.lights) {
+    lights.push_back(
+        {light.position, light.intensity, min_light_distance(rays_, camera, light.position)});
+  }
+  for (const AlbedoGroup& each : albedo_groups(scene.optics.albedo)) {
+    Group& group = groups_.emplace_back();
+    group.albedo = each.albedo;
+    for (const std::size_t c : each.channels) group.channels[static_cast<int>(c)] = 1.0;
+    const Medium extinction = extinction_medium(scene.medium, each.albedo);
+    group.index = std::make_unique<MediumIndex>(
+        extinction, culling_tolerance(extinction, plan.depth_error), scene.optics.anisotropy);
+    group.index->set_noise(RayNoise(scene.optics.noise, scene.time));
+    group.medium = std::make_unique<PathMedium>(*group.index);
+    group.scene = std::make_unique<PathScene>(
+        PathScene{.medium = *group.medium,
+                  .albedo = each.albedo,
+                  .fog = PathFog::around(*group.index, ray_caster_, lights, rays_.eye(),
+                                         fog_extent.surface_distance()),
+                  .ray_caster = ray_caster_,
+                  .surfaces = surfaces_});
+    if (environment_ && !environment_->empty()) group.scene->environment = environment_.get();
+    for (const Surface& surface : surfaces_) {
+      group.scene->materials.emplace_back(surface.material);
+    }
+    group.scene->set_lights(lights);
+  }
+}
+
+std::vector<PixelAirlight> PathPixels::airlight(std::span<const std::size_t> pixels,
+                                                const std::stop_token& stop,
+                                                const std::function<void(double)>& progress) const {
+  std::vector<PixelAirlight> result(pixels.size());
+  Job{stop, progress}.parallel_for_with_progress(pixels.size(), [&](std::size_t i) {
+    const std::size_t pixel = pixels[i];
+    const glm::dvec3 w = rays_.direction(static_cast<double>(pixel % width_) + 0.5,
+                                         static_cast<double>(pixel / width_) + 0.5);
+    const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);
+    for (const Group& group : groups_) {
+      const CameraRay ray(*group.index, rays_.eye(), w, length);
+      if (!(ray.depth() > min_depth)) continue;
+      const PathTracer tracer(*group.scene);
+      PathSums sums;
+      for (int k = 0; k < paths_ && !stop.stop_requested(); ++k) {
+        const auto sample = static_cast<std::uint64_t>(k);
+        const PathRandom block(seed, pixel, sample / path_block, 0);
+        PathRandom random(seed, pixel, sample, 1);
+        const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
+        sums.add(k, tracer.airlight(ray, stratified, random).sum(), group.channels);
+      }
+      result[i].radiance += group.albedo * group.channels * sums.mean(paths_);
+      result[i].variance += group.albedo * group.albedo * sums.variance(paths_, group.channels);
+    }
+  });
+  if (stop.stop_requested()) result.clear();
+  return result;
+}
+
+}  // namespace brume
