@@ -15,8 +15,8 @@ namespace brume {
 // and a majorant, an upper bound of the sum of their densities in it.
 class MajorantGrid {
  public:
-  // Cells along the longest axis: two for each of an even row of the Gaussians, within these bounds;
-  // fewer where lists would exceed max_entries.
+  // Cells along the longest axis: two for each of an even row of the Gaussians, within these
+  // bounds; fewer where lists would exceed max_entries.
   static constexpr int min_cells = 48;
   static constexpr int max_cells = 128;
   static constexpr std::size_t max_entries = 16'000'000;

@@ -36,7 +36,8 @@ struct PathKey {
 };
 
 // The sums of all pixels of a film, kept from one frame to the next: a frame of more paths traces
-// only those that are missing, and is the same to the last bit as one made at once.
+// only those that are missing, and is the same to the last bit as one made at once. 64 bytes per
+// pixel with a medium, 64 more with surfaces.
 class PathFilm {
  public:
   struct View {

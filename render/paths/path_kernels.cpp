@@ -27,8 +27,8 @@ struct Segment {
   V3<V> origin, direction;
   V length;
 
-  Segment(D d, const glm::dvec3& from, const glm::dvec3& w, double end)
-      : origin{hn::Set(d, from.x), hn::Set(d, from.y), hn::Set(d, from.z)},
+  Segment(D d, const glm::dvec3& start, const glm::dvec3& w, double end)
+      : origin{hn::Set(d, start.x), hn::Set(d, start.y), hn::Set(d, start.z)},
         direction{hn::Set(d, w.x), hn::Set(d, w.y), hn::Set(d, w.z)},
         length(hn::Set(d, end)) {}
 

@@ -219,7 +219,7 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
          scattering(vertex, q / r) * light.intensity;
 }
 
-PathTracer::TowardsLight::TowardsLight(const PathLight& light, const Vertex& vertex) {
+PathTracer::AngularSampling::AngularSampling(const PathLight& light, const Vertex& vertex) {
   const glm::dvec3 q = light.position - vertex.position;
   const double distance = glm::length(q);
   if (!(distance > 0.0)) return;
@@ -227,7 +227,7 @@ PathTracer::TowardsLight::TowardsLight(const PathLight& light, const Vertex& ver
   rate = std::min(1.0, light.near_radius / distance);
 }
 
-double PathTracer::TowardsLight::density(const glm::dvec3& w) const {
+double PathTracer::AngularSampling::density(const glm::dvec3& w) const {
   if (!(rate > 0.0)) return 0.0;
   const double sine = std::max(glm::length(glm::cross(axis, w)), 1e-12);
   return rate / (2.0 * pi * pi * sine);
@@ -237,12 +237,12 @@ glm::dvec3 PathTracer::lights_around(const Vertex& vertex, PathRandom& random) c
   glm::dvec3 sum(0.0);
   for (const PathLight& light : scene_.lights) {
     if (!(light.near_radius > 0.0)) continue;
-    const TowardsLight towards(light, vertex);
-    if (random.uniform() >= towards.rate) continue;
-    const glm::dvec3 w = direction_around(towards.axis, std::cos(pi * random.uniform()), random);
+    const AngularSampling sampling(light, vertex);
+    if (random.uniform() >= sampling.rate) continue;
+    const glm::dvec3 w = direction_around(sampling.axis, std::cos(pi * random.uniform()), random);
     const glm::dvec3 value = scattering(vertex, w);
     if (!(max_component(value) > 0.0)) continue;
-    sum += value / (direction_pdf(vertex, w) + towards.density(w)) *
+    sum += value / (direction_pdf(vertex, w) + sampling.density(w)) *
            light_on_segment(light, segment(vertex, w), random);
   }
   return sum;
@@ -253,7 +253,7 @@ glm::dvec3 PathTracer::lights_along(const Vertex& vertex, const Segment& segment
   glm::dvec3 sum(0.0);
   for (const PathLight& light : scene_.lights) {
     if (!(light.near_radius > 0.0)) continue;
-    const double other = TowardsLight(light, vertex).density(segment.w);
+    const double other = AngularSampling(light, vertex).density(segment.w);
     sum += pdf / (pdf + other) * light_on_segment(light, segment, random);
   }
   return sum;

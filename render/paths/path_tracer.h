@@ -25,8 +25,8 @@ struct OrderedRadiance {
 // heuristic (Veach); lights inside the medium by collisions and equi-angularly (Kulla and Fajardo
 // 2012).
 //
-// Biases, all far below any noise: culling (PathMedium), h_min of lights, the end of endless fog,
-// and max_growth. Thread-safe.
+// What biases them: culling (PathMedium), h_min of lights and max_growth, all far below any noise,
+// and the end of endless fog (PathFog). Thread-safe.
 class PathTracer {
  public:
   explicit PathTracer(const PathScene& scene) : scene_(scene) {}
@@ -114,11 +114,11 @@ class PathTracer {
 
   // The same falls off like 1 / distance from the light, so segments are chosen in two ways: as the
   // walk goes, and uniformly in the angle from the light, combined by the balance heuristic.
-  struct TowardsLight {
+  struct AngularSampling {
     glm::dvec3 axis{0.0};  // unit, to the light
     double rate = 0.0;     // how often the second way is taken
 
-    TowardsLight(const PathLight& light, const Vertex& vertex);
+    AngularSampling(const PathLight& light, const Vertex& vertex);
     // Density of the second way, times its rate [1/sr].
     [[nodiscard]] double density(const glm::dvec3& w) const;
   };

@@ -132,7 +132,7 @@ TEST(Fuzz, FramesInDoubleAreFiniteAndInTheirBounds) {
 }
 
 TEST(Fuzz, PathTracedFramesAreFiniteAndInTheirBounds) {
-  run_scenes(10'201, 100, path_methods);
+  run_scenes(10'201, 30, path_methods);
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <vector>
 
 #include "core/scene/radiance_map.h"
 #include "render/paths/direction_sampling.h"
@@ -87,6 +90,34 @@ TEST(PathTracer, FirstOrderMatchesTheReferenceInShadow) {
   expect_single_scattering(scene, 0.01);
 }
 
+TEST(PathFog, EndsAroundTheScene) {
+  Medium fog;
+  fog.set_homogeneous_density(0.5);
+  const MediumIndex index(fog, 1e-9);
+  const std::vector<PathLight> lights{{{1, 0, 0}, glm::dvec3(1.0), 0.0},
+                                      {{-1, 0, 0}, glm::dvec3(1.0), 0.0}};
+  const glm::dvec3 w = glm::normalize(glm::dvec3(1, 2, 3));
+  const PathFog limited = PathFog::around(index, RayCaster({}), lights, {0, 0, 3}, 4.0);
+  EXPECT_EQ(limited.length({0, 0, 0}, w, false), 4.0);
+  EXPECT_EQ(limited.length({0, 0, 3}, w, false), 4.0) << "at the eye";
+  EXPECT_EQ(limited.length(6.0 * w, -w, false), 4.0);
+  EXPECT_NEAR(limited.length(6.0 * w, w, false), 1.0, 1e-12);
+  EXPECT_EQ(limited.length(6.0 * w, w, true), 4.0) << "as far as the camera sees";
+  EXPECT_EQ(limited.length(8.0 * w, w, false), 0.0);
+  EXPECT_EQ(limited.importance(100.0 * w), 1.0);
+
+  const PathFog endless = PathFog::around(index, RayCaster({}), lights, {0, 0, 3},
+                                          std::numeric_limits<double>::infinity());
+  const double out = endless.length({0, 0, 0}, w, true);
+  EXPECT_NEAR(out, 3.0 + 2.0 + PathFog::max_free_paths * 2.0, 1e-9);
+  EXPECT_NEAR(endless.length(3.0 * w, w, false), out - 3.0, 1e-9);
+  EXPECT_EQ(endless.importance(4.0 * w), 1.0);
+  EXPECT_NEAR(endless.importance(20.0 * w), std::pow(0.25, 1.5), 1e-12);
+
+  const MediumIndex clear(Medium{}, 1e-9);
+  EXPECT_EQ(PathFog::around(clear, RayCaster({}), lights, {0, 0, 3}, 4.0).length(w, w, true), 0.0);
+}
+
 // Under a constant sky nothing can be told from it, however the fog scatters.
 TEST(PathTracer, AFurnaceIsConstant) {
   for (const double b0 : {0.0, 0.3}) {
@@ -135,7 +166,7 @@ TEST(PathTracer, LightAndEyeCanBeExchanged) {
   scene.optics.anisotropy = 0.5;
   const glm::dvec3 a(0.2, 0.1, 1.4);
   const glm::dvec3 b(-0.9, 0.8, -0.3);
-  const auto gathered = [&](const glm::dvec3& light, const glm::dvec3& at) {
+  const auto gathered = [&](const glm::dvec3& light, const glm::dvec3& receiver) {
     scene.lights = {{light, glm::dvec3(1.0), {}}};
     const TracedScene traced(scene, 0.95);
     constexpr int directions = 6000;
@@ -144,7 +175,7 @@ TEST(PathTracer, LightAndEyeCanBeExchanged) {
     for (int i = 0; i < directions; ++i) {
       PathRandom random(3, 0, static_cast<std::uint64_t>(i), 0);
       // Half around the light, where most comes from.
-      const glm::dvec3 axis = glm::normalize(light - at);
+      const glm::dvec3 axis = glm::normalize(light - receiver);
       const double turn = std::numbers::pi * random.uniform();
       const glm::dvec3 w = random.uniform() < 0.5
                                ? direction_around(axis, std::cos(turn), random)
@@ -153,7 +184,8 @@ TEST(PathTracer, LightAndEyeCanBeExchanged) {
       const double pdf =
           0.5 / (4.0 * std::numbers::pi) + 0.5 / (2.0 * std::numbers::pi * std::numbers::pi * sine);
       const double radiance =
-          traced.airlight(at, at + w, 2 * path_block, static_cast<std::uint64_t>(i)).sum.mean.x /
+          traced.airlight(receiver, receiver + w, 2 * path_block, static_cast<std::uint64_t>(i))
+              .sum.mean.x /
           pdf;
       sum += radiance / directions;
       square += radiance * radiance / directions;
@@ -175,8 +207,8 @@ void expect_reflected_light(const Scene& scene, double relative_error, int paths
   const SurfaceHit hit = traced.ray_caster().first_hit(eye, w);
   ASSERT_TRUE(hit);
   const SurfacePoint point = traced.ray_caster().point(hit, eye, w, scene.surfaces);
-  const ReflectedLight expected =
-      reflected_light(scene, traced.ray_caster(), point, {.samples = static_cast<std::size_t>(2 * paths)});
+  const ReflectedLight expected = reflected_light(scene, traced.ray_caster(), point,
+                                                  {.samples = static_cast<std::size_t>(2 * paths)});
   const TracedScene::Estimate got = traced.surface(eye, target, paths);
   for (int c = 0; c < 3; ++c) {
     const double direct = std::hypot(got.orders[0].error[c], expected.error[c]);
