@@ -276,7 +276,7 @@ class RenderCommand final : public Command {
   PaperOptions paper_;
   bool paper_spread_ = false;
   double max_error_ = Settings{}.max_error;
-  std::string scattering_ = to_string(Settings{}.scattering);
+  std::string scattering_ = to_string(Scattering::multiple);
   int slices_ = Settings{}.slices;
   double tolerance_ = Settings{}.reference_tolerance;
   double time_ = 0.0;
