@@ -58,8 +58,7 @@ double PathFog::length(const glm::dvec3& x, const glm::dvec3& w, bool seen_by_ca
 
 double PathFog::importance(const glm::dvec3& x) const {
   if (!is_endless) return 1.0;
-  const double ratio = scene_radius / std::max(glm::length(x - center), scene_radius);
-  return ratio * std::sqrt(ratio);
+  return scene_radius / std::max(glm::length(x - center), scene_radius);
 }
 
 void PathScene::set_lights(std::vector<PathLight> all) {

@@ -44,8 +44,8 @@ struct PathFog {
   // of `distance`.
   [[nodiscard]] double length(const glm::dvec3& x, const glm::dvec3& w, bool seen_by_camera) const;
 
-  // What light from a collision at x is worth, relative to one in the scene: endless fog falls off
-  // between diffusion's 1 / distance and free flight's square of it.
+  // What a collision at x is worth to the scene, relative to one in it: in endless fog light
+  // diffuses like 1 / distance. (A steeper fall is as cheap for its noise, but leaves outliers.)
   [[nodiscard]] double importance(const glm::dvec3& x) const;
 };
 
