@@ -22,10 +22,12 @@ constexpr std::uint64_t seed = 0x6d65;
 
 }  // namespace
 
-PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& film, int paths)
+PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& film, int paths,
+                       Orders orders)
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
       paths_(paths),
+      orders_(orders),
       surfaces_(scene.surfaces),
       ray_caster_(surfaces_) {
   Settings settings;
@@ -82,7 +84,9 @@ std::vector<PixelAirlight> PathPixels::airlight(std::span<const std::size_t> pix
         const PathRandom block(seed, pixel, sample / path_block, 0);
         PathRandom random(seed, pixel, sample, 1);
         const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
-        sums.add(k, tracer.airlight(ray, stratified, random).sum(), group.channels);
+        OrderedRadiance radiance = tracer.airlight(ray, stratified, random);
+        if (orders_ == Orders::after_first) radiance.orders[0] = glm::dvec3(0.0);
+        sums.add(k, radiance.sum(), group.channels);
       }
       result[i].radiance += group.albedo * group.channels * sums.mean(paths_);
       result[i].variance += group.albedo * group.albedo * sums.variance(paths_, group.channels);

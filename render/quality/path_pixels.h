@@ -22,10 +22,12 @@ struct PixelAirlight {
   double variance = 0.0;  // of all channels together; 0 if it is converged
 };
 
-// Airlight of all orders of scattering at arbitrary pixels of one view, by path tracing.
+// Airlight at arbitrary pixels of one view, by path tracing: of all orders of scattering, or of all
+// but the first.
 class PathPixels {
  public:
-  PathPixels(const Scene& scene, const Camera& camera, const Film& film, int paths);
+  enum class Orders { all, after_first };
+  PathPixels(const Scene& scene, const Camera& camera, const Film& film, int paths, Orders orders);
 
   // In parallel; pixels are row-major indices. The same whatever other pixels are asked for. Empty
   // if `stop` was requested. `progress`: see FrameRenderer.
@@ -46,6 +48,7 @@ class PathPixels {
   CameraRays rays_;
   std::size_t width_;
   int paths_;
+  Orders orders_;
   std::vector<Surface> surfaces_;
   RayCaster ray_caster_;
   double ray_end_;

@@ -13,7 +13,8 @@ namespace brume {
 // Caches what the airlight of one view's pixels ought to be. Not thread-safe.
 class ViewReference {
  public:
-  // Scattered once: converged, see ReferencePixels. All orders: by PathPixels, which are noisy.
+  // Scattered once: converged, see ReferencePixels. More often: by PathPixels, which are noisy; all
+  // orders where surfaces keep an environment out, which the former do not know.
   ViewReference(const Scene& scene, const Camera& camera, const Film& film, double tolerance,
                 Scattering scattering = Scattering::single);
 

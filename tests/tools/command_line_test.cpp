@@ -191,7 +191,8 @@ TEST_F(CommandLine, WritesTheStatisticsOfTheContract) {
                       "version",  "scene",     "size",           "backend",      "device",
                       "airlight", "slices",    "airlight_scale", "exact_pixels", "threads",
                       "repeat",   "frame_ms",  "first_frame_ms", "transfer_ms",  "stages",
-                      "skipped",  "gaussians", "pairs",          "error",        "noise"}));
+                      "skipped",  "gaussians", "pairs",          "scattering",   "error",
+                      "noise"}));
   EXPECT_EQ(stats["version"], BRUME_VERSION);
   EXPECT_EQ(stats["scene"], scene_);
   EXPECT_EQ(stats["size"], Json::array({8, 6}));
@@ -246,7 +247,8 @@ TEST_F(CommandLine, RendersWithOpenGl) {
               stats["backend"].get<std::string>());
     return std::pair(result.err, stats);
   };
-  const auto [silent, stats] = run({"--airlight", "sliced", "--backend", "gl"});
+  const auto [silent, stats] =
+      run({"--airlight", "sliced", "--scattering", "single", "--backend", "gl"});
   EXPECT_EQ(silent, "");
   EXPECT_EQ(stats["backend"], "gl");
   EXPECT_NE(stats["device"], "");
@@ -267,7 +269,7 @@ TEST_F(CommandLine, ChoosesByMeasuredError) {
   const auto stats_of = [&](const char* max_error) {
     const ProgramResult result =
         run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
-                   "32x24", "--max-error", max_error});
+                   "32x24", "--scattering", "single", "--max-error", max_error});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
     return Json::parse(content_of(folder_ / "s.json"));
@@ -280,6 +282,32 @@ TEST_F(CommandLine, ChoosesByMeasuredError) {
   EXPECT_LE(tight["error"]["low"], tight["error"]["rel_rmse"]);
   EXPECT_LE(tight["error"]["rel_rmse"], tight["error"]["high"]);
   EXPECT_LE(loose["slices"], tight["slices"]);
+}
+
+// What is measured is all of the light, against paths.
+TEST_F(CommandLine, MeasuresAllOrdersOfScattering) {
+  const auto stats_of = [&](const char* scattering) {
+    const ProgramResult result =
+        run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
+                   "16x12", "--airlight", "sliced", "--scattering", scattering});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(content_of(folder_ / "s.json"));
+  };
+  const Json single = stats_of("single");
+  EXPECT_TRUE(single["scattering"].is_null());
+  const Json multiple = stats_of("multiple");
+  EXPECT_GT(multiple["scattering"]["sweeps"], 0);
+  EXPECT_LT(multiple["scattering"]["residual"], 1e-3);
+  // A light in fog beside a surface, the hardest of what the grid holds.
+  EXPECT_LT(multiple["error"]["low"], 0.1);
+  EXPECT_LE(multiple["error"]["low"], multiple["error"]["rel_rmse"]);
+  EXPECT_LE(multiple["error"]["rel_rmse"], multiple["error"]["high"]);
+  const ProgramResult wrong =
+      run_brume({"render", scene_, "-o", file("w.exr"), "--scattering", "twice"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("--scattering: found twice; allowed: single, multiple"),
+            std::string::npos)
+      << wrong.err;
 }
 
 // The frame that is timed is a moved one, also where just one frame is asked for.
@@ -295,8 +323,8 @@ TEST_F(CommandLine, TimesAMovedFrame) {
 
 TEST_F(CommandLine, ReportsTheNumberOfThreads) {
   const auto threads = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"render",  scene_,         "-o",     file("o.exr"),
-                                       "--stats", file("s.json"), "--size", "2x2"};
+    std::vector<std::string> arguments{"render",       scene_,   "-o",  file("o.exr"),  "--stats",
+                                       file("s.json"), "--size", "2x2", "--scattering", "single"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ProgramResult result = run_brume(arguments);
     EXPECT_EQ(result.exit_code, 0);
