@@ -52,6 +52,7 @@ class Exporter {
   void write(const std::filesystem::path& file, const Frame& frame) {
     FrameInfo info = request_.info;
     info.backend = frame.statistics.backend;
+    info.noise = relative_noise(frame);
     write_frame(file, frame, info);
     ++written_;
   }

@@ -18,7 +18,7 @@ struct FrameExportRequest {
   std::shared_ptr<const Scene> scene;  // with its animation
   std::optional<Camera> camera;        // nullopt: the scene's camera at each time
   Settings settings;
-  FrameInfo info;  // without the backend, set per frame
+  FrameInfo info;  // without backend and noise, set per frame
   Backend backend = Backend::auto_;
   // The extension decides the format: .exr or .png, or .mp4 of several frames.
   std::filesystem::path file;

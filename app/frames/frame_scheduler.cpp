@@ -11,6 +11,13 @@ namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
+// From the last solution on, which is nearly right; the frame at rest goes on to convergence.
+constexpr int motion_sweeps = 3;
+constexpr int max_view_paths = 4096;  // per pixel
+
+bool is_path_traced(const RenderedFrame& frame) {
+  return frame.request.settings.airlight == AirlightMethod::path;
+}
 
 }  // namespace
 
@@ -22,7 +29,8 @@ FrameScheduler::FrameScheduler(const Document& document, FrameServices& services
   connect(&services.service, &FrameService::frame_ready, this, &FrameScheduler::use_frame);
   // Even if they are again those of the frame shown: another one may be on its way.
   connect(&quality_, &FrameQuality::settings_changed, this, [this] {
-    if (!pane_.isHidden()) services_.service.request(frame_request(false));
+    if (pane_.isHidden() || mode_ == ViewMode::path_traced) return;
+    services_.service.request(frame_request(false));
   });
   connect(&quality_, &FrameQuality::failed, this, &FrameScheduler::failed);
   connect(&quality_, &FrameQuality::error_changed, this, &FrameScheduler::map_error);
@@ -52,6 +60,7 @@ void FrameScheduler::set_active(bool active) {
   if (active) {
     services_.service.set_active(index());
     if (is_settled()) measure();
+    refine();
   } else {
     quality_.stop_measuring();
     if (mode_ == ViewMode::error) services_.error_mapper.cancel();
@@ -65,37 +74,66 @@ void FrameScheduler::set_exposure(double stops) {
 
 void FrameScheduler::set_mode(ViewMode mode) {
   if (mode == mode_) return;
+  const bool other_frames = (mode == ViewMode::path_traced) != (mode_ == ViewMode::path_traced);
   mode_ = mode;
   forget_error_map();
   Q_EMIT picture_changed();
+  if (other_frames) {
+    services_.service.forget(index());
+    quality_.stop_measuring();
+    request_at_rest();
+    if (is_settled()) measure();  // again, if there is no other frame yet
+    refine();
+  }
   map_error();
   Q_EMIT mode_changed();
 }
 
 bool FrameScheduler::is_settled() const {
-  return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
-         !shown_->on_device && shown_->request.settings == quality_.settings();
+  if (!shown_ || shown_->request.serial != serial_ || shown_->divisor != 1 || shown_->on_device) {
+    return false;
+  }
+  return mode_ == ViewMode::path_traced ? is_path_traced(*shown_)
+                                        : shown_->request.settings == quality_.settings();
+}
+
+bool FrameScheduler::is_measured() const {
+  if (!is_settled()) return false;
+  return mode_ == ViewMode::path_traced ? shown_->request.settings.paths > 1
+                                        : quality_.is_measured();
+}
+
+Settings FrameScheduler::rest_settings() const {
+  if (mode_ != ViewMode::path_traced) return quality_.settings();
+  Settings settings;
+  settings.airlight = AirlightMethod::path;
+  settings.paths = is_settled() ? std::min(2 * shown_->request.settings.paths, max_view_paths) : 1;
+  return settings;
+}
+
+Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& scene) const {
+  const Settings rest = quality_.settings();
+  Settings settings = sliced_settings(rest, motion_slices);
+  settings.airlight = rest.airlight;
+  settings.scattering_limits.sweeps = motion_sweeps;
+  if (scene == rested_scene_) {
+    // Keeps prepared data: alternating between two would rebuild it each time.
+    settings.optical_depth_table = rest.optical_depth_table;
+    settings.shadow_cells = rest.shadow_cells;
+    settings.depth_error = rest.depth_error;
+    settings.source_grid = rest.source_grid;
+    settings.scattering_limits = rest.scattering_limits;
+  }
+  return settings;
 }
 
 FrameRequest FrameScheduler::frame_request(bool moving) const {
   const auto scene = view_.shown_scene();
-  const Settings rest = quality_.settings();
-  Settings settings = rest;
-  if (moving) {
-    settings = sliced_settings(rest, motion_slices);
-    settings.airlight = rest.airlight;
-    if (scene == rested_scene_) {
-      // Keeps prepared data: alternating between two would rebuild it each time.
-      settings.optical_depth_table = rest.optical_depth_table;
-      settings.shadow_cells = rest.shadow_cells;
-      settings.depth_error = rest.depth_error;
-    }
-  }
   const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
   return {.scene = scene,
           .camera = view_.camera(),
           .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
-          .settings = settings,
+          .settings = moving ? motion_settings(scene) : rest_settings(),
           .exposure = exposure_,
           .mode = mode_,
           .view = index(),
@@ -122,18 +160,40 @@ void FrameScheduler::forget() {
   services_.service.forget(index());
 }
 
+void FrameScheduler::resume() {
+  if (is_settled()) {
+    refine();
+  } else {
+    request();
+  }
+}
+
 void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame) {
   if (frame->request.view != index() || frame->request.serial < oldest_serial_) return;
+  const bool at_rest = !frame->request.moving;
+  // One that came too late for the mode it was made for.
+  if (at_rest && is_path_traced(*frame) != (mode_ == ViewMode::path_traced)) return;
   shown_ = frame;
   forget_error_map();
-  if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
+  // Paths prepare nothing that a frame in motion could keep.
+  if (at_rest && !is_path_traced(*frame)) rested_scene_ = shown_->request.scene;
   if (is_settled()) measure();
+  refine();
   Q_EMIT frame_shown();
+}
+
+// One view at a time: the renderer keeps the paths of one picture.
+void FrameScheduler::refine() {
+  if (mode_ != ViewMode::path_traced || !active_ || pane_.isHidden() || !is_settled()) return;
+  const int paths = shown_->request.settings.paths;
+  // Two paths without noise: there is nothing that more of them would change.
+  const bool is_exact = paths > 1 && !shown_->frame.statistics.path_noise;
+  if (paths < max_view_paths && !is_exact) services_.service.request(frame_request(false));
 }
 
 // One view at a time: each measurement takes all cores.
 void FrameScheduler::measure() {
-  if (active_) quality_.frame_shown(shown_);
+  if (active_ && mode_ != ViewMode::path_traced) quality_.frame_shown(shown_);
 }
 
 // Once the frame is measured, auto will not choose another.

@@ -108,7 +108,7 @@ void FrameService::request(FrameRequest request) {
       pending_.erase(view);
       return;
     }
-    if (!now.moving && (now.view == view || view == active_)) {
+    if (!now.moving && (now.view == view || priority(request) > priority(now))) {
       if (now.view != view) pending_.try_emplace(now.view, now);
       stop_frame_.request_stop();
     }
@@ -137,6 +137,12 @@ void FrameService::set_backend(Backend backend) {
   Q_EMIT backend_changed();
 }
 
+int FrameService::priority(const FrameRequest& request) const {
+  const bool refines =
+      request.settings.airlight == AirlightMethod::path && request.settings.paths > 1;
+  return (refines ? 0 : 2) + (request.view == active_ ? 1 : 0);
+}
+
 int FrameService::motion_divisor(const Film& film) const {
   if (milliseconds_per_pixel_ == 0.0) return first_divisor;
   for (int divisor = 1; divisor < max_divisor; ++divisor) {
@@ -161,8 +167,8 @@ void FrameService::work(const Job& job, const std::shared_ptr<const TransferStor
       std::unique_lock lock(mutex_);
       running_.reset();
       if (!wake_.wait(lock, job.stop, [this] { return !pending_.empty(); })) return;
-      auto next = pending_.find(active_);
-      if (next == pending_.end()) next = pending_.begin();
+      const auto next = std::ranges::max_element(
+          pending_, {}, [this](const auto& pending) { return priority(pending.second); });
       request = std::move(next->second);
       pending_.erase(next);
       if (request.moving) divisor = motion_divisor(request.film);

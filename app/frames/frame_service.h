@@ -44,7 +44,8 @@ struct RenderedFrame {
 
 // Renders for all views in a background thread: the latest request of each view, the active view
 // first. A frame at rest is cancelled by newer requests of its view or the active one; a frame in
-// motion is short and completes, to give feedback while dragging.
+// motion is short and completes, to give feedback while dragging. More paths for a picture that is
+// there already come after all other frames.
 class FrameService : public QObject {
   Q_OBJECT
  public:
@@ -75,6 +76,7 @@ class FrameService : public QObject {
   void work(const Job& job, const std::shared_ptr<const TransferStore>& transfers,
             const MakeContext& make_context);
   int motion_divisor(const Film& film) const;
+  [[nodiscard]] int priority(const FrameRequest& request) const;
 
   std::mutex mutex_;
   std::condition_variable_any wake_;

@@ -14,8 +14,18 @@ namespace {
 
 constexpr const char* max_error_key = "view/max_error";
 
-// Why auto shows what it shows.
-QString reason(const FrameQuality& quality) {
+// Plain names of stages whose own are of the program.
+QString stage_title(Stage stage) {
+  if (stage == Stage::scattering) return PerformancePanel::tr("multiple scattering");
+  return to_string(stage);
+}
+
+// Why the frame has its settings.
+QString reason(const FrameScheduler& frames) {
+  if (frames.mode() == ViewMode::path_traced) {
+    return PerformancePanel::tr("More paths while nothing changes.");
+  }
+  const FrameQuality& quality = frames.quality();
   if (!quality.is_auto()) return PerformancePanel::tr("Chosen in the View menu.");
   const QualityControl& control = quality.control();
   const QString bound = bound_text(control.max_error());
@@ -59,6 +69,11 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
   error_->setToolTip(tr("Relative RMSE of the airlight against the reference"));
   interval_ = add_row(*numbers, tr("Interval"), "interval");
   interval_->setToolTip(tr("Contains the error of the whole picture in 95% of cases"));
+  scattering_ = add_row(*numbers, tr("Scattering"), "panel_scattering");
+  scattering_->setWordWrap(true);
+  scattering_->setToolTip(tr(
+      "How often light is scattered, chosen in the panel Medium. All orders are solved on a grid, "
+      "by sweeps over it, until a sweep changes hardly anything"));
   gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used");
   pairs_ = add_row(*numbers, tr("Pairs"), "pairs");
   pairs_->setToolTip(tr("Evaluated pairs of Gaussian and ray, from the eye and from the lights"));
@@ -120,10 +135,14 @@ void PerformancePanel::showEvent(QShowEvent* event) {
 void PerformancePanel::update_quality() {
   if (!isVisible()) return;
   const FrameQuality& quality = active_frames_().quality();
-  why_->setText(reason(quality));
+  why_->setText(reason(active_frames_()));
   frontier_->show_quality(quality);
   for (QLabel* label : {error_, interval_}) label->setEnabled(active_frames_().is_measured());
-  if (const std::optional<ErrorEstimate>& error = quality.error()) {
+  const RenderedFrame* frame = active_frames_().shown();
+  if (const QString paths = frame ? paths_text(frame->frame) : QString(); !paths.isEmpty()) {
+    error_->setText(paths);
+    interval_->clear();
+  } else if (const std::optional<ErrorEstimate>& error = quality.error()) {
     error_->setText(error_text(*error));
     interval_->setText(tr("%1 (%2 pixels)").arg(interval_text(*error), count_text(error->pixels)));
   } else {
@@ -140,6 +159,7 @@ void PerformancePanel::update_frame() {
   const FrameStatistics& statistics = frame->frame.statistics;
   const Film& film = frame->frame.film;
   shown_->setText(settings_text(frame->request.settings));
+  scattering_->setText(scattering_text(frame->frame));
   gaussians_->setText(
       tr("%1 of %2 used")
           .arg(count_text(statistics.gaussians_used), count_text(statistics.gaussians_total)));
@@ -156,13 +176,13 @@ void PerformancePanel::update_frame() {
   QList<QTreeWidgetItem*> rows;
   for (const StageTime& stage : statistics.stages) {
     rows << new QTreeWidgetItem(
-        {to_string(stage.stage), QString::number(stage.milliseconds, 'f', 1)});
+        {stage_title(stage.stage), QString::number(stage.milliseconds, 'f', 1)});
   }
   rows << new QTreeWidgetItem({tr("frame"), QString::number(frame->milliseconds, 'f', 1)});
   const auto add_notes = [&rows](const std::vector<SkippedStage>& stages, const QString& text) {
     for (const SkippedStage& stage : stages) {
       const QString why = text.arg(QString::fromStdString(stage.why));
-      auto* row = new QTreeWidgetItem({to_string(stage.stage), why});
+      auto* row = new QTreeWidgetItem({stage_title(stage.stage), why});
       row->setToolTip(1, plain_tool_tip(why));
       row->setDisabled(true);
       rows << row;

@@ -195,6 +195,7 @@ void MainWindow::save_current_picture() {
   const RenderedFrame* frame = viewport_->frames().shown();
   const std::filesystem::path& file = document_.file();
   if (!viewport_->frames().is_settled() || file.empty() || document_.is_modified()) return;
+  if (viewport_->frames().mode() == ViewMode::path_traced) return;  // noisy yet
   if (pictured_ == std::pair(file, document_.revision())) return;
   pictured_ = {file, document_.revision()};
   save_recent_picture(file,
