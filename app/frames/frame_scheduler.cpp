@@ -11,9 +11,14 @@ namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
-// From the last solution on, which is nearly right; the frame at rest goes on to convergence.
-constexpr int motion_sweeps = 3;
+// All orders of scattering, while the scene changes: from the last solution on, which is nearly
+// right. The frame at rest goes on to convergence.
+constexpr int motion_sweeps = 2;
+constexpr SourceGridSize motion_grid{20'000, 64};
 constexpr int max_view_paths = 4096;  // per pixel
+// A quarter of the work of one path for each pixel.
+constexpr int preview_divisor = 4;
+constexpr int preview_paths = 4;
 
 bool is_path_traced(const RenderedFrame& frame) {
   return frame.request.settings.airlight == AirlightMethod::path;
@@ -90,11 +95,13 @@ void FrameScheduler::set_mode(ViewMode mode) {
 }
 
 bool FrameScheduler::is_settled() const {
-  if (!shown_ || shown_->request.serial != serial_ || shown_->divisor != 1 || shown_->on_device) {
-    return false;
-  }
-  return mode_ == ViewMode::path_traced ? is_path_traced(*shown_)
-                                        : shown_->request.settings == quality_.settings();
+  if (mode_ == ViewMode::path_traced) return shows_paths() && shown_->divisor == 1;
+  return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
+         !shown_->on_device && shown_->request.settings == quality_.settings();
+}
+
+bool FrameScheduler::shows_paths() const {
+  return shown_ && shown_->request.serial == serial_ && is_path_traced(*shown_);
 }
 
 bool FrameScheduler::is_measured() const {
@@ -103,19 +110,28 @@ bool FrameScheduler::is_measured() const {
                                         : quality_.is_measured();
 }
 
-Settings FrameScheduler::rest_settings() const {
-  if (mode_ != ViewMode::path_traced) return quality_.settings();
-  Settings settings;
-  settings.airlight = AirlightMethod::path;
-  settings.paths = is_settled() ? std::min(2 * shown_->request.settings.paths, max_view_paths) : 1;
-  return settings;
+// A coarse picture soon, then all pixels with 1 path, 2, 4, 8 ...
+void FrameScheduler::ask_for_paths(FrameRequest& request) const {
+  request.settings = {};
+  request.settings.airlight = AirlightMethod::path;
+  if (!shows_paths()) {
+    request.divisor = preview_divisor;
+    request.settings.paths = preview_paths;
+  } else if (shown_->divisor != 1) {
+    request.settings.paths = 1;
+  } else {
+    request.settings.paths = std::min(2 * shown_->request.settings.paths, max_view_paths);
+  }
 }
 
 Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& scene) const {
   const Settings rest = quality_.settings();
   Settings settings = sliced_settings(rest, motion_slices);
   settings.airlight = rest.airlight;
-  settings.scattering_limits.sweeps = motion_sweeps;
+  if (settings.scattering == Scattering::multiple) {
+    settings.scattering_limits.sweeps = motion_sweeps;
+    settings.source_grid = motion_grid;
+  }
   if (scene == rested_scene_) {
     // Keeps prepared data: alternating between two would rebuild it each time.
     settings.optical_depth_table = rest.optical_depth_table;
@@ -130,16 +146,18 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
 FrameRequest FrameScheduler::frame_request(bool moving) const {
   const auto scene = view_.shown_scene();
   const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
-  return {.scene = scene,
-          .camera = view_.camera(),
-          .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
-          .settings = moving ? motion_settings(scene) : rest_settings(),
-          .exposure = exposure_,
-          .mode = mode_,
-          .view = index(),
-          .serial = serial_,
-          .moving = moving,
-          .depth = view_.shown_handles().use_depth()};
+  FrameRequest request{.scene = scene,
+                       .camera = view_.camera(),
+                       .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
+                       .settings = moving ? motion_settings(scene) : quality_.settings(),
+                       .exposure = exposure_,
+                       .mode = mode_,
+                       .view = index(),
+                       .serial = serial_,
+                       .moving = moving,
+                       .depth = view_.shown_handles().use_depth()};
+  if (!moving && mode_ == ViewMode::path_traced) ask_for_paths(request);
+  return request;
 }
 
 void FrameScheduler::request() {
@@ -184,11 +202,12 @@ void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame
 
 // One view at a time: the renderer keeps the paths of one picture.
 void FrameScheduler::refine() {
-  if (mode_ != ViewMode::path_traced || !active_ || pane_.isHidden() || !is_settled()) return;
+  if (mode_ != ViewMode::path_traced || !active_ || pane_.isHidden() || !shows_paths()) return;
   const int paths = shown_->request.settings.paths;
   // Two paths without noise: there is nothing that more of them would change.
   const bool is_exact = paths > 1 && !shown_->frame.statistics.path_noise;
-  if (paths < max_view_paths && !is_exact) services_.service.request(frame_request(false));
+  const bool is_done = is_settled() && (is_exact || paths >= max_view_paths);
+  if (!is_done) services_.service.request(frame_request(false));
 }
 
 // One view at a time: each measurement takes all cores.

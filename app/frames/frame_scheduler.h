@@ -52,7 +52,8 @@ class FrameScheduler : public QObject {
   void failed(const QString& message);
 
  private:
-  [[nodiscard]] Settings rest_settings() const;
+  [[nodiscard]] bool shows_paths() const;  // of the present state
+  void ask_for_paths(FrameRequest& request) const;
   [[nodiscard]] Settings motion_settings(const std::shared_ptr<const Scene>& scene) const;
   [[nodiscard]] FrameRequest frame_request(bool moving) const;
   [[nodiscard]] int index() const { return static_cast<int>(view_.projection()); }

@@ -185,15 +185,15 @@ ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map) {
     }
     case ViewMode::error: {
       if (!map) return {tr("Error: waiting for the measurement"), {}};
-      QString title = tr("Error");
+      QString title = map->all_orders ? tr("Error of light scattered once") : tr("Error");
       if (map->done < 1.0) {
-        title = tr("Error, %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
+        title += tr(", %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
       }
       return {title, {"0.1 %", "1 %", "10 %"}};
     }
     case ViewMode::path_traced: {
       const QString paths = paths_text(frame);
-      return {paths.isEmpty() ? tr("Path traced once nothing changes")
+      return {paths.isEmpty() ? tr("Path traced: waiting for the first paths")
                               : tr("Path traced, %1").arg(paths),
               {}};
     }

@@ -64,16 +64,16 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
   shown_ = add_row(*form, tr("Current settings"), "shown");
   why_ = add_row(*form, {}, "why");
   why_->setWordWrap(true);
+  scattering_ = add_row(*form, tr("Scattering"), "panel_scattering");
+  scattering_->setWordWrap(true);
+  scattering_->setToolTip(tr(
+      "How often light is scattered, chosen in the panel Medium. All orders are solved on a grid, "
+      "by sweeps over it, until a sweep changes hardly anything"));
   auto* numbers = new QFormLayout;
   error_ = add_row(*numbers, tr("Error"), "panel_error");
   error_->setToolTip(tr("Relative RMSE of the airlight against the reference"));
   interval_ = add_row(*numbers, tr("Interval"), "interval");
   interval_->setToolTip(tr("Contains the error of the whole picture in 95% of cases"));
-  scattering_ = add_row(*numbers, tr("Scattering"), "panel_scattering");
-  scattering_->setWordWrap(true);
-  scattering_->setToolTip(tr(
-      "How often light is scattered, chosen in the panel Medium. All orders are solved on a grid, "
-      "by sweeps over it, until a sweep changes hardly anything"));
   gaussians_ = add_row(*numbers, tr("Gaussians"), "gaussians_used");
   pairs_ = add_row(*numbers, tr("Pairs"), "pairs");
   pairs_->setToolTip(tr("Evaluated pairs of Gaussian and ray, from the eye and from the lights"));
@@ -87,6 +87,7 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
   stages_->setSelectionMode(QAbstractItemView::NoSelection);
   stages_->setFocusPolicy(Qt::NoFocus);
   stages_->header()->setStretchLastSection(true);
+  stages_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   stages_->setMinimumHeight(50);
 
   auto* layout = new QVBoxLayout(this);

@@ -139,6 +139,7 @@ void MainWindow::connect_document() {
     connect(views_, signal, this, &MainWindow::show_fallback);
   }
   connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
+  connect(views_, &ViewGrid::mode_changed, this, &MainWindow::update_error);
   connect(&viewport_->frames(), &FrameScheduler::frame_shown, this,
           &MainWindow::save_current_picture);
   connect(&document_, &Document::scene_replaced, message_bar_, [this] {

@@ -59,7 +59,8 @@ void MainWindow::create_docks() {
   views_->set_max_error(performance_panel->max_error());
   connect(performance_panel, &PerformancePanel::max_error_changed, views_,
           &ViewGrid::set_max_error);
-  for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
+  for (const auto signal :
+       {&ViewGrid::frame_shown, &ViewGrid::active_changed, &ViewGrid::mode_changed}) {
     connect(views_, signal, performance_panel, &PerformancePanel::update_frame);
   }
   connect(views_, &ViewGrid::error_changed, performance_panel, &PerformancePanel::update_quality);
