@@ -82,7 +82,7 @@ app/files/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/
 app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
 app/view/*.[hc]*:app/document/ app/widgets/ app/jobs/
-app/frames/*.[hc]*:app/document/ app/jobs/ app/view/
+app/frames/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/view/
 app/tools/*.[hc]*:app/document/ app/commands/ app/widgets/ app/view/
 app/panels/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/ app/view/ app/frames/
 app/viewport/*.[hc]*:app/document/ app/widgets/ app/view/ app/frames/

@@ -7,6 +7,7 @@
 
 #include "app/frames/frame_service.h"
 #include "render/reference/reference_pixels.h"
+#include "render/renderer.h"
 
 namespace brume {
 namespace {
@@ -42,6 +43,14 @@ void fill_block(ErrorMap& map, std::size_t pixel, int step, float error) {
   }
 }
 
+// The same frame without what is scattered more than once. Radiance transfer changes no airlight.
+std::optional<Frame> scattered_once(const FrameRequest& request, const Job& job) {
+  Settings settings = request.settings;
+  settings.scattering = Scattering::single;
+  return Renderer(std::make_shared<const TransferStore>())
+      .render(*request.scene, request.camera, request.film, settings, job.stop);
+}
+
 double rms(const std::vector<float>& values) {
   double square = 0.0;
   for (const float v : values) square += static_cast<double>(v) * static_cast<double>(v);
@@ -62,8 +71,14 @@ void ErrorMapper::start(const std::shared_ptr<const RenderedFrame>& frame) {
 }
 
 void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, const Job& job) {
-  const Frame& frame = rendered->frame;
-  ErrorMap map{frame.film, std::vector<float>(frame.depth.size(), 0.0F), 0.0};
+  const bool all_orders = rendered->frame.statistics.scattering.has_value();
+  std::optional<Frame> once;
+  if (all_orders) {
+    once = scattered_once(rendered->request, job);
+    if (!once) return;
+  }
+  const Frame& frame = once ? *once : rendered->frame;
+  ErrorMap map{frame.film, std::vector<float>(frame.depth.size(), 0.0F), 0.0, all_orders};
   const double unit = rms(frame.airlight);
   const auto tell = [&] {
     job_.deliver(job, [this, rendered, copy = std::make_shared<const ErrorMap>(map)] {

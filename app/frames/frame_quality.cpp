@@ -6,15 +6,16 @@ namespace brume {
 namespace {
 
 // Airlight is interpolated where that is good enough: the picture is there several times sooner.
-Settings interpolated() {
+Settings interpolated(Scattering scattering) {
   Settings settings;
   settings.airlight_scale = 4;
+  settings.scattering = scattering;
   return settings;
 }
 
 }  // namespace
 
-FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpolated()) {
+FrameQuality::FrameQuality(QObject* parent) : QObject(parent), control_(interpolated(scattering_)) {
   connect(&meter_, &ErrorMeter::measured, this, &FrameQuality::set_measured);
   connect(&meter_, &ErrorMeter::failed, this, &FrameQuality::failed);
 }
@@ -24,6 +25,19 @@ void FrameQuality::set_airlight(AirlightMethod method) {
   airlight_ = method;
   stop_measuring();
   error_.reset();  // not even a hint of the new one
+  chosen_.reset();
+  Q_EMIT settings_changed();
+}
+
+void FrameQuality::set_scattering(Scattering scattering) {
+  if (scattering == scattering_) return;
+  scattering_ = scattering;
+  // What was measured is about other light.
+  const double max_error = control_.max_error();
+  control_ = QualityControl(interpolated(scattering));
+  control_.set_max_error(max_error);
+  stop_measuring();
+  error_.reset();
   chosen_.reset();
   Q_EMIT settings_changed();
 }
@@ -41,7 +55,7 @@ void FrameQuality::set_max_error(double max_error) {
 
 Settings FrameQuality::settings() const {
   if (is_auto()) return control_.settings();
-  Settings settings = interpolated();
+  Settings settings = interpolated(scattering_);
   settings.airlight = airlight_;
   return settings;
 }

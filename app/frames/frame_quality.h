@@ -20,6 +20,8 @@ class FrameQuality : public QObject {
 
   [[nodiscard]] AirlightMethod airlight() const { return airlight_; }
   void set_airlight(AirlightMethod method);
+  [[nodiscard]] Scattering scattering() const { return scattering_; }
+  void set_scattering(Scattering scattering);
   [[nodiscard]] bool is_auto() const { return airlight_ == AirlightMethod::auto_; }
   // Error bound of auto; see QualityControl.
   [[nodiscard]] double max_error() const { return control_.max_error(); }
@@ -60,6 +62,7 @@ class FrameQuality : public QObject {
   void set_measured(const std::shared_ptr<const RenderedFrame>& frame, const ErrorEstimate& error);
 
   AirlightMethod airlight_ = AirlightMethod::auto_;
+  Scattering scattering_ = Scattering::multiple;
   QualityControl control_;
   std::shared_ptr<const RenderedFrame> frame_;  // being measured
   std::optional<ErrorEstimate> error_;

@@ -11,6 +11,18 @@ namespace {
 
 constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
+// All orders of scattering, while the scene changes: from the last solution on, which is nearly
+// right. The frame at rest goes on to convergence.
+constexpr int motion_sweeps = 2;
+constexpr SourceGridSize motion_grid{20'000, 64};
+constexpr int max_view_paths = 4096;  // per pixel
+// A quarter of the work of one path for each pixel.
+constexpr int preview_divisor = 4;
+constexpr int preview_paths = 4;
+
+bool is_path_traced(const RenderedFrame& frame) {
+  return frame.request.settings.airlight == AirlightMethod::path;
+}
 
 }  // namespace
 
@@ -22,7 +34,8 @@ FrameScheduler::FrameScheduler(const Document& document, FrameServices& services
   connect(&services.service, &FrameService::frame_ready, this, &FrameScheduler::use_frame);
   // Even if they are again those of the frame shown: another one may be on its way.
   connect(&quality_, &FrameQuality::settings_changed, this, [this] {
-    if (!pane_.isHidden()) services_.service.request(frame_request(false));
+    if (pane_.isHidden() || mode_ == ViewMode::path_traced) return;
+    services_.service.request(frame_request(false));
   });
   connect(&quality_, &FrameQuality::failed, this, &FrameScheduler::failed);
   connect(&quality_, &FrameQuality::error_changed, this, &FrameScheduler::map_error);
@@ -52,6 +65,7 @@ void FrameScheduler::set_active(bool active) {
   if (active) {
     services_.service.set_active(index());
     if (is_settled()) measure();
+    refine();
   } else {
     quality_.stop_measuring();
     if (mode_ == ViewMode::error) services_.error_mapper.cancel();
@@ -65,43 +79,85 @@ void FrameScheduler::set_exposure(double stops) {
 
 void FrameScheduler::set_mode(ViewMode mode) {
   if (mode == mode_) return;
+  const bool other_frames = (mode == ViewMode::path_traced) != (mode_ == ViewMode::path_traced);
   mode_ = mode;
   forget_error_map();
   Q_EMIT picture_changed();
+  if (other_frames) {
+    services_.service.forget(index());
+    quality_.stop_measuring();
+    request_at_rest();
+    if (is_settled()) measure();  // again, if there is no other frame yet
+    refine();
+  }
   map_error();
   Q_EMIT mode_changed();
 }
 
 bool FrameScheduler::is_settled() const {
+  if (mode_ == ViewMode::path_traced) return shows_paths() && shown_->divisor == 1;
   return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
          !shown_->on_device && shown_->request.settings == quality_.settings();
 }
 
+bool FrameScheduler::shows_paths() const {
+  return shown_ && shown_->request.serial == serial_ && is_path_traced(*shown_);
+}
+
+bool FrameScheduler::is_measured() const {
+  if (!is_settled()) return false;
+  return mode_ == ViewMode::path_traced ? shown_->request.settings.paths > 1
+                                        : quality_.is_measured();
+}
+
+// A coarse picture soon, then all pixels with 1 path, 2, 4, 8 ...
+void FrameScheduler::ask_for_paths(FrameRequest& request) const {
+  request.settings = {};
+  request.settings.airlight = AirlightMethod::path;
+  if (!shows_paths()) {
+    request.divisor = preview_divisor;
+    request.settings.paths = preview_paths;
+  } else if (shown_->divisor != 1) {
+    request.settings.paths = 1;
+  } else {
+    request.settings.paths = std::min(2 * shown_->request.settings.paths, max_view_paths);
+  }
+}
+
+Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& scene) const {
+  const Settings rest = quality_.settings();
+  Settings settings = sliced_settings(rest, motion_slices);
+  settings.airlight = rest.airlight;
+  if (settings.scattering == Scattering::multiple) {
+    settings.scattering_limits.sweeps = motion_sweeps;
+    settings.source_grid = motion_grid;
+  }
+  if (scene == rested_scene_) {
+    // Keeps prepared data: alternating between two would rebuild it each time.
+    settings.optical_depth_table = rest.optical_depth_table;
+    settings.shadow_cells = rest.shadow_cells;
+    settings.depth_error = rest.depth_error;
+    settings.source_grid = rest.source_grid;
+    settings.scattering_limits = rest.scattering_limits;
+  }
+  return settings;
+}
+
 FrameRequest FrameScheduler::frame_request(bool moving) const {
   const auto scene = view_.shown_scene();
-  const Settings rest = quality_.settings();
-  Settings settings = rest;
-  if (moving) {
-    settings = sliced_settings(rest, motion_slices);
-    settings.airlight = rest.airlight;
-    if (scene == rested_scene_) {
-      // Keeps prepared data: alternating between two would rebuild it each time.
-      settings.optical_depth_table = rest.optical_depth_table;
-      settings.shadow_cells = rest.shadow_cells;
-      settings.depth_error = rest.depth_error;
-    }
-  }
   const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
-  return {.scene = scene,
-          .camera = view_.camera(),
-          .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
-          .settings = settings,
-          .exposure = exposure_,
-          .mode = mode_,
-          .view = index(),
-          .serial = serial_,
-          .moving = moving,
-          .depth = view_.shown_handles().use_depth()};
+  FrameRequest request{.scene = scene,
+                       .camera = view_.camera(),
+                       .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
+                       .settings = moving ? motion_settings(scene) : quality_.settings(),
+                       .exposure = exposure_,
+                       .mode = mode_,
+                       .view = index(),
+                       .serial = serial_,
+                       .moving = moving,
+                       .depth = view_.shown_handles().use_depth()};
+  if (!moving && mode_ == ViewMode::path_traced) ask_for_paths(request);
+  return request;
 }
 
 void FrameScheduler::request() {
@@ -122,18 +178,41 @@ void FrameScheduler::forget() {
   services_.service.forget(index());
 }
 
+void FrameScheduler::resume() {
+  if (is_settled()) {
+    refine();
+  } else {
+    request();
+  }
+}
+
 void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame) {
   if (frame->request.view != index() || frame->request.serial < oldest_serial_) return;
+  const bool at_rest = !frame->request.moving;
+  // One that came too late for the mode it was made for.
+  if (at_rest && is_path_traced(*frame) != (mode_ == ViewMode::path_traced)) return;
   shown_ = frame;
   forget_error_map();
-  if (!shown_->request.moving) rested_scene_ = shown_->request.scene;
+  // Paths prepare nothing that a frame in motion could keep.
+  if (at_rest && !is_path_traced(*frame)) rested_scene_ = shown_->request.scene;
   if (is_settled()) measure();
+  refine();
   Q_EMIT frame_shown();
+}
+
+// One view at a time: the renderer keeps the paths of one picture.
+void FrameScheduler::refine() {
+  if (mode_ != ViewMode::path_traced || !active_ || pane_.isHidden() || !shows_paths()) return;
+  const int paths = shown_->request.settings.paths;
+  // Two paths without noise: there is nothing that more of them would change.
+  const bool is_exact = paths > 1 && !shown_->frame.statistics.path_noise;
+  const bool is_done = is_settled() && (is_exact || paths >= max_view_paths);
+  if (!is_done) services_.service.request(frame_request(false));
 }
 
 // One view at a time: each measurement takes all cores.
 void FrameScheduler::measure() {
-  if (active_) quality_.frame_shown(shown_);
+  if (active_ && mode_ != ViewMode::path_traced) quality_.frame_shown(shown_);
 }
 
 // Once the frame is measured, auto will not choose another.

@@ -23,6 +23,7 @@ class FrameScheduler : public QObject {
   // None for a hidden pane.
   void request();
   void forget();  // drops what is pending
+  void resume();  // after forget(): requests what is missing
   // Whether it is the view that keys, panels and the error meter are about.
   void set_active(bool active);
 
@@ -37,10 +38,10 @@ class FrameScheduler : public QObject {
 
   // The displayed frame; nullptr initially. May have no layers in motion.
   [[nodiscard]] const RenderedFrame* shown() const { return shown_.get(); }
-  // Whether it is up to date at full resolution.
+  // Whether it is up to date at full resolution; path-traced, with any number of paths.
   [[nodiscard]] bool is_settled() const;
-  // Whether its error is known too, so auto has settled.
-  [[nodiscard]] bool is_measured() const { return is_settled() && quality_.is_measured(); }
+  // Whether its error is known too, so auto has settled; of a path-traced one, its noise.
+  [[nodiscard]] bool is_measured() const;
   // Error map of the displayed frame; may be incomplete; nullptr if not shown.
   [[nodiscard]] const ErrorMap* error_map() const { return error_map_.get(); }
 
@@ -51,10 +52,14 @@ class FrameScheduler : public QObject {
   void failed(const QString& message);
 
  private:
+  [[nodiscard]] bool shows_paths() const;  // of the present state
+  void ask_for_paths(FrameRequest& request) const;
+  [[nodiscard]] Settings motion_settings(const std::shared_ptr<const Scene>& scene) const;
   [[nodiscard]] FrameRequest frame_request(bool moving) const;
   [[nodiscard]] int index() const { return static_cast<int>(view_.projection()); }
   void request_at_rest();
   void use_frame(const std::shared_ptr<const RenderedFrame>& frame);
+  void refine();  // more paths, where they are shown
   void measure();
   void map_error();  // if visible and idle
   void forget_error_map();

@@ -11,11 +11,24 @@ namespace brume {
 namespace {
 
 constexpr double motion_budget = 33.0;  // milliseconds: about 30 frames a second
-constexpr int first_divisor = 4;        // while the cost of a pixel is unknown
-constexpr int max_divisor = 6;          // coarser than this shows nothing any more
+// Pixels get at least this share of it: fewer would not save what takes longer than all of it.
+constexpr double min_pixel_share = 0.5;
+constexpr int first_divisor = 4;  // while the cost of a pixel is unknown
+constexpr int max_divisor = 6;    // coarser than this shows nothing any more
 
 Film divided(const Film& film, int divisor) {
   return {std::max(1, film.width / divisor), std::max(1, film.height / divisor)};
+}
+
+double milliseconds_of_any_resolution(const FrameStatistics& statistics) {
+  static const StageSet stages{Stage::transfer,    Stage::prepare,     Stage::environment,
+                               Stage::light_depth, Stage::light_table, Stage::scattering,
+                               Stage::shadow_map};
+  double sum = 0.0;
+  for (const StageTime& time : statistics.stages) {
+    if (stages.has(time.stage)) sum += time.milliseconds;
+  }
+  return sum;
 }
 
 // What renders, and what of it leaves pictures on the device.
@@ -104,11 +117,12 @@ void FrameService::request(FrameRequest request) {
     const FrameRequest& now = *running_;
     // The same state at full quality is already on its way.
     if (now.view == view && now.serial == request.serial && !now.moving &&
-        now.settings == request.settings && !stop_frame_.stop_requested()) {
+        now.settings == request.settings && now.divisor == request.divisor &&
+        !stop_frame_.stop_requested()) {
       pending_.erase(view);
       return;
     }
-    if (!now.moving && (now.view == view || view == active_)) {
+    if (!now.moving && (now.view == view || priority(request) > priority(now))) {
       if (now.view != view) pending_.try_emplace(now.view, now);
       stop_frame_.request_stop();
     }
@@ -137,11 +151,18 @@ void FrameService::set_backend(Backend backend) {
   Q_EMIT backend_changed();
 }
 
+int FrameService::priority(const FrameRequest& request) const {
+  const bool refines = request.settings.airlight == AirlightMethod::path && request.divisor == 1;
+  return (refines ? 0 : 2) + (request.view == active_ ? 1 : 0);
+}
+
 int FrameService::motion_divisor(const Film& film) const {
   if (milliseconds_per_pixel_ == 0.0) return first_divisor;
+  const double budget =
+      std::max(motion_budget - fixed_milliseconds_, min_pixel_share * motion_budget);
   for (int divisor = 1; divisor < max_divisor; ++divisor) {
     const Film part = divided(film, divisor);
-    if (milliseconds_per_pixel_ * part.width * part.height <= motion_budget) return divisor;
+    if (milliseconds_per_pixel_ * part.width * part.height <= budget) return divisor;
   }
   return max_divisor;
 }
@@ -161,11 +182,11 @@ void FrameService::work(const Job& job, const std::shared_ptr<const TransferStor
       std::unique_lock lock(mutex_);
       running_.reset();
       if (!wake_.wait(lock, job.stop, [this] { return !pending_.empty(); })) return;
-      auto next = pending_.find(active_);
-      if (next == pending_.end()) next = pending_.begin();
+      const auto next = std::ranges::max_element(
+          pending_, {}, [this](const auto& pending) { return priority(pending.second); });
       request = std::move(next->second);
       pending_.erase(next);
-      if (request.moving) divisor = motion_divisor(request.film);
+      divisor = request.moving ? motion_divisor(request.film) : request.divisor;
       running_ = request;
       stop_frame_ = std::stop_source();
       if (job.stop.stop_requested()) return;
@@ -189,7 +210,9 @@ void FrameService::work(const Job& job, const std::shared_ptr<const TransferStor
       rendered->divisor = divisor;
       rendered->request = std::move(request);
       if (rendered->request.moving) {  // at rest pixels may cost more
-        milliseconds_per_pixel_ = rendered->milliseconds / (film.width * film.height);
+        fixed_milliseconds_ = milliseconds_of_any_resolution(rendered->frame.statistics);
+        const double of_pixels = std::max(rendered->milliseconds - fixed_milliseconds_, 0.0);
+        milliseconds_per_pixel_ = of_pixels / (film.width * film.height);
       }
       job_.deliver(job, [this, rendered] { Q_EMIT frame_ready(rendered); });
     } catch (const std::exception& error) {

@@ -30,6 +30,7 @@ struct FrameRequest {
   int view = 0;              // index of the view
   std::uint64_t serial = 0;  // identifies the state of scene, camera and film
   bool moving = false;       // interactive: may reduce resolution and omit layers
+  int divisor = 1;           // at rest: of the resolution
   bool depth = true;         // request the depth layer nevertheless
 };
 
@@ -44,7 +45,8 @@ struct RenderedFrame {
 
 // Renders for all views in a background thread: the latest request of each view, the active view
 // first. A frame at rest is cancelled by newer requests of its view or the active one; a frame in
-// motion is short and completes, to give feedback while dragging.
+// motion is short and completes, to give feedback while dragging. Path-traced frames at full
+// resolution take long, and come after all others.
 class FrameService : public QObject {
   Q_OBJECT
  public:
@@ -75,6 +77,7 @@ class FrameService : public QObject {
   void work(const Job& job, const std::shared_ptr<const TransferStore>& transfers,
             const MakeContext& make_context);
   int motion_divisor(const Film& film) const;
+  [[nodiscard]] int priority(const FrameRequest& request) const;
 
   std::mutex mutex_;
   std::condition_variable_any wake_;
@@ -82,7 +85,10 @@ class FrameService : public QObject {
   std::map<int, FrameRequest> pending_;  // by view
   std::optional<FrameRequest> running_;
   std::stop_source stop_frame_;
-  double milliseconds_per_pixel_ = 0.0;  // last frame in motion; 0 initially
+  // Of the last frame in motion: of all that does not depend on the resolution, and the rest; 0
+  // initially.
+  double fixed_milliseconds_ = 0.0;
+  double milliseconds_per_pixel_ = 0.0;
   Backend backend_ = Backend::auto_;
   std::uint64_t backend_choice_ = 1;  // counts set_backend()
   BackgroundJob job_{BackgroundJob::Policy::one_at_a_time};

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "app/frames/error_map.h"
+#include "app/widgets/frame_text.h"
 #include "render/frame.h"
 
 namespace brume {
@@ -118,6 +119,8 @@ QString view_mode_title(ViewMode mode) {
       return tr("Cost");
     case ViewMode::error:
       return tr("Error Against the Reference");
+    case ViewMode::path_traced:
+      return tr("Path Traced");
   }
   return {};
 }
@@ -147,6 +150,7 @@ std::optional<gl::DisplayOptions> display_options(double exposure, ViewMode mode
   using Layer = gl::DisplayOptions::Layer;
   switch (mode) {
     case ViewMode::final:
+    case ViewMode::path_traced:
       return {{.layer = Layer::beauty, .exposure = exposure}};
     case ViewMode::outlines:
     case ViewMode::error:
@@ -181,11 +185,17 @@ ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map) {
     }
     case ViewMode::error: {
       if (!map) return {tr("Error: waiting for the measurement"), {}};
-      QString title = tr("Error");
+      QString title = map->all_orders ? tr("Error of light scattered once") : tr("Error");
       if (map->done < 1.0) {
-        title = tr("Error, %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
+        title += tr(", %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
       }
       return {title, {"0.1 %", "1 %", "10 %"}};
+    }
+    case ViewMode::path_traced: {
+      const QString paths = paths_text(frame);
+      return {paths.isEmpty() ? tr("Path traced: waiting for the first paths")
+                              : tr("Path traced, %1").arg(paths),
+              {}};
     }
     default:
       return {};

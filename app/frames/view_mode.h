@@ -20,11 +20,12 @@ enum class ViewMode {
   outlines,       // dimmed picture with outlines of all Gaussians
   cost,           // Gaussian x ray pairs per pixel, false colours
   error,          // error of the airlight, false colours
+  path_traced,    // the picture by paths, more and more of them while nothing changes
 };
 
-inline constexpr std::array view_modes{ViewMode::final,         ViewMode::airlight,
-                                       ViewMode::optical_depth, ViewMode::outlines,
-                                       ViewMode::cost,          ViewMode::error};
+inline constexpr std::array view_modes{
+    ViewMode::final, ViewMode::airlight, ViewMode::optical_depth, ViewMode::outlines,
+    ViewMode::cost,  ViewMode::error,    ViewMode::path_traced};
 
 QString view_mode_title(ViewMode mode);  // "Airlight Only"
 ViewMode next_view_mode(ViewMode mode);
@@ -36,7 +37,7 @@ QImage to_picture(const Frame& frame, double exposure, ViewMode mode);
 std::optional<gl::DisplayOptions> display_options(double exposure, ViewMode mode);
 QImage error_picture(const ErrorMap& map);
 
-// Title and equidistant tick labels of a false-colour scale.
+// Title and equidistant tick labels of a false-colour scale; or a title alone.
 struct ColorScale {
   QString title;
   QStringList ticks;

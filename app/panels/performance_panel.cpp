@@ -14,8 +14,18 @@ namespace {
 
 constexpr const char* max_error_key = "view/max_error";
 
-// Why auto shows what it shows.
-QString reason(const FrameQuality& quality) {
+// Plain names of stages whose own are of the program.
+QString stage_title(Stage stage) {
+  if (stage == Stage::scattering) return PerformancePanel::tr("multiple scattering");
+  return to_string(stage);
+}
+
+// Why the frame has its settings.
+QString reason(const FrameScheduler& frames) {
+  if (frames.mode() == ViewMode::path_traced) {
+    return PerformancePanel::tr("More paths while nothing changes.");
+  }
+  const FrameQuality& quality = frames.quality();
   if (!quality.is_auto()) return PerformancePanel::tr("Chosen in the View menu.");
   const QualityControl& control = quality.control();
   const QString bound = bound_text(control.max_error());
@@ -54,6 +64,11 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
   shown_ = add_row(*form, tr("Current settings"), "shown");
   why_ = add_row(*form, {}, "why");
   why_->setWordWrap(true);
+  scattering_ = add_row(*form, tr("Scattering"), "panel_scattering");
+  scattering_->setWordWrap(true);
+  scattering_->setToolTip(tr(
+      "How often light is scattered, chosen in the panel Medium. All orders are solved on a grid, "
+      "by sweeps over it, until a sweep changes hardly anything"));
   auto* numbers = new QFormLayout;
   error_ = add_row(*numbers, tr("Error"), "panel_error");
   error_->setToolTip(tr("Relative RMSE of the airlight against the reference"));
@@ -72,6 +87,7 @@ PerformancePanel::PerformancePanel(std::function<const FrameScheduler&()> active
   stages_->setSelectionMode(QAbstractItemView::NoSelection);
   stages_->setFocusPolicy(Qt::NoFocus);
   stages_->header()->setStretchLastSection(true);
+  stages_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   stages_->setMinimumHeight(50);
 
   auto* layout = new QVBoxLayout(this);
@@ -120,10 +136,14 @@ void PerformancePanel::showEvent(QShowEvent* event) {
 void PerformancePanel::update_quality() {
   if (!isVisible()) return;
   const FrameQuality& quality = active_frames_().quality();
-  why_->setText(reason(quality));
+  why_->setText(reason(active_frames_()));
   frontier_->show_quality(quality);
   for (QLabel* label : {error_, interval_}) label->setEnabled(active_frames_().is_measured());
-  if (const std::optional<ErrorEstimate>& error = quality.error()) {
+  const RenderedFrame* frame = active_frames_().shown();
+  if (const QString paths = frame ? paths_text(frame->frame) : QString(); !paths.isEmpty()) {
+    error_->setText(paths);
+    interval_->clear();
+  } else if (const std::optional<ErrorEstimate>& error = quality.error()) {
     error_->setText(error_text(*error));
     interval_->setText(tr("%1 (%2 pixels)").arg(interval_text(*error), count_text(error->pixels)));
   } else {
@@ -140,6 +160,7 @@ void PerformancePanel::update_frame() {
   const FrameStatistics& statistics = frame->frame.statistics;
   const Film& film = frame->frame.film;
   shown_->setText(settings_text(frame->request.settings));
+  scattering_->setText(scattering_text(frame->frame));
   gaussians_->setText(
       tr("%1 of %2 used")
           .arg(count_text(statistics.gaussians_used), count_text(statistics.gaussians_total)));
@@ -156,13 +177,13 @@ void PerformancePanel::update_frame() {
   QList<QTreeWidgetItem*> rows;
   for (const StageTime& stage : statistics.stages) {
     rows << new QTreeWidgetItem(
-        {to_string(stage.stage), QString::number(stage.milliseconds, 'f', 1)});
+        {stage_title(stage.stage), QString::number(stage.milliseconds, 'f', 1)});
   }
   rows << new QTreeWidgetItem({tr("frame"), QString::number(frame->milliseconds, 'f', 1)});
   const auto add_notes = [&rows](const std::vector<SkippedStage>& stages, const QString& text) {
     for (const SkippedStage& stage : stages) {
       const QString why = text.arg(QString::fromStdString(stage.why));
-      auto* row = new QTreeWidgetItem({to_string(stage.stage), why});
+      auto* row = new QTreeWidgetItem({stage_title(stage.stage), why});
       row->setToolTip(1, plain_tool_tip(why));
       row->setDisabled(true);
       rows << row;

@@ -43,6 +43,7 @@ class PerformancePanel : public QWidget {
   QLabel* error_;
   QLabel* interval_;
   QLabel* gaussians_;
+  QLabel* scattering_;
   QLabel* pairs_;
   QLabel* picture_;
   QLabel* backend_;

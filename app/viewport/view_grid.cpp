@@ -63,6 +63,7 @@ void ViewGrid::make_pane(Projection projection) {
     const FrameScheduler& first = perspective().frames();
     frames.set_exposure(first.exposure());
     frames.quality().set_airlight(first.quality().airlight());
+    frames.quality().set_scattering(first.quality().scattering());
     frames.quality().set_max_error(first.quality().max_error());
     pane->camera_controller().set_navigation(perspective().camera_controller().navigation());
     pane->set_tool(tool_);
@@ -132,6 +133,10 @@ void ViewGrid::set_time(double time) {
 
 void ViewGrid::set_airlight(AirlightMethod method) {
   for (Viewport* pane : panes_) pane->frames().quality().set_airlight(method);
+}
+
+void ViewGrid::set_scattering(Scattering scattering) {
+  for (Viewport* pane : panes_) pane->frames().quality().set_scattering(scattering);
 }
 
 void ViewGrid::set_navigation(NavigationPreset preset) {

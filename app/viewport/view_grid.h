@@ -34,6 +34,7 @@ class ViewGrid : public QWidget {
   void set_tool(Tool* tool);
   void set_time(double time);
   void set_airlight(AirlightMethod method);
+  void set_scattering(Scattering scattering);
   void set_max_error(double max_error);
   void set_navigation(NavigationPreset preset);
   void set_backend(Backend backend) { services_.frames.service.set_backend(backend); }

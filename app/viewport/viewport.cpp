@@ -127,7 +127,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
 void Viewport::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   shown_handles().project();
-  if (!frames_.is_settled()) frames_.request();
+  frames_.resume();
 }
 
 void Viewport::hideEvent(QHideEvent* event) {

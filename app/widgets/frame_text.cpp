@@ -44,6 +44,27 @@ QString fallback_text(const FrameStatistics& statistics) {
   return frame == statistics.on_cpu.end() ? QString() : QString::fromStdString(frame->why);
 }
 
+QString paths_text(const Frame& frame) {
+  if (const std::optional<RelativeNoise> noise = relative_noise(frame)) {
+    return QString("%1 paths, noise %2")
+        .arg(count_text(static_cast<std::uint64_t>(noise->paths)), percent_text(noise->picture));
+  }
+  const std::vector<StageTime>& stages = frame.statistics.stages;
+  const auto traced = std::ranges::find(stages, Stage::paths, &StageTime::stage);
+  return traced == stages.end() ? QString() : QString("1 path");
+}
+
+QString scattering_text(const Frame& frame) {
+  if (const QString paths = paths_text(frame); !paths.isEmpty()) {
+    return QString("all orders, %1").arg(paths);
+  }
+  const std::optional<Convergence>& solved = frame.statistics.scattering;
+  if (!solved) return "once";
+  return QString("all orders, converged to %1 in %2 sweeps")
+      .arg(percent_text(solved->residual))
+      .arg(solved->sweeps);
+}
+
 QString percent_text(double share) {
   if (share > 0.0 && share < min_shown) return "< .01 %";
   return number(share, decimals(share)) + " %";

@@ -6,6 +6,7 @@
 namespace brume {
 
 struct ErrorEstimate;
+struct Frame;
 struct FrameStatistics;
 struct Settings;
 
@@ -20,6 +21,14 @@ QString backend_text(const FrameStatistics& statistics);
 
 // Why OpenGL did not render a frame as requested; empty: it did, or was not requested.
 QString fallback_text(const FrameStatistics& statistics);
+
+// Of a path-traced frame: "64 paths, noise 1.2 %", without the noise of a single path. Empty for
+// other frames.
+QString paths_text(const Frame& frame);
+
+// The orders of scattering in a frame, and how exact they are: "once", "all orders, converged to
+// 0.06 % in 10 sweeps", "all orders, 64 paths, noise 1.2 %".
+QString scattering_text(const Frame& frame);
 
 // A share in per cent, to about two digits: "1.4 %".
 QString percent_text(double share);

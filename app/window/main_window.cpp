@@ -139,6 +139,7 @@ void MainWindow::connect_document() {
     connect(views_, signal, this, &MainWindow::show_fallback);
   }
   connect(views_, &ViewGrid::error_changed, this, &MainWindow::update_error);
+  connect(views_, &ViewGrid::mode_changed, this, &MainWindow::update_error);
   connect(&viewport_->frames(), &FrameScheduler::frame_shown, this,
           &MainWindow::save_current_picture);
   connect(&document_, &Document::scene_replaced, message_bar_, [this] {
@@ -195,6 +196,7 @@ void MainWindow::save_current_picture() {
   const RenderedFrame* frame = viewport_->frames().shown();
   const std::filesystem::path& file = document_.file();
   if (!viewport_->frames().is_settled() || file.empty() || document_.is_modified()) return;
+  if (viewport_->frames().mode() == ViewMode::path_traced) return;  // noisy yet
   if (pictured_ == std::pair(file, document_.revision())) return;
   pictured_ = {file, document_.revision()};
   save_recent_picture(file,

@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <optional>
 
 #include "app/document/document.h"
 #include "app/jobs/background_job.h"
@@ -38,8 +39,9 @@ class MainWindow : public QMainWindow {
   ToolBox& tools() { return *tools_; }
   Timeline& timeline() { return *timeline_; }
 
-  // Exports what the view sees, on the scene's film.
-  void export_frame_to(const std::filesystem::path& file);
+  // Exports what the view sees, on the scene's film; path-traced with `paths` per pixel, or by the
+  // method of the view.
+  void export_frame_to(const std::filesystem::path& file, std::optional<int> paths = {});
 
   // The frames of the timeline that are named, numbered or as a video, by the file's extension: as
   // the scene's camera sees them if it has keys, else as the view does.

@@ -41,7 +41,9 @@ void MainWindow::create_docks() {
   auto* outliner = new Outliner(document_, this);
   auto* light_panel = new LightPanel(
       document_, [this]() -> const View& { return views_->active(); }, this);
-  auto* medium_panel = new MediumPanel(document_, this);
+  auto* medium_panel = new MediumPanel(document_, viewport_->frames().quality().scattering(), this);
+  views_->set_scattering(medium_panel->scattering());
+  connect(medium_panel, &MediumPanel::scattering_changed, views_, &ViewGrid::set_scattering);
   auto* material_panel = new MaterialPanel(document_, this);
   auto* emitter_panel = new EmitterPanel(document_, this);
   gaussian_panel_ = new GaussianPanel(document_, this);
@@ -57,7 +59,8 @@ void MainWindow::create_docks() {
   views_->set_max_error(performance_panel->max_error());
   connect(performance_panel, &PerformancePanel::max_error_changed, views_,
           &ViewGrid::set_max_error);
-  for (const auto signal : {&ViewGrid::frame_shown, &ViewGrid::active_changed}) {
+  for (const auto signal :
+       {&ViewGrid::frame_shown, &ViewGrid::active_changed, &ViewGrid::mode_changed}) {
     connect(views_, signal, performance_panel, &PerformancePanel::update_frame);
   }
   connect(views_, &ViewGrid::error_changed, performance_panel, &PerformancePanel::update_quality);

@@ -7,6 +7,7 @@
 #include "app/document/paths.h"
 #include "app/document/timeline.h"
 #include "app/export/animation_dialog.h"
+#include "app/export/frame_dialog.h"
 #include "app/export/frame_export.h"
 #include "app/export/medium_dialog.h"
 #include "app/files/file_dialogs.h"
@@ -27,21 +28,20 @@ bool is_scene(const std::filesystem::path& file) {
 }  // namespace
 
 void MainWindow::export_frame() {
-  QFileDialog dialog(this, tr("Export frame"), last_folder(FileKind::picture, document_.folder()),
-                     tr("PNG picture (*.png);;OpenEXR layers (*.exr)"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix("png");
-  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-    dialog.setDefaultSuffix(filter.contains("exr") ? "exr" : "png");
-  });
-  if (dialog.exec() != QDialog::Accepted) return;
-  const std::filesystem::path file = to_path(dialog.selectedFiles().value(0));
-  remember_folder(FileKind::picture, file);
-  export_frame_to(file);
+  const bool path_traced = viewport_->frames().mode() == ViewMode::path_traced;
+  auto* dialog = new FrameDialog(document_.folder(), path_traced, this);
+  connect(dialog, &FrameDialog::requested, this, &MainWindow::export_frame_to);
+  dialog->show();
 }
 
-void MainWindow::export_frame_to(const std::filesystem::path& file) {
-  frame_export_->start(export_request(file));
+void MainWindow::export_frame_to(const std::filesystem::path& file, std::optional<int> paths) {
+  FrameExportRequest request = export_request(file);
+  if (paths) {
+    request.settings.airlight = AirlightMethod::path;
+    request.settings.paths = *paths;
+    request.info.airlight = airlight_name(request.settings);
+  }
+  frame_export_->start(request);
 }
 
 void MainWindow::export_animation() {
@@ -63,7 +63,7 @@ FrameExportRequest MainWindow::export_request(const std::filesystem::path& file)
       document_.snapshot(),
       viewport_->camera(),
       settings,
-      {document_.file().string(), to_string(settings.airlight), {}, viewport_->frames().exposure()},
+      {document_.file().string(), airlight_name(settings), {}, viewport_->frames().exposure(), {}},
       views_->backend(),
       file,
       std::nullopt,

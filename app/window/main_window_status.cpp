@@ -25,7 +25,7 @@ void MainWindow::create_status_bar() {
   error_->setObjectName("error");
   error_->setToolTip(
       tr("Relative RMSE of the airlight against the reference, measured on this frame; grey while "
-         "measuring"));
+         "measuring. Of a path-traced picture: its noise, the standard error relative to the RMS"));
   quality_ = new PlainLabel(this);
   quality_->setObjectName("quality");
   // Menu bars do not follow when what is in their corner grows.
@@ -79,7 +79,11 @@ void MainWindow::update_error() {
   const FrameQuality& quality = view.frames().quality();
   QString status = tr("measuring the error");
   QString corner = settings_text(frame->request.settings);
-  if (const std::optional<ErrorEstimate>& error = quality.error()) {
+  if (const QString paths = paths_text(frame->frame); !paths.isEmpty()) {
+    status = paths;
+    const std::optional<RelativeNoise> noise = relative_noise(frame->frame);
+    if (noise) corner += " · " + percent_text(noise->picture);
+  } else if (const std::optional<ErrorEstimate>& error = quality.error()) {
     status = tr("error %1").arg(error_text(*error));
     corner += " · " + percent_text(error->rel_rmse);
     if (quality.is_exhausted()) {
@@ -95,7 +99,8 @@ void MainWindow::update_error() {
 
 void MainWindow::show_fallback() {
   const RenderedFrame* frame = views_->active().frames().shown();
-  if (!frame) return;
+  // Paths are traced on the CPU by choice.
+  if (!frame || frame->request.settings.airlight == AirlightMethod::path) return;
   const QString why = fallback_text(frame->frame.statistics);
   if (why == fallback_) return;
   fallback_ = why;

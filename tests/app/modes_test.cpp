@@ -53,8 +53,9 @@ class ModesTest : public QObject {
   }
 
   void the_error_map_matches_the_reference() {
-    const auto frame = rendered(sliced_settings({}, 8));
     Settings settings;
+    settings.scattering = Scattering::single;
+    const auto frame = rendered(sliced_settings(settings, 8));
     settings.airlight = AirlightMethod::reference;
     const auto truth = rendered(settings);
     ErrorMapper mapper;
@@ -87,6 +88,28 @@ class ModesTest : public QObject {
     const auto at = static_cast<int>(max_value - map->error.begin());
     QVERIFY(error_picture(*map).pixel(at % 45, at / 45) != false_color(0.0));
     QCOMPARE(error_picture(*map).pixel(0, 0), false_color(0.0));
+  }
+
+  void the_error_map_of_all_orders_is_that_of_light_scattered_once() {
+    Settings settings = sliced_settings({}, 8);
+    const auto map_of = [this](const Settings& used) {
+      ErrorMapper mapper;
+      std::shared_ptr<const ErrorMap> map;
+      connect(&mapper, &ErrorMapper::grown, this,
+              [&](const auto&, const auto& grown) { map = grown; });
+      mapper.start(rendered(used));
+      return QTest::qWaitFor([&] { return map && map->done == 1.0; }, patience) ? map : nullptr;
+    };
+    settings.scattering = Scattering::single;
+    const auto once = map_of(settings);
+    settings.scattering = Scattering::multiple;
+    const auto all = map_of(settings);
+    QVERIFY(once && all);
+    QCOMPARE(all->error, once->error);
+    QVERIFY(all->all_orders && !once->all_orders);
+    const Frame frame;
+    QCOMPARE(color_scale(frame, ViewMode::error, all.get()).title,
+             QString("Error of light scattered once"));
   }
 
   void the_error_map_refines_until_a_change() {

@@ -1,0 +1,96 @@
+#include "app/export/frame_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "app/document/paths.h"
+#include "app/files/file_dialogs.h"
+#include "render/settings.h"
+
+namespace brume {
+namespace {
+
+constexpr int first_paths = 256;  // a noise of a few per cent in most scenes
+
+}  // namespace
+
+FrameDialog::FrameDialog(const QString& folder, bool path_traced, QWidget* parent)
+    : QDialog(parent),
+      format_(new QComboBox(this)),
+      file_(new QLineEdit(last_folder(FileKind::picture, folder) + "/frame.png", this)),
+      method_(new QComboBox(this)),
+      paths_(new QSpinBox(this)) {
+  setWindowTitle(tr("Export frame"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  format_->setObjectName("frame_format");
+  format_->addItem(tr("PNG picture"), ".png");
+  format_->addItem(tr("EXR with layers"), ".exr");
+  file_->setObjectName("frame_file");
+  file_->setMinimumWidth(360);
+  method_->setObjectName("frame_method");
+  method_->addItem(tr("As in View > Airlight"), false);
+  method_->addItem(tr("Path traced"), true);
+  method_->setCurrentIndex(path_traced ? 1 : 0);
+  method_->setToolTip(
+      tr("Path traced: all light, scattered and reflected any number of times, with noise that "
+         "four times the paths halve"));
+  paths_->setObjectName("frame_paths");
+  paths_->setRange(1, max_paths);
+  paths_->setValue(first_paths);
+
+  auto* form = new QFormLayout(this);
+  form->addRow(tr("As"), format_);
+  auto* browse = new QPushButton(tr("Choose…"), this);
+  auto* row = new QHBoxLayout;
+  row->addWidget(file_, 1);
+  row->addWidget(browse);
+  form->addRow(tr("File"), row);
+  form->addRow(tr("Rendered"), method_);
+  form->addRow(tr("Paths per pixel"), paths_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+  export_->setObjectName("export_frame");
+  form->addRow(buttons);
+
+  connect(browse, &QPushButton::clicked, this, &FrameDialog::browse);
+  connect(format_, &QComboBox::currentIndexChanged, this,
+          [this] { file_->setText(to_qstring(with_extension(file_->text()))); });
+  connect(file_, &QLineEdit::textChanged, this, &FrameDialog::update_enabled);
+  connect(method_, &QComboBox::currentIndexChanged, this, &FrameDialog::update_enabled);
+  connect(buttons, &QDialogButtonBox::accepted, this, &FrameDialog::confirm);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  update_enabled();
+}
+
+void FrameDialog::update_enabled() {
+  paths_->setEnabled(method_->currentData().toBool());
+  export_->setEnabled(to_path(file_->text()).has_stem());
+}
+
+std::filesystem::path FrameDialog::with_extension(const QString& name) const {
+  std::filesystem::path file = to_path(name);
+  return file.replace_extension(format_->currentData().toString().toStdString());
+}
+
+void FrameDialog::browse() {
+  const QString name = QFileDialog::getSaveFileName(this, tr("Export frame"), file_->text(), {},
+                                                    nullptr, QFileDialog::DontConfirmOverwrite);
+  if (!name.isEmpty()) file_->setText(to_qstring(with_extension(name)));
+}
+
+void FrameDialog::confirm() {
+  const std::filesystem::path file = to_path(file_->text());
+  if (!may_replace(this, file, std::nullopt)) return;
+  remember_folder(FileKind::picture, file);
+  const bool path_traced = method_->currentData().toBool();
+  Q_EMIT requested(file, path_traced ? std::optional(paths_->value()) : std::nullopt);
+  accept();
+}
+
+}  // namespace brume
