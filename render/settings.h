@@ -43,6 +43,8 @@ struct ScatteringLimits {
   int anisotropic_extra = 2;
   double tolerance = 1e-3;  // of the residual relative to the solution
   int sweeps = 40;          // maximum
+  // From the last solution on. For frames in motion: a frame then depends on those before it.
+  bool warm_start = false;
 
   bool operator==(const ScatteringLimits&) const = default;
 };

@@ -130,6 +130,7 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
   settings.airlight = rest.airlight;
   if (settings.scattering == Scattering::multiple) {
     settings.scattering_limits.sweeps = motion_sweeps;
+    settings.scattering_limits.warm_start = true;
     settings.source_grid = motion_grid;
   }
   if (scene == rested_scene_) {

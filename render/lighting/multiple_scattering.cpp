@@ -171,7 +171,10 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     const GridMedium medium{level.nodes, extinction, 0.0, level.surfaces.get()};
     NodeLight incident = unscattered_light(input, k, truncation.extinction, color, job);
     if (outside) add(incident, *outside);
-    NodeLight scattered = first_guess(k, level, incident.bands, incident.channels);
+    NodeLight scattered;
+    if (input.limits.warm_start) {
+      scattered = first_guess(k, level, incident.bands, incident.channels);
+    }
     convergence_ = solve_scattering(medium, truncation, incident, sweep_degrees(input, level),
                                     input.limits, scattered, job);
     if (job.stop.stop_requested()) {

@@ -16,8 +16,8 @@ namespace brume {
 
 // The light in a medium that was scattered at least once, of all orders, at the nodes of a
 // SourceGrid. What the forward lobe beyond the grid's bands scatters counts as not scattered. Kept
-// between frames; solved anew when something that it depends on has changed, from the last solution
-// on.
+// between frames; solved anew when something that it depends on has changed, if asked for from the
+// last solution on.
 class MultipleScattering {
  public:
   struct Light {
