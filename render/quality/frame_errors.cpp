@@ -36,7 +36,10 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
     const double end = begin + 0.5 * (1.0 - begin);
     return job.subrange(std::exchange(begin, end), end).progress;
   };
-  if (!sample_) {
+  const bool has_all_orders = frame.statistics.scattering.has_value();
+  if (!sample_ || has_all_orders_ != has_all_orders) {
+    has_all_orders_ = has_all_orders;
+    times_grown_ = 0;
     sample_ = ErrorSample::create(scene_, camera_, frame, sample_pixels(scene_), seed_,
                                   sample_tolerance, stop, next_part());
     if (!sample_) return std::nullopt;

@@ -26,6 +26,7 @@ class FrameErrors {
   Camera camera_;
   std::uint64_t seed_;
   std::optional<ErrorSample> sample_;
+  bool has_all_orders_ = false;  // of scattering, in the frames that it is for
   int times_grown_ = 0;
 };
 

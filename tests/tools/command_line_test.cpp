@@ -284,32 +284,6 @@ TEST_F(CommandLine, ChoosesByMeasuredError) {
   EXPECT_LE(loose["slices"], tight["slices"]);
 }
 
-// What is measured is all of the light, against paths.
-TEST_F(CommandLine, MeasuresAllOrdersOfScattering) {
-  const auto stats_of = [&](const char* scattering) {
-    const ProgramResult result =
-        run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
-                   "16x12", "--airlight", "sliced", "--scattering", scattering});
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    return Json::parse(content_of(folder_ / "s.json"));
-  };
-  const Json single = stats_of("single");
-  EXPECT_TRUE(single["scattering"].is_null());
-  const Json multiple = stats_of("multiple");
-  EXPECT_GT(multiple["scattering"]["sweeps"], 0);
-  EXPECT_LT(multiple["scattering"]["residual"], 1e-3);
-  // A light in fog beside a surface, the hardest of what the grid holds.
-  EXPECT_LT(multiple["error"]["low"], 0.1);
-  EXPECT_LE(multiple["error"]["low"], multiple["error"]["rel_rmse"]);
-  EXPECT_LE(multiple["error"]["rel_rmse"], multiple["error"]["high"]);
-  const ProgramResult wrong =
-      run_brume({"render", scene_, "-o", file("w.exr"), "--scattering", "twice"});
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("--scattering: found twice; allowed: single, multiple"),
-            std::string::npos)
-      << wrong.err;
-}
-
 // The frame that is timed is a moved one, also where just one frame is asked for.
 TEST_F(CommandLine, TimesAMovedFrame) {
   const ProgramResult result =

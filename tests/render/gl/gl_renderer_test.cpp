@@ -132,31 +132,6 @@ TEST_F(GlFrames, Environments) {
   }
 }
 
-// Both backends look the same grid up; surfaces hide nodes from each other.
-TEST_F(GlFrames, MultipleScattering) {
-  for (const double anisotropy : {0.0, 0.6}) {
-    Scene scene = cloud_scene(10, 3.0);
-    scene.film = {16, 12};
-    scene.optics.anisotropy = anisotropy;
-    scene.optics.albedo = glm::dvec3(0.9);
-    Settings settings = quick_slices();
-    settings.source_grid = {2000, 24};
-    settings.scattering = Scattering::multiple;
-    for (const bool has_more : {false, true}) {
-      const std::string name =
-          "g = " + std::to_string(anisotropy) + (has_more ? ", sky and wall" : "");
-      if (has_more) {
-        scene.environment.emplace().map = smooth_sky();
-        scene.surfaces.push_back(wall(0.1, 0.8));
-      }
-      const Frame cpu = on_cpu(scene, settings);
-      const Frame gl = render_on_device(scene, settings, name);
-      expect_within({gl, cpu}, bound, name);
-      ASSERT_TRUE(gl.statistics.scattering) << name;
-    }
-  }
-}
-
 // A surface close to the eye in a large Gaussian, with a light next to it: rays are short, and
 // where on them light is taken counts.
 TEST_F(GlFrames, ShortRaysInALargeGaussian) {

@@ -1,0 +1,40 @@
+// Light scattered more than once, on the device and on the CPU.
+
+#include <gtest/gtest.h>
+
+#include "tests/render/gl/gl_frames.h"
+#include "tests/render/test_scenes.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+
+namespace brume::gl {
+namespace {
+
+// Both backends look the same grid up; surfaces hide nodes from each other.
+TEST_F(GlFrames, MultipleScattering) {
+  for (const double anisotropy : {0.0, 0.6}) {
+    Scene scene = cloud_scene(10, 3.0);
+    scene.film = {16, 12};
+    scene.optics.anisotropy = anisotropy;
+    scene.optics.albedo = glm::dvec3(0.9);
+    Settings settings = quick_slices();
+    settings.source_grid = {2000, 24};
+    settings.scattering = Scattering::multiple;
+    for (const bool has_more : {false, true}) {
+      const std::string name =
+          "g = " + std::to_string(anisotropy) + (has_more ? ", sky and wall" : "");
+      if (has_more) {
+        scene.environment.emplace().map = smooth_sky();
+        scene.surfaces.push_back(wall(0.1, 0.8));
+      }
+      const Frame cpu = on_cpu(scene, settings);
+      const Frame gl = render_on_device(scene, settings, name);
+      // What the backends may differ by.
+      EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3) << name;
+      EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3) << name;
+      ASSERT_TRUE(gl.statistics.scattering) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume::gl
