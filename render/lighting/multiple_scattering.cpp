@@ -147,12 +147,16 @@ void MultipleScattering::clear() {
 bool MultipleScattering::update(const Input& input, const Job& job) {
   Key key{input.grid.distant_revision(),
           input.environment_scale,
-          {input.lights.begin(), input.lights.end()},
+          {},
           input.albedo,
           input.anisotropy,
           input.fog_density,
           input.surfaces_revision,
           input.limits};
+  for (const Light& light : input.lights) {
+    key.lights.push_back(
+        {light.position, light.intensity, light.table ? light.table->revision() : 0});
+  }
   if (!levels_.empty() && key == key_) return true;
   key_ = std::move(key);
   levels_.clear();

@@ -24,11 +24,6 @@ class MultipleScattering {
     glm::dvec3 position{0.0};
     glm::dvec3 intensity{0.0};                 // RGB [W/sr]
     const OpticalDepthTable* table = nullptr;  // null: no Gaussians
-
-    // Of the same light; tables depend on medium and position only.
-    bool operator==(const Light& other) const {
-      return position == other.position && intensity == other.intensity;
-    }
   };
   struct Input {
     // Densities, and the environment's light if any, in the medium of the truncated extinction; see
@@ -57,10 +52,17 @@ class MultipleScattering {
 
  private:
   // What the solution depends on.
+  struct LightKey {
+    glm::dvec3 position{0.0};
+    glm::dvec3 intensity{0.0};
+    Revision table = 0;
+
+    bool operator==(const LightKey&) const = default;
+  };
   struct Key {
     Revision grid = 0;
     double environment_scale = 0.0;
-    std::vector<Light> lights;
+    std::vector<LightKey> lights;
     double albedo = 0.0, anisotropy = 0.0, fog_density = 0.0;
     Revision surfaces = 0;
     ScatteringLimits limits;

@@ -40,16 +40,16 @@ struct Bounds {
 };
 
 // Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
-// `max_bands` nodes. The spacing is a float, to be identical wherever it is used.
+// `max_nodes` nodes. The spacing is a float, to be identical wherever it is used.
 SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
-                         int max_bands) {
+                         int max_nodes) {
   SourceGrid::Level level;
   const glm::dvec3 extent = high - low;
-  double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_bands));
+  double spacing = std::max(min_spacing, std::cbrt(extent.x * extent.y * extent.z / max_nodes));
   for (;; spacing *= 1.02) {
     level.nodes.spacing = static_cast<float>(spacing);
     const glm::dvec3 cells = glm::ceil(extent / static_cast<double>(level.nodes.spacing));
-    if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(max_bands))
+    if ((cells.x + 1.0) * (cells.y + 1.0) * (cells.z + 1.0) > static_cast<double>(max_nodes))
       continue;
     level.nodes.count = glm::max(glm::ivec3(cells) + 1, 2);
     const glm::dvec3 covered =

@@ -19,7 +19,7 @@ struct Cell {
   std::ptrdiff_t row, slab;
   float corner_weights[8];  // of its corners, x fastest
 
-  // `at`: in cells from the first node; `size`: floats in a node.
+  // `coordinate`: in cells from the first node; `size`: floats in a node.
   Cell(const SourceLookup::Level& level, const float* values, const glm::vec3& coordinate,
        std::ptrdiff_t size, bool hides_corners)
       : corner(values), row(size * level.count.x), slab(row * level.count.y) {
@@ -34,28 +34,26 @@ struct Cell {
       low_node[k] = static_cast<std::size_t>(low);
       f[k] = x - low;
     }
-    std::size_t node = 0;
-    for (int k = 3; k-- > 0;) node = node * static_cast<std::size_t>(level.count[k]) + low_node[k];
     for (int i = 0; i < 8; ++i) {
       corner_weights[i] = ((i & 1) != 0 ? f[0] : 1.0f - f[0]) *
                           ((i & 2) != 0 ? f[1] : 1.0f - f[1]) * ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
     }
-    if (hides_corners && level.blocked) HideCorners(level, node);
+    if (hides_corners && level.blocked) HideCorners(level, low_node);
   }
 
  private:
   // Drops the corners that the nearest one does not see.
-  void HideCorners(const SourceLookup::Level& level, std::size_t node) {
+  void HideCorners(const SourceLookup::Level& level, const std::size_t (&low_node)[3]) {
     int nearest = 0;
     for (int i = 1; i < 8; ++i) {
       if (corner_weights[i] > corner_weights[nearest]) nearest = i;
     }
-    const auto width = static_cast<std::size_t>(level.count.x);
-    const auto height = static_cast<std::size_t>(level.count.y);
     const auto bit = [](int corner_index, int k) { return corner_index >> k & 1; };
-    node += static_cast<std::size_t>(bit(nearest, 0)) +
-            width * (static_cast<std::size_t>(bit(nearest, 1)) +
-                     height * static_cast<std::size_t>(bit(nearest, 2)));
+    std::size_t node = 0;
+    for (int k = 3; k-- > 0;) {
+      node = node * static_cast<std::size_t>(level.count[k]) + low_node[k] +
+             static_cast<std::size_t>(bit(nearest, k));
+    }
     const std::uint32_t blocked = level.blocked[node];
     if (blocked == 0) return;
     float sum = 0.0f;

@@ -72,7 +72,12 @@ std::vector<Settings> fast_methods(unsigned seed) {
   march.march_steps = 1 + static_cast<int>(seed % 7);
   Settings coarse = seed % 2 == 0 ? sliced : improved;
   coarse.airlight_scale = seed % 4 < 2 ? 2 : 4;
-  return {paper, improved, sliced, march, coarse};
+  Settings multiple = sliced;
+  multiple.scattering = Scattering::multiple;
+  multiple.scattering_limits = {.degree = 3, .light_degree = 5, .sweeps = 4};
+  std::vector<Settings> methods{paper, improved, sliced, march, coarse};
+  if (seed % 16 == 0) methods.push_back(multiple);  // slower than all the others
+  return methods;
 }
 
 // What takes adaptive quadrature.

@@ -159,6 +159,13 @@ TEST(MultipleScattering, DoesNotDependOnFramesBefore) {
   scene.lights[0].position.x = 2.6;
   const Frame again = *renderer.render(scene, scene.camera, scene.film, multiple_settings());
   EXPECT_EQ(first.airlight, again.airlight);
+  // Settings with the same grid, but another table of the light.
+  Settings coarse = multiple_settings();
+  coarse.optical_depth_table = {16, 8};
+  Renderer other;
+  other.render(scene, scene.camera, scene.film, coarse);
+  const Frame after_coarse = *other.render(scene, scene.camera, scene.film, multiple_settings());
+  EXPECT_EQ(first.airlight, after_coarse.airlight);
 }
 
 TEST(MultipleScattering, IsIndependentOfTheNumberOfThreads) {
