@@ -126,18 +126,18 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
   [[noreturn]] void fail(const std::string& message) const {
-    std::string place;
+    std::string path;
     for (std::size_t i = 0; i < stack_.size(); ++i) {
       if (stack_[i]->is_array()) {
         if (i + 1 == stack_.size()) break;  // the array itself is meant
-        (place += '[') += std::to_string(stack_[i]->size() - 1);
-        place += ']';
+        (path += '[') += std::to_string(stack_[i]->size() - 1);
+        path += ']';
       } else if (!keys_[i].empty()) {
-        if (!place.empty()) place += '.';
-        place += quoted_text(keys_[i]);
+        if (!path.empty()) path += '.';
+        path += quoted_text(keys_[i]);
       }
     }
-    throw InputError(file_, quoted_text(place, 160), message);
+    throw InputError(file_, quoted_text(path, 160), message);
   }
 
   const std::filesystem::path& file_;

@@ -29,14 +29,14 @@ std::string JsonPath::joined(bool with_indices) const {
   return text;
 }
 
-void JsonContext::fail(const JsonPath& place, const std::string& message) const {
-  throw InputError(file_, place.text(), message);
+void JsonContext::fail(const JsonPath& path, const std::string& message) const {
+  throw InputError(file_, path.text(), message);
 }
 
-void JsonContext::warn(const JsonPath& place, const std::string& message) {
-  if (warnings_ == nullptr || !warned_.insert(place.kind()).second) return;
+void JsonContext::warn(const JsonPath& path, const std::string& message) {
+  if (warnings_ == nullptr || !warned_.insert(path.kind()).second) return;
   if (warned_.size() > max_warnings) return;
-  warnings_->push_back(InputError(file_, place.kind(), message).what());
+  warnings_->push_back(InputError(file_, path.kind(), message).what());
 }
 
 void JsonContext::finish_warnings() {
@@ -46,9 +46,9 @@ void JsonContext::finish_warnings() {
       InputError(file_, "", "and " + std::to_string(more) + " more warnings like these").what());
 }
 
-JsonObject::JsonObject(JsonContext& context, const Json& value, const JsonPath& place)
-    : context_(context), value_(value), place_(place) {
-  if (!value.is_object()) context.fail(place, found(value, "an object"));
+JsonObject::JsonObject(JsonContext& context, const Json& value, const JsonPath& path)
+    : context_(context), value_(value), path_(path) {
+  if (!value.is_object()) context.fail(path, found(value, "an object"));
 }
 
 const Json* JsonObject::find(std::string_view key) {
@@ -95,7 +95,7 @@ glm::dvec3 JsonObject::vector(std::string_view key, const NumberDomain& domain,
                               std::optional<glm::dvec3> fallback) {
   const Json* value = fallback ? find(key) : &required(key);
   if (value == nullptr) return *fallback;
-  const std::vector<double> v = read_numbers(context_, *value, place(key), 3, domain);
+  const std::vector<double> v = read_numbers(context_, *value, path_of(key), 3, domain);
   return {v[0], v[1], v[2]};
 }
 
@@ -146,22 +146,22 @@ std::string JsonObject::unknown_keys() {
     rest += Json(key).dump();
     rest += ':';
     rest += value.dump();
-    context_.warn(place(key), "unknown key; it is kept when the scene is saved");
+    context_.warn(path_of(key), "unknown key; it is kept when the scene is saved");
   }
   if (!rest.empty()) rest += '}';
   return rest;
 }
 
 std::vector<double> read_numbers(const JsonContext& context, const Json& value,
-                                 const JsonPath& place, std::size_t count,
+                                 const JsonPath& path, std::size_t count,
                                  const NumberDomain& domain) {
   if (!value.is_array() || value.size() != count) {
-    context.fail(place, found(value, "an array of " + std::to_string(count) + " numbers"));
+    context.fail(path, found(value, "an array of " + std::to_string(count) + " numbers"));
   }
   std::vector<double> numbers;
   for (std::size_t i = 0; i < count; ++i) {
     if (!value[i].is_number() || !domain.contains(value[i].get<double>())) {
-      context.fail(place.element(i), found(value[i], domain.allowed));
+      context.fail(path.element(i), found(value[i], domain.allowed));
     }
     numbers.push_back(value[i].get<double>());
   }

@@ -45,8 +45,8 @@ class JsonContext {
       : file_(std::move(file)), warnings_(warnings) {}
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  [[noreturn]] void fail(const JsonPath& place, const std::string& message) const;
-  void warn(const JsonPath& place, const std::string& message);  // once per kind of path
+  [[noreturn]] void fail(const JsonPath& path, const std::string& message) const;
+  void warn(const JsonPath& path, const std::string& message);  // once per kind of path
   // Only the first warnings are kept; appends the number of the others.
   void finish_warnings();
 
@@ -62,7 +62,7 @@ class JsonContext {
 // without one they are required. Members never read are unknown.
 class JsonObject {
  public:
-  JsonObject(JsonContext& context, const Json& value, const JsonPath& place);
+  JsonObject(JsonContext& context, const Json& value, const JsonPath& path);
 
   [[nodiscard]] const Json* find(std::string_view key);      // nullptr if missing
   [[nodiscard]] const Json& required(std::string_view key);  // throws if missing
@@ -83,21 +83,21 @@ class JsonObject {
   // Call after reading all members: the unknown ones as text of a JSON object ("" for none). Warns.
   std::string unknown_keys();
 
-  [[nodiscard]] JsonPath place(std::string_view key) const { return place_.member(key); }
+  [[nodiscard]] JsonPath path_of(std::string_view key) const { return path_.member(key); }
   [[noreturn]] void fail(std::string_view key, const std::string& message) const {
-    context_.fail(place(key), message);
+    context_.fail(path_of(key), message);
   }
 
  private:
   JsonContext& context_;
   const Json& value_;
-  const JsonPath& place_;
+  const JsonPath& path_;
   std::vector<std::string_view> asked_;
 };
 
-// The numbers of an array of length `count` at `place`, checked.
+// The numbers of an array of length `count` at `path`, checked.
 std::vector<double> read_numbers(const JsonContext& context, const Json& value,
-                                 const JsonPath& place, std::size_t count,
+                                 const JsonPath& path, std::size_t count,
                                  const NumberDomain& domain);
 
 // Adds unknown keys (text of an object, or "") to an object.

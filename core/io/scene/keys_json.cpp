@@ -15,9 +15,9 @@ void read_value(JsonObject& object, const NumberDomain& domain, glm::dvec3& valu
 }
 
 template <class T>
-Key<T> read_key(JsonContext& context, const Json& json, const JsonPath& place,
+Key<T> read_key(JsonContext& context, const Json& json, const JsonPath& path,
                 const NumberDomain& domain, UnknownKeys& unknown_keys) {
-  JsonObject object(context, json, place);
+  JsonObject object(context, json, path);
   Key<T> key;
   key.time = object.number("time", domain::seconds, {});
   read_value(object, domain, key.value);
@@ -31,10 +31,10 @@ template <class T>
 void read_all(JsonContext& context, JsonObject& object, const char* name,
               const NumberDomain& domain, Keys<T>& keys, UnknownKeys& unknown_keys) {
   const Json::array_t& elements = object.array(name, limits::keys_of_value);
-  const JsonPath place = object.place(name);
+  const JsonPath path = object.path_of(name);
   keys.reserve(elements.size());
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const JsonPath element = place.element(i);
+    const JsonPath element = path.element(i);
     keys.push_back(read_key<T>(context, elements[i], element, domain, unknown_keys));
     if (i > 0 && !(keys[i].time - keys[i - 1].time >= min_key_distance)) {
       context.fail(element.member("time"), "found " + quoted_text(keys[i].time) + " after " +

@@ -10,36 +10,36 @@
 
 namespace brume {
 
-void SceneBudget::reserve_gaussians(const JsonPath& place, std::size_t count) {
+void SceneBudget::reserve_gaussians(const JsonPath& path, std::size_t count) {
   if (count > gaussians_left()) {
     context_.fail(
-        place,
+        path,
         "found " + std::to_string(gaussians_ + count) +
             " Gaussians in the scene so far, including emitters and sequences; allowed: at most " +
             std::to_string(limits::gaussians));
   }
   gaussians_ += count;
-  reserve_bytes(place, count * (sizeof(Gaussian) + sizeof(GaussianId)));
+  reserve_bytes(path, count * (sizeof(Gaussian) + sizeof(GaussianId)));
 }
 
-void SceneBudget::reserve(const JsonPath& place, const RadianceMap& map) {
-  reserve_bytes(place, map.pixels.size() * sizeof(glm::vec3));
+void SceneBudget::reserve(const JsonPath& path, const RadianceMap& map) {
+  reserve_bytes(path, map.pixels.size() * sizeof(glm::vec3));
 }
 
-void SceneBudget::reserve(const JsonPath& place, const MeasuredBrdf& measured) {
-  reserve_bytes(place, measured.values().size() * sizeof(glm::vec3));
+void SceneBudget::reserve(const JsonPath& path, const MeasuredBrdf& measured) {
+  reserve_bytes(path, measured.values().size() * sizeof(glm::vec3));
 }
 
-void SceneBudget::reserve(const JsonPath& place, const TriangleMesh& mesh) {
-  reserve_bytes(place, mesh_bytes(mesh));
+void SceneBudget::reserve(const JsonPath& path, const TriangleMesh& mesh) {
+  reserve_bytes(path, mesh_bytes(mesh));
 }
 
-void SceneBudget::reserve_bytes(const JsonPath& place, std::size_t bytes) {
+void SceneBudget::reserve_bytes(const JsonPath& path, std::size_t bytes) {
   bytes_ += bytes;
   if (bytes_ <= limits::scene_bytes) return;
-  context_.fail(place, "the files of the scene take " + std::to_string(bytes_) +
-                           " bytes of memory so far; allowed: at most " +
-                           std::to_string(limits::scene_bytes));
+  context_.fail(path, "the files of the scene take " + std::to_string(bytes_) +
+                          " bytes of memory so far; allowed: at most " +
+                          std::to_string(limits::scene_bytes));
 }
 
 std::size_t SceneBudget::gaussians_left() const {

@@ -17,16 +17,16 @@ class SceneBudget {
   explicit SceneBudget(const JsonContext& context) : context_(context) {}
 
   // Reserves Gaussians and their memory.
-  void reserve_gaussians(const JsonPath& place, std::size_t count);
-  void reserve(const JsonPath& place, const RadianceMap& map);
-  void reserve(const JsonPath& place, const MeasuredBrdf& measured);
+  void reserve_gaussians(const JsonPath& path, std::size_t count);
+  void reserve(const JsonPath& path, const RadianceMap& map);
+  void reserve(const JsonPath& path, const MeasuredBrdf& measured);
   // Per surface: rendering copies the mesh for each.
-  void reserve(const JsonPath& place, const TriangleMesh& mesh);
+  void reserve(const JsonPath& path, const TriangleMesh& mesh);
 
   [[nodiscard]] std::size_t gaussians_left() const;
 
  private:
-  void reserve_bytes(const JsonPath& place, std::size_t bytes);
+  void reserve_bytes(const JsonPath& path, std::size_t bytes);
 
   const JsonContext& context_;
   std::size_t gaussians_ = 0;

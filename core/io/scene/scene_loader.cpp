@@ -28,16 +28,16 @@ class SceneLoader {
   SceneDocument load(const Json& root) {
     JsonObject object(context_, root, root_);
     check_version(object);
-    if (const Json* value = object.find("camera")) load_camera(*value, object.place("camera"));
-    if (const Json* value = object.find("film")) load_film(*value, object.place("film"));
-    if (const Json* value = object.find("medium")) load_medium(*value, object.place("medium"));
+    if (const Json* value = object.find("camera")) load_camera(*value, object.path_of("camera"));
+    if (const Json* value = object.find("film")) load_film(*value, object.path_of("film"));
+    if (const Json* value = object.find("medium")) load_medium(*value, object.path_of("medium"));
     load_elements(object, "lights", limits::lights, &SceneLoader::load_light);
     if (const Json* value = object.find("environment")) {
-      load_environment(*value, object.place("environment"));
+      load_environment(*value, object.path_of("environment"));
     }
     load_elements(object, "surfaces", limits::surfaces, &SceneLoader::load_surface);
     if (const Json* value = object.find("timeline"))
-      load_timeline(*value, object.place("timeline"));
+      load_timeline(*value, object.path_of("timeline"));
     unknown_keys_.add("", object.unknown_keys());
     context_.finish_warnings();
     return std::move(document_);
@@ -49,9 +49,9 @@ class SceneLoader {
   void load_elements(JsonObject& object, const char* key, std::size_t longest,
                      LoadElement load_element) {
     const Json::array_t& elements = object.array(key, longest);
-    const JsonPath place = object.place(key);
+    const JsonPath path = object.path_of(key);
     for (std::size_t i = 0; i < elements.size(); ++i)
-      (this->*load_element)(elements[i], place.element(i));
+      (this->*load_element)(elements[i], path.element(i));
   }
 
   static void check_version(JsonObject& object) {
@@ -73,16 +73,16 @@ class SceneLoader {
   std::string load_keys(JsonObject& owner, auto&& visit_all) {
     const Json* value = owner.find("keys");
     if (value == nullptr) return {};
-    const JsonPath place = owner.place("keys");
-    JsonObject object(context_, *value, place);
+    const JsonPath path = owner.path_of("keys");
+    JsonObject object(context_, *value, path);
     visit_all([&](const char* name, const auto&, auto& keys, const NumberDomain& domain) {
       read_keys(context_, object, name, domain, keys, unknown_keys_);
     });
     return object.unknown_keys();
   }
 
-  void load_camera(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_camera(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Camera& camera = scene_.camera;
     camera.eye = object.vector("eye", domain::coordinate, camera.eye);
     camera.target = object.vector("target", domain::coordinate, camera.target);
@@ -100,16 +100,16 @@ class SceneLoader {
     unknown_keys_.add("camera", object.unknown_keys());
   }
 
-  void load_film(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_film(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Film& film = scene_.film;
     film.width = static_cast<int>(object.integer("width", 1, limits::film_side, film.width));
     film.height = static_cast<int>(object.integer("height", 1, limits::film_side, film.height));
     unknown_keys_.add("film", object.unknown_keys());
   }
 
-  void load_timeline(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_timeline(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Playback playback;
     const std::int64_t first = object.integer("first", 0, limits::frame, 0);
     playback.first = static_cast<int>(first);
@@ -120,10 +120,10 @@ class SceneLoader {
     scene_.playback = playback;
   }
 
-  void load_medium(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_medium(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     scene_.medium.set_homogeneous_density(object.number("density", domain::density, 0.0));
-    const JsonPath gaussians = object.place("gaussians");
+    const JsonPath gaussians = object.path_of("gaussians");
     budget_.reserve_gaussians(gaussians, object.array("gaussians", limits::gaussians).size());
     load_elements(object, "gaussians", limits::gaussians, &SceneLoader::load_gaussian);
     if (object.find("file") != nullptr) load_medium_file(object);
@@ -131,7 +131,7 @@ class SceneLoader {
     MediumOptics& optics = scene_.optics;
     optics.albedo = object.vector("albedo", domain::albedo, optics.albedo);
     optics.anisotropy = object.number("anisotropy", domain::anisotropy, optics.anisotropy);
-    if (const Json* noise = object.find("noise")) load_noise(*noise, object.place("noise"));
+    if (const Json* noise = object.find("noise")) load_noise(*noise, object.path_of("noise"));
     load_elements(object, "emitters", limits::emitters, &SceneLoader::load_emitter);
     load_elements(object, "sequences", limits::sequences, &SceneLoader::load_sequence);
     unknown_keys_.add("medium.keys", load_keys(object, [&](auto&& visit) {
@@ -141,8 +141,8 @@ class SceneLoader {
     unknown_keys_.add("medium", object.unknown_keys());
   }
 
-  void load_gaussian(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_gaussian(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Gaussian gaussian;
     gaussian.center = object.vector("center", domain::coordinate, {});
     gaussian.radius = object.number("radius", domain::length, {});
@@ -151,12 +151,12 @@ class SceneLoader {
   }
 
   void load_medium_file(JsonObject& object) {
-    const JsonPath place = object.place("file");
+    const JsonPath path = object.path_of("file");
     auto loaded = std::make_shared<MediumFile>();
-    loaded->file = references_.resolve(context_, place, object.text("file", {}));
+    loaded->file = references_.resolve(context_, path, object.text("file", {}));
     loaded->gaussians =
-        references_.gaussians(context_, place, loaded->file, budget_.gaussians_left());
-    budget_.reserve_gaussians(place, loaded->gaussians.size());
+        references_.gaussians(context_, path, loaded->file, budget_.gaussians_left());
+    budget_.reserve_gaussians(path, loaded->gaussians.size());
     Medium& medium = scene_.medium;
     medium.reserve(medium.size() + loaded->gaussians.size());
     loaded->ids.reserve(loaded->gaussians.size());
@@ -164,8 +164,8 @@ class SceneLoader {
     document_.extras.medium_file = std::move(loaded);
   }
 
-  void load_noise(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_noise(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Noise& noise = scene_.optics.noise;
     noise.amplitude = object.number("amplitude", domain::not_negative, noise.amplitude);
     noise.frequency = object.number("frequency", domain::not_negative, noise.frequency);
@@ -176,8 +176,8 @@ class SceneLoader {
     unknown_keys_.add("medium.noise", object.unknown_keys());
   }
 
-  void load_emitter(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_emitter(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Emitter emitter;
     emitter.position = object.vector("position", domain::coordinate, {});
     emitter.rate = object.number("rate", domain::not_negative, emitter.rate);
@@ -189,14 +189,14 @@ class SceneLoader {
     emitter.density = load_pair(object, "density", domain::density, emitter.density);
     emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
     unknown_keys_.add(emitter.id, "", object.unknown_keys());
-    budget_.reserve_gaussians(place, max_particles(emitter));
+    budget_.reserve_gaussians(path, max_particles(emitter));
     scene_.emitters.push_back(emitter);
   }
 
-  void load_sequence(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_sequence(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     MediumSequence sequence;
-    const JsonPath file = object.place("file");
+    const JsonPath file = object.path_of("file");
     sequence.file = references_.resolve_pattern(context_, file, object.text("file", {}));
     constexpr std::int64_t max_value = 999'999'999;
     const std::int64_t first = object.integer("first", 0, max_value, 0);
@@ -219,12 +219,12 @@ class SceneLoader {
                        const glm::dvec2& absent) {
     const Json* value = object.find(key);
     if (value == nullptr) return absent;
-    const auto numbers = read_numbers(context_, *value, object.place(key), 2, domain);
+    const auto numbers = read_numbers(context_, *value, object.path_of(key), 2, domain);
     return {numbers[0], numbers[1]};
   }
 
-  void load_light(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_light(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     object.choice("type", {"point"}, {});
     PointLight light;
     light.position = object.vector("position", domain::coordinate, {});
@@ -236,10 +236,10 @@ class SceneLoader {
     scene_.lights.push_back(std::move(light));
   }
 
-  void load_environment(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_environment(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Environment environment;
-    const JsonPath file = object.place("file");
+    const JsonPath file = object.path_of("file");
     environment.file = references_.resolve(context_, file, object.text("file", {}));
     environment.intensity = object.number("intensity", domain::not_negative, environment.intensity);
     environment.rotation = object.number("rotation", domain::degrees, environment.rotation);
@@ -252,20 +252,20 @@ class SceneLoader {
     scene_.environment = std::move(environment);
   }
 
-  void load_surface(const Json& value, const JsonPath& place) {
-    JsonObject object(context_, value, place);
+  void load_surface(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
     Surface surface;
-    const JsonPath mesh = object.place("mesh");
+    const JsonPath mesh = object.path_of("mesh");
     surface.mesh_file = references_.resolve(context_, mesh, object.text("mesh", {}));
     surface.mesh = references_.mesh(context_, mesh, surface.mesh_file);
     budget_.reserve(mesh, *surface.mesh);
     surface.translate = object.vector("translate", domain::coordinate, surface.translate);
     if (const Json* rotate = object.find("rotate")) {
-      surface.rotate = unit_quaternion(*rotate, object.place("rotate"));
+      surface.rotate = unit_quaternion(*rotate, object.path_of("rotate"));
     }
     surface.scale = object.number("scale", domain::length, surface.scale);
     if (const Json* material = object.find("material")) {
-      load_material(*material, object.place("material"), surface);
+      load_material(*material, object.path_of("material"), surface);
     }
     surface.transfer = static_cast<Surface::Transfer>(
         object.choice("transfer", scene_names::transfers, std::size_t{0}));
@@ -273,25 +273,25 @@ class SceneLoader {
     scene_.surfaces.push_back(std::move(surface));
   }
 
-  [[nodiscard]] glm::dquat unit_quaternion(const Json& value, const JsonPath& place) const {
-    const std::vector<double> q = read_numbers(context_, value, place, 4, domain::coordinate);
+  [[nodiscard]] glm::dquat unit_quaternion(const Json& value, const JsonPath& path) const {
+    const std::vector<double> q = read_numbers(context_, value, path, 4, domain::coordinate);
     const glm::dquat rotate(q[0], q[1], q[2], q[3]);
     const double length = glm::length(rotate);
     if (!(std::abs(length - 1.0) <= 1e-3)) {
-      context_.fail(place, "found a quaternion of length " + quoted_text(length) +
-                               "; allowed: length 1, within 1e-3");
+      context_.fail(path, "found a quaternion of length " + quoted_text(length) +
+                              "; allowed: length 1, within 1e-3");
     }
     // What is unit up to rounding stays as it is, so that a saved scene is the same scene.
     return std::abs(length - 1.0) <= 1e-12 ? rotate : rotate / length;
   }
 
-  void load_material(const Json& value, const JsonPath& place, Surface& surface) {
-    JsonObject object(context_, value, place);
+  void load_material(const Json& value, const JsonPath& path, Surface& surface) {
+    JsonObject object(context_, value, path);
     Material& material = surface.material;
     material.type =
         static_cast<Material::Type>(object.choice("type", scene_names::materials, std::size_t{0}));
     if (material.type == Material::Type::measured) {
-      const JsonPath file = object.place("file");
+      const JsonPath file = object.path_of("file");
       material.file = references_.resolve(context_, file, object.text("file", {}));
       material.measured = references_.measured_brdf(context_, file, material.file);
       budget_.reserve(file, *material.measured);

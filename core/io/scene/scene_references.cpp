@@ -27,11 +27,11 @@ fs::path real_folder(const fs::path& folder) {
 
 // Runs `read`; an error of the file read becomes one of the scene, at the place that refers to it.
 template <typename Read>
-auto at_place(const JsonContext& context, const JsonPath& place, Read&& read) {
+auto at_path(const JsonContext& context, const JsonPath& path, Read&& read) {
   try {
     return read();
   } catch (const InputError& error) {
-    context.fail(place, error.what());
+    context.fail(path, error.what());
   }
 }
 
@@ -77,32 +77,32 @@ bool SceneReferences::is_missing(const fs::path& file) const {
   return missing_ != nullptr && std::ranges::count(missing_->missing, file) > 0;
 }
 
-fs::path SceneReferences::absolute(const JsonContext& context, const JsonPath& place,
+fs::path SceneReferences::absolute(const JsonContext& context, const JsonPath& path,
                                    const std::string& text) const {
   const bool is_name = !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) {
     return c < 0x20 || c == 0x7f;
   });
-  if (!is_name) context.fail(place, "found \"" + text + "\"; allowed: a file name");
+  if (!is_name) context.fail(path, "found \"" + text + "\"; allowed: a file name");
   return (directory_ / text).lexically_normal();
 }
 
-fs::path SceneReferences::resolve_pattern(const JsonContext& context, const JsonPath& place,
+fs::path SceneReferences::resolve_pattern(const JsonContext& context, const JsonPath& path,
                                           const std::string& text) const {
   if (!FramePattern::parse(fs::path(text).filename().string()) ||
       FramePattern::is_pattern(fs::path(text).parent_path().string())) {
-    context.fail(place, "found " + quoted_text(text) +
-                            "; allowed: a file name with one %d or %04d for the frame");
+    context.fail(path, "found " + quoted_text(text) +
+                           "; allowed: a file name with one %d or %04d for the frame");
   }
-  const fs::path file = found(absolute(context, place, text));
+  fs::path file = found(absolute(context, path, text));
   if (!FramePattern::parse(file.string())) {
-    context.fail(place,
+    context.fail(path,
                  "found " + quoted_text(file.string()) + "; allowed: a path without another %d");
   }
   return file;
 }
 
 std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
-                                                     const JsonPath& place,
+                                                     const JsonPath& path,
                                                      const MediumSequence& sequence,
                                                      std::size_t max_gaussians) {
   const FramePattern files = *FramePattern::parse(sequence.file.string());
@@ -112,52 +112,52 @@ std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
     note_missing(sequence.file);
     return std::vector<SequenceFrame>(static_cast<std::size_t>(sequence.last - sequence.first) + 1);
   }
-  return at_place(context, place, [&] {
+  return at_path(context, path, [&] {
     return read_sequence(files, sequence.first, sequence.last, read_gaussians, max_gaussians);
   });
 }
 
-fs::path SceneReferences::resolve(const JsonContext& context, const JsonPath& place,
+fs::path SceneReferences::resolve(const JsonContext& context, const JsonPath& path,
                                   const std::string& text) const {
-  const fs::path file = found(absolute(context, place, text));
+  fs::path file = found(absolute(context, path, text));
   note_missing(file);
   if (is_missing(file)) return file;
-  at_place(context, place, [&] { return regular_file_size(file); });
+  at_path(context, path, [&] { return regular_file_size(file); });
   std::error_code error;
   if (fs::equivalent(file, scene_file_, error)) {
-    context.fail(place, "found the scene itself, " + text + "; allowed: another file");
+    context.fail(path, "found the scene itself, " + text + "; allowed: another file");
   }
   return file;
 }
 
 std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& context,
-                                                          const JsonPath& place,
+                                                          const JsonPath& path,
                                                           const fs::path& file) {
   std::shared_ptr<const TriangleMesh>& mesh = meshes_[file];
   if (!mesh && is_missing(file)) mesh = invisible_mesh();
-  if (!mesh) mesh = at_place(context, place, [&] { return read_mesh(file); });
+  if (!mesh) mesh = at_path(context, path, [&] { return read_mesh(file); });
   return mesh;
 }
 
-std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPath& place,
+std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPath& path,
                                                  const fs::path& file, std::size_t max_gaussians) {
   if (is_missing(file)) return {};
-  return at_place(context, place, [&] { return read_gaussians(file, nullptr, max_gaussians); });
+  return at_path(context, path, [&] { return read_gaussians(file, nullptr, max_gaussians); });
 }
 
 std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonContext& context,
-                                                                 const JsonPath& place,
+                                                                 const JsonPath& path,
                                                                  const fs::path& file) {
   if (is_missing(file)) return std::make_shared<const RadianceMap>(black_map());
-  return at_place(context, place, [&] { return read_radiance_map(file); });
+  return at_path(context, path, [&] { return read_radiance_map(file); });
 }
 
 std::shared_ptr<const MeasuredBrdf> SceneReferences::measured_brdf(const JsonContext& context,
-                                                                   const JsonPath& place,
+                                                                   const JsonPath& path,
                                                                    const fs::path& file) {
   std::shared_ptr<const MeasuredBrdf>& measured = measured_[file];
   if (!measured && is_missing(file)) measured = std::make_shared<const MeasuredBrdf>(gray_brdf());
-  if (!measured) measured = at_place(context, place, [&] { return read_merl(file); });
+  if (!measured) measured = at_path(context, path, [&] { return read_merl(file); });
   return measured;
 }
 

@@ -20,26 +20,26 @@ class SceneReferences {
   SceneReferences(const std::filesystem::path& scene_file, MissingFiles* missing);
 
   // The absolute path of a reference; it must be a file other than the scene.
-  std::filesystem::path resolve(const JsonContext& context, const JsonPath& place,
+  std::filesystem::path resolve(const JsonContext& context, const JsonPath& path,
                                 const std::string& text) const;
 
   // The same for a pattern of frames; does not check that files exist.
-  std::filesystem::path resolve_pattern(const JsonContext& context, const JsonPath& place,
+  std::filesystem::path resolve_pattern(const JsonContext& context, const JsonPath& path,
                                         const std::string& text) const;
   // Reads the frames of a sequence whose file, first and last are set; at most `max_gaussians` in
   // all.
-  std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPath& place,
+  std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPath& path,
                                       const MediumSequence& sequence, std::size_t max_gaussians);
 
   // Meshes and measured BRDFs are cached and shared.
-  std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPath& place,
+  std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPath& path,
                                            const std::filesystem::path& file);
   std::shared_ptr<const MeasuredBrdf> measured_brdf(const JsonContext& context,
-                                                    const JsonPath& place,
+                                                    const JsonPath& path,
                                                     const std::filesystem::path& file);
-  std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPath& place,
+  std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPath& path,
                                   const std::filesystem::path& file, std::size_t max_gaussians);
-  std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context, const JsonPath& place,
+  std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context, const JsonPath& path,
                                                   const std::filesystem::path& file);
 
   // The reference from a scene file in `directory` to `file`: relative if possible.
@@ -47,7 +47,7 @@ class SceneReferences {
                               const std::filesystem::path& directory);
 
  private:
-  [[nodiscard]] std::filesystem::path absolute(const JsonContext& context, const JsonPath& place,
+  [[nodiscard]] std::filesystem::path absolute(const JsonContext& context, const JsonPath& path,
                                                const std::string& text) const;
 
   // The current location of a file; records missing ones if that is no error.
