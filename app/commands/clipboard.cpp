@@ -1,7 +1,6 @@
 #include "app/commands/clipboard.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QRegularExpression>
 #include <algorithm>
@@ -9,14 +8,11 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_medium.h"
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 
 namespace brume {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Undo", text);
-}
 
 const QString heading = "x\ty\tz\tradius\tdensity";
 
@@ -76,7 +72,7 @@ void copy_selection(const Document& document) {
 
 void cut_selection(Document& document) {
   copy_selection(document);
-  delete_selection(document, tr("Cut"));
+  delete_selection(document, undo_text("Cut"));
 }
 
 double clipboard_radius() {
@@ -97,13 +93,13 @@ void paste_gaussians(Document& document, std::optional<glm::dvec3> middle) {
     const glm::dvec3 shift = *middle - center_of(gaussians);
     for (Gaussian& gaussian : gaussians) gaussian.center += shift;
   }
-  add_gaussians(document, gaussians, tr("Paste"));
+  add_gaussians(document, gaussians, undo_text("Paste"));
 }
 
 void duplicate_selection(Document& document, const glm::dvec3& shift) {
   std::vector<Gaussian> gaussians = selected(document);
   for (Gaussian& gaussian : gaussians) gaussian.center += shift;
-  add_gaussians(document, gaussians, tr("Duplicate"));
+  add_gaussians(document, gaussians, undo_text("Duplicate"));
 }
 
 }  // namespace brume

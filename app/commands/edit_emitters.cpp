@@ -1,28 +1,17 @@
 #include "app/commands/edit_emitters.h"
 
-#include <QCoreApplication>
-
 #include "app/commands/edit_medium.h"
 #include "app/commands/scene_part_command.h"
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "core/limits.h"
+#include "core/math/rounded.h"
 #include "core/scene/particles.h"
 
 namespace brume {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Undo", text);
-}
-
-double rounded(double value) {
-  return QString::number(value, 'g', 2).toDouble();
-}
-
-}  // namespace
 
 QString emitter_name(std::size_t index) {
-  return tr("emitter %1").arg(index + 1);
+  return undo_text("emitter %1").arg(index + 1);
 }
 
 void add_emitter(Document& document, const glm::dvec3& position, double size) {
@@ -30,22 +19,22 @@ void add_emitter(Document& document, const glm::dvec3& position, double size) {
   if (emitters.size() >= limits::emitters) return;
   Emitter emitter;
   emitter.position = position;
-  emitter.velocity = {0.0, rounded(0.1 * size), 0.0};
-  emitter.spread = rounded(0.03 * size);
-  emitter.radius = {rounded(0.02 * size), rounded(0.08 * size)};
-  emitter.density = {rounded(0.6 / emitter.radius.x), 0.0};
+  emitter.velocity = {0.0, rounded(0.1 * size, 2), 0.0};
+  emitter.spread = rounded(0.03 * size, 2);
+  emitter.radius = {rounded(0.02 * size, 2), rounded(0.08 * size, 2)};
+  emitter.density = {rounded(0.6 / emitter.radius.x, 2), 0.0};
   // No two of a scene alike.
   emitter.seed = static_cast<std::int64_t>(emitters.size()) + 1;
   emitters.push_back(emitter);
   const std::size_t index = emitters.size() - 1;
-  set_scene_part(document, std::move(emitters), tr("Add %1").arg(emitter_name(index)));
+  set_scene_part(document, std::move(emitters), undo_text("Add %1").arg(emitter_name(index)));
 }
 
 void delete_emitter(Document& document, std::size_t index) {
   Emitters emitters = document.scene().emitters;
   if (index >= emitters.size()) return;
   emitters.erase(emitters.begin() + static_cast<std::ptrdiff_t>(index));
-  set_scene_part(document, std::move(emitters), tr("Delete %1").arg(emitter_name(index)));
+  set_scene_part(document, std::move(emitters), undo_text("Delete %1").arg(emitter_name(index)));
 }
 
 void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
@@ -66,7 +55,7 @@ void freeze_particles(Document& document, double time) {
     const auto gaussians = sequence_at(sequence, time);
     frozen.insert(frozen.end(), gaussians.begin(), gaussians.end());
   }
-  add_gaussians(document, frozen, tr("Bake"));
+  add_gaussians(document, frozen, undo_text("Bake"));
 }
 
 }  // namespace brume

@@ -1,16 +1,11 @@
 #include "app/commands/edit_keys.h"
 
-#include <QCoreApplication>
-
 #include "app/commands/scene_part_command.h"
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 
 namespace brume {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Undo", text);
-}
 
 QString in_sentence(const Track& row) {
   return row.title.toLower();
@@ -27,35 +22,36 @@ void push(Document& document, ScenePart part, const QString& text, MergeId merge
 void set_keys(Document& document, const Track& row) {
   ScenePart part = scene_part(document.scene(), row.part);
   set_keys(part, row, document.time());
-  push(document, std::move(part), tr("Set keyframe of %1").arg(in_sentence(row)));
+  push(document, std::move(part), undo_text("Set keyframe of %1").arg(in_sentence(row)));
 }
 
 void set_camera_keys(Document& document, const Camera& camera) {
   const Track row = tracks(document.scene()).front();
   ScenePart part = KeyedCamera{camera, document.scene().camera_keys};
   set_keys(part, row, document.time());
-  push(document, std::move(part), tr("Set keyframe of %1").arg(in_sentence(row)));
+  push(document, std::move(part), undo_text("Set keyframe of %1").arg(in_sentence(row)));
 }
 
 void delete_keys(Document& document, const Track& row, double time) {
   ScenePart part = scene_part(document.scene(), row.part);
   delete_keys(part, row, time);
-  push(document, std::move(part), tr("Delete keyframe of %1").arg(in_sentence(row)));
+  push(document, std::move(part), undo_text("Delete keyframe of %1").arg(in_sentence(row)));
 }
 
 void move_keys(Document& document, const Track& row, const ScenePart& before, double old_time,
                double new_time, MergeId merge_id) {
   ScenePart part = before;
   move_keys(part, row, old_time, new_time);
-  push(document, std::move(part), tr("Move keyframe of %1").arg(in_sentence(row)), merge_id);
+  push(document, std::move(part), undo_text("Move keyframe of %1").arg(in_sentence(row)), merge_id);
 }
 
 void set_interpolation(Document& document, const Track& row, double time,
                        Interpolation interpolation) {
   ScenePart part = scene_part(document.scene(), row.part);
   set_interpolation(part, row, time, interpolation);
-  const QString text = interpolation == Interpolation::linear ? tr("Make keyframe of %1 linear")
-                                                              : tr("Make keyframe of %1 smooth");
+  const QString text = interpolation == Interpolation::linear
+                           ? undo_text("Make keyframe of %1 linear")
+                           : undo_text("Make keyframe of %1 smooth");
   push(document, std::move(part), text.arg(in_sentence(row)));
 }
 

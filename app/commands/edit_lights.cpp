@@ -1,23 +1,16 @@
 #include "app/commands/edit_lights.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
 #include "app/commands/scene_part_command.h"
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "core/limits.h"
 
 namespace brume {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Undo", text);
-}
-
-}  // namespace
 
 QString light_name(std::size_t index) {
-  return tr("light %1").arg(index + 1);
+  return undo_text("light %1").arg(index + 1);
 }
 
 void add_light(Document& document, const glm::dvec3& position) {
@@ -29,14 +22,14 @@ void add_light(Document& document, const glm::dvec3& position) {
   light.intensity = glm::dvec3(lights.empty() ? 20.0 : light_strength(lights.back()));
   lights.push_back(light);
   const std::size_t index = lights.size() - 1;
-  set_scene_part(document, std::move(lights), tr("Add %1").arg(light_name(index)));
+  set_scene_part(document, std::move(lights), undo_text("Add %1").arg(light_name(index)));
 }
 
 void delete_light(Document& document, std::size_t index) {
   Lights lights = document.scene().lights;
   if (index >= lights.size()) return;
   lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(index));
-  set_scene_part(document, std::move(lights), tr("Delete %1").arg(light_name(index)));
+  set_scene_part(document, std::move(lights), undo_text("Delete %1").arg(light_name(index)));
 }
 
 void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,

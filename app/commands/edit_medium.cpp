@@ -1,18 +1,14 @@
 #include "app/commands/edit_medium.h"
 
-#include <QCoreApplication>
 #include <vector>
 
 #include "app/commands/gaussian_budget.h"
 #include "app/commands/scene_part_command.h"
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 
 namespace brume {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Undo", text);
-}
 
 void push(Document& document, MediumEdit edit, const QString& text, MergeId merge_id = no_merge) {
   if (edit.empty()) return;  // pushing it would cost the user what can be redone
@@ -24,7 +20,7 @@ void push(Document& document, MediumEdit edit, const QString& text, MergeId merg
 
 void add_gaussian(Document& document, const Gaussian& gaussian) {
   const Gaussian added = within_domains(gaussian);
-  push(document, MediumEdit::add(document.medium(), {&added, 1}), tr("Add Gaussian"));
+  push(document, MediumEdit::add(document.medium(), {&added, 1}), undo_text("Add Gaussian"));
 }
 
 void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb) {
@@ -41,7 +37,7 @@ void delete_selection(Document& document, const QString& verb) {
 }
 
 void set_homogeneous_density(Document& document, double b0, MergeId merge_id) {
-  const QString text = tr("Set homogeneous density to %1").arg(number_text(b0));
+  const QString text = undo_text("Set homogeneous density to %1").arg(number_text(b0));
   const Keys<double>& keys = document.scene().density_keys;
   if (keys.empty()) {
     push(document, MediumEdit::set_homogeneous_density(document.medium(), b0), text, merge_id);
@@ -61,7 +57,7 @@ QString set_attribute(Document& document, std::span<const GaussianId> ids, Gauss
     set_attribute_value(after.back(), field, value);
   }
   push(document, MediumEdit::change(medium, ids, after),
-       tr("Set %1 of %2 to %3")
+       undo_text("Set %1 of %2 to %3")
            .arg(attribute_name(field), gaussians_text(ids.size()), number_text(value)),
        merge_id);
   return {};

@@ -1,19 +1,15 @@
 #include "app/commands/select_command.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <iterator>
 
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "core/authoring/neighbours.h"
 
 namespace brume {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Undo", text);
-}
 
 std::vector<GaussianId> without(const std::vector<GaussianId>& ids,
                                 const std::vector<GaussianId>& others) {
@@ -30,7 +26,8 @@ SelectCommand::SelectCommand(Document& document, std::vector<GaussianId> ids, Me
       before_(document.selection()),
       after_(std::move(ids)),
       merge_id_(merge_id) {
-  setText(after_.empty() ? tr("Deselect all") : tr("Select %1").arg(gaussians_text(after_.size())));
+  setText(after_.empty() ? undo_text("Deselect all")
+                         : undo_text("Select %1").arg(gaussians_text(after_.size())));
 }
 
 void SelectCommand::undo() {

@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-QString tr(const char* text) {
+QString attribute_text(const char* text) {
   return QCoreApplication::translate("GaussianField", text);
 }
 
@@ -31,15 +31,15 @@ const NumberDomain& attribute_domain(GaussianAttribute field) {
 QString attribute_title(GaussianAttribute field) {
   switch (field) {
     case GaussianAttribute::center_x:
-      return tr("Center X");
+      return attribute_text("Center X");
     case GaussianAttribute::center_y:
-      return tr("Center Y");
+      return attribute_text("Center Y");
     case GaussianAttribute::center_z:
-      return tr("Center Z");
+      return attribute_text("Center Z");
     case GaussianAttribute::radius:
-      return tr("Radius");
+      return attribute_text("Radius");
     case GaussianAttribute::density:
-      return tr("Density");
+      return attribute_text("Density");
   }
   return {};
 }
@@ -97,10 +97,10 @@ Gaussian within_domains(const Gaussian& gaussian) {
 QString attribute_problem(GaussianAttribute field, double value) {
   const NumberDomain& domain = attribute_domain(field);
   if (domain.contains(value)) return {};
-  const QString rule = tr("%1 must be %2").arg(attribute_title(field), domain.allowed);
+  const QString rule = attribute_text("%1 must be %2").arg(attribute_title(field), domain.allowed);
   // What is no number at all was text that only the user knows.
   if (std::isnan(value)) return rule + '.';
-  return tr("%1, not %2.").arg(rule, number_text(value));
+  return attribute_text("%1, not %2.").arg(rule, number_text(value));
 }
 
 double parse_number(const QString& text) {
@@ -123,7 +123,7 @@ QString exact_number_text(double value) {
 }
 
 QString gaussians_text(std::size_t count) {
-  return count == 1 ? tr("Gaussian") : tr("%1 Gaussians").arg(count);
+  return count == 1 ? attribute_text("Gaussian") : attribute_text("%1 Gaussians").arg(count);
 }
 
 }  // namespace brume

@@ -9,7 +9,7 @@
 namespace brume {
 namespace {
 
-QString tr(const char* text) {
+QString track_text(const char* text) {
   return QCoreApplication::translate("KeyRows", text);
 }
 
@@ -54,21 +54,21 @@ std::size_t index_of() {
 
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
-  rows.push_back({tr("Camera"), index_of<KeyedCamera>(), 0, 3});
+  rows.push_back({track_text("Camera"), index_of<KeyedCamera>(), 0, 3});
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    rows.push_back({tr("Light %1 position").arg(k + 1), index_of<Lights>(), 2 * k, 1});
-    rows.push_back({tr("Light %1 intensity").arg(k + 1), index_of<Lights>(), 2 * k + 1, 1});
+    rows.push_back({track_text("Light %1 position").arg(k + 1), index_of<Lights>(), 2 * k, 1});
+    rows.push_back({track_text("Light %1 intensity").arg(k + 1), index_of<Lights>(), 2 * k + 1, 1});
   }
   if (scene.environment) {
     const std::size_t part = index_of<std::optional<Environment>>();
-    rows.push_back({tr("Environment intensity"), part, 0, 1});
-    rows.push_back({tr("Environment rotation"), part, 1, 1});
+    rows.push_back({track_text("Environment intensity"), part, 0, 1});
+    rows.push_back({track_text("Environment rotation"), part, 1, 1});
   }
-  rows.push_back({tr("Homogeneous density"), index_of<KeyedDensity>(), 0, 1});
+  rows.push_back({track_text("Homogeneous density"), index_of<KeyedDensity>(), 0, 1});
   const std::size_t optics = index_of<MediumOptics>();
-  rows.push_back({tr("Albedo"), optics, 0, 1});
-  rows.push_back({tr("Anisotropy"), optics, 1, 1});
-  rows.push_back({tr("Noise amplitude"), optics, 2, 1});
+  rows.push_back({track_text("Albedo"), optics, 0, 1});
+  rows.push_back({track_text("Anisotropy"), optics, 1, 1});
+  rows.push_back({track_text("Noise amplitude"), optics, 2, 1});
   return rows;
 }
 

@@ -14,7 +14,7 @@ namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-QString tr(const char* text) {
+QString dialog_text(const char* text) {
   return QCoreApplication::translate("FileDialogs", text);
 }
 
@@ -76,12 +76,13 @@ bool may_replace(QWidget* window, const fs::path& file,
   }
   if (present.empty()) return true;
   const QString text = present.size() == 1
-                           ? tr("“%1” already exists. Replace it?").arg(present.front())
-                           : tr("%1 files already exist, “%2” to “%3”. Replace them?")
+                           ? dialog_text("“%1” already exists. Replace it?").arg(present.front())
+                           : dialog_text("%1 files already exist, “%2” to “%3”. Replace them?")
                                  .arg(present.size())
                                  .arg(present.front(), present.back());
-  return ask(window, tr("Replace files"), text,
-             {{QMessageBox::Cancel}, {QMessageBox::Yes, tr("Replace")}}) == QMessageBox::Yes;
+  return ask(window, dialog_text("Replace files"), text,
+             {{QMessageBox::Cancel}, {QMessageBox::Yes, dialog_text("Replace")}}) ==
+         QMessageBox::Yes;
 }
 
 }  // namespace brume

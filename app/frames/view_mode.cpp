@@ -53,7 +53,7 @@ QImage depths(const Frame& frame) {
   return image;
 }
 
-QString tr(const char* text) {
+QString mode_text(const char* text) {
   return QCoreApplication::translate("ViewMode", text);
 }
 
@@ -108,19 +108,19 @@ QImage cost_picture(const Frame& frame) {
 QString view_mode_title(ViewMode mode) {
   switch (mode) {
     case ViewMode::final:
-      return tr("Final Picture");
+      return mode_text("Final Picture");
     case ViewMode::airlight:
-      return tr("Airlight Only");
+      return mode_text("Airlight Only");
     case ViewMode::optical_depth:
-      return tr("Optical Depth");
+      return mode_text("Optical Depth");
     case ViewMode::outlines:
-      return tr("Outlines");
+      return mode_text("Outlines");
     case ViewMode::cost:
-      return tr("Cost");
+      return mode_text("Cost");
     case ViewMode::error:
-      return tr("Error Against the Reference");
+      return mode_text("Error Against the Reference");
     case ViewMode::path_traced:
-      return tr("Path Traced");
+      return mode_text("Path Traced");
   }
   return {};
 }
@@ -177,24 +177,25 @@ QImage error_picture(const ErrorMap& map) {
 ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map) {
   switch (mode) {
     case ViewMode::optical_depth:
-      return {tr("Optical depth"), {"0", "1", "2", "3", "4"}};
+      return {mode_text("Optical depth"), {"0", "1", "2", "3", "4"}};
     case ViewMode::cost: {
       const double max_value = costs_of(frame).scale;
-      return {tr("Pairs of Gaussian and ray per pixel"),
+      return {mode_text("Pairs of Gaussian and ray per pixel"),
               {"0", QString::number(0.5 * max_value), QString::number(max_value)}};
     }
     case ViewMode::error: {
-      if (!map) return {tr("Error: waiting for the measurement"), {}};
-      QString title = map->all_orders ? tr("Error of light scattered once") : tr("Error");
+      if (!map) return {mode_text("Error: waiting for the measurement"), {}};
+      QString title =
+          map->all_orders ? mode_text("Error of light scattered once") : mode_text("Error");
       if (map->done < 1.0) {
-        title += tr(", %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
+        title += mode_text(", %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
       }
       return {title, {"0.1 %", "1 %", "10 %"}};
     }
     case ViewMode::path_traced: {
       const QString paths = paths_text(frame);
-      return {paths.isEmpty() ? tr("Path traced: waiting for the first paths")
-                              : tr("Path traced, %1").arg(paths),
+      return {paths.isEmpty() ? mode_text("Path traced: waiting for the first paths")
+                              : mode_text("Path traced, %1").arg(paths),
               {}};
     }
     default:

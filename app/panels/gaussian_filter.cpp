@@ -8,7 +8,7 @@
 namespace brume {
 namespace {
 
-QString tr(const char* text) {
+QString filter_text(const char* text) {
   return QCoreApplication::translate("GaussianFilter", text);
 }
 
@@ -32,8 +32,8 @@ std::optional<GaussianFilter> GaussianFilter::parse(const QString& text, QString
     const auto field = match.hasMatch() ? field_called(match.captured(1)) : std::nullopt;
     const double value = match.hasMatch() ? parse_number(match.captured(3)) : 0.0;
     if (!field || std::isnan(value)) {
-      problem =
-          tr("“%1” is not a condition. Examples: density > 0.2, radius < 1, x >= 0.").arg(part);
+      problem = filter_text("“%1” is not a condition. Examples: density > 0.2, radius < 1, x >= 0.")
+                    .arg(part);
       return std::nullopt;
     }
     const QString sign = match.captured(2);

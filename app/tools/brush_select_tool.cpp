@@ -12,8 +12,6 @@
 namespace brume {
 namespace {
 
-constexpr NumberDomain radius_domain{1.0, 2000.0, "a number of pixels from 1 to 2000"};
-
 double distance_to_segment(QPointF point, QPointF start, QPointF end) {
   const QPointF way = end - start;
   const double square = QPointF::dotProduct(way, way);
@@ -35,12 +33,13 @@ void BrushSelectTool::add_options(QHBoxLayout& row) {
   SelectionTool::add_options(row);
   add_number(
       row, *this,
-      {tr("Radius, px"), "select_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
+      {tr("Radius, px"), "select_radius", screen_radius_domain, ValueField::Scale::logarithmic,
+       0.01},
       [this] { return radius_; }, [this](double value) { set_radius(value); });
 }
 
 void BrushSelectTool::set_radius(double radius) {
-  radius_ = std::clamp(radius, radius_domain.min_value, radius_domain.max_value);
+  radius_ = std::clamp(radius, screen_radius_domain.min_value, screen_radius_domain.max_value);
   Q_EMIT appearance_changed();
   Q_EMIT options_changed();
 }

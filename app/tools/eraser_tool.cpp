@@ -13,7 +13,6 @@
 namespace brume {
 namespace {
 
-constexpr NumberDomain radius_domain{1.0, 2000.0, "a number of pixels from 1 to 2000"};
 constexpr NumberDomain strength_domain{0.01, 1.0, "a number from 0.01 to 1"};
 constexpr double touch_spacing = 0.25;  // over the radius
 
@@ -28,7 +27,8 @@ QString EraserTool::hint() const {
 void EraserTool::add_options(QHBoxLayout& row) {
   add_number(
       row, *this,
-      {tr("Radius, px"), "eraser_radius", radius_domain, ValueField::Scale::logarithmic, 0.01},
+      {tr("Radius, px"), "eraser_radius", screen_radius_domain, ValueField::Scale::logarithmic,
+       0.01},
       [this] { return radius_; }, [this](double value) { set(value, strength_); });
   add_number(
       row, *this,
@@ -45,7 +45,7 @@ void EraserTool::change_strength(double factor) {
 }
 
 void EraserTool::set(double radius, double strength) {
-  radius_ = std::clamp(radius, radius_domain.min_value, radius_domain.max_value);
+  radius_ = std::clamp(radius, screen_radius_domain.min_value, screen_radius_domain.max_value);
   strength_ = std::clamp(strength, strength_domain.min_value, strength_domain.max_value);
   Q_EMIT options_changed();
 }

@@ -1,12 +1,12 @@
 #include "app/tools/light_handles.h"
 
-#include <QCoreApplication>
 #include <QLineF>
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
 #include "app/commands/edit_lights.h"
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/view/gizmo.h"
 #include "app/view/overlay.h"
@@ -20,10 +20,6 @@ constexpr double sun_radius = 6.0;  // pixels
 constexpr double ring_min = 18.0;
 constexpr double ring_per_decade = 14.0;
 constexpr double pick_distance = 4.0;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Undo", text);
-}
 
 double ring_radius(double strength) {
   return ring_min + ring_per_decade * std::log10(1.0 + strength);
@@ -70,19 +66,19 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
   if (handle.is_ring) {
     const glm::dvec3 at = rays.project(before.position);
     const double strength = strength_of(QLineF(QPointF(at.x, at.y), position).length());
-    change_light(document_, handle.light, tr("Set intensity of %1"), merge_id,
+    change_light(document_, handle.light, undo_text("Set intensity of %1"), merge_id,
                  [&](PointLight& l) { l.intensity = strength * light_color(before); });
   } else {
     glm::dvec3 place = before.position + dragged_across(before.position, rays, start, position);
     place = glm::clamp(place, -limits::coordinate, limits::coordinate);
-    change_light(document_, handle.light, tr("Move %1"), merge_id,
+    change_light(document_, handle.light, undo_text("Move %1"), merge_id,
                  [&](PointLight& l) { l.position = place; });
   }
 }
 
 void LightHandles::cancel() {
   const auto [handle, start, before, merge_id] = *gesture_;
-  change_light(document_, handle.light, tr("Move %1"), merge_id,
+  change_light(document_, handle.light, undo_text("Move %1"), merge_id,
                [&](PointLight& l) { l = before; });
   gesture_.reset();
 }

@@ -8,6 +8,10 @@
 
 namespace brume {
 
+// Of a circle around the mouse, in pixels.
+inline constexpr NumberDomain screen_radius_domain{1.0, 2000.0,
+                                                   "a number of pixels from 1 to 2000"};
+
 // Option widgets of a tool: show `get` whenever the tool's options change, and pass input to `set`.
 
 struct NumberOption {

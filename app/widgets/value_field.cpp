@@ -8,16 +8,12 @@
 
 #include "app/document/gaussian_attribute.h"
 #include "app/widgets/number_field.h"
+#include "core/math/rounded.h"
 
 namespace brume {
 namespace {
 
 constexpr double steps_per_notch = 5.0;
-
-// To four digits: what a drag gives should read well.
-double rounded(double value) {
-  return QString::number(value, 'g', 4).toDouble();
-}
 
 }  // namespace
 
@@ -73,7 +69,7 @@ void ValueField::change(double steps, Qt::KeyboardModifiers modifiers) {
       scale_ == Scale::logarithmic && *value_ == 0.0 && steps > 0.0 ? 1e-3 : *value_;
   double value =
       scale_ == Scale::linear ? from + steps * step_ : from * std::pow(1.0 + step_, steps);
-  value = std::clamp(rounded(value), domain_.min_value, domain_.max_value);
+  value = std::clamp(rounded(value, 4), domain_.min_value, domain_.max_value);
   if (!domain_.contains(value) || value == *value_) return;
   value_ = value;
   Q_EMIT edited(value, gesture_);

@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-QString tr(const char* text) {
+QString help_text(const char* text) {
   return QCoreApplication::translate("Help", text);
 }
 
@@ -42,26 +42,27 @@ QString row(const QString& what, const QString& keys) {
 }  // namespace
 
 void show_about(QWidget* parent) {
-  show_text(parent, tr("About Brume"),
-            tr("<h2>Brume %1</h2><p>An editor and renderer for fog, smoke and steam modelled as "
-               "Gaussians.</p>")
-                .arg(QCoreApplication::applicationVersion()));
+  show_text(
+      parent, help_text("About Brume"),
+      help_text("<h2>Brume %1</h2><p>An editor and renderer for fog, smoke and steam modelled as "
+                "Gaussians.</p>")
+          .arg(QCoreApplication::applicationVersion()));
 }
 
 void show_keys(QWidget* parent, const QList<QAction*>& actions) {
   QString html = "<table>";
-  html += row(tr("Select"), tr("Click"));
-  html += row(tr("Add to the selection, toggle"), tr("Shift+Click, Ctrl+Click"));
-  html += row(tr("Box select"), tr("Drag"));
-  html += row(tr("Move the selection"), tr("Drag a selected handle; Escape cancels"));
-  html += row(tr("Orbit"), tr("Middle button, or Alt+Left"));
-  html += row(tr("Pan"), tr("Shift+Middle, or Alt+Middle"));
-  html += row(tr("Zoom"), tr("Wheel, or Alt+Right"));
+  html += row(help_text("Select"), help_text("Click"));
+  html += row(help_text("Add to the selection, toggle"), help_text("Shift+Click, Ctrl+Click"));
+  html += row(help_text("Box select"), help_text("Drag"));
+  html += row(help_text("Move the selection"), help_text("Drag a selected handle; Escape cancels"));
+  html += row(help_text("Orbit"), help_text("Middle button, or Alt+Left"));
+  html += row(help_text("Pan"), help_text("Shift+Middle, or Alt+Middle"));
+  html += row(help_text("Zoom"), help_text("Wheel, or Alt+Right"));
   for (const QAction* action : actions) {
     if (action->shortcut().isEmpty()) continue;
     html += row(action->iconText(), action->shortcut().toString(QKeySequence::NativeText));
   }
-  show_text(parent, tr("Keyboard shortcuts"), html + "</table>");
+  show_text(parent, help_text("Keyboard shortcuts"), html + "</table>");
 }
 
 }  // namespace brume

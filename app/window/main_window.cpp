@@ -27,17 +27,13 @@
 #include "app/viewport/view_grid.h"
 #include "app/window/message_bar.h"
 #include "app/window/recovery_bar.h"
+#include "core/math/rounded.h"
 
 namespace brume {
 namespace {
 
 constexpr int message_time = 6000;     // milliseconds
 constexpr double max_exposure = 20.0;  // stops, either way
-
-// To three digits: numbers that a user meets should be short.
-double rounded(double value) {
-  return QString::number(value, 'g', 3).toDouble();
-}
 
 std::filesystem::path recovery_folder() {
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -209,9 +205,9 @@ void MainWindow::show_status(const QString& message) {
 
 void MainWindow::add_gaussian_in_view() {
   const Viewport& view = views_->active();
-  const double radius = rounded(0.12 * std::max(view.distance(), 1e-6));
+  const double radius = rounded(0.12 * std::max(view.distance(), 1e-6), 3);
   // Optical depth 1 through the center: sqrt(pi) * radius * density.
-  const double density = rounded(1.0 / (std::sqrt(std::numbers::pi) * radius));
+  const double density = rounded(1.0 / (std::sqrt(std::numbers::pi) * radius), 3);
   add_gaussian(document_, {.center = view.camera().target, .radius = radius, .density = density});
 }
 

@@ -153,6 +153,7 @@ std::vector<ShTriple> all_triples() {
   constexpr std::size_t size = sh_size(sh_max_bands);
   std::vector<ShVector<double>> y;
   const std::vector<SphereNode> rule = sphere_rule(3 * (sh_max_bands - 1));
+  y.reserve(rule.size());
   for (const SphereNode& node : rule) y.push_back(sh_basis(sh_max_bands, node.direction));
   std::vector<ShTriple> triples;
   for (std::size_t i = 0; i < size; ++i) {
