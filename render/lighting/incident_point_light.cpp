@@ -106,6 +106,7 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
         continue;
       }
       std::vector<glm::dvec3> around_node;
+      around_node.reserve(rule.size());
       for (const WeightedPoint& p : rule) around_node.push_back(point + spacing * p.offset);
       around.each(incident.bands, around_node, [&](std::size_t k, const ShVector<double>& basis) {
         add(row * width + x, rule[k].weight, basis);

@@ -13,6 +13,7 @@ ShadowMap::ShadowMap(const RayCaster& ray_caster, const glm::dvec3& light, const
   const auto stride = static_cast<std::size_t>(map.stride());
   tbb::parallel_for(0, map.rows + 2, [&](int y) {
     std::vector<glm::dvec3> directions;
+    directions.reserve(stride);
     for (int x = 0; x < map.stride(); ++x) directions.push_back(map.direction(x - 1, y - 1));
     std::vector<SurfaceHit> hits(stride);
     // A light on a ceiling shines.

@@ -49,6 +49,7 @@ std::vector<std::uint32_t> PathMedium::spatial_order(const MediumIndex& medium) 
   }
   std::ranges::sort(keys);
   std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
   for (const auto& [key, i] : keys) order.push_back(i);
   return order;
 }

@@ -16,9 +16,9 @@ PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
   if (!(density > 0.0)) return fog;
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-std::numeric_limits<double>::infinity());
-  const auto add = [&](const glm::dvec3& p, double radius) {
-    low = glm::min(low, p - radius);
-    high = glm::max(high, p + radius);
+  const auto add = [&](const glm::dvec3& p, double margin) {
+    low = glm::min(low, p - margin);
+    high = glm::max(high, p + margin);
   };
   for (const GaussianTerm<double>& g : medium.gaussians()) {
     if (g.c > 0.0) add(g.b, 3.0 / g.a);

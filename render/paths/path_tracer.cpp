@@ -97,7 +97,7 @@ void PathTracer::choose_lights(Importance importance, PathRandom& random, Visit 
     probability = share / sum;
     if ((u -= share) < 0.0) break;
   }
-  visit(*chosen, probability);
+  if (chosen) visit(*chosen, probability);
 }
 
 double PathTracer::visibility(const glm::dvec3& x, const glm::dvec3& light, const glm::dvec3& l,

@@ -63,7 +63,7 @@ std::vector<Settings> quality_ladder(const Settings& settings) {
 
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
-                                        const Settings& settings, std::stop_token stop,
+                                        const Settings& settings, const std::stop_token& stop,
                                         const std::function<void(double)>& progress) {
   // The sample takes most of the time, then each trial about as much as all before it.
   const Job job{stop, progress};
@@ -98,14 +98,15 @@ std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& sc
 }
 
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
-                                           const Frame& frame, std::stop_token stop,
+                                           const Frame& frame, const std::stop_token& stop,
                                            const std::function<void(double)>& progress) {
   return FrameErrors(scene, camera, evaluation_seed).measure(frame, std::nullopt, stop, progress);
 }
 
 std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
                                                const Camera& camera, const Film& film,
-                                               const Settings& settings, std::stop_token stop,
+                                               const Settings& settings,
+                                               const std::stop_token& stop,
                                                const std::function<void(double)>& progress) {
   if (settings.airlight != AirlightMethod::auto_) {
     std::optional<Frame> frame = renderer.render(scene, camera, film, settings, stop, progress);

@@ -23,7 +23,7 @@ std::vector<Settings> quality_ladder(const Settings& settings);
 // requested. `progress`, here and below: see FrameRenderer.
 std::optional<Settings> choose_settings(FrameRenderer& renderer, const Scene& scene,
                                         const Camera& camera, const Film& film,
-                                        const Settings& settings, std::stop_token stop = {},
+                                        const Settings& settings, const std::stop_token& stop = {},
                                         const std::function<void(double)>& progress = {});
 
 // A frame with the settings that made it, and its error if `auto` measured it.
@@ -35,7 +35,7 @@ struct RequestedFrame {
 
 // Estimates the error of a frame on an independent sample of its pixels.
 std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& camera,
-                                           const Frame& frame, std::stop_token stop = {},
+                                           const Frame& frame, const std::stop_token& stop = {},
                                            const std::function<void(double)>& progress = {});
 
 // Renders with the settings; if they say `auto_`, chooses them, renders and measures. While the
@@ -43,7 +43,8 @@ std::optional<ErrorEstimate> measure_error(const Scene& scene, const Camera& cam
 // cheapest frame that may meet it within the confidence interval, or else the last.
 std::optional<RequestedFrame> render_requested(FrameRenderer& renderer, const Scene& scene,
                                                const Camera& camera, const Film& film,
-                                               const Settings& settings, std::stop_token stop = {},
+                                               const Settings& settings,
+                                               const std::stop_token& stop = {},
                                                const std::function<void(double)>& progress = {});
 
 }  // namespace brume

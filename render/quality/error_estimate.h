@@ -21,6 +21,7 @@ struct ErrorEstimate {
   double low = 0.0;       // 95% confidence interval
   double high = 0.0;
   std::size_t pixels = 0;  // of the sample
+  double noise = 0.0;  // share of the interval's variance that is noise of the reference's paths
 };
 
 // A random sample of a view's pixels with their converged airlight. Importance-sampled by
@@ -34,18 +35,22 @@ class ErrorSample {
   static std::optional<ErrorSample> create(const Scene& scene, const Camera& camera,
                                            const Frame& guide, std::size_t count,
                                            std::uint64_t seed, double tolerance,
-                                           std::stop_token stop = {},
+                                           const std::stop_token& stop = {},
                                            const std::function<void(double)>& progress = {});
   // Like above, reusing pixels of the view that are already evaluated.
   static std::optional<ErrorSample> create(std::shared_ptr<ViewReference> reference,
                                            const Scene& scene, const Camera& camera,
                                            const Frame& guide, std::size_t count,
-                                           std::uint64_t seed, std::stop_token stop = {},
+                                           std::uint64_t seed, const std::stop_token& stop = {},
                                            const std::function<void(double)>& progress = {});
 
   // Doubles the sampling probability of every pixel, keeping those sampled. False, and unchanged,
   // if `stop` was requested.
   bool grow(const std::stop_token& stop, const std::function<void(double)>& progress = {});
+
+  // Doubles the paths of the sample's pixels, up to a limit. False, and unchanged, if there are as
+  // many, the reference has none, or `stop` was requested.
+  bool refine(const std::stop_token& stop, const std::function<void(double)>& progress = {});
 
   // The error of a frame of the same view and film as the guide.
   [[nodiscard]] ErrorEstimate measure(const Frame& frame) const;
@@ -61,6 +66,7 @@ class ErrorSample {
   std::vector<double> probabilities_;  // sampling probability of each pixel
   std::uint64_t seed_;
   std::vector<std::size_t> pixels_;  // sampled
+  int paths_;                        // of a pixel
 };
 
 }  // namespace brume

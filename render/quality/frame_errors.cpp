@@ -22,6 +22,12 @@ bool is_undecided(const ErrorEstimate& error, double max_error) {
   return error.low <= max_error && max_error < error.high;
 }
 
+// Whether the interval is wide, most of all because of the noise of paths.
+bool is_noisy(const ErrorEstimate& error) {
+  constexpr double wide = 1.5;
+  return error.noise > 0.5 && error.high > wide * error.low;
+}
+
 }  // namespace
 
 std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
@@ -45,9 +51,14 @@ std::optional<ErrorEstimate> FrameErrors::measure(const Frame& frame,
     if (!sample_) return std::nullopt;
   }
   ErrorEstimate error = sample_->measure(frame);
-  while (max_error && is_undecided(error, *max_error) && times_grown_ < max_doublings) {
-    if (!sample_->grow(stop, next_part())) return std::nullopt;
-    ++times_grown_;
+  while (max_error ? is_undecided(error, *max_error) : is_noisy(error)) {
+    // More paths or more pixels, whichever the interval is wide for.
+    if (!is_noisy(error) || !sample_->refine(stop, next_part())) {
+      if (stop.stop_requested()) return std::nullopt;
+      if (!max_error || times_grown_ == max_doublings) break;
+      if (!sample_->grow(stop, next_part())) return std::nullopt;
+      ++times_grown_;
+    }
     error = sample_->measure(frame);
   }
   return error;

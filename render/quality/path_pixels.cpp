@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "render/paths/camera_ray.h"
-#include "render/paths/path_sums.h"
 #include "render/paths/path_tracer.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/fog_extent.h"
 #include "render/prepare/light_limits.h"
 #include "render/render_plan.h"
-#include "render/util/job.h"
 
 namespace brume {
 namespace {
@@ -22,11 +20,9 @@ constexpr std::uint64_t seed = 0x6d65;
 
 }  // namespace
 
-PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& film, int paths,
-                       Orders orders)
+PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders orders)
     : rays_(camera, film),
       width_(static_cast<std::size_t>(film.width)),
-      paths_(paths),
       orders_(orders),
       surfaces_(scene.surfaces),
       ray_caster_(surfaces_) {
@@ -65,34 +61,36 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   }
 }
 
-std::vector<PixelAirlight> PathPixels::airlight(std::span<const std::size_t> pixels,
-                                                const std::stop_token& stop,
-                                                const std::function<void(double)>& progress) const {
-  std::vector<PixelAirlight> result(pixels.size());
-  Job{stop, progress}.parallel_for_with_progress(pixels.size(), [&](std::size_t i) {
-    const std::size_t pixel = pixels[i];
-    const glm::dvec3 w = rays_.direction(static_cast<double>(pixel % width_) + 0.5,
-                                         static_cast<double>(pixel / width_) + 0.5);
-    const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);
-    for (const Group& group : groups_) {
-      const CameraRay ray(*group.index, rays_.eye(), w, length);
-      if (!(ray.depth() > min_depth)) continue;
-      const PathTracer tracer(*group.scene);
-      PathSums sums;
-      for (int k = 0; k < paths_ && !stop.stop_requested(); ++k) {
-        const auto sample = static_cast<std::uint64_t>(k);
-        const PathRandom block(seed, pixel, sample / path_block, 0);
-        PathRandom random(seed, pixel, sample, 1);
-        const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
-        OrderedRadiance radiance = tracer.airlight(ray, stratified, random);
-        if (orders_ == Orders::after_first) radiance.orders[0] = glm::dvec3(0.0);
-        sums.add(k, radiance.sum(), group.channels);
-      }
-      result[i].radiance += group.albedo * group.channels * sums.mean(paths_);
-      result[i].variance += group.albedo * group.albedo * sums.variance(paths_, group.channels);
+void PathPixels::trace(std::size_t pixel, int count, PixelPaths& paths,
+                       const std::stop_token& stop) const {
+  const glm::dvec3 w = rays_.direction(static_cast<double>(pixel % width_) + 0.5,
+                                       static_cast<double>(pixel / width_) + 0.5);
+  const double length = std::min(ray_caster_.first_hit(rays_.eye(), w).distance, ray_end_);
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const Group& group = groups_[i];
+    const CameraRay ray(*group.index, rays_.eye(), w, length);
+    if (!(ray.depth() > min_depth)) continue;
+    const PathTracer tracer(*group.scene);
+    for (int k = paths.count; k < count && !stop.stop_requested(); ++k) {
+      const auto sample = static_cast<std::uint64_t>(k);
+      const PathRandom block(seed, pixel, sample / path_block, 0);
+      PathRandom random(seed, pixel, sample, 1);
+      const StratifiedPair stratified(block, static_cast<unsigned>(k % path_block), random);
+      OrderedRadiance radiance = tracer.airlight(ray, stratified, random);
+      if (orders_ == Orders::after_first) radiance.orders[0] = glm::dvec3(0.0);
+      paths.sums[i].add(k, radiance.sum(), group.channels);
     }
-  });
-  if (stop.stop_requested()) result.clear();
+  }
+  paths.count = std::max(paths.count, count);
+}
+
+PixelAirlight PathPixels::airlight(const PixelPaths& paths) const {
+  PixelAirlight result;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const auto& [channels, albedo, index, medium, scene] = groups_[i];
+    result.radiance += albedo * channels * paths.sums[i].mean(paths.count);
+    result.variance += albedo * albedo * paths.sums[i].variance(paths.count, channels);
+  }
   return result;
 }
 

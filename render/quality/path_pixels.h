@@ -1,9 +1,9 @@
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -12,6 +12,7 @@
 #include "render/paths/environment_sampler.h"
 #include "render/paths/path_medium.h"
 #include "render/paths/path_scene.h"
+#include "render/paths/path_sums.h"
 #include "render/visibility/ray_caster.h"
 
 namespace brume {
@@ -22,18 +23,25 @@ struct PixelAirlight {
   double variance = 0.0;  // of all channels together; 0 if it is converged
 };
 
+// The paths of a pixel so far.
+struct PixelPaths {
+  int count = 0;
+  std::array<PathSums, 3> sums;  // of the channels of one albedo each
+};
+
 // Airlight at arbitrary pixels of one view, by path tracing: of all orders of scattering, or of all
 // but the first.
 class PathPixels {
  public:
   enum class Orders { all, after_first };
-  PathPixels(const Scene& scene, const Camera& camera, const Film& film, int paths, Orders orders);
+  PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders orders);
 
-  // In parallel; pixels are row-major indices. The same whatever other pixels are asked for. Empty
-  // if `stop` was requested. `progress`: see FrameRenderer.
-  [[nodiscard]] std::vector<PixelAirlight> airlight(
-      std::span<const std::size_t> pixels, const std::stop_token& stop,
-      const std::function<void(double)>& progress = {}) const;
+  // Adds paths to a pixel, a row-major index, until they are `count`, or `stop` is requested. The
+  // same whatever other pixels are asked for, and in how many pieces.
+  void trace(std::size_t pixel, int count, PixelPaths& paths, const std::stop_token& stop) const;
+
+  // By all paths of a pixel.
+  [[nodiscard]] PixelAirlight airlight(const PixelPaths& paths) const;
 
  private:
   // Channels of one albedo; see prepare/albedo.h. Its parts refer to each other.
@@ -47,7 +55,6 @@ class PathPixels {
 
   CameraRays rays_;
   std::size_t width_;
-  int paths_;
   Orders orders_;
   std::vector<Surface> surfaces_;
   RayCaster ray_caster_;

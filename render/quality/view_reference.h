@@ -18,25 +18,32 @@ class ViewReference {
   ViewReference(const Scene& scene, const Camera& camera, const Film& film, double tolerance,
                 Scattering scattering = Scattering::single);
 
-  // Evaluates pixels that are not cached, in parallel, milliseconds each. False if `stop` was
-  // requested. `progress`: see FrameRenderer.
-  bool evaluate(std::span<const std::size_t> pixels, const std::stop_token& stop,
+  // Evaluates pixels that are not cached, in parallel, milliseconds each; those by paths with at
+  // least so many of them. False if `stop` was requested. `progress`: see FrameRenderer.
+  bool evaluate(std::span<const std::size_t> pixels, int paths, const std::stop_token& stop,
                 const std::function<void(double)>& progress = {});
 
   // Airlight of an evaluated pixel.
-  [[nodiscard]] const PixelAirlight& airlight(std::size_t pixel) const { return known_.at(pixel); }
+  [[nodiscard]] const PixelAirlight& airlight(std::size_t pixel) const {
+    return known_.at(pixel).airlight;
+  }
+
+  // Whether more paths make pixels surer.
+  [[nodiscard]] bool is_noisy() const { return path_pixels_.has_value(); }
 
   // Number of evaluated pixels.
   [[nodiscard]] std::size_t size() const { return known_.size(); }
 
-  // Paths of a pixel. With as many the noise of a pixel is a few percent; that of an error measured
-  // on a hundred pixels is a few tenths of a percent.
-  static constexpr int paths = 1024;
-
  private:
+  struct Pixel {
+    glm::dvec3 exact{0.0};  // converged
+    PixelPaths paths;
+    PixelAirlight airlight;  // of both
+  };
+
   std::optional<ReferencePixels> reference_;
   std::optional<PathPixels> path_pixels_;
-  std::unordered_map<std::size_t, PixelAirlight> known_;
+  std::unordered_map<std::size_t, Pixel> known_;
 };
 
 }  // namespace brume
