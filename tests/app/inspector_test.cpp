@@ -2,8 +2,6 @@
 
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QScopeGuard>
-#include <QSettings>
 #include <glm/geometric.hpp>
 
 #include "app/panels/contribution_panel.h"
@@ -209,9 +207,6 @@ class InspectorTest : public QObject {
   }
 
   void cursor_panel_matches_the_pixel() {
-    // The panel tells what each light contributes when it is scattered once.
-    QSettings().setValue("view/scattering", "single");
-    const auto all_orders = qScopeGuard([] { QSettings().remove("view/scattering"); });
     TestWindow window;
     Document& document = window->document();
     Viewport& view = window->viewport();

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDeadlineTimer>
 #include <QLabel>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTreeWidget>
@@ -81,6 +82,8 @@ class QualityTest : public QObject {
 
  private Q_SLOTS:
   void auto_is_the_default_and_keeps_two_per_cent() {
+    QSettings().remove("view/scattering");
+    const auto once = qScopeGuard([] { QSettings().setValue("view/scattering", "single"); });
     TestWindow window(dense_cloud());
     QVERIFY(window->findChild<QAction*>("airlight_auto")->isChecked());
     QCOMPARE(window->viewport().frames().quality().max_error(), 0.02);
@@ -126,10 +129,6 @@ class QualityTest : public QObject {
 
   void another_bound_is_another_choice() {
     TestWindow window(dense_cloud());
-    // Of light scattered once, whose error has no noise: 1% can be known to be kept.
-    auto* scattering = window->findChild<QComboBox*>("scattering");
-    scattering->setCurrentIndex(scattering->findText("Once"));
-    Q_EMIT scattering->activated(scattering->currentIndex());
     const Viewport& view = window->viewport();
     const auto slices_for = [&](const QString& bound) {
       choose_bound(*window, bound);
@@ -142,7 +141,6 @@ class QualityTest : public QObject {
     QVERIFY2(0 < loose && loose < tight, qPrintable(QString("%1 %2").arg(loose).arg(tight)));
     QCOMPARE(label(*window, "shown"), QString("sliced %1").arg(tight));
     QVERIFY(label(*window, "why").contains("1 %"));
-    QSettings().remove("view/scattering");
   }
 
   // Runs after the one above.

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTreeWidget>
 #include <algorithm>
@@ -72,6 +73,8 @@ class ScatteringTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void initTestCase() { QSettings().remove("view/scattering"); }
+
   void all_orders_are_the_default_and_brighter_than_once() {
     TestWindow window(dense_scene());
     const FrameScheduler& frames = window->viewport().frames();
@@ -172,7 +175,7 @@ class ScatteringTest : public QObject {
                              patience);
     };
     frames.set_mode(ViewMode::path_traced);
-    QVERIFY(reaches(4));
+    QVERIFY(reaches(2));
     QVERIFY(frames.is_measured());
     const char* paths = "\\d+ paths, noise .* %";
     QVERIFY2(matches(label(window, "error"), paths), qPrintable(label(window, "error")));
@@ -185,7 +188,7 @@ class ScatteringTest : public QObject {
     look_from_aside(window);
     QVERIFY(!frames.is_settled());
     shown.clear();
-    QVERIFY(reaches(4));
+    QVERIFY(reaches(2));
     const auto state = shown.back().first;
     std::erase_if(shown, [&](const auto& frame) { return frame.first != state; });
     for (std::size_t k = 0; k < shown.size(); ++k) QCOMPARE(shown[k].second, 1 << k);

@@ -1,6 +1,7 @@
 #include "tests/app/test_window.h"
 
 #include <QApplication>
+#include <QSettings>
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
@@ -100,6 +101,7 @@ int start_test(int argc, char** argv, int (*run)(int, char**)) {
   prepare_application();
   QApplication application(argc, argv);
   set_up_application(application);
+  QSettings().setValue("view/scattering", "single");
   return run(argc, argv);
 }
 

@@ -58,7 +58,8 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
-// Runs a test program with settings and a cache of its own: the user's stay untouched.
+// Runs a test program with settings and a cache of its own: the user's stay untouched. Views show
+// light scattered once, which takes a fraction of the time; ScatteringTest is about all orders.
 int start_test(int argc, char** argv, int (*run)(int, char**));
 
 }  // namespace brume
