@@ -1,10 +1,18 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <glm/vec3.hpp>
 #include <random>
+#include <string>
 
 namespace brume {
+
+// Number of random cases that a test tries: `usual`, or BRUME_THOROUGH times as many.
+inline unsigned random_cases(unsigned usual) {
+  const char* thorough = std::getenv("BRUME_THOROUGH");
+  return usual * (thorough ? static_cast<unsigned>(std::stoul(thorough)) : 1u);
+}
 
 // Random numbers that are the same on every machine: only the raw generator of the standard
 // library is; its distributions are not.

@@ -56,7 +56,7 @@ void flush_to_disk(const fs::path& path, int flags) {
 fs::path link_target(const fs::path& file) {
   std::error_code error;
   if (!fs::is_symlink(file, error)) return file;
-  const fs::path target = fs::weakly_canonical(file, error);
+  fs::path target = fs::weakly_canonical(file, error);
   if (error) throw InputError(file, "", "cannot be written: " + error.message());
   if (!fs::is_symlink(target, error)) return target;
   return link_target(folder_of(file) / fs::read_symlink(file, error));  // to what is not there

@@ -62,7 +62,7 @@ std::optional<FramePattern> FramePattern::around(const std::string& file) {
   if (begin == end) return std::nullopt;
   const std::string width = std::to_string(end - begin);
   const bool is_padded = file[begin] == '0';
-  const auto pattern =
+  auto pattern =
       parse(file.substr(0, begin) + (is_padded ? "%0" + width + "d" : "%d") + file.substr(end));
   if (!pattern || pattern->frames().size() < 2) return std::nullopt;
   return pattern;

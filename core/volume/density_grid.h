@@ -15,7 +15,7 @@ namespace brume {
 //   origin + rotation * (spacing * (i, j, k)).
 struct DensityGrid {
   static constexpr int side = 8;
-  static constexpr std::size_t block_size = side * side * side;
+  static constexpr std::size_t block_size = std::size_t{side} * side * side;
   using Values = std::array<float, block_size>;
 
   struct Block {

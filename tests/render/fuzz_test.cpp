@@ -1,4 +1,4 @@
-// Ten thousand random scenes: whatever the scene and the method, every value of every layer keeps
+// Random scenes: whatever the scene and the method, every value of every layer keeps
 // the frame's promise. A failure names its seed; BRUME_FUZZ_SEED=n runs that scene alone. The
 // renderer shows a sum that is not a number as black and asserts that there is none: only with
 // assertions (presets debug and sanitize) does this test see those.
@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "render/renderer.h"
+#include "tests/random.h"
 #include "tests/render/random_scene.h"
 #include "tests/render/test_scenes.h"
 
@@ -129,15 +130,15 @@ void run_scenes(unsigned first, unsigned count, MethodsOf methods_of) {
 }
 
 TEST(Fuzz, FramesAreFiniteAndInTheirBounds) {
-  run_scenes(1, 10'000, fast_methods);
+  run_scenes(1, random_cases(1500), fast_methods);
 }
 
 TEST(Fuzz, FramesInDoubleAreFiniteAndInTheirBounds) {
-  run_scenes(10'001, 200, slow_methods);
+  run_scenes(100'001, random_cases(50), slow_methods);
 }
 
 TEST(Fuzz, PathTracedFramesAreFiniteAndInTheirBounds) {
-  run_scenes(10'201, 30, path_methods);
+  run_scenes(200'001, random_cases(10), path_methods);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace brume {
 namespace {
 
-struct Row {
+struct MeasuredScene {
   const char* name;
   Scene scene;
   int slices, scale;
@@ -21,14 +21,14 @@ struct Row {
 };
 
 TEST(Regression, FramesTakeNoMoreWorkAndAreNoWorse) {
-  const Row rows[] = {
+  const MeasuredScene rows[] = {
       {"two Gaussians", two_gaussians(), 24, 1, 0.0506, 0.0273, 0.0012},
       {"cloud of 30", cloud(30, 1.0), 24, 1, 0.213, 0.110, 0.0004},
       {"cloud of 300", cloud(300, 3.0), 24, 4, 0.538, 1.008, 0.0023},
       {"dense cloud of 30", cloud(30, 10.0), 48, 4, 0.175, 0.567, 0.0021},
       {"box of 3,000", box_scene(3000, 2), 24, 4, 0.882, 1.338, 0.013},
   };
-  for (Row row : rows) {
+  for (MeasuredScene row : rows) {
     row.scene.film = {200, 150};
     Settings settings;
     settings.airlight_scale = row.scale;

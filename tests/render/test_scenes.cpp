@@ -37,6 +37,11 @@ Scene cloud_scene(int count, double depth, unsigned seed) {
   return scene;
 }
 
+Scene in_fog(Scene scene, double b0) {
+  scene.medium.set_homogeneous_density(b0);
+  return scene;
+}
+
 Surface wall(double z, double half, double reflectance) {
   const auto h = static_cast<float>(half);
   const auto z_plane = static_cast<float>(z);

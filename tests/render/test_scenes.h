@@ -13,6 +13,9 @@ namespace brume {
 // above. The same for the same seed everywhere.
 Scene cloud_scene(int count, double depth, unsigned seed = 1);
 
+// With homogeneous density `b0`, 1/u.
+Scene in_fog(Scene scene, double b0);
+
 // Two triangles across z = `z`, from -`half` to `half` in x and y, facing +z.
 Surface wall(double z, double half, double reflectance = 0.5);
 

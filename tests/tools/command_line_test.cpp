@@ -148,9 +148,9 @@ TEST_F(CommandLine, AcceptsTheOptionsOfPaper) {
 
 TEST_F(CommandLine, RendersAirlightAtLowerResolution) {
   for (const char* scale : {"1", "2", "4"}) {
-    const ProgramResult result =
-        run_brume({"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size",
-                   "40x30", "--airlight", "sliced", "--airlight-scale", scale});
+    const ProgramResult result = run_brume(
+        {"render", scene_, "-o", file("o.exr"), "--stats", file("s.json"), "--size", "40x30",
+         "--airlight", "sliced", "--scattering", "single", "--airlight-scale", scale});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
     EXPECT_EQ(stats["airlight_scale"], std::stoi(scale));
@@ -341,8 +341,9 @@ TEST_F(CommandLine, CachesRadianceTransfer) {
   const std::string with_transfer = folder_.write("t.brume", scene.dump()).string();
   ASSERT_EQ(setenv("XDG_CACHE_HOME", file("cache").c_str(), 1), 0);
   const auto render = [&](const std::string& what) {
-    ProgramResult result = run_brume(
-        {"render", what, "-o", file("o.exr"), "--stats", file("s.json"), "--airlight", "sliced"});
+    ProgramResult result =
+        run_brume({"render", what, "-o", file("o.exr"), "--stats", file("s.json"), "--airlight",
+                   "sliced", "--scattering", "single"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     result.out = content_of(folder_ / "o.exr");
     return result;

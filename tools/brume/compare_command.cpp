@@ -36,6 +36,7 @@ class CompareCommand final : public Command {
     std::vector<ChannelPair> pairs;
     const std::vector<std::string> names = channels_of(b, b_);
     if (channels_of(a, a_) != names) throw InputError(a_, "", "has different channels from " + b_);
+    pairs.reserve(names.size());
     for (const std::string& name : names) {
       pairs.push_back({a.channels.at(name), b.channels.at(name)});
     }

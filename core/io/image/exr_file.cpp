@@ -53,7 +53,7 @@ int first_flat_part(const fs::path& file, const Imf::MultiPartInputFile& input) 
 // Throws where a part lacks its last row, as one does that claims more rows than there are: before
 // memory is taken for all of them.
 void read_last_row(Imf::InputPart& part, const Imf::Header& header) {
-  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i& window = header.dataWindow();
   const Imath::Box2i last({window.min.x, window.max.y}, window.max);
   std::vector<float> values(static_cast<std::size_t>(window.max.x - window.min.x) + 1);
   Imf::FrameBuffer row;

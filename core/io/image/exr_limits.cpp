@@ -132,7 +132,7 @@ void check_exr_attributes(const fs::path& file) {
 }
 
 void check_exr_image(const fs::path& file, const Imf::Header& header) {
-  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
   if (width < 1 || height < 1 || width > limits::image_side || height > limits::image_side) {

@@ -78,8 +78,10 @@ void write_png(const std::filesystem::path& file, int width, int height,
                const std::map<std::string, std::string>& metadata) {
   assert(rgb.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
   std::vector<std::string> keywords;
+  keywords.reserve(metadata.size());
   for (const auto& [key, value] : metadata) keywords.push_back(key.substr(0, longest_keyword));
   std::vector<png_text> texts;
+  texts.reserve(metadata.size());
   for (const auto& [key, value] : metadata) {
     png_text text{};
     const bool is_ascii =

@@ -86,7 +86,7 @@ Medium row_of_three() {
   for (const double x : {0.0, 0.5, 3.0}) medium.append({{x, 0, -10}, 1.0, 0.8});
   return medium;
 }
-const auto all = [](GaussianId /*id*/) { return true; };
+const auto any_gaussian = [](GaussianId /*id*/) { return true; };
 
 TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   Medium medium = row_of_three();
@@ -101,7 +101,7 @@ TEST(Eraser, ThinsWhatItCoversAndDeletesWhatHasNoneLeft) {
   EraserStroke stroke(0.4);
   MediumEdit merged;
   const auto touch = [&] {
-    const MediumEdit edit = stroke.touch(medium, {&cone, 1}, all);
+    const MediumEdit edit = stroke.touch(medium, {&cone, 1}, any_gaussian);
     edit.apply(medium);
     merged.merge(edit);
   };
@@ -129,10 +129,10 @@ TEST(Eraser, TouchesAtOnceAreTouchesOneByOne) {
   Medium one_by_one = start;
   EraserStroke slow(0.3);
   for (const EraserCone& cone : cones) {
-    slow.touch(one_by_one, {&cone, 1}, all).apply(one_by_one);
+    slow.touch(one_by_one, {&cone, 1}, any_gaussian).apply(one_by_one);
   }
   Medium at_once = start;
-  EraserStroke(0.3).touch(at_once, cones, all).apply(at_once);
+  EraserStroke(0.3).touch(at_once, cones, any_gaussian).apply(at_once);
   EXPECT_EQ(at_once, one_by_one);
   EXPECT_LT(at_once.size(), start.size());
 }

@@ -54,7 +54,7 @@ Scene some_scene() {
 }
 
 // Values that do not compress.
-ImageLayers some_image() {
+ImageLayers incompressible_image() {
   ImageLayers image;
   image.width = 64;
   image.height = 48;
@@ -84,7 +84,7 @@ std::vector<Writer> writers() {
   }
   return {
       {"a.txt", [](const fs::path& file) { write_atomically(file, std::string(50'000, 'x')); }},
-      {"a.exr", [](const fs::path& file) { write_exr(file, some_image()); }},
+      {"a.exr", [](const fs::path& file) { write_exr(file, incompressible_image()); }},
       {"a.png",
        [rgb](const fs::path& file) {
          write_png(file, 64, 48, rgb, {{"a", "b"}});

@@ -12,7 +12,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Material diffuse(double reflectance) {
   Material material;

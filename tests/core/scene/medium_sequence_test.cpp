@@ -10,13 +10,13 @@
 namespace brume {
 namespace {
 
-const SequenceFrame first{{1, 4, 7},
-                          {{{0, 0, 0}, 1.0, 2.0}, {{1, 0, 0}, 2.0, 1.0}, {{2, 0, 0}, 1.0, 4.0}}};
-const SequenceFrame second{{4, 7, 9},
-                           {{{3, 0, 0}, 8.0, 3.0}, {{2, 2, 0}, 1.0, 0.0}, {{5, 0, 0}, 0.5, 8.0}}};
+const SequenceFrame frame_11{{1, 4, 7},
+                             {{{0, 0, 0}, 1.0, 2.0}, {{1, 0, 0}, 2.0, 1.0}, {{2, 0, 0}, 1.0, 4.0}}};
+const SequenceFrame frame_12{{4, 7, 9},
+                             {{{3, 0, 0}, 8.0, 3.0}, {{2, 2, 0}, 1.0, 0.0}, {{5, 0, 0}, 0.5, 8.0}}};
 
 TEST(MediumSequence, InterpolatesByIdAndFadesTheRest) {
-  const auto middle = between_frames(first, second, 0.25);
+  const auto middle = between_frames(frame_11, frame_12, 0.25);
   ASSERT_EQ(middle.size(), 4u);
   EXPECT_EQ(middle[0], (Gaussian{{0, 0, 0}, 1.0, 1.5})) << "it dies where it was";
   EXPECT_EQ(middle[1].center, glm::dvec3(1.5, 0, 0));
@@ -32,16 +32,17 @@ MediumSequence smoke() {
   sequence.last = 12;
   sequence.frames_per_second = 10.0;
   sequence.start = 2.0;
-  sequence.frames = std::make_shared<const std::vector<SequenceFrame>>(std::vector{first, second});
+  sequence.frames =
+      std::make_shared<const std::vector<SequenceFrame>>(std::vector{frame_11, frame_12});
   return sequence;
 }
 
 TEST(MediumSequence, ShowsItsFramesAtTheirTimes) {
   const MediumSequence sequence = smoke();
-  EXPECT_EQ(sequence_at(sequence, 0.0), first.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.0), first.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.1), second.gaussians) << "2.1 is no exact number";
-  EXPECT_EQ(sequence_at(sequence, 99.0), second.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 0.0), frame_11.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.0), frame_11.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.1), frame_12.gaussians) << "2.1 is no exact number";
+  EXPECT_EQ(sequence_at(sequence, 99.0), frame_12.gaussians);
   EXPECT_EQ(sequence_at(sequence, 2.05).size(), 4u);
   EXPECT_NEAR(end_of(sequence), 2.1, 1e-12);
 }

@@ -14,7 +14,7 @@ Settings march(int steps) {
   return settings;
 }
 
-struct Row {
+struct MarchedScene {
   const char* name;
   Scene scene;
   double fine;  // bound of the relative RMSE with 1024 steps, about twice what is measured
@@ -29,12 +29,7 @@ Scene clump() {
   return scene;
 }
 
-Scene in_fog(Scene scene, double b0) {
-  scene.medium.set_homogeneous_density(b0);
-  return scene;
-}
-
-Scene shaft() {
+Scene clump_behind_wall() {
   Scene scene = clump();
   scene.lights[0].position = {0.2, 0.1, -4.0};
   scene.surfaces.push_back(wall(-2.0, 0.4));
@@ -56,18 +51,18 @@ Scene scattering_and_absorbing() {
   return scene;
 }
 
-std::vector<Row> rows() {
+std::vector<MarchedScene> rows() {
   return {
       {"clump", clump(), 3e-4},
       {"fog alone", in_fog(cloud_scene(1, 1e-12), 0.1), 1e-4},
-      {"shaft", shaft(), 2e-3},
+      {"shaft", clump_behind_wall(), 2e-3},
       {"light inside", light_inside(), 1e-4},
       {"scattering and absorbing", scattering_and_absorbing(), 1e-4},
   };
 }
 
 TEST(March, ConvergesToTheReference) {
-  for (const Row& row : rows()) {
+  for (const MarchedScene& row : rows()) {
     SCOPED_TRACE(row.name);
     Settings settings;
     settings.airlight = AirlightMethod::reference;

@@ -87,7 +87,8 @@ TEST_F(GlFrames, SampleScenes) {
 
 TEST_F(GlFrames, RandomScenes) {
   int unstable = 0;
-  for (unsigned seed = 1; seed <= 100; ++seed) {
+  const unsigned scenes = random_cases(40);
+  for (unsigned seed = 1; seed <= scenes; ++seed) {
     const Scene scene = random_scene(seed);
     Settings sliced = quick_slices();
     sliced.airlight_scale = seed % 4 == 0 ? 2 : 1;
@@ -104,7 +105,7 @@ TEST_F(GlFrames, RandomScenes) {
       expect_within(error, 3.0 * own, name);
     }
   }
-  EXPECT_LE(unstable, 5);
+  EXPECT_LE(unstable, scenes / 20);
 }
 
 // Light from all around, scattered alike all around, forward and back, in fog and without.
@@ -309,7 +310,7 @@ TEST_F(GlSurfaces, MatchTheCpuUnderAnEnvironment) {
 
 // Everything that may change from frame to frame, a little, one thing at a time: no message, and
 // nothing that stays behind.
-TEST_F(GlFrames, AThousandChangesLeakNoObjects) {
+TEST_F(GlFrames, ManyChangesLeakNoObjects) {
   Random random(1);
   Scene scene = cloud_scene(8, 2.0);
   scene.film = {20, 15};
@@ -318,7 +319,7 @@ TEST_F(GlFrames, AThousandChangesLeakNoObjects) {
   settings.shadow_cells = 16;
   settings.source_grid = {64, 6};
   std::size_t limit = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const auto in = [&](int from, int to) {
       return from + static_cast<int>(random.uniform(0.0, to - from + 1));
     };
@@ -370,7 +371,7 @@ TEST_F(GlFrames, AThousandChangesLeakNoObjects) {
     ASSERT_EQ(frame.statistics.backend, "gl") << i << ": " << frame.statistics.on_cpu[0].why;
     ASSERT_NO_FATAL_FAILURE(expect_finite(frame)) << i;
     // All that there can be has been there after some hundred frames.
-    if (i < 500) limit = std::max(limit, live_objects());
+    if (i < 200) limit = std::max(limit, live_objects());
     ASSERT_LE(live_objects(), limit) << i;
   }
 }

@@ -22,7 +22,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A map whose radiance at a direction is `radiance(direction)`.
 template <class Radiance>

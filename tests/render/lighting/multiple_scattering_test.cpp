@@ -6,60 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "render/renderer.h"
+#include "tests/render/golden_rays.h"
 #include "tests/render/test_scenes.h"
 
 namespace brume {
 namespace {
-
-using Json = nlohmann::json;
-
-glm::dvec3 vec(const Json& value) {
-  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-}
-
-struct GoldenRay {
-  std::string name;
-  Scene scene;  // whose only pixel is the ray
-  double radiance = 0.0;
-  double standard_error = 0.0;
-};
-
-std::vector<GoldenRay> golden_rays() {
-  std::ifstream file(BRUME_MULTIPLE_SCATTERING);
-  const Json all = Json::parse(file);
-  std::vector<GoldenRay> rays;
-  for (const Json& in : all.at("rays")) {
-    GoldenRay ray;
-    ray.name = in.at("name").get<std::string>();
-    const double albedo = in.at("albedo").get<double>();
-    Scene& scene = ray.scene;
-    scene.film = {1, 1};
-    scene.camera = {vec(in.at("eye")), vec(in.at("target")), {0, 1, 0}, 30.0};
-    for (const Json& g : in.at("gaussians")) {
-      scene.medium.append({vec(g.at("center")), g.at("radius").get<double>(),
-                           albedo * g.at("density").get<double>()});
-    }
-    for (const Json& light : in.at("lights")) {
-      scene.lights.push_back(
-          {vec(light.at("position")), glm::dvec3(light.at("intensity").get<double>()), {}});
-    }
-    scene.optics.albedo = glm::dvec3(albedo);
-    scene.optics.anisotropy = in.at("anisotropy").get<double>();
-    if (const double sky = in.at("environment").get<double>(); sky > 0.0) {
-      scene.environment.emplace().map = constant_sky(static_cast<float>(sky));
-    }
-    ray.radiance = in.at("order_1").get<double>() + in.at("order_2").get<double>() +
-                   in.at("order_3_and_up").get<double>();
-    ray.standard_error = in.at("standard_error").at("all").get<double>();
-    rays.push_back(std::move(ray));
-  }
-  return rays;
-}
 
 Settings multiple_settings() {
   Settings settings = sliced_settings({}, Settings{}.slices);
@@ -77,7 +31,8 @@ TEST(MultipleScattering, MatchesGoldenRays) {
   for (const GoldenRay& ray : rays) {
     // A light inside the medium makes a field like 1 / r, which nodes do not resolve.
     const double bound = ray.name.starts_with("lamp_inside") ? 0.05 : 0.02;
-    EXPECT_NEAR(airlight(ray.scene), ray.radiance, bound * ray.radiance + 2.0 * ray.standard_error)
+    EXPECT_NEAR(airlight(ray.scattering_scene()), ray.radiance,
+                bound * ray.radiance + 2.0 * ray.standard_error)
         << ray.name;
   }
 }

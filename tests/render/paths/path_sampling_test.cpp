@@ -24,7 +24,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 PathRandom random_of(int i) {
   return {7, 0, static_cast<std::uint64_t>(i), 0};

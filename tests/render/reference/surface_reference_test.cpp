@@ -23,7 +23,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 // A point of a surface at the origin that looks along +z, seen from above.

@@ -26,7 +26,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 Surface ball(double radius) {

@@ -23,7 +23,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr auto none = Surface::Transfer::none;
 constexpr auto shadow = Surface::Transfer::shadow;
 constexpr auto interreflection = Surface::Transfer::interreflection;

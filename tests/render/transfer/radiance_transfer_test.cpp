@@ -25,7 +25,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const double everywhere = std::sqrt(4.0 * pi);  // the coefficient of the function that is 1
 
 RadianceTransfer transfer_of(const std::shared_ptr<const TriangleMesh>& mesh,

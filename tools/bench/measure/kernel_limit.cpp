@@ -58,6 +58,7 @@ void add_tile(View& view, const Scene& scene, const CameraRays& rays, int slices
   std::vector<SurfaceHit> hits(directions.size());
   view.prepared.ray_caster().first_hits(rays.eye(), directions, hits);
   std::vector<double> lengths;
+  lengths.reserve(hits.size());
   for (const SurfaceHit& hit : hits) lengths.push_back(hit.distance);
   std::vector<SlicedLight> lights;
   for (const PointLight& light : scene.lights) lights.push_back({light.position, light.intensity});

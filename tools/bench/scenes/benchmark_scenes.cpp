@@ -34,6 +34,7 @@ Scene two_gaussians() {
 Scene cloud(int count, double depth, std::uint64_t seed) {
   HashRandom random(seed);
   std::vector<Gaussian> gaussians;
+  gaussians.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     gaussians.push_back({random.in_ball(), 0.3, random.uniform(0.5, 1.5)});
   }

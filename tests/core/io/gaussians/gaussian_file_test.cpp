@@ -12,7 +12,7 @@
 namespace brume {
 namespace {
 
-constexpr const char* header =
+constexpr const char* ply_header =
     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
     "property float z\nproperty double radius\nproperty double density\nend_header\n";
 
@@ -52,7 +52,7 @@ TEST(GaussianFile, DetectsTheFormatByItsContent) {
 
 TEST(GaussianFile, AcceptsColumnNamesOfOtherPrograms) {
   const TemporaryFolder folder;
-  std::string text = header;
+  std::string text = ply_header;
   text.replace(text.find("radius"), 6, "pscale");
   text.replace(text.find("density"), 7, "scalar_density");
   const std::vector<Gaussian> expected{{{1, 2, 3}, 0.5, 0.01}, {{-1, 2, 0}, 4, 5}};
@@ -110,7 +110,7 @@ TEST(GaussianFile, SplatsBecomeBallsAsOpaque) {
 
 TEST(GaussianFile, ReadsAscii) {
   const TemporaryFolder folder;
-  const auto file = folder.write("a.ply", std::string(header) + "1 2 3 .5 1e-2\r\n-1 +2 0 4 5");
+  const auto file = folder.write("a.ply", std::string(ply_header) + "1 2 3 .5 1e-2\r\n-1 +2 0 4 5");
   const std::vector<Gaussian> expected{{{1, 2, 3}, 0.5, 0.01}, {{-1, 2, 0}, 4, 5}};
   EXPECT_EQ(read_gaussians(file), expected);
 }
@@ -150,7 +150,7 @@ struct BadFile {
 };
 
 TEST(GaussianFile, RefusesBadFilesAndNamesThePlace) {
-  const std::string h = header;
+  const std::string h = ply_header;
   const auto replaced = [&](const std::string& what, const std::string& by) {
     std::string text = h;
     return text.replace(text.find(what), what.size(), by) + "1 2 3 1 1\n1 2 3 1 1\n";

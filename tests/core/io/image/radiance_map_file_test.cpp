@@ -13,7 +13,7 @@
 namespace brume {
 namespace {
 
-std::string header(int width, int height, const std::string& more = "") {
+std::string hdr_header(int width, int height, const std::string& more = "") {
   return "#?RADIANCE\n# made by a test\nFORMAT=32-bit_rle_rgbe\n" + more + "\n-Y " +
          std::to_string(height) + " +X " + std::to_string(width) + "\n";
 }
@@ -29,7 +29,7 @@ TEST(HdrFile, ReadsFlatPixels) {
   // Exponent 136 is a unit of 1; 128 one of 1/256.
   const RadianceMap map = read_hdr(folder.write(
       "a.hdr",
-      header(2, 2) + bytes({10, 20, 30, 136, 255, 0, 128, 128, 9, 9, 9, 0, 1, 1, 2, 137})));
+      hdr_header(2, 2) + bytes({10, 20, 30, 136, 255, 0, 128, 128, 9, 9, 9, 0, 1, 1, 2, 137})));
   ASSERT_EQ(map.width, 2);
   ASSERT_EQ(map.height, 2);
   EXPECT_EQ(map.pixel(0, 0), glm::vec3(10.5f, 20.5f, 30.5f));
@@ -40,8 +40,9 @@ TEST(HdrFile, ReadsFlatPixels) {
 
 TEST(HdrFile, UndoesTheExposure) {
   const TemporaryFolder folder;
-  const RadianceMap map = read_hdr(folder.write(
-      "a.hdr", header(1, 1, "EXPOSURE= 4\nGAMMA=1\nEXPOSURE=0.5\n") + bytes({10, 20, 30, 136})));
+  const RadianceMap map =
+      read_hdr(folder.write("a.hdr", hdr_header(1, 1, "EXPOSURE= 4\nGAMMA=1\nEXPOSURE=0.5\n") +
+                                         bytes({10, 20, 30, 136})));
   EXPECT_EQ(map.pixel(0, 0), glm::vec3(5.25f, 10.25f, 15.25f));
 }
 
@@ -49,14 +50,15 @@ TEST(HdrFile, ReadsTheOldRuns) {
   const TemporaryFolder folder;
   // A count of 3 + 256 in two pixels.
   const RadianceMap map = read_hdr(folder.write(
-      "a.hdr", header(261, 1) + bytes({10, 20, 30, 136, 1, 1, 1, 3, 1, 1, 1, 1, 40, 20, 30, 136})));
+      "a.hdr",
+      hdr_header(261, 1) + bytes({10, 20, 30, 136, 1, 1, 1, 3, 1, 1, 1, 1, 40, 20, 30, 136})));
   EXPECT_EQ(map.pixel(259, 0).x, 10.5f);
   EXPECT_EQ(map.pixel(260, 0).x, 40.5f);
 }
 
 TEST(HdrFile, ReadsTheNewRuns) {
   const TemporaryFolder folder;
-  std::string data = header(8, 2);
+  std::string data = hdr_header(8, 2);
   for (int row = 0; row < 2; ++row) {
     data += bytes({2, 2, 0, 8});
     data += bytes({128 + 8, 10 + row});                        // red: one run
@@ -78,23 +80,23 @@ TEST(HdrFile, RefusesWhatItIsNot) {
       {"PNG", "line 1"},
       {"#?RADIANCE\n", "line 1"},
       {"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + pixel, "32-bit_rle_rgbe"},
-      {header(1, 1, "EXPOSURE=0\n") + pixel, "exposure"},
-      {header(1, 1, "EXPOSURE=nan\n") + pixel, "exposure"},
-      {header(1, 1, "EXPOSURE=1e300\nEXPOSURE=1e300\n") + pixel, "exposures"},
+      {hdr_header(1, 1, "EXPOSURE=0\n") + pixel, "exposure"},
+      {hdr_header(1, 1, "EXPOSURE=nan\n") + pixel, "exposure"},
+      {hdr_header(1, 1, "EXPOSURE=1e300\nEXPOSURE=1e300\n") + pixel, "exposures"},
       {bad_header + "+Y 1 +X 1\n" + pixel, "-Y HEIGHT +X WIDTH"},
       {bad_header + "-Y 0 +X 1\n", "line 3"},
       {bad_header + "-Y 1 +X 99999\n", "32768"},
       {bad_header + "-Y 32768 +X 32768\n" + pixel, "too short"},
       {bad_header, "before the size"},
-      {header(2, 1) + pixel, "row 0"},
-      {header(1, 2) + pixel, "row 1"},
-      {header(1, 1) + pixel + "x", "1 bytes after"},
-      {header(2, 1) + bytes({1, 1, 1, 1}) + pixel, "without a pixel"},
-      {header(2, 1) + pixel + bytes({1, 1, 1, 9}), "beyond"},
-      {header(8, 1) + bytes({2, 2, 0, 9}), "width of 9"},
-      {header(8, 1) + new_row + bytes({0}), "run of 0"},
-      {header(8, 1) + new_row + bytes({7, 1, 1, 1, 1, 1, 1, 1, 130, 1}), "column 7"},
-      {header(8, 1) + new_row + bytes({136}), "ends here"},
+      {hdr_header(2, 1) + pixel, "row 0"},
+      {hdr_header(1, 2) + pixel, "row 1"},
+      {hdr_header(1, 1) + pixel + "x", "1 bytes after"},
+      {hdr_header(2, 1) + bytes({1, 1, 1, 1}) + pixel, "without a pixel"},
+      {hdr_header(2, 1) + pixel + bytes({1, 1, 1, 9}), "beyond"},
+      {hdr_header(8, 1) + bytes({2, 2, 0, 9}), "width of 9"},
+      {hdr_header(8, 1) + new_row + bytes({0}), "run of 0"},
+      {hdr_header(8, 1) + new_row + bytes({7, 1, 1, 1, 1, 1, 1, 1, 130, 1}), "column 7"},
+      {hdr_header(8, 1) + new_row + bytes({136}), "ends here"},
   };
   for (const auto& [content, part] : cases) {
     const std::string error = error_of([&] { read_hdr(folder.write("bad.hdr", content)); });
@@ -106,7 +108,7 @@ TEST(HdrFile, RefusesWhatItIsNot) {
 TEST(HdrFile, NoDamageDoesAnythingButAnError) {
   const TemporaryFolder folder;
   std::string complete =
-      header(8, 1) + bytes({2, 2, 0, 8, 136, 1, 136, 2, 3, 1, 2, 3, 133, 4, 136, 9});
+      hdr_header(8, 1) + bytes({2, 2, 0, 8, 136, 1, 136, 2, 3, 1, 2, 3, 133, 4, 136, 9});
   EXPECT_NO_THROW(read_hdr(folder.write("whole.hdr", complete)));
   for (std::size_t size = 0; size < complete.size(); ++size) {
     EXPECT_THROW(read_hdr(folder.write("cut.hdr", complete.substr(0, size))), InputError) << size;
@@ -136,7 +138,7 @@ TEST(RadianceMapFile, ReadsEitherFormat) {
   ASSERT_EQ(map->width, 2);
   EXPECT_EQ(map->pixel(0, 0), glm::vec3(1, 3, 5));
   EXPECT_EQ(map->pixel(1, 0), glm::vec3(2, 4, 0)) << "below 0 is 0";
-  folder.write("a.hdr", header(1, 1) + bytes({10, 20, 30, 136}));
+  folder.write("a.hdr", hdr_header(1, 1) + bytes({10, 20, 30, 136}));
   EXPECT_EQ(read_radiance_map(folder / "a.hdr")->pixel(0, 0), glm::vec3(10.5f, 20.5f, 30.5f));
 }
 

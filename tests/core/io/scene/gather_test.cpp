@@ -7,24 +7,24 @@
 #include "core/io/scene/scene_file.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/triangle_obj.h"
 
 namespace brume {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const std::vector<Gaussian> two{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
+const std::vector<Gaussian> two_gaussians{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
 
 class Gather : public ::testing::Test {
  protected:
   Gather() {
     for (const char* name : {"a", "b", "smoke"}) fs::create_directory(folder_ / name);
-    folder_.write("a/mesh.obj", triangle);
-    folder_.write("b/Mesh.OBJ", triangle);
-    write_gaussians(folder_ / "column.ply", two);
+    folder_.write("a/mesh.obj", triangle_obj);
+    folder_.write("b/Mesh.OBJ", triangle_obj);
+    write_gaussians(folder_ / "column.ply", two_gaussians);
     for (const char* name : {"smoke/s_1.csv", "smoke/s_2.csv", "smoke/s_3.csv"}) {
-      write_gaussians(folder_ / name, two);
+      write_gaussians(folder_ / name, two_gaussians);
     }
     ImageLayers sky;
     sky.width = sky.height = 1;

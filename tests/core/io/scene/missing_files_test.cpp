@@ -6,6 +6,7 @@
 #include "core/scene/mesh.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/triangle_obj.h"
 
 namespace brume {
 namespace {
@@ -23,8 +24,6 @@ constexpr const char* scene_text = R"({
       "material": { "type": "measured", "file": "gold.binary" } },
     { "mesh": "meshes/a.obj", "scale": 2 } ]
 })";
-
-constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 bool is_visible(const TriangleMesh& mesh) {
   return mesh.point(OpenMesh::VertexHandle(0)) != mesh.point(OpenMesh::VertexHandle(1));
@@ -69,7 +68,7 @@ TEST_F(MissingFilesTest, PreserveTheirReferences) {
 }
 
 TEST_F(MissingFilesTest, AreReadFromTheirNewPlace) {
-  const fs::path mesh = folder_.write("elsewhere/b.obj", triangle);
+  const fs::path mesh = folder_.write("elsewhere/b.obj", triangle_obj);
   folder_.write("elsewhere/steam_03.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
   folder_.write("elsewhere/steam_04.csv", "x,y,z,radius,density\n1,2,3,0.5,1\n");
   missing_.found[folder_ / "meshes/a.obj"] = mesh;

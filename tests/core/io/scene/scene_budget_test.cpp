@@ -13,7 +13,7 @@
 namespace brume {
 namespace {
 
-std::string scene_text(const std::string& members) {
+std::string scene_of(const std::string& members) {
   return R"({ "format": "brume-scene", "version": 1, )" + members + " }";
 }
 
@@ -36,7 +36,7 @@ long max_memory() {
 TEST(SceneBudget, EmittersShareTheGaussiansOfTheScene) {
   const TemporaryFolder folder;
   const auto load = [&](const std::string& medium) {
-    return load_scene(folder.write("a.brume", scene_text(R"("medium": { )" + medium + " }")));
+    return load_scene(folder.write("a.brume", scene_of(R"("medium": { )" + medium + " }")));
   };
   EXPECT_EQ(gaussian_count(load(emitters(100))), limits::gaussians);
   const std::string error = error_of([&] { load(emitters(300)); });
@@ -70,9 +70,9 @@ TEST(SceneBudget, SequencesShareTheGaussiansOfTheScene) {
   const auto load = [&](const std::string& name, double left) {
     std::string last = R"(, { "position": [0, 0, 0], "lifetime": 1, "rate": )";
     last += std::to_string(100'000 - left - 1) + " }";
-    return load_scene(folder.write("a.brume", scene_text(R"("medium": { )" + emitters(99, last) +
-                                                         R"(, "sequences": [ { "file": ")" + name +
-                                                         R"(", "first": 0, "last": 1 } ] })")));
+    return load_scene(folder.write("a.brume", scene_of(R"("medium": { )" + emitters(99, last) +
+                                                       R"(, "sequences": [ { "file": ")" + name +
+                                                       R"(", "first": 0, "last": 1 } ] })")));
   };
   EXPECT_EQ(gaussian_count(load("f_%d.ply", 4)), limits::gaussians);
   const std::string error = error_of([&] { load("f_%d.ply", 3); });
@@ -104,7 +104,7 @@ TEST(SceneBudget, SurfacesShareTheMemoryOfTheScene) {
   std::string surfaces = R"("surfaces": [ { "mesh": "grid.obj" })";
   for (std::size_t i = 1; i < limits::surfaces; ++i) surfaces += R"(, { "mesh": "grid.obj" })";
   const std::string error =
-      error_of([&] { load_scene(folder.write("a.brume", scene_text(surfaces + " ]"))); });
+      error_of([&] { load_scene(folder.write("a.brume", scene_of(surfaces + " ]"))); });
   EXPECT_TRUE(contains(error, "a.brume: surfaces[")) << error;
   EXPECT_TRUE(contains(error, "bytes of memory so far; allowed: at most 8589934592")) << error;
 }
@@ -114,7 +114,7 @@ TEST(SceneBudget, BoundsTheMemoryOfUnknownKeys) {
   const TemporaryFolder folder;
   std::string values = "{}";
   for (int i = 1; i < 8'000'000; ++i) values += ",{}";
-  const std::string text = scene_text(R"("mystery": [)" + values + "]");
+  const std::string text = scene_of(R"("mystery": [)" + values + "]");
   const long before = max_memory();
   const std::string error = error_of([&] { parse_json("a.brume", text); });
   EXPECT_TRUE(contains(error, "a.brume: mystery: the values up to here take more than")) << error;
@@ -128,7 +128,7 @@ TEST(SceneBudget, ReadsManyGaussiansWithoutDecimals) {
   for (int i = 1; i < 300'000; ++i) values += one;
   const TemporaryFolder folder;
   const Scene scene =
-      load_scene(folder.write("a.brume", scene_text(R"("medium":{"gaussians":[)" + values + "]}")));
+      load_scene(folder.write("a.brume", scene_of(R"("medium":{"gaussians":[)" + values + "]}")));
   EXPECT_EQ(scene.medium.size(), 300'000u);
 }
 

@@ -14,13 +14,12 @@
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/scene/random_scene.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/io/triangle_obj.h"
 
 namespace brume {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 // The contract's own example, with the files it names beside it.
 constexpr const char* example = R"({
@@ -43,7 +42,7 @@ constexpr const char* example = R"({
 const std::vector<Gaussian> column{{{0, 1, 0}, 0.5, 0.1}, {{0, 2, 0}, 0.7, 0.2}};
 
 void write_example_files(const TemporaryFolder& folder) {
-  folder.write("bunny.obj", triangle);
+  folder.write("bunny.obj", triangle_obj);
   write_gaussians(folder / "column.ply", column);
   ImageLayers sky;
   sky.width = sky.height = 1;
@@ -105,7 +104,7 @@ TEST(SceneFile, LoadsTheExampleOfTheContract) {
 
 TEST(SceneFile, HasTheDocumentedDefaults) {
   const TemporaryFolder folder;
-  folder.write("m.obj", triangle);
+  folder.write("m.obj", triangle_obj);
   const Scene scene = load_scene(folder.write(
       "a.brume", R"({"format": "brume-scene", "version": 1, "medium": {}, "film": {}, "camera": {},
       "lights": [{"type": "point", "position": [1, 2, 3]}], "surfaces": [{"mesh": "m.obj"}]})"));
@@ -190,7 +189,7 @@ TEST(SceneFile, DropsTheMediumFileWhenOneOfItsGaussiansIsRemoved) {
 
 TEST(SceneFile, ReadsAMeshOnce) {
   const TemporaryFolder folder;
-  folder.write("m.obj", triangle);
+  folder.write("m.obj", triangle_obj);
   const Scene scene = load_scene(folder.write("a.brume", R"({"format": "brume-scene", "version": 1,
     "surfaces": [{"mesh": "m.obj"}, {"mesh": "./m.obj", "scale": 2}]})"));
   EXPECT_EQ(scene.surfaces[0].mesh, scene.surfaces[1].mesh);
@@ -198,7 +197,7 @@ TEST(SceneFile, ReadsAMeshOnce) {
 
 TEST(SceneFile, FindsFilesRelativeToTheSceneThroughLinkedFolders) {
   const TemporaryFolder folder;
-  folder.write("real/meshes/m.obj", triangle);
+  folder.write("real/meshes/m.obj", triangle_obj);
   folder.write("real/scenes/a.brume", R"({"format": "brume-scene", "version": 1,
     "surfaces": [{"mesh": "../meshes/m.obj"}]})");
   fs::create_directory_symlink(folder / "real/scenes", folder / "linked");
@@ -217,7 +216,7 @@ TEST(SceneFile, AcceptsAByteOrderMarkAndWholeNumbersWithAPoint) {
 
 TEST(SceneFile, NormalisesARotationOnceOnly) {
   const TemporaryFolder folder;
-  folder.write("m.obj", triangle);
+  folder.write("m.obj", triangle_obj);
   const Scene scene = load_scene(folder.write("a.brume", R"({"format": "brume-scene", "version": 1,
     "surfaces": [{"mesh": "m.obj", "rotate": [0.5003, 0.5, 0.5, 0.5]}]})"));
   EXPECT_NEAR(glm::length(scene.surfaces[0].rotate), 1.0, 1e-15);
