@@ -8,7 +8,7 @@ namespace brume {
 
 FrameSource::FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camera> camera,
                          const Settings& settings, Backend backend)
-    : scene_(std::move(scene)), camera_(std::move(camera)), settings_(settings) {
+    : scene_(std::move(scene)), camera_(camera), settings_(settings) {
   std::string problem;  // each frame says what rendered it
   renderer_ = make_renderer(backend, transfers_, problem);
 }

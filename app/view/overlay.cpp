@@ -43,11 +43,11 @@ void Overlay::add_ball_outline(const CameraRays& rays, const glm::dvec3& center,
   const double sine = radius / distance;
   const glm::dvec3 middle = center - axis * (radius * sine);
   const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  const auto [u, v] = make_basis(axis);
+  const Basis plane = make_basis(axis);
   constexpr int segments = 64;
   const auto at = [&](int k) {
     const double angle = glm::two_pi<double>() * k / segments;
-    return middle + circle * (std::cos(angle) * u + std::sin(angle) * v);
+    return middle + circle * (std::cos(angle) * plane.u + std::sin(angle) * plane.v);
   };
   for (int k = 0; k < segments; ++k) add_line(rays, at(k), at(k + 1), color);
 }

@@ -47,8 +47,7 @@ std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const C
     return std::tie(a.y, a.x) < std::tie(b.y, b.x);
   };
   std::ranges::sort(pixels, in_order);
-  const auto repeated = std::ranges::unique(pixels);
-  pixels.erase(repeated.begin(), repeated.end());
+  pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
   return pixels;
 }
 
