@@ -69,7 +69,7 @@ render/lighting/*.[hc]*:$values render/util/ render/geometry/ render/simd/ rende
 render/shading/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
 render/prepare/*.[hc]*:$values render/render_plan.h render/util/ render/transfer/ $surfaces
 render/reference/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
-render/paths/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ render/reference/
+render/paths/*.[hc]*:$values render/util/ render/geometry/ render/simd/ render/visibility/ render/reference/ render/prepare/light_limits.h
 render/cpu/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/ render/paths/
 render/gl/*.[hc]*:$values render/render_plan.h render/util/ $surfaces render/prepare/
 render/output/*.[hc]*:$values

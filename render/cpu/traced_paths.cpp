@@ -3,19 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/prepare/light_limits.h"
-
 namespace brume {
 namespace {
-
-std::vector<PathLight> lights_of(const FrameContext& work) {
-  std::vector<PathLight> lights;
-  for (const PointLight& light : work.plan.lights) {
-    lights.push_back({light.position, light.intensity,
-                      min_light_distance(work.rays, work.camera, light.position)});
-  }
-  return lights;
-}
 
 // 1 for the channels of the frame's albedo group.
 glm::dvec3 channels_of(const FrameContext& work) {
@@ -47,16 +36,10 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   prepare(stages, work);
 
   const RayCaster& ray_caster = stages.prepared().ray_caster();
-  std::vector<PathLight> lights = lights_of(work);
-  PathScene scene{.medium = *medium_,
-                  .albedo = work.albedo,
-                  .fog = PathFog::around(medium_->index(), ray_caster, lights, work.rays.eye(),
-                                         work.fog_extent.surface_distance()),
-                  .ray_caster = ray_caster,
-                  .surfaces = work.scene.surfaces};
-  if (environment_ && !environment_->empty()) scene.environment = &*environment_;
-  for (const Surface& surface : work.scene.surfaces) scene.materials.emplace_back(surface.material);
-  scene.set_lights(std::move(lights));
+  const PathScene scene = PathScene::of_view(*medium_, work.albedo, ray_caster, work.scene.surfaces,
+                                             environment_ ? &*environment_ : nullptr,
+                                             path_lights(work.plan.lights, work.rays, work.camera),
+                                             work.rays.eye(), work.fog_extent.surface_distance());
 
   PathKey key;
   key.medium = medium_revision_;

@@ -7,7 +7,20 @@
 #include <limits>
 #include <utility>
 
+#include "render/prepare/light_limits.h"
+
 namespace brume {
+
+std::vector<PathLight> path_lights(std::span<const PointLight> lights, const CameraRays& rays,
+                                   const Camera& camera) {
+  std::vector<PathLight> result;
+  result.reserve(lights.size());
+  for (const PointLight& light : lights) {
+    result.push_back(
+        {light.position, light.intensity, min_light_distance(rays, camera, light.position)});
+  }
+  return result;
+}
 
 PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
                         std::span<const PathLight> lights, const glm::dvec3& eye, double distance) {
@@ -78,6 +91,21 @@ void PathScene::set_lights(std::vector<PathLight> all) {
     const double bulk = density < max_density ? extent * density / max_density : 1.0 / density;
     light.near_radius = std::min(1.0 / density, bulk);
   }
+}
+
+PathScene PathScene::of_view(const PathMedium& medium, double albedo, const RayCaster& ray_caster,
+                             std::span<const Surface> surfaces,
+                             const EnvironmentSampler* environment, std::vector<PathLight> lights,
+                             const glm::dvec3& eye, double fog_distance) {
+  PathScene scene{.medium = medium,
+                  .albedo = albedo,
+                  .fog = PathFog::around(medium.index(), ray_caster, lights, eye, fog_distance),
+                  .ray_caster = ray_caster,
+                  .surfaces = surfaces};
+  if (environment && !environment->empty()) scene.environment = environment;
+  for (const Surface& surface : surfaces) scene.materials.emplace_back(surface.material);
+  scene.set_lights(std::move(lights));
+  return scene;
 }
 
 }  // namespace brume

@@ -21,6 +21,10 @@ struct PathLight {
   double near_radius = 0.0;
 };
 
+// The lights of a view.
+std::vector<PathLight> path_lights(std::span<const PointLight> lights, const CameraRays& rays,
+                                   const Camera& camera);
+
 // Where homogeneous fog is. As everywhere, rays towards an environment cross `distance` of it;
 // paths that stray out of a ball around the scene find none outside.
 struct PathFog {
@@ -63,6 +67,13 @@ struct PathScene {
 
   // Sets the lights and their near_radius.
   void set_lights(std::vector<PathLight> all);
+
+  // The scene of a view. `environment` may be null; `fog_distance` as of
+  // FogExtent::surface_distance().
+  static PathScene of_view(const PathMedium& medium, double albedo, const RayCaster& ray_caster,
+                           std::span<const Surface> surfaces, const EnvironmentSampler* environment,
+                           std::vector<PathLight> lights, const glm::dvec3& eye,
+                           double fog_distance);
 
   [[nodiscard]] double anisotropy() const { return medium.index().anisotropy(); }
 };

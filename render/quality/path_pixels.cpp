@@ -6,7 +6,6 @@
 #include "render/paths/path_tracer.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/fog_extent.h"
-#include "render/prepare/light_limits.h"
 #include "render/render_plan.h"
 
 namespace brume {
@@ -32,11 +31,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_.eye());
   if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
-  std::vector<PathLight> lights;
-  for (const PointLight& light : plan.lights) {
-    lights.push_back(
-        {light.position, light.intensity, min_light_distance(rays_, camera, light.position)});
-  }
+  const std::vector<PathLight> lights = path_lights(plan.lights, rays_, camera);
   for (const AlbedoGroup& each : albedo_groups(scene.optics.albedo)) {
     Group& group = groups_.emplace_back();
     group.albedo = each.albedo;
@@ -47,17 +42,8 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
     group.index->set_noise(RayNoise(scene.optics.noise, scene.time));
     group.medium = std::make_unique<PathMedium>(*group.index);
     group.scene = std::make_unique<PathScene>(
-        PathScene{.medium = *group.medium,
-                  .albedo = each.albedo,
-                  .fog = PathFog::around(*group.index, ray_caster_, lights, rays_.eye(),
-                                         fog_extent.surface_distance()),
-                  .ray_caster = ray_caster_,
-                  .surfaces = surfaces_});
-    if (environment_ && !environment_->empty()) group.scene->environment = environment_.get();
-    for (const Surface& surface : surfaces_) {
-      group.scene->materials.emplace_back(surface.material);
-    }
-    group.scene->set_lights(lights);
+        PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, environment_.get(),
+                           lights, rays_.eye(), fog_extent.surface_distance()));
   }
 }
 

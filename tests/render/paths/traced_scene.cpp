@@ -44,15 +44,9 @@ PathScene TracedScene::scene_from(const glm::dvec3& eye) const {
   for (const PointLight& light : scene_.lights) {
     lights.push_back({light.position, light.intensity, 0.0});
   }
-  PathScene scene{.medium = medium_,
-                  .albedo = albedo_,
-                  .fog = PathFog::around(index_, ray_caster_, lights, eye, fog_distance_),
-                  .ray_caster = ray_caster_,
-                  .surfaces = scene_.surfaces};
-  if (environment_ && !environment_->empty()) scene.environment = &*environment_;
-  for (const Surface& surface : scene_.surfaces) scene.materials.emplace_back(surface.material);
-  scene.set_lights(std::move(lights));
-  return scene;
+  return PathScene::of_view(medium_, albedo_, ray_caster_, scene_.surfaces,
+                            environment_ ? &*environment_ : nullptr, std::move(lights), eye,
+                            fog_distance_);
 }
 
 // `sample(block, k, sample index)`; sums over blocks are independent of each other.
