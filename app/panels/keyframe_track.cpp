@@ -51,7 +51,7 @@ void KeyframeTrack::refresh() {
   if (chosen_ && chosen_->row >= rows_.size()) chosen_.reset();
   setVisible(!rows_.empty());
   updateGeometry();
-  setFixedHeight(sizeHint().height());
+  setFixedHeight(KeyframeTrack::sizeHint().height());
   update();
 }
 

@@ -80,6 +80,7 @@ void EraserTool::extend_stroke(std::span<const QPointF> curve) {
 void EraserTool::touch(const std::vector<QPointF>& places) {
   const CameraRays rays = view().rays();
   std::vector<EraserCone> cones;
+  cones.reserve(places.size());
   for (const QPointF place : places) {
     cones.push_back({rays.eye(), rays.direction(place.x(), place.y()), cone_slope(rays)});
   }
