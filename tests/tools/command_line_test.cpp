@@ -259,7 +259,8 @@ TEST_F(CommandLine, RendersWithOpenGl) {
   EXPECT_EQ(other["backend"], "cpu");
   EXPECT_EQ(other["on_cpu"][0]["stage"], "frame");
   // Unasked, only a GPU is used.
-  const auto [nothing, automatic] = run({"--airlight", "sliced", "--backend", "auto"});
+  const auto [nothing, automatic] =
+      run({"--airlight", "sliced", "--scattering", "single", "--backend", "auto"});
   EXPECT_EQ(nothing, "");
   EXPECT_EQ(automatic["device"].get<std::string>().find("llvmpipe"), std::string::npos);
 }

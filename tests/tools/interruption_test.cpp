@@ -117,9 +117,10 @@ std::size_t working_threads(pid_t program) {
 
 // The measurement of the error too, which is most of the work here.
 TEST_F(Interruption, ThreadsBindAllWork) {
-  write_cloud(3'000);  // a second or two: this one is waited for
+  write_cloud(100);  // some seconds: this one is waited for
   RunningProgram program({"render", slow_, "-o", file("o.png"), "--backend", "cpu", "--threads",
-                          "1", "--size", "64x48"});
+                          "1", "--size", "32x24", "--airlight", "sliced", "--stats",
+                          file("s.json")});
   std::size_t max_threads = 0;
   for (int i = 0; i < 200 && program.read(); ++i) {
     max_threads = std::max(max_threads, working_threads(program.pid()));
