@@ -230,6 +230,29 @@ TEST(ErrorEstimate, GrowingKeepsPixelsAndNarrowsTheInterval) {
   EXPECT_EQ(sample->measure(frame).pixels, 1600u);
 }
 
+// Light of all orders is measured against paths, of which there may be more; that of one is exact.
+TEST(ErrorEstimate, PathsNarrowTheInterval) {
+  Scene scene = cloud_scene(30, 3.0);
+  scene.film = {24, 24};
+  Settings settings = method(AirlightMethod::sliced);
+  const Frame once = render_frame(scene, settings);
+  auto exact = ErrorSample::create(scene, scene.camera, once, 40, 1, 1e-3);
+  EXPECT_EQ(exact->measure(once).noise, 0.0);
+  EXPECT_FALSE(exact->refine({}));
+
+  settings.scattering = Scattering::multiple;
+  const Frame frame = render_frame(scene, settings);
+  auto sample = ErrorSample::create(scene, scene.camera, frame, 40, 1, 1e-3);
+  const ErrorEstimate few = sample->measure(frame);
+  EXPECT_GT(few.noise, 0.0);
+  int doublings = 0;
+  while (sample->refine({})) ++doublings;
+  EXPECT_EQ(doublings, 4);  // from 64 paths to 1024
+  const ErrorEstimate many = sample->measure(frame);
+  EXPECT_EQ(many.pixels, few.pixels);
+  EXPECT_LT(many.high - many.low, 0.7 * (few.high - few.low));
+}
+
 // A pixel whose error dominates the sum says little about unsampled ones: the interval is wide.
 TEST(ErrorEstimate, ADominantPixelWidensTheInterval) {
   WrongFrame even(cloud_scene(30, 1.0));
