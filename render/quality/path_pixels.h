@@ -36,8 +36,8 @@ class PathPixels {
   enum class Orders { all, after_first };
   PathPixels(const Scene& scene, const Camera& camera, const Film& film, Orders orders);
 
-  // Adds paths to a pixel, a row-major index, until they are `count`, or `stop` is requested. The
-  // same whatever other pixels are asked for, and in how many pieces.
+  // Adds paths to a pixel, a row-major index, until they are `count`. The same whatever other
+  // pixels are asked for, and in how many pieces. Once `stop` is requested, `paths` is invalid.
   void trace(std::size_t pixel, int count, PixelPaths& paths, const std::stop_token& stop) const;
 
   // By all paths of a pixel.

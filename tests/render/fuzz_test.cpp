@@ -1,7 +1,7 @@
-// Random scenes: whatever the scene and the method, every value of every layer keeps
-// the frame's promise. A failure names its seed; BRUME_FUZZ_SEED=n runs that scene alone. The
-// renderer shows a sum that is not a number as black and asserts that there is none: only with
-// assertions (presets debug and sanitize) does this test see those.
+// Random scenes: whatever the scene and the method, every value of every layer keeps the frame's
+// promise. A failure names its seed; BRUME_FUZZ_SEED=n runs that scene alone. The renderer shows a
+// sum that is not a number as black and asserts that there is none: only with assertions (presets
+// debug and sanitize) does this test see those.
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
