@@ -49,15 +49,18 @@ bool is_on_device(Stage stage) {
   return stages.has(stage);
 }
 
-// One scene with one film and scale: the first frame makes everything, the others move the camera.
+// One scene with one film, scale and scattering: the first frame makes everything, the others move
+// the camera.
 Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int scale,
-             const Options& options, double max_pairs) {
+             Scattering scattering, const Options& options, double max_pairs) {
   Settings settings;
   settings.airlight_scale = scale;
+  settings.scattering = scattering;
   settings = sliced_settings(settings, options.slices);
   Json row;
   row["film"] = {film.width, film.height};
   row["scale"] = scale;
+  row["scattering"] = to_string(scattering);
   const Frame first = *renderer.render(scene, scene.camera, film, settings);
   row["backend"] = first.statistics.backend;
   if (first.statistics.backend != "gl") {
@@ -71,13 +74,19 @@ Json measure(GlRenderer& renderer, const Scene& scene, const Film& film, int sca
   std::vector<double> shown_times;
   std::vector<double> device_times;
   double pairs = 0.0;
-  for (int i = 1; i <= options.frames; ++i) {
+  const auto moved = [&](int i) {
     Camera camera = scene.camera;
     camera.eye += i * 1e-4 * (camera.target - camera.eye);
-    const FrameStatistics statistics = renderer.render(scene, camera, film, settings)->statistics;
-    frame_times.push_back(statistics.frame_milliseconds);
+    return camera;
+  };
+  // One after the other: between frames that are read back, the device idles and slows its clock.
+  for (int i = 1; i <= options.frames; ++i) {
     shown_times.push_back(
-        renderer.show(scene, camera, film, settings, {})->frame.statistics.frame_milliseconds);
+        renderer.show(scene, moved(i), film, settings, {})->frame.statistics.frame_milliseconds);
+  }
+  for (int i = 1; i <= options.frames; ++i) {
+    const FrameStatistics statistics = renderer.render(scene, moved(i), film, settings)->statistics;
+    frame_times.push_back(statistics.frame_milliseconds);
     double device = 0.0;
     for (const StageTime& stage : statistics.stages) {
       const auto it = std::ranges::find(ran, stage.stage);
@@ -136,25 +145,31 @@ int run(const Options& options) {
               renderer->device_name().c_str(), peak.multiply_adds, peak.exponentials, peak.pairs);
 
   Json rows = Json::array();
+  const auto measure_row = [&](const std::string& name, const Scene& scene, double paper_fps,
+                               const Film& film, int scale, Scattering scattering) {
+    Json row;
+    row["scene"] = name;
+    row["gaussians"] = scene.medium.size();
+    if (paper_fps > 0.0) row["paper_fps"] = paper_fps;
+    row.update(measure(*renderer, scene, film, scale, scattering, options, peak.pairs));
+    std::printf("%-12s %4d x %-4d scale %d, %-8s: ", name.c_str(), film.width, film.height, scale,
+                to_string(scattering));
+    if (row.contains("fps")) {
+      std::printf("%8.1f fps on the device, %8.1f shown, %8.1f fetched; first %.0f ms\n",
+                  row["device_fps"].get<double>(), row["shown_fps"].get<double>(),
+                  row["fps"].get<double>(), row["first_frame_ms"].get<double>());
+    } else {
+      std::printf("on the CPU: %s\n", row["why"].get<std::string>().c_str());
+    }
+    std::fflush(stdout);
+    rows.push_back(std::move(row));
+  };
   const auto measure_all = [&](const std::string& name, const Scene& scene, double paper_fps) {
     for (const Film& film : options.films) {
       for (const int scale : options.scales) {
-        Json row;
-        row["scene"] = name;
-        row["gaussians"] = scene.medium.size();
-        if (paper_fps > 0.0) row["paper_fps"] = paper_fps;
-        row.update(measure(*renderer, scene, film, scale, options, peak.pairs));
-        std::printf("%-12s %4d x %-4d scale %d: ", name.c_str(), film.width, film.height, scale);
-        if (row.contains("fps")) {
-          std::printf("%8.1f fps on the device, %8.1f shown, %8.1f fetched\n",
-                      row["device_fps"].get<double>(), row["shown_fps"].get<double>(),
-                      row["fps"].get<double>());
-        } else {
-          std::printf("on the CPU: %s\n", row["why"].get<std::string>().c_str());
-        }
-        std::fflush(stdout);
-        rows.push_back(std::move(row));
+        measure_row(name, scene, paper_fps, film, scale, Scattering::single);
       }
+      measure_row(name, scene, paper_fps, film, options.scales.back(), Scattering::multiple);
     }
   };
   // The paper's five rows; the others are the same without point lights.
