@@ -1,8 +1,9 @@
+#include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "tools/make_scenes/generated_files.h"
+#include "tools/make_scenes/patch_mesh.h"
 #include "tools/make_scenes/random.h"
 #include "tools/make_scenes/sample_scene.h"
 #include "tools/make_scenes/scenes.h"
@@ -15,42 +16,7 @@ constexpr double wall_height = 2.3;  // u
 constexpr double arch_height = 1.6;  // of the columns [u]
 constexpr double arcade = 1.9;       // distance of the columns from the center [u]
 
-struct Mesh {
-  std::vector<glm::dvec3> vertices;
-  std::vector<std::array<std::uint16_t, 3>> triangles;
-};
-
-// A grid of columns x rows quads at place(u, v), u and v from 0 to 1, sharing no vertices with
-// others.
-void add_patch(int columns, int rows, const std::function<glm::dvec3(double, double)>& place,
-               Mesh& mesh) {
-  const auto first = static_cast<int>(mesh.vertices.size());
-  for (int j = 0; j <= rows; ++j) {
-    for (int i = 0; i <= columns; ++i) {
-      const glm::dvec3 p = place(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
-      mesh.vertices.emplace_back(rounded(p.x), rounded(p.y), rounded(p.z));
-    }
-  }
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < columns; ++i) {
-      const auto corner = static_cast<std::uint16_t>(first + j * (columns + 1) + i);
-      const auto right = static_cast<std::uint16_t>(corner + 1);
-      const auto above = static_cast<std::uint16_t>(corner + columns + 1);
-      const auto across = static_cast<std::uint16_t>(above + 1);
-      mesh.triangles.push_back({corner, right, across});
-      mesh.triangles.push_back({corner, across, above});
-    }
-  }
-}
-
-// A rectangle from `corner` along two edges.
-void add_rectangle(int columns, int rows, const glm::dvec3& corner, const glm::dvec3& u,
-                   const glm::dvec3& v, Mesh& mesh) {
-  add_patch(
-      columns, rows, [&](double s, double t) { return corner + s * u + t * v; }, mesh);
-}
-
-void add_column(const glm::dvec3& foot, Mesh& mesh) {
+void add_column(const glm::dvec3& foot, PatchMesh& mesh) {
   add_patch(
       16, 12,
       [&](double u, double v) {
@@ -63,7 +29,7 @@ void add_column(const glm::dvec3& foot, Mesh& mesh) {
 }
 
 // A box that stands at y = low, without its bottom.
-void add_step(double side, double low, double high, Mesh& mesh) {
+void add_step(double side, double low, double high, PatchMesh& mesh) {
   const glm::dvec3 up(0.0, high - low, 0.0);
   const std::array corners{glm::dvec3(-side, low, side), glm::dvec3(side, low, side),
                            glm::dvec3(side, low, -side), glm::dvec3(-side, low, -side)};
@@ -74,8 +40,8 @@ void add_step(double side, double low, double high, Mesh& mesh) {
 }
 
 // A court, open above and towards +z, with an arcade along its three walls and steps in the middle.
-Mesh court() {
-  Mesh mesh;
+PatchMesh court() {
+  PatchMesh mesh;
   add_rectangle(64, 64, {-half, 0.0, half}, {2.0 * half, 0.0, 0.0}, {0.0, 0.0, -2.0 * half}, mesh);
   // The walls, and over the arcade's columns a roof: from below, its edge, from above. Left, back
   // and right; each is seen from the middle as going from left to right.
@@ -115,7 +81,7 @@ Mesh court() {
 }  // namespace
 
 void write_courtyard_scene(const std::filesystem::path& folder) {
-  const Mesh mesh = court();
+  const PatchMesh mesh = court();
   write_mesh_ply(folder / "courtyard.ply", mesh.vertices, mesh.triangles);
   SampleScene scene;
   scene.camera = {{1.1, 3.1, 7.0}, {0.0, 0.75, 0.0}, {0.0, 1.0, 0.0}, 42.0};

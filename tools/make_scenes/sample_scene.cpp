@@ -77,6 +77,9 @@ std::string medium_text(const SampleScene& scene) {
   if (!scene.gaussians.empty()) {
     text += concat(R"(, "gaussians": )", lines<Gaussian>(scene.gaussians, gaussian_text));
   }
+  if (scene.albedo != 1.0) {
+    text += concat(R"(, "albedo": )", triple(glm::dvec3(scene.albedo)));
+  }
   return text + " }";
 }
 

@@ -29,6 +29,7 @@ struct SampleSurface {
 struct SampleScene {
   Camera camera;
   double homogeneous_density = 0.0;
+  double albedo = 1.0;
   std::vector<Gaussian> gaussians;
   std::string medium_file;  // relative to the scene file; "" for none
   std::vector<SampleLight> lights;

@@ -19,4 +19,7 @@ void write_terrain_scene(const std::filesystem::path& folder);
 // courtyard.
 void write_courtyard_scene(const std::filesystem::path& folder);
 
+// room and tunnel.
+void write_interior_scenes(const std::filesystem::path& folder);
+
 }  // namespace brume
