@@ -51,10 +51,24 @@ NodeLinks links_of(const RayCaster& ray_caster, std::span<const Surface> surface
     const SurfacePoint point = ray_caster.point(hit, node, w, surfaces);
     links.blocked |= 1u << link;
     links.fractions.push_back(static_cast<float>(std::min(hit.distance / distance, 1.0)));
-    links.surfels.push_back(
-        {glm::vec3(point.normal), reflectances[static_cast<std::size_t>(hit.surface)]});
+    links.surfels.push_back({glm::vec3(point.position - node), glm::vec3(point.normal),
+                             reflectances[static_cast<std::size_t>(hit.surface)]});
   }
   return links;
+}
+
+// Whether surfaces block links of a neighbour.
+bool is_beside_blocked(const GridNodes& nodes, std::span<const NodeLinks> links, std::size_t node) {
+  const glm::ivec3 at = node_coordinates(nodes, node);
+  for (int neighbour = 0; neighbour < 27; ++neighbour) {
+    const glm::ivec3 p = at + neighbour_offset(neighbour);
+    if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
+        glm::any(glm::greaterThanEqual(p, nodes.count))) {
+      continue;
+    }
+    if (links[node_index(nodes, p)].blocked != 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -85,7 +99,7 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
   });
   index_.assign(nodes.size(), -1);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    if (links[i].blocked == 0) continue;
+    if (links[i].blocked == 0 && !is_beside_blocked(nodes, links, i)) continue;
     index_[i] = static_cast<std::int32_t>(nodes_.size());
     nodes_.push_back({links[i].blocked, static_cast<std::uint32_t>(fractions_.size())});
     grid_nodes_.push_back(static_cast<std::uint32_t>(i));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -22,6 +23,7 @@ class GridOcclusion {
  public:
   // What a node sees in place of a neighbour.
   struct Surfel {
+    glm::vec3 offset{0.0f};       // from the node [u]
     glm::vec3 normal{0.0f};       // unit, on the side of the node
     glm::vec3 reflectance{0.0f};  // diffuse
   };
@@ -42,6 +44,11 @@ class GridOcclusion {
   [[nodiscard]] std::span<const OccludedNode> nodes() const { return nodes_; }
   // Grid nodes of nodes().
   [[nodiscard]] std::span<const std::uint32_t> grid_nodes() const { return grid_nodes_; }
+  // The surfels of nodes()[i].
+  [[nodiscard]] std::span<const Surfel> surfels_of(std::size_t i) const {
+    return std::span(surfels_).subspan(nodes_[i].first,
+                                       static_cast<std::size_t>(std::popcount(nodes_[i].blocked)));
+  }
 
  private:
   std::vector<std::int32_t> index_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <vector>
 
 #include "core/math/spherical_harmonics.h"
@@ -43,14 +44,14 @@ std::vector<WeightedPoint> mean_rule() {
   return rule;
 }
 
-// Light at points, as coefficients of one channel per unit of intensity.
+// Light at points per unit of intensity.
 class PointsAroundLight {
  public:
   explicit PointsAroundLight(const NodePointLight& light) : light_(light) {}
 
-  // Calls add(k, basis) for the points that see the light; basis functions times exp(-T) / r^2.
+  // Calls add(k, direction to the light, exp(-T) / r^2) for the points that see the light.
   template <class Add>
-  void each(int bands, std::span<const glm::dvec3> points, Add add) {
+  void each(std::span<const glm::dvec3> points, Add add) {
     self_.assign(points.size(), -1);
     paths_.assign(light_.position, points, self_);
     depths_.assign(paths_.padded_size(), 0.0f);
@@ -62,9 +63,7 @@ class PointsAroundLight {
       const double r = std::sqrt(r2);
       const double depth = light_.extinction * static_cast<double>(depths_[k]) + light_.fog * r;
       if (light_.surfaces && light_.surfaces->occluded(points[k], light_.position)) continue;
-      ShVector<double> basis = sh_basis(bands, q / r);
-      for (std::size_t f = 0; f < basis.size(); ++f) basis[f] *= std::exp(-depth) / r2;
-      add(k, basis);
+      add(k, q / r, std::exp(-depth) / r2);
     }
   }
 
@@ -85,7 +84,8 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
   const auto height = static_cast<std::size_t>(nodes.count.y);
   job.parallel_for(height * static_cast<std::size_t>(nodes.count.z), [&](std::size_t row) {
     PointsAroundLight around(light);
-    const auto add = [&](std::size_t node, double weight, const ShVector<double>& basis) {
+    const auto add = [&](std::size_t node, double weight, const glm::dvec3& w) {
+      const ShVector<double> basis = sh_basis(incident.bands, w);
       for (std::size_t c = 0; c < incident.channels; ++c) {
         const double intensity = weight * static_cast<double>(light.intensity[c]);
         for (std::size_t f = 0; f < basis.size(); ++f) {
@@ -108,12 +108,48 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
       std::vector<glm::dvec3> around_node;
       around_node.reserve(rule.size());
       for (const WeightedPoint& p : rule) around_node.push_back(point + spacing * p.offset);
-      around.each(incident.bands, around_node, [&](std::size_t k, const ShVector<double>& basis) {
-        add(row * width + x, rule[k].weight, basis);
+      around.each(around_node, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+        add(row * width + x, rule[k].weight * arriving, w);
       });
     }
-    around.each(incident.bands, points,
-                [&](std::size_t k, const ShVector<double>& basis) { add(at[k], 1.0, basis); });
+    around.each(points, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+      add(at[k], arriving, w);
+    });
+  });
+}
+
+void add_reflected_point_light(const NodePointLight& light, const GridOcclusion& surfaces,
+                               const glm::dvec3& first, const GridNodes& nodes,
+                               std::span<float> reflected, std::size_t channels, const Job& job) {
+  constexpr std::size_t together = 64;  // nodes
+  const double spacing = static_cast<double>(nodes.spacing);
+  const double max_arriving = 4.0 / (spacing * spacing);
+  const std::size_t links = surfaces.surfels().size();
+  const std::size_t count = surfaces.nodes().size();
+  job.parallel_for((count + together - 1) / together, [&](std::size_t group) {
+    PointsAroundLight around(light);
+    std::vector<glm::dvec3> points;
+    const std::size_t end = std::min((group + 1) * together, count);
+    const std::size_t first_link = surfaces.nodes()[group * together].first;
+    for (std::size_t i = group * together; i < end; ++i) {
+      const glm::dvec3 node =
+          first + spacing * glm::dvec3(node_coordinates(nodes, surfaces.grid_nodes()[i]));
+      for (const GridOcclusion::Surfel& surfel : surfaces.surfels_of(i)) {
+        // Off the surface, which does not shadow itself.
+        points.push_back(node + glm::dvec3(surfel.offset) +
+                         1e-3 * spacing * glm::dvec3(surfel.normal));
+      }
+    }
+    around.each(points, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+      const GridOcclusion::Surfel& surfel = surfaces.surfels()[first_link + k];
+      const double cosine = glm::dot(glm::dvec3(surfel.normal), w);
+      if (!(cosine > 0.0)) return;
+      const double radiance = cosine * std::min(arriving, max_arriving) * std::numbers::inv_pi;
+      for (std::size_t c = 0; c < channels; ++c) {
+        reflected[c * links + first_link + k] += static_cast<float>(radiance) * light.intensity[c] *
+                                                 surfel.reflectance[static_cast<int>(c)];
+      }
+    });
   });
 }
 

@@ -55,55 +55,75 @@ void add_environment(const SourceGrid::Level& level, double scale, NodeLight& li
   }
 }
 
-// Unscattered light at the nodes of a level, in a medium whose extinction is `extinction` times
-// that of the lights' tables.
-NodeLight unscattered_light(const MultipleScattering::Input& input, std::size_t k,
-                            double extinction, const std::optional<glm::vec3>& color,
-                            const Job& job) {
+// Unscattered light in a level, in a medium whose extinction is `extinction` times that of the
+// lights' tables.
+UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::size_t k,
+                                   double extinction, const std::optional<glm::vec3>& color,
+                                   const Job& job) {
   const SourceGrid::Level& level = input.grid.levels()[k];
-  NodeLight light(solution_bands(input), color ? 1 : 3, level.nodes.size());
-  if (input.environment_scale > 0.0) add_environment(level, input.environment_scale, light);
+  UnscatteredLight light{NodeLight(solution_bands(input), color ? 1 : 3, level.nodes.size()), {}};
+  const std::size_t channels = light.incident.channels;
+  if (level.surfaces) light.reflected.assign(channels * level.surfaces->surfels().size(), 0.0f);
+  if (input.environment_scale > 0.0) {
+    add_environment(level, input.environment_scale, light.incident);
+    for (std::size_t i = 0; i < light.reflected.size(); ++i) {
+      light.reflected[i] += static_cast<float>(input.environment_scale) * level.reflected[i];
+    }
+  }
   for (const MultipleScattering::Light& source : input.lights) {
     const glm::vec3 intensity(source.intensity);
     NodePointLight point{source.position, {intensity.x, intensity.y, intensity.z}, source.table,
                          extinction,      extinction * input.fog_density,          input.surfaces};
     if (color) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
-    add_point_light(point, level.first, level.nodes, light, job);
+    add_point_light(point, level.first, level.nodes, light.incident, job);
+    if (!level.surfaces) continue;
+    add_reflected_point_light(point, *level.surfaces, level.first, level.nodes, light.reflected,
+                              channels, job);
   }
   return light;
 }
 
-// Of the same channels and bands.
-void add(NodeLight& sum, const NodeLight& light) {
-  for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += light.values[i];
+void add(std::span<const float> values, std::span<float> sums) {
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
 }
 
-// What arrives at the nodes of the finer level from the coarser one's outside of it.
-NodeLight light_from_outside(const SourceGrid::Level& coarse, const SourceGrid::Level& fine,
-                             const GridMedium& medium, const TruncatedScattering& scattering,
-                             NodeLight total, int degree, const Job& job) {
-  const double spacing = static_cast<double>(coarse.nodes.spacing);
-  const glm::dvec3 low = fine.first;
+// Whether a point is in the bounds of a level.
+bool holds(const SourceGrid::Level& level, const glm::dvec3& p) {
   const glm::dvec3 high =
-      low + glm::dvec3(fine.nodes.count - 1) * static_cast<double>(fine.nodes.spacing);
-  std::size_t i = 0;
-  for (int z = 0; z < coarse.nodes.count.z; ++z) {
-    for (int y = 0; y < coarse.nodes.count.y; ++y) {
-      for (int x = 0; x < coarse.nodes.count.x; ++x, ++i) {
-        const glm::dvec3 p = coarse.first + spacing * glm::dvec3(x, y, z);
-        if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high))) continue;
-        for (std::size_t row = 0; row < total.channels * total.functions(); ++row) {
-          total.values[row * total.stride + i] = 0.0f;
-        }
-      }
+      level.first + glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
+  return !glm::any(glm::lessThan(p, level.first)) && !glm::any(glm::greaterThan(p, high));
+}
+
+// What arrives at the nodes of the finer level from the coarser one's outside of it: `light` of all
+// orders at the coarser one's nodes, and what its surfaces send.
+NodeLight light_from_outside(const SourceGrid::Level& coarse, const SourceGrid::Level& fine,
+                             const GridMedium& medium, const GridMedium& fine_medium,
+                             const TruncatedScattering& scattering, UnscatteredLight light,
+                             int degree, const Job& job) {
+  const double spacing = static_cast<double>(coarse.nodes.spacing);
+  const auto is_inside = [&](std::size_t node) {
+    return holds(fine, coarse.first + spacing * glm::dvec3(node_coordinates(coarse.nodes, node)));
+  };
+  NodeLight& total = light.incident;
+  for (std::size_t i = 0; i < coarse.nodes.size(); ++i) {
+    if (!is_inside(i)) continue;
+    for (std::size_t row = 0; row < total.channels * total.functions(); ++row) {
+      total.values[row * total.stride + i] = 0.0f;
+    }
+  }
+  for (std::size_t i = 0; coarse.surfaces && i < coarse.surfaces->nodes().size(); ++i) {
+    if (!is_inside(coarse.surfaces->grid_nodes()[i])) continue;
+    const std::size_t links = light.reflected.size() / total.channels;
+    for (std::size_t c = 0; c < total.channels; ++c) {
+      std::fill_n(light.reflected.begin() +
+                      static_cast<std::ptrdiff_t>(c * links + coarse.surfaces->nodes()[i].first),
+                  coarse.surfaces->surfels_of(i).size(), 0.0f);
     }
   }
   std::vector<double> phase = scattering.phase;
   for (double& factor : phase) factor *= scattering.albedo;
-  NodeLight arriving(total.bands, total.channels, coarse.nodes.size());
-  scatter_once(medium, total, phase, degree, arriving, job);
-  return resampled(arriving, {coarse.first, coarse.nodes, fine.first, fine.nodes},
-                   fine.nodes.size(), job);
+  return scatter_into({fine_medium, {coarse.first, coarse.nodes, fine.first, fine.nodes}}, medium,
+                      total, light.reflected, phase, degree, job);
 }
 
 // Whether a light is among nodes that scatter.
@@ -115,16 +135,15 @@ bool is_in_medium(const SourceGrid::Level& level, double fog, const glm::dvec3& 
       glm::any(glm::greaterThanEqual(node, level.nodes.count))) {
     return false;
   }
-  const auto index = [&](int k) { return static_cast<std::size_t>(k); };
-  const std::size_t at =
-      (index(node.z) * index(level.nodes.count.y) + index(node.y)) * index(level.nodes.count.x) +
-      index(node.x);
+  const std::size_t at = node_index(level.nodes, node);
   return static_cast<double>(level.density[at]) + fog > 0.0;
 }
 
 SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceGrid::Level& level) {
-  const int extra = input.anisotropy == 0.0 ? 0 : input.limits.anisotropic_extra;
-  SweepDegrees degrees{input.limits.degree + extra, input.limits.degree + extra};
+  const bool is_directional = input.anisotropy != 0.0 || input.surfaces;
+  const int degree = input.limits.degree + (is_directional ? input.limits.directional_extra : 0);
+  SweepDegrees degrees{degree, degree};
+  if (input.surfaces) degrees.first = std::max(degree, input.limits.light_degree);
   for (const MultipleScattering::Light& light : input.lights) {
     if (is_in_medium(level, input.fog_density, light.position)) {
       degrees.first = std::max(degrees.first, input.limits.light_degree);
@@ -166,20 +185,26 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   const TruncatedScattering truncation(input.albedo, input.anisotropy,
                                        input.anisotropy == 0.0 ? 1 : grid_bands);
   const auto levels = input.grid.levels();
+  std::vector<std::vector<float>> extinctions;
+  std::vector<GridMedium> media;
+  for (const SourceGrid::Level& level : levels) {
+    extinctions.push_back(with_fog(level.density, truncation.extinction * input.fog_density));
+    media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get()});
+  }
   std::vector<NodeLight> solved(levels.size());
   std::optional<NodeLight> outside;
   for (std::size_t k = levels.size(); k-- > 0;) {
     const SourceGrid::Level& level = levels[k];
-    const std::vector<float> extinction =
-        with_fog(level.density, truncation.extinction * input.fog_density);
-    const GridMedium medium{level.nodes, extinction, 0.0, level.surfaces.get()};
-    NodeLight incident = unscattered_light(input, k, truncation.extinction, color, job);
-    if (outside) add(incident, *outside);
+    UnscatteredLight light = unscattered_light(input, k, truncation.extinction, color, job);
+    if (outside) {
+      add(outside->values, light.incident.values);
+      if (level.surfaces) add(reflected_light(*level.surfaces, *outside), light.reflected);
+    }
     NodeLight scattered;
     if (input.limits.warm_start) {
-      scattered = first_guess(k, level, incident.bands, incident.channels);
+      scattered = first_guess(k, level, light.incident.bands, light.incident.channels);
     }
-    convergence_ = solve_scattering(medium, truncation, incident, sweep_degrees(input, level),
+    convergence_ = solve_scattering(media[k], truncation, light, sweep_degrees(input, level),
                                     input.limits, scattered, job);
     if (job.stop.stop_requested()) {
       clear();
@@ -187,11 +212,12 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     }
     solutions_[k] = Solution{level.first, level.nodes, scattered};
     if (k == 1) {
-      add(incident, scattered);
-      outside = light_from_outside(level, levels[0], medium, truncation, std::move(incident),
-                                   sweep_degrees(input, level).rest, job);
+      add(scattered.values, light.incident.values);
+      if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
+      outside = light_from_outside(level, levels[0], media[1], media[0], truncation,
+                                   std::move(light), sweep_degrees(input, level).rest, job);
     } else if (outside) {
-      add(scattered, *outside);
+      add(outside->values, scattered.values);
     }
     solved[k] = std::move(scattered);
   }

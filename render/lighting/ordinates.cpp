@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 
 #include "core/math/sphere_rule.h"
@@ -33,35 +32,92 @@ void scattered_along(const glm::dvec3& w, const NodeLight& incident, std::span<c
   }
 }
 
-// Radiance of the surfaces that hide neighbours from nodes, as the light at the nodes lights them:
-// per channel and link.
-std::vector<float> reflected(const GridOcclusion& surfaces, const NodeLight& incident) {
-  constexpr int bands = 3;  // of the clamped cosine; the fourth has none
-  assert(incident.bands >= bands);
-  const ScatterTable::Bands& cosine = EnvironmentLight::cosine_factors();
-  const std::size_t links = surfaces.surfels().size();
-  std::vector<float> result(incident.channels * links, 0.0f);
-  for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
-    const std::size_t node = surfaces.grid_nodes()[i];
-    const std::size_t first = surfaces.nodes()[i].first;
-    const auto count = static_cast<std::size_t>(std::popcount(surfaces.nodes()[i].blocked));
-    for (std::size_t link = first; link < first + count; ++link) {
-      const GridOcclusion::Surfel& surfel = surfaces.surfels()[link];
-      const ShVector<float> basis = sh_basis(bands, surfel.normal);
-      for (std::size_t c = 0; c < incident.channels; ++c) {
-        float sum = 0.0f;
-        for (int l = 0; l < bands; ++l) {
-          for (std::size_t f = sh_size(l); f < sh_size(l + 1); ++f) {
-            sum += cosine[static_cast<std::size_t>(l)] * basis[f] * incident.row(c, f)[node];
-          }
-        }
-        // With one channel all surfaces are grey.
-        const float reflectance = surfel.reflectance[static_cast<int>(c)];
-        result[c * links + link] = reflectance * std::max(sum, 0.0f);
+SweepOcclusion occlusion_of(const GridMedium& medium) {
+  return medium.surfaces ? medium.surfaces->sweep() : SweepOcclusion{};
+}
+
+using Channels = std::array<std::span<float>, 3>;  // rows of nodes; the rest is empty
+
+// What a medium scatters and its surfaces send; see scatter_once(). Keeps references.
+class Emission {
+ public:
+  Emission(const GridMedium& medium, const NodeLight& incident, std::span<const float> reflected,
+           std::span<const double> phase)
+      : medium_(medium), incident_(incident), phase_(phase), occlusion_(occlusion_of(medium)) {
+    assert(static_cast<int>(phase.size()) <= incident.bands);
+    const std::size_t links = reflected.size() / incident.channels;
+    for (std::size_t c = 0; c < incident.channels; ++c) {
+      sent_[c] = reflected.subspan(c * links, links);
+    }
+    // The same for all directions if scattering is isotropic.
+    if (phase.size() > 1) return;
+    isotropic_.resize(incident.channels * incident.stride);
+    scattered_along({0.0, 0.0, 1.0}, incident, phase, isotropic_);
+  }
+
+  // Sets the radiance that arrives at the nodes from direction w. Thread-safe.
+  void sweep(const glm::dvec3& w, const Channels& arriving) const {
+    thread_local std::vector<float> memory;
+    const std::size_t stride = incident_.stride;
+    if (isotropic_.empty()) {
+      memory.resize(incident_.channels * stride);
+      scattered_along(w, incident_, phase_, memory);
+    }
+    const std::span<const float> all(isotropic_.empty() ? memory : isotropic_);
+    std::array<std::span<const float>, 3> source;
+    for (std::size_t c = 0; c < incident_.channels; ++c) {
+      source[c] = all.subspan(c * stride, stride);
+    }
+    const std::size_t channels = incident_.channels;
+    sweep_emission(medium_.nodes, medium_.density, static_cast<float>(medium_.fog),
+                   std::span(source).first(channels), glm::vec3(w), occlusion_,
+                   std::span(sent_).first(channels), std::span(arriving).first(channels));
+  }
+
+ private:
+  const GridMedium& medium_;
+  const NodeLight& incident_;
+  std::span<const double> phase_;
+  SweepOcclusion occlusion_;
+  std::array<std::span<const float>, 3> sent_;
+  std::vector<float> isotropic_;
+};
+
+// Sets `light` to what arrives at its nodes from all directions of a quadrature rule, given for
+// each by sweep(w, arriving).
+template <class DirectionSweep>
+void integrate(int degree, NodeLight& light, const Job& job, DirectionSweep sweep) {
+  const std::vector<SphereNode> directions = sphere_rule(degree);
+  const std::size_t channels = light.channels;
+  const std::size_t stride = light.stride;
+  const std::size_t functions = light.functions();
+  std::fill(light.values.begin(), light.values.end(), 0.0f);
+  std::vector<float> arriving(channels * batch * stride, 0.0f);
+  for (std::size_t first = 0; first < directions.size(); first += batch) {
+    const auto current =
+        std::span(directions).subspan(first, std::min(batch, directions.size() - first));
+    std::vector<float> weights;
+    for (const SphereNode& node : current) {
+      const ShVector<double> basis = sh_basis(light.bands, node.direction);
+      for (const double value : basis.values()) {
+        weights.push_back(static_cast<float>(value * node.weight));
       }
     }
+    job.parallel_for(current.size(), [&](std::size_t k) {
+      Channels target;
+      for (std::size_t c = 0; c < channels; ++c) {
+        target[c] = std::span(arriving).subspan((c * batch + k) * stride, stride);
+      }
+      sweep(current[k].direction, target);
+    });
+    job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        add_weighted(std::span(arriving).subspan(c * batch * stride, batch * stride), weights,
+                     functions, stride, b * node_block, std::min((b + 1) * node_block, stride),
+                     std::span(light.values).subspan(c * functions * stride, functions * stride));
+      }
+    });
   }
-  return result;
 }
 
 }  // namespace
@@ -77,66 +133,73 @@ std::vector<double> phase_bands(double anisotropy, int count) {
   return bands;
 }
 
-void scatter_once(const GridMedium& medium, const NodeLight& incident,
-                  std::span<const double> phase, int degree, NodeLight& scattered, const Job& job) {
-  assert(static_cast<int>(phase.size()) <= incident.bands);
-  assert(incident.channels == scattered.channels && incident.stride == scattered.stride);
-  const std::vector<SphereNode> directions = sphere_rule(degree);
-  const std::size_t channels = incident.channels;
-  const std::size_t stride = incident.stride;
-  const std::size_t functions = scattered.functions();
-  std::fill(scattered.values.begin(), scattered.values.end(), 0.0f);
-  // The same for all directions if scattering is isotropic.
-  std::vector<float> isotropic;
-  if (phase.size() == 1) {
-    isotropic.resize(channels * stride);
-    scattered_along({0.0, 0.0, 1.0}, incident, phase, isotropic);
-  }
-  const SweepOcclusion occlusion = medium.surfaces ? medium.surfaces->sweep() : SweepOcclusion{};
-  const std::vector<float> outgoing =
-      medium.surfaces ? reflected(*medium.surfaces, incident) : std::vector<float>{};
-  std::array<std::span<const float>, 3> outgoing_rows;
-  for (std::size_t c = 0; c < channels; ++c) {
-    const std::size_t links = outgoing.size() / channels;
-    outgoing_rows[c] = std::span(outgoing).subspan(c * links, links);
-  }
-  std::vector<float> arriving(channels * batch * stride, 0.0f);
-  for (std::size_t first = 0; first < directions.size(); first += batch) {
-    const auto current =
-        std::span(directions).subspan(first, std::min(batch, directions.size() - first));
-    std::vector<float> weights;
-    for (const SphereNode& node : current) {
-      const ShVector<double> basis = sh_basis(scattered.bands, node.direction);
-      for (const double value : basis.values()) {
-        weights.push_back(static_cast<float>(value * node.weight));
+std::vector<float> reflected_light(const GridOcclusion& surfaces, const NodeLight& incident) {
+  constexpr int bands = 3;  // of the clamped cosine; the fourth has none
+  assert(incident.bands >= bands);
+  const ScatterTable::Bands& cosine = EnvironmentLight::cosine_factors();
+  const std::size_t links = surfaces.surfels().size();
+  std::vector<float> result(incident.channels * links, 0.0f);
+  for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
+    const std::size_t node = surfaces.grid_nodes()[i];
+    std::size_t link = surfaces.nodes()[i].first;
+    for (const GridOcclusion::Surfel& surfel : surfaces.surfels_of(i)) {
+      const ShVector<float> basis = sh_basis(bands, surfel.normal);
+      for (std::size_t c = 0; c < incident.channels; ++c) {
+        float sum = 0.0f;
+        for (int l = 0; l < bands; ++l) {
+          for (std::size_t f = sh_size(l); f < sh_size(l + 1); ++f) {
+            sum += cosine[static_cast<std::size_t>(l)] * basis[f] * incident.row(c, f)[node];
+          }
+        }
+        // With one channel all surfaces are grey.
+        const float reflectance = surfel.reflectance[static_cast<int>(c)];
+        result[c * links + link] = reflectance * std::max(sum, 0.0f);
       }
+      ++link;
     }
-    job.parallel_for(current.size(), [&](std::size_t k) {
-      thread_local std::vector<float> memory;
-      if (isotropic.empty()) {
-        memory.resize(channels * stride);
-        scattered_along(current[k].direction, incident, phase, memory);
-      }
-      const std::span<const float> all(isotropic.empty() ? memory : isotropic);
-      std::array<std::span<const float>, 3> source;
-      std::array<std::span<float>, 3> target;
-      for (std::size_t c = 0; c < channels; ++c) {
-        source[c] = all.subspan(c * stride, stride);
-        target[c] = std::span(arriving).subspan((c * batch + k) * stride, stride);
-      }
-      sweep_emission(medium.nodes, medium.density, static_cast<float>(medium.fog),
-                     std::span(source).first(channels), glm::vec3(current[k].direction), occlusion,
-                     std::span(outgoing_rows).first(channels), std::span(target).first(channels));
-    });
-    job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
-      for (std::size_t c = 0; c < channels; ++c) {
-        add_weighted(
-            std::span(arriving).subspan(c * batch * stride, batch * stride), weights, functions,
-            stride, b * node_block, std::min((b + 1) * node_block, stride),
-            std::span(scattered.values).subspan(c * functions * stride, functions * stride));
-      }
-    });
   }
+  return result;
+}
+
+void scatter_once(const GridMedium& medium, const NodeLight& incident,
+                  std::span<const float> reflected, std::span<const double> phase, int degree,
+                  NodeLight& scattered, const Job& job) {
+  assert(incident.channels == scattered.channels && incident.stride == scattered.stride);
+  const Emission emission(medium, incident, reflected, phase);
+  integrate(degree, scattered, job,
+            [&](const glm::dvec3& w, const Channels& arriving) { emission.sweep(w, arriving); });
+}
+
+NodeLight scatter_into(const FinerGrid& finer, const GridMedium& medium, const NodeLight& incident,
+                       std::span<const float> reflected, std::span<const double> phase, int degree,
+                       const Job& job) {
+  const Emission emission(medium, incident, reflected, phase);
+  const std::size_t nodes = finer.medium.nodes.size();
+  const SweepOcclusion occlusion = occlusion_of(finer.medium);
+  NodeLight result(incident.bands, incident.channels, nodes);
+  integrate(degree, result, job, [&](const glm::dvec3& w, const Channels& arriving) {
+    thread_local std::vector<float> around;
+    thread_local std::vector<float> border;
+    around.resize(incident.channels * incident.stride);
+    border.assign(nodes, 0.0f);
+    Channels outside;
+    for (std::size_t c = 0; c < incident.channels; ++c) {
+      outside[c] = std::span(around).subspan(c * incident.stride, incident.stride);
+    }
+    emission.sweep(w, outside);
+    for (std::size_t c = 0; c < incident.channels; ++c) {
+      finer.resampling.apply_to_border(outside[c], border);
+      // The sweep is of a fraction.
+      const float max = *std::ranges::max_element(border);
+      std::ranges::fill(arriving[c], 0.0f);
+      if (!(max > 0.0f)) continue;
+      for (float& value : border) value = std::max(value / max, 0.0f);
+      sweep_transmittance(finer.medium.nodes, finer.medium.density, glm::vec3(w), occlusion, border,
+                          arriving[c].first(nodes));
+      for (float& value : arriving[c]) value *= max;
+    }
+  });
+  return result;
 }
 
 }  // namespace brume

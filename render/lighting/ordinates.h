@@ -6,6 +6,7 @@
 
 #include "core/math/spherical_harmonics.h"
 #include "render/lighting/grid_occlusion.h"
+#include "render/lighting/resampling.h"
 #include "render/lighting/sweep_kernels.h"
 #include "render/util/job.h"
 
@@ -42,19 +43,36 @@ struct GridMedium {
   const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
 };
 
+// A grid within another.
+struct FinerGrid {
+  GridMedium medium;
+  Resampling resampling;  // of the other's values
+};
+
 // Bands of the Henyey-Greenstein phase function, from 0 on: g^l.
 std::vector<double> phase_bands(double anisotropy, int count);
 
 // Nodes per block of a parallel sum.
 inline constexpr std::size_t node_block = 1024;
 
+// Radiance of the surfaces that hide neighbours from nodes, lit by the light at the nodes, which
+// has at least 3 bands: per channel and GridOcclusion::surfels().
+std::vector<float> reflected_light(const GridOcclusion& surfaces, const NodeLight& incident);
+
 // The light that arrives at the nodes after `medium` has scattered the light `incident` once more,
-// with an albedo of 1, or surfaces have reflected it diffusely: one sweep for each direction of a
-// quadrature rule that is exact for spherical harmonics up to `degree`. Band l of the phase
-// function is phase[l], at most incident.bands of them; surfaces need at least 3 bands of
-// `incident`. Sets `scattered`, whose bands are its own; the rows may not overlap. Independent of
-// the number of threads. Invalid after the job was stopped.
+// with an albedo of 1, and surfaces have sent the radiance `reflected`, see reflected_light(): one
+// sweep for each direction of a quadrature rule that is exact for spherical harmonics up to
+// `degree`. Band l of the phase function is phase[l], at most incident.bands of them. Sets
+// `scattered`, whose bands are its own; the rows may not overlap. Independent of the number of
+// threads. Invalid after the job was stopped.
 void scatter_once(const GridMedium& medium, const NodeLight& incident,
-                  std::span<const double> phase, int degree, NodeLight& scattered, const Job& job);
+                  std::span<const float> reflected, std::span<const double> phase, int degree,
+                  NodeLight& scattered, const Job& job);
+
+// The same light at the nodes of a finer grid within, of what arrives at its border and goes on
+// into it: as many bands as `incident` has.
+NodeLight scatter_into(const FinerGrid& finer, const GridMedium& medium, const NodeLight& incident,
+                       std::span<const float> reflected, std::span<const double> phase, int degree,
+                       const Job& job);
 
 }  // namespace brume

@@ -36,4 +36,18 @@ void Resampling::apply(std::span<const float> values, std::span<float> result) c
   }
 }
 
+void Resampling::apply_to_border(std::span<const float> values, std::span<float> result) const {
+  const glm::ivec3 last = nodes_.count - 1;
+  std::size_t i = 0;
+  for (int z = 0; z <= last.z; ++z) {
+    for (int y = 0; y <= last.y; ++y) {
+      for (int x = 0; x <= last.x; ++x, ++i) {
+        const bool is_border =
+            x == 0 || y == 0 || z == 0 || x == last.x || y == last.y || z == last.z;
+        if (is_border) result[i] = at(values, {x, y, z});
+      }
+    }
+  }
+}
+
 }  // namespace brume

@@ -15,12 +15,14 @@ class Resampling {
   Resampling(const glm::dvec3& from_first, const GridNodes& from, const glm::dvec3& first,
              const GridNodes& nodes);
 
-  // At one node.
-  [[nodiscard]] float at(std::span<const float> values, const glm::ivec3& node) const;
   // At all nodes.
   void apply(std::span<const float> values, std::span<float> result) const;
+  // At the nodes of the border; leaves the others.
+  void apply_to_border(std::span<const float> values, std::span<float> result) const;
 
  private:
+  [[nodiscard]] float at(std::span<const float> values, const glm::ivec3& node) const;
+
   GridNodes from_, nodes_;
   double scale_;
   glm::dvec3 offset_;

@@ -18,23 +18,26 @@ TruncatedScattering::TruncatedScattering(double full_albedo, double anisotropy, 
 }
 
 Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering& scattering,
-                             const NodeLight& incident, const SweepDegrees& degrees,
+                             const UnscatteredLight& unscattered, const SweepDegrees& degrees,
                              const ScatteringLimits& limits, NodeLight& scattered, const Job& job) {
   std::vector<double> phase = scattering.phase;
   for (double& factor : phase) factor *= scattering.albedo;
 
+  const NodeLight& incident = unscattered.incident;
   // What matters is what is scattered to the eye.
   std::vector<float> weights(incident.stride, 0.0f);
   std::copy(medium.density.begin(), medium.density.end(), weights.begin());
   AndersonAcceleration acceleration(weights);
 
   NodeLight first(incident.bands, incident.channels, medium.nodes.size());
-  scatter_once(medium, incident, phase, degrees.first, first, job);
+  scatter_once(medium, incident, unscattered.reflected, phase, degrees.first, first, job);
   if (scattered.values.empty()) scattered = first;
   NodeLight next = first;
   Convergence convergence{.sweeps = 1};
   while (convergence.sweeps < limits.sweeps && !job.stop.stop_requested()) {
-    scatter_once(medium, scattered, phase, degrees.rest, next, job);
+    const std::vector<float> reflected =
+        medium.surfaces ? reflected_light(*medium.surfaces, scattered) : std::vector<float>{};
+    scatter_once(medium, scattered, reflected, phase, degrees.rest, next, job);
     for (std::size_t i = 0; i < next.values.size(); ++i) next.values[i] += first.values[i];
     ++convergence.sweeps;
     const double size = acceleration.norm(next.values);

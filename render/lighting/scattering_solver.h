@@ -29,12 +29,19 @@ struct SweepDegrees {
   int rest;
 };
 
-// Solves M = w P K (U + M) for M, the light at the nodes that was scattered at least once: K is
-// transport through `medium`, whose density is the truncated extinction, P the phase function, U
-// the light `incident`, which was not. `scattered` has the bands of `incident`, at least those of
-// the phase function, and holds a first guess, or nothing.
+// Light that was not scattered yet: at the nodes, and as surfaces have reflected it, see
+// reflected_light().
+struct UnscatteredLight {
+  NodeLight incident;
+  std::vector<float> reflected;
+};
+
+// Solves M = w P K (U + M) for M, the light at the nodes that was scattered or reflected at least
+// once: K is transport through `medium`, whose density is the truncated extinction, P the phase
+// function, U the light that was not. `scattered` has the bands of U, at least those of the phase
+// function, and holds a first guess, or nothing.
 Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering& scattering,
-                             const NodeLight& incident, const SweepDegrees& degrees,
+                             const UnscatteredLight& unscattered, const SweepDegrees& degrees,
                              const ScatteringLimits& limits, NodeLight& scattered, const Job& job);
 
 }  // namespace brume

@@ -84,35 +84,43 @@ struct LightWeights {
   }
 };
 
-// Values at the nodes of another grid's border, interpolated.
-void interpolate_border(const SourceGrid::Level& coarse, std::span<const float> values,
-                        const SourceGrid::Level& level, std::span<float> border) {
-  const glm::ivec3 last = level.nodes.count - 1;
-  std::size_t i = 0;
-  const Resampling resampling(coarse.first, coarse.nodes, level.first, level.nodes);
-  for (int z = 0; z <= last.z; ++z) {
-    for (int y = 0; y <= last.y; ++y) {
-      for (int x = 0; x <= last.x; ++x, ++i) {
-        const bool is_border =
-            x == 0 || y == 0 || z == 0 || x == last.x || y == last.y || z == last.z;
-        if (is_border) border[i] = resampling.at(values, {x, y, z});
+// Light transmitted to the nodes of a level; what surfaces then reflect of it, see
+// reflected_light(); and the clusters' mean transmittances as rows.
+struct Transmitted {
+  NodeLight light;
+  std::vector<float> reflected;
+  std::vector<float> clusters;
+};
+
+// Adds to `reflected` what surfaces reflect of one light. Not from the bands of its light: three of
+// them light surfaces that the light only grazes.
+void add_reflected(const GridOcclusion& surfaces, const DistantLight& light,
+                   std::span<const float> transmittances, std::span<float> reflected) {
+  const std::size_t links = surfaces.surfels().size();
+  const glm::vec3 w(light.direction);
+  const glm::vec3 radiance(light.irradiance * std::numbers::inv_pi);
+  for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
+    const float passes = transmittances[surfaces.grid_nodes()[i]];
+    std::size_t link = surfaces.nodes()[i].first;
+    for (const GridOcclusion::Surfel& surfel : surfaces.surfels_of(i)) {
+      const float cosine = glm::dot(surfel.normal, w);
+      for (std::size_t c = 0; cosine > 0.0f && c < 3; ++c) {
+        const int k = static_cast<int>(c);
+        reflected[c * links + link] += cosine * passes * surfel.reflectance[k] * radiance[k];
       }
+      ++link;
     }
   }
 }
-
-// Light transmitted to the nodes of a level, and the clusters' mean transmittances as rows.
-struct Transmitted {
-  NodeLight light;
-  std::vector<float> clusters;
-};
 
 // `occluded`: by surfaces, also in the level `coarse` around this one, null if there is none.
 Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::Level* coarse,
                               bool occluded, std::span<const SourceLight> lights, int bands,
                               int clusters, const Job& job) {
   const std::size_t nodes = level.nodes.size();
-  Transmitted result{NodeLight(bands, 3, nodes), {}};
+  Transmitted result{NodeLight(bands, 3, nodes), {}, {}};
+  const GridOcclusion* const surfaces = occluded ? level.surfaces.get() : nullptr;
+  if (surfaces) result.reflected.assign(3 * surfaces->surfels().size(), 0.0f);
   const std::size_t stride = result.light.stride;
   result.clusters.assign(static_cast<std::size_t>(clusters) * stride, 0.0f);
   std::vector<float> transmittances(std::min(batch, lights.size()) * stride, 0.0f);
@@ -128,12 +136,17 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
         around.resize(coarse->nodes.size());
         inflow.resize(nodes);
         sweep_transmittance(coarse->nodes, coarse->density, w, occlusion_of(*coarse), {}, around);
-        interpolate_border(*coarse, around, level, inflow);
+        Resampling(coarse->first, coarse->nodes, level.first, level.nodes)
+            .apply_to_border(around, inflow);
       }
       sweep_transmittance(level.nodes, level.density, w,
                           occluded ? occlusion_of(level) : SweepOcclusion{}, inflow,
                           std::span(transmittances).subspan(k * stride, nodes));
     });
+    for (std::size_t k = 0; surfaces && k < current.size(); ++k) {
+      add_reflected(*surfaces, current[k].light,
+                    std::span(transmittances).subspan(k * stride, nodes), result.reflected);
+    }
     job.parallel_for((stride + node_block - 1) / node_block, [&](std::size_t b) {
       const std::size_t begin = b * node_block;
       const std::size_t end = std::min(begin + node_block, stride);
@@ -180,7 +193,10 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
         incident_light(level.nodes, level.density, occluded ? open.light : transmitted.light,
                        content.receivers->optics, job);
   }
-  if (content.keeps_transmitted) level.transmitted = std::move(transmitted.light);
+  if (content.keeps_transmitted) {
+    level.transmitted = std::move(transmitted.light);
+    level.reflected = std::move(transmitted.reflected);
+  }
 }
 
 }  // namespace

@@ -107,8 +107,11 @@ class SourceGrid {
     std::vector<float> values;   // J
     // J of distant light alone, if there is more.
     std::vector<float> distant;
-    std::vector<float> incident;                    // see incident_light(); empty without receivers
-    NodeLight transmitted;                          // light of the distant lights, if it is kept
+    std::vector<float> incident;  // see incident_light(); empty without receivers
+    // Of the distant lights, if kept: transmitted to the nodes, and then reflected by surfaces, see
+    // reflected_light().
+    NodeLight transmitted;
+    std::vector<float> reflected;
     std::shared_ptr<const GridOcclusion> surfaces;  // null: none
   };
   // Floats per node of J.

@@ -148,63 +148,63 @@ struct Sweep {
   }
 };
 
-// Where light along a sweep comes from at a node beside surfaces: linear between the four nodes of
-// the slab before, of which only those count that the node sees.
-class Links {
- public:
-  Links(const Sweep& sweep, const glm::vec3& w) {
-    const int low_u = sweep.shift_u < 0.0f ? -1 : 0;
-    const int low_v = sweep.shift_v < 0.0f ? -1 : 0;
-    const float f_u = sweep.shift_u - static_cast<float>(low_u);
-    const float f_v = sweep.shift_v - static_cast<float>(low_v);
-    for (int i = 0; i < 4; ++i) {
-      Link& link = links_[static_cast<std::size_t>(i)];
-      link.u = low_u + (i & 1);
-      link.v = low_v + (i >> 1);
-      link.weight = ((i & 1) != 0 ? f_u : 1.0f - f_u) * ((i >> 1) != 0 ? f_v : 1.0f - f_v);
-      glm::ivec3 offset(0);
-      offset[sweep.axes.u] = link.u;
-      offset[sweep.axes.v] = link.v;
-      offset[sweep.axes.s] = w[sweep.axes.s] > 0.0f ? 1 : -1;
-      link.neighbour = neighbour_index(offset.x, offset.y, offset.z);
-      if (link.weight > links_[nearest_].weight) nearest_ = static_cast<std::size_t>(i);
-    }
-  }
+// The nodes of the slab before that light along a sweep passes between on its way to a node, with
+// the weights of a linear interpolation.
+struct Upwind {
+  int u = 0, v = 0;  // offsets
+  float weight = 0.0f;
+  int neighbour = 0;
 
-  // The hidden neighbour that decides what the node sees, or -1: it sees others.
-  [[nodiscard]] int hidden(const OccludedNode& node) const {
-    const int neighbour = links_[nearest_].neighbour;
-    return (node.blocked >> neighbour & 1u) != 0 ? neighbour : -1;
+  [[nodiscard]] bool is_hidden_from(const OccludedNode& node) const {
+    return (node.blocked >> neighbour & 1u) != 0;
   }
-  // Of the nodes that are seen, in the slab before.
-  [[nodiscard]] float mix(const OccludedNode& node, Slab& slab, std::size_t u,
-                          std::size_t v) const {
-    float sum = 0.0f;
-    float weight = 0.0f;
-    for (const Link& link : links_) {
-      if ((node.blocked >> link.neighbour & 1u) != 0) continue;
-      const auto row = static_cast<std::ptrdiff_t>(v) + link.v;
-      const float* values = slab.row(0) + row * static_cast<std::ptrdiff_t>(slab.stride);
-      sum += link.weight * values[static_cast<std::ptrdiff_t>(u) + link.u];
-      weight += link.weight;
-    }
-    return sum / weight;
-  }
-  // Index of a hidden neighbour's link.
-  static std::size_t link_of(const OccludedNode& node, int neighbour) {
-    const std::uint32_t before = node.blocked & ((1u << neighbour) - 1u);
-    return node.first + static_cast<std::size_t>(std::popcount(before));
-  }
-
- private:
-  struct Link {
-    int u = 0, v = 0;
-    float weight = 0.0f;
-    int neighbour = 0;
-  };
-  std::array<Link, 4> links_{};
-  std::size_t nearest_ = 0;
 };
+
+std::array<Upwind, 4> UpwindNodes(const Sweep& sweep, const glm::vec3& w) {
+  const int low_u = sweep.shift_u < 0.0f ? -1 : 0;
+  const int low_v = sweep.shift_v < 0.0f ? -1 : 0;
+  const float f_u = sweep.shift_u - static_cast<float>(low_u);
+  const float f_v = sweep.shift_v - static_cast<float>(low_v);
+  std::array<Upwind, 4> upwind;
+  for (int i = 0; i < 4; ++i) {
+    Upwind& node = upwind[static_cast<std::size_t>(i)];
+    node.u = low_u + (i & 1);
+    node.v = low_v + (i >> 1);
+    node.weight = ((i & 1) != 0 ? f_u : 1.0f - f_u) * ((i >> 1) != 0 ? f_v : 1.0f - f_v);
+    glm::ivec3 offset(0);
+    offset[sweep.axes.u] = node.u;
+    offset[sweep.axes.v] = node.v;
+    offset[sweep.axes.s] = w[sweep.axes.s] > 0.0f ? 1 : -1;
+    node.neighbour = neighbour_index(offset.x, offset.y, offset.z);
+  }
+  return upwind;
+}
+
+// What a node sees of the slab before. The rest of the weights is the surfaces': so on average they
+// end where they do, wherever between the nodes that is. Weighing only what is seen, slanting light
+// would go on along walls.
+struct Seen {
+  float sum = 0.0f;
+  float weight = 0.0f;
+
+  Seen(std::span<const Upwind> upwind, const OccludedNode& node, Slab& slab, std::size_t u,
+       std::size_t v) {
+    for (const Upwind& other : upwind) {
+      if (other.is_hidden_from(node)) continue;
+      const auto row = static_cast<std::ptrdiff_t>(v) + other.v;
+      const float* values = slab.row(0) + row * static_cast<std::ptrdiff_t>(slab.stride);
+      sum += other.weight * values[static_cast<std::ptrdiff_t>(u) + other.u];
+      weight += other.weight;
+    }
+  }
+  [[nodiscard]] float mean() const { return weight > 0.0f ? sum / weight : 0.0f; }
+};
+
+// Index of a hidden neighbour's link.
+std::size_t LinkOf(const OccludedNode& node, int neighbour) {
+  const std::uint32_t before = node.blocked & ((1u << neighbour) - 1u);
+  return node.first + static_cast<std::size_t>(std::popcount(before));
+}
 
 // Calls fix(u, node) for the nodes of a row that surfaces hide neighbours from.
 template <class Fix>
@@ -261,7 +261,7 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
   TwoSlabs light(sweep.columns, sweep.rows, 1.0f);
   const std::size_t stride = b.now.stride;
   const Taps taps(sweep.shift_u, sweep.shift_v, stride);
-  const Links links(sweep, w);
+  const std::array<Upwind, 4> upwind = UpwindNodes(sweep, w);
   const V half_step = hn::Set(d, 0.5f * sweep.length);
   for (std::size_t k = 0; k < sweep.slabs; ++k) {
     for (std::size_t v = 0; v < sweep.rows; ++v) {
@@ -280,14 +280,9 @@ void SweepTransmittance(const GridNodes& nodes, std::span<const float> density, 
       light.now.end_row(v);
       let_in(sweep, k, v, row, inflow, light.now);
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
-        float& here = light.now.row(v)[u];
-        if (links.hidden(node) >= 0) {
-          here = 0.0f;
-          return;
-        }
-        const float depth =
-            0.5f * sweep.length * (b.now.row(v)[u] + links.mix(node, b.before, u, v));
-        here = links.mix(node, light.before, u, v) * std::exp(-depth);
+        const float far = Seen(upwind, node, b.before, u, v).mean();
+        const float depth = 0.5f * sweep.length * (b.now.row(v)[u] + far);
+        light.now.row(v)[u] = Seen(upwind, node, light.before, u, v).sum * std::exp(-depth);
       });
       sweep.write(light.now.row(v), transmittance.data() + row);
     }
@@ -311,7 +306,7 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
   std::vector<TwoSlabs> light(channels, empty);
   const std::size_t stride = b.now.stride;
   const Taps taps(sweep.shift_u, sweep.shift_v, stride);
-  const Links links(sweep, w);
+  const std::array<Upwind, 4> upwind = UpwindNodes(sweep, w);
   const V one = hn::Set(d, 1.0f);
   const V half_step = hn::Set(d, 0.5f * sweep.length);
   const V fog_step = hn::Set(d, fog * sweep.length);
@@ -356,23 +351,26 @@ void SweepChannels(const GridNodes& nodes, std::span<const float> density, float
         light[c].now.end_row(v);
       }
       each_occluded(occlusion, sweep, row, [&](std::size_t u, const OccludedNode& node) {
-        const int hidden = links.hidden(node);
-        const std::size_t link = hidden >= 0 ? Links::link_of(node, hidden) : 0;
         const float near = b.now.row(v)[u];
-        const float far = hidden >= 0 ? near : links.mix(node, b.before, u, v);
-        const float way = hidden >= 0 ? occlusion.fractions[link] : 1.0f;
-        const float depth = way * sweep.length * (0.5f * (near + far) + fog);
-        const float transmitted = std::exp(-depth);
+        const Seen far(upwind, node, b.before, u, v);
+        const float passes = std::exp(-sweep.length * (0.5f * (near + far.mean()) + fog));
+        float sums[channels];
         for (std::size_t c = 0; c < channels; ++c) {
-          float incoming = 0.0f;
-          if (hidden < 0) {
-            incoming = links.mix(node, light[c].before, u, v);
-          } else if (!outgoing.empty()) {
-            incoming = outgoing[c][link];
-          }
-          light[c].now.row(v)[u] =
-              transmitted * incoming + (1.0f - transmitted) * emission[c].now.row(v)[u];
+          sums[c] = passes * Seen(upwind, node, light[c].before, u, v).sum +
+                    (1.0f - passes) * far.weight * emission[c].now.row(v)[u];
         }
+        for (const Upwind& other : upwind) {
+          if (!other.is_hidden_from(node)) continue;
+          const std::size_t link = LinkOf(node, other.neighbour);
+          const float way = occlusion.fractions[link] * sweep.length;
+          const float transmitted = std::exp(-way * (near + fog));
+          for (std::size_t c = 0; c < channels; ++c) {
+            const float sent = outgoing.empty() ? 0.0f : outgoing[c][link];
+            sums[c] += other.weight *
+                       (transmitted * sent + (1.0f - transmitted) * emission[c].now.row(v)[u]);
+          }
+        }
+        for (std::size_t c = 0; c < channels; ++c) light[c].now.row(v)[u] = sums[c];
       });
       for (std::size_t c = 0; c < channels; ++c) {
         sweep.write(light[c].now.row(v), emitted[c].data() + row);

@@ -23,7 +23,19 @@ struct GridNodes {
   bool operator==(const GridNodes&) const = default;
 };
 
-// A node that surfaces hide neighbours from.
+constexpr glm::ivec3 node_coordinates(const GridNodes& nodes, std::size_t node) {
+  const int k = static_cast<int>(node);
+  return {k % nodes.count.x, k / nodes.count.x % nodes.count.y,
+          k / (nodes.count.x * nodes.count.y)};
+}
+
+constexpr std::size_t node_index(const GridNodes& nodes, const glm::ivec3& p) {
+  const auto index = [](int k) { return static_cast<std::size_t>(k); };
+  return (index(p.z) * index(nodes.count.y) + index(p.y)) * index(nodes.count.x) + index(p.x);
+}
+
+// A node that surfaces hide neighbours from, or beside one: there, polynomials of four values would
+// reach through surfaces.
 struct OccludedNode {
   std::uint32_t blocked = 0;  // bit neighbour_index() of each neighbour that is hidden
   std::uint32_t first = 0;    // of its links, in the order of the bits

@@ -163,6 +163,27 @@ TEST(MultipleScattering, ClosedWallsKeepTheSkyOut) {
   EXPECT_LT(indoors, 0.01 * outdoors);
 }
 
+// What is reflected ten times over shows whether walls keep as much light as they should: a percent
+// lost or gained at each reflection is ten in the end. Half a percent is what the grid gives.
+TEST(MultipleScattering, WhiteWallsMatchPaths) {
+  Scene scene = cloud_scene(5, 0.2);
+  scene.camera.eye = {0, 0, 2};
+  scene.film = {12, 12};
+  scene.lights = {{{0.6, 0.9, -0.5}, glm::dvec3(1.0), {}}};
+  Surface& ball = scene.surfaces.emplace_back();
+  ball.mesh = ball_mesh(24);
+  ball.scale = 2.5;
+  for (const double reflectance : {0.0, 0.9}) {
+    ball.material.reflectance = glm::dvec3(reflectance);
+    Settings paths;
+    paths.airlight = AirlightMethod::path;
+    paths.paths = 512;
+    const double expected = mean_airlight(render_frame(scene, paths));
+    const double actual = mean_airlight(render_frame(scene, multiple_settings()));
+    EXPECT_NEAR(actual, expected, 0.05 * expected) << reflectance;
+  }
+}
+
 TEST(MultipleScattering, SurfacesSendLightBack) {
   const auto beside_wall = [](double reflectance) {
     Scene scene = cloud_scene(20, 1.0);
