@@ -91,8 +91,21 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   constexpr double negligible = 0.1;
   if (!content.light()) return Reason::no_light;
   if (!content.gaussians) return Reason::no_gaussians;
-  if (max_multiple_share(scene) < negligible * settings.max_error) return Reason::thin_medium;
+  // Surfaces light each other, however thin the medium is.
+  if (!content.surfaces && max_multiple_share(scene) < negligible * settings.max_error) {
+    return Reason::thin_medium;
+  }
   return std::nullopt;
+}
+
+// None where paths or the grid of all orders keep light out and send it back.
+std::vector<TransferRequest> planned_transfers(const Scene& scene, const Content& content,
+                                               const Settings& settings) {
+  if (settings.airlight == AirlightMethod::path) return {};
+  const bool has_all_orders = settings.airlight == AirlightMethod::sliced &&
+                              settings.scattering == Scattering::multiple &&
+                              !why_scattered_once(scene, content, settings);
+  return has_all_orders ? std::vector<TransferRequest>{} : content.transfers(scene);
 }
 
 StageSet planned_stages(const Content& content, AirlightMethod method, bool has_transfers) {
@@ -158,10 +171,11 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   if (!content.surfaces) skip(Stage::visibility, Reason::no_surfaces);
   if (content.surfaces && !content.light()) skip(Stage::surfaces, Reason::no_light);
   if (plan.transfers.empty()) {
-    skip(Stage::transfer, !requests_transfer               ? Reason::no_transfer_requested
-                          : !content.light()               ? Reason::no_light
-                          : method == AirlightMethod::path ? Reason::part_of_paths
-                                                           : Reason::only_direct_light);
+    skip(Stage::transfer, !requests_transfer                    ? Reason::no_transfer_requested
+                          : !content.light()                    ? Reason::no_light
+                          : method == AirlightMethod::path      ? Reason::part_of_paths
+                          : content.transfers(scene).size() > 0 ? Reason::part_of_all_orders
+                                                                : Reason::only_direct_light);
   }
   if (content.surfaces && content.light() && !content.medium()) {
     skip(Stage::surface_scattering, Reason::no_medium);
@@ -212,14 +226,15 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   settings = limit_light_map_memory(settings, content.lights.size(), content.surfaces);
   lights = content.lights;
   has_density = content.medium();
-  if (!is_path) transfers = content.transfers(scene);
+  const bool is_sliced = method == AirlightMethod::sliced;
+  transfers = planned_transfers(scene, content, settings);
 
   stages =
       planned_stages(content, method, !transfers.empty() && (!shared || shared->has(transfers)));
   parts = planned_parts(content, settings, !transfers.empty());
   skipped = skipped_stages(scene, content, method, *this);
 
-  if (method == AirlightMethod::sliced && settings.scattering == Scattering::multiple) {
+  if (is_sliced && settings.scattering == Scattering::multiple) {
     if (const auto why = why_scattered_once(scene, content, settings)) {
       skipped.push_back({Stage::scattering, to_string(*why)});
     } else {
@@ -231,7 +246,8 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   rasterizes = content.surfaces && triangle_count(scene) <= pixels;
   has_environment = content.environment;
   has_environment_in_medium = content.environment && content.medium();
-  has_receivers = runs(Stage::environment) && content.surfaces;
+  has_all_light_at_surfaces = runs(Stage::scattering) && content.surfaces;
+  has_receivers = runs(Stage::environment) && content.surfaces && !has_all_light_at_surfaces;
   has_indirect_light = content.indirect_light() && !is_path;
   surface_depths = planned_surface_depths(content, method);
   has_exact_occlusion = is_reference;
@@ -246,8 +262,8 @@ bool RenderPlan::needs_transfer(const Surface& surface) const {
          std::ranges::find(transfers, transfer_request(surface)) != transfers.end();
 }
 
-std::vector<TransferRequest> needed_transfers(const Scene& scene) {
-  return Content(scene).transfers(scene);
+std::vector<TransferRequest> needed_transfers(const Scene& scene, const Settings& settings) {
+  return planned_transfers(scene, Content(scene), without_auto(settings));
 }
 
 }  // namespace brume

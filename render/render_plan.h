@@ -56,6 +56,8 @@ struct RenderPlan {
   bool rasterizes = false;
   // Surfaces take environment light from the grid instead of average optical depths.
   bool has_receivers = false;
+  // Surfaces take all light from the grid but the point lights' unscattered.
+  bool has_all_light_at_surfaces = false;
   // Surfaces that are not diffuse reflect light from all directions.
   bool has_indirect_light = false;
   // Of point lights at surfaces: from the optical depth tables, or summed exactly. Neither: zero.
@@ -71,7 +73,7 @@ struct RenderPlan {
   [[nodiscard]] bool needs_transfer(const Surface& surface) const;
 };
 
-// RenderPlan::transfers, which do not depend on settings.
-std::vector<TransferRequest> needed_transfers(const Scene& scene);
+// RenderPlan::transfers, of sliced frames without settings.
+std::vector<TransferRequest> needed_transfers(const Scene& scene, const Settings& settings = {});
 
 }  // namespace brume

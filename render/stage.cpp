@@ -107,6 +107,8 @@ std::string to_string(Reason reason, std::size_t count) {
       return std::to_string(count) + " lights of intensity 0";
     case Reason::part_of_paths:
       return "paths carry its light";
+    case Reason::part_of_all_orders:
+      return "it is part of all orders of scattering";
     case Reason::double_precision:
       return "double precision was requested";
     case Reason::march_on_cpu:

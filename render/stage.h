@@ -86,6 +86,7 @@ enum class Reason {
   lights_off,
   black_lights,
   part_of_paths,
+  part_of_all_orders,
   // On the CPU.
   double_precision,
   march_on_cpu,

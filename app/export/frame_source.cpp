@@ -15,7 +15,7 @@ FrameSource::FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camer
 
 std::optional<Frame> FrameSource::at(double time, const Job& job) {
   const Scene scene = evaluate_at(*scene_, time);
-  const std::vector<TransferRequest> needed = needed_transfers(scene);
+  const std::vector<TransferRequest> needed = needed_transfers(scene, settings_);
   const double first = transfers_->has(needed) ? 0.0 : 0.5;
   transfers_->make(needed, cache_folder(), job.subrange(0.0, first));
   return renderer_->render(scene, camera_.value_or(scene.camera), scene.film, settings_, job.stop,

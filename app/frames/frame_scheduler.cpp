@@ -166,7 +166,7 @@ void FrameScheduler::request() {
   forget_error_map();
   if (pane_.isHidden()) return;
   quality_.picture_changes(*view_.shown_scene(), view_.camera());
-  services_.transfer_job.follow(document_.scene());
+  services_.transfer_job.follow(document_.scene(), quality_.settings());
   services_.service.request(frame_request(true));
   rest_timer_.start(rest_after);
 }

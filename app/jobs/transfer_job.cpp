@@ -7,8 +7,8 @@
 
 namespace brume {
 
-void TransferJob::follow(const Scene& scene) {
-  std::vector<TransferRequest> needed = needed_transfers(scene);
+void TransferJob::follow(const Scene& scene, const Settings& settings) {
+  std::vector<TransferRequest> needed = needed_transfers(scene, settings);
   if (needed == needed_) return;
   needed_ = std::move(needed);
   const bool forgets_only = transfers_->has(needed_);

@@ -18,9 +18,9 @@ class TransferJob : public QObject {
   [[nodiscard]] std::shared_ptr<const TransferStore> transfers() const { return transfers_; }
   [[nodiscard]] BackgroundJob& job() { return job_; }
 
-  // Computes what this scene needs, replacing a previous run. After cancelling, does not restart
+  // Computes what this scene needs with these settings, replacing a previous run. After cancelling, does not restart
   // until the needs change.
-  void follow(const Scene& scene);
+  void follow(const Scene& scene, const Settings& settings);
 
  Q_SIGNALS:
   void made();  // frames should be rendered again

@@ -1,39 +1,15 @@
 #include "render/gl/sliced_stage.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
 #include "core/scene/radiance_map.h"
 #include "core/scene/ray_noise.h"
 #include "render/geometry/ray_range.h"
+#include "render/gl/grid_nodes.h"
 
 namespace brume::gl {
-
-namespace {
-
-std::span<const std::uint32_t> blocked_neighbours(const SourceGrid::Level& level) {
-  return level.surfaces ? level.surfaces->blocked() : std::span<const std::uint32_t>{};
-}
-
-// The nodes of a level as shaders/source.glsl has them.
-void add_nodes(const SourceGrid::Level& level, int bands, std::vector<glm::vec4>& values) {
-  const std::size_t size = SourceGrid::node_size(bands);
-  const auto blocked = blocked_neighbours(level);
-  for (std::size_t node = 0; node < level.nodes.size(); ++node) {
-    const std::size_t first = values.size();
-    for (std::size_t i = 0; i < size; i += 4) {
-      const float* v = level.values.data() + node * size + i;
-      values.emplace_back(v[0], v[1], v[2], v[3]);
-    }
-    // Another bit makes an ordinary float of them, which no device changes.
-    constexpr std::uint32_t normal = 1u << 30;
-    if (!blocked.empty()) values[first].w = std::bit_cast<float>(normal | blocked[node]);
-  }
-}
-
-}  // namespace
 
 void set_noise(const Program& program, const RayNoise& noise, const glm::dvec3& eye) {
   const double amplitude = noise.on() ? noise.amplitude() / noise_lattice::rms : 0.0;
@@ -109,8 +85,8 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
     program.set(k == 0 ? "source_count[0]" : "source_count[1]",
                 glm::ivec4(level.nodes.count, static_cast<int>(at)));
     at += level.values.size() / 4;
-    if (is_new) add_nodes(level, source->grid().bands(), values);
-    has_surfaces |= !blocked_neighbours(level).empty();
+    if (is_new) append_nodes(level, level.values, values);
+    has_surfaces |= level.surfaces && !level.surfaces->blocked().empty();
   }
   program.set("source_surfaces", has_surfaces ? 1 : 0);
   glm::vec4 factors(0.0f);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/scene/measured_brdf.h"
+#include "render/gl/grid_nodes.h"
 #include "render/gl/shader_structs.h"
 #include "render/shading/vertex_lighting.h"
 #include "render/simd/reflection_kernels.h"
@@ -186,6 +187,9 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& 
     append(values, *lighting.distant);
   }
   program.set("has_environment", lighting.environment ? 1 : 0);
+  program.set("extinction", static_cast<float>(lighting.extinction));
+  program.set("incident_is_all", lighting.incident_is_all ? 1 : 0);
+  program.set("incident_scale", static_cast<float>(lighting.incident_scale));
   begin("environment_at");
   if (lighting.environment) {
     for (const glm::vec3& c : lighting.environment->coefficients().values()) {
@@ -193,7 +197,6 @@ void SurfaceStage::upload_values(const FrameStages& stages, const FrameContext& 
     }
     append(values, lighting.environment->scattering());
     program.set("fog_depth", static_cast<float>(lighting.fog_depth));
-    program.set("environment_intensity", static_cast<float>(work.scene.environment->intensity));
   }
   begin("densities_at");
   for (const SurfaceLight& light : lighting.lights) {
@@ -227,10 +230,7 @@ void SurfaceStage::upload_light(const FrameStages& stages, const FrameContext& w
     program.set(k == 0 ? "incident_count[0]" : "incident_count[1]",
                 glm::ivec4(level.nodes.count, static_cast<int>(at)));
     at += level.incident.size() / 4;
-    for (std::size_t i = 0; is_new && i < level.incident.size(); i += 4) {
-      const float* v = level.incident.data() + i;
-      values.emplace_back(v[0], v[1], v[2], v[3]);
-    }
+    if (is_new) append_nodes(level, level.incident, values);
   }
   if (!is_new) return;
   source_revision_ = vertex_revision_ = 0;

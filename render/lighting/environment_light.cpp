@@ -1,5 +1,6 @@
 #include "render/lighting/environment_light.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
@@ -78,18 +79,6 @@ ShVector<glm::dvec3> EnvironmentLight::incident(const ScatterTable::Bands& fract
   return light;
 }
 
-ShVector<glm::dvec3> EnvironmentLight::incident(const NodeRadiance& incident) const {
-  ShVector<glm::dvec3> light(light_.order());
-  const glm::dvec3 dimmed(dimming(incident));
-  for (std::size_t i = 0; i < light.size(); ++i) {
-    light[i] = i < sh_size(grid_bands)
-                   ? environment_.intensity *
-                         glm::dvec3(incident[4 * i], incident[4 * i + 1], incident[4 * i + 2])
-                   : dimmed * light_[i];
-  }
-  return light;
-}
-
 glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n,
                                     const ScatterTable::Bands& fractions) const {
   ScatterTable::Bands factors;
@@ -97,33 +86,59 @@ glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n,
   return banded(light_float_, factors, n);
 }
 
-glm::vec3 EnvironmentLight::diffuse(const glm::dvec3& n, const NodeRadiance& incident) const {
+namespace {
+
+glm::vec3 coefficient(const NodeRadiance& light, std::size_t i) {
+  return {light[4 * i], light[4 * i + 1], light[4 * i + 2]};
+}
+
+// The mean incident light relative to that of the environment without medium, at most 1: what is
+// more is not the environment's.
+glm::vec3 dimming(const NodeRadiance& light, double scale, const EnvironmentLight& environment) {
+  const glm::vec3 mean = static_cast<float>(scale) * coefficient(light, 0);
+  glm::vec3 fraction(0.0f);
+  for (int c = 0; c < 3; ++c) {
+    const float total = environment.coefficients()[0][c];
+    if (total > 0.0f) fraction[c] = std::min(mean[c] / total, 1.0f);
+  }
+  return fraction;
+}
+
+}  // namespace
+
+ShVector<glm::dvec3> incident_light(const NodeRadiance& light, double scale,
+                                    const EnvironmentLight* environment) {
+  ShVector<glm::dvec3> incident(sh_max_bands);
+  for (std::size_t i = 0; i < sh_size(grid_bands); ++i) {
+    incident[i] = scale * glm::dvec3(coefficient(light, i));
+  }
+  if (!environment) return incident;
+  const glm::vec3 dimmed = dimming(light, scale, *environment);
+  for (std::size_t i = sh_size(grid_bands); i < incident.size(); ++i) {
+    incident[i] = glm::dvec3(dimmed * environment->coefficients()[i]);
+  }
+  return incident;
+}
+
+glm::vec3 diffuse_light(const glm::dvec3& n, const NodeRadiance& light, double scale,
+                        const EnvironmentLight* environment) {
   // The fourth and the sixth band are nothing to a diffuse surface.
   const ShVector<float> y = sh_basis(5, glm::vec3(n));
-  const auto intensity = static_cast<float>(environment_.intensity);
+  const ScatterTable::Bands& cosine = EnvironmentLight::cosine_factors();
   glm::vec3 sum(0.0f);
   for (int l = 0; l < 3; ++l) {
     glm::vec3 band(0.0f);
-    for (int m = -l; m <= l; ++m) {
-      const std::size_t i = sh_index(l, m);
-      band += y[i] * glm::vec3(incident[4 * i], incident[4 * i + 1], incident[4 * i + 2]);
+    for (std::size_t i = sh_size(l); i < sh_size(l + 1); ++i) band += y[i] * coefficient(light, i);
+    sum += static_cast<float>(scale) * cosine[static_cast<std::size_t>(l)] * band;
+  }
+  if (environment) {
+    glm::vec3 fifth(0.0f);
+    for (std::size_t i = sh_size(4); i < sh_size(5); ++i) {
+      fifth += y[i] * environment->coefficients()[i];
     }
-    sum += intensity * cosine_factors()[static_cast<std::size_t>(l)] * band;
+    sum += cosine[4] * dimming(light, scale, *environment) * fifth;
   }
-  glm::vec3 fifth(0.0f);
-  for (std::size_t i = sh_size(4); i < sh_size(5); ++i) fifth += y[i] * light_float_[i];
-  return glm::max(sum + cosine_factors()[4] * dimming(incident) * fifth, 0.0f);
-}
-
-glm::vec3 EnvironmentLight::dimming(const NodeRadiance& incident) const {
-  glm::vec3 fraction(0.0f);
-  for (int c = 0; c < 3; ++c) {
-    const float total = light_float_[0][c];
-    const float direct =
-        static_cast<float>(environment_.intensity) * incident[static_cast<std::size_t>(c)];
-    if (total > 0.0f) fraction[c] = direct / total;
-  }
-  return fraction;
+  return glm::max(sum, 0.0f);
 }
 
 }  // namespace brume

@@ -40,27 +40,28 @@ class EnvironmentLight {
   // direct and scattered (eq. 27).
   [[nodiscard]] ScatterTable::Bands incident(float Tbar, double albedo) const;
 
-  // Incident radiance at a point: from per-band fractions, or from a SourceGrid. Bands beyond the
-  // grid's are attenuated like the mean of all light.
+  // Incident radiance at a point from per-band fractions.
   [[nodiscard]] ShVector<glm::dvec3> incident(const ScatterTable::Bands& fractions) const;
-  [[nodiscard]] ShVector<glm::dvec3> incident(const NodeRadiance& light) const;
 
   // Radiance of a diffuse surface of reflectance 1 and unit normal n: irradiance / pi.
   [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const ScatterTable::Bands& fractions) const;
-  [[nodiscard]] glm::vec3 diffuse(const glm::dvec3& n, const NodeRadiance& light) const;
   // Per-band factors of the convolution with max(0, cos theta) / pi.
   static const ScatterTable::Bands& cosine_factors();
 
  private:
   Revision revision_ = new_revision();
-  // Mean incident light relative to that without medium, R G B 0.
-  [[nodiscard]] glm::vec3 dimming(const NodeRadiance& light) const;
-
   Environment environment_;
   const ScatterTable* scattering_;
   ShVector<glm::dvec3> light_;
   ShVector<glm::vec3> light_float_;
   glm::dmat3 to_map_;
 };
+
+// The same of `scale` times incident light from a grid. Bands beyond the grid's are those of
+// `environment`, attenuated like the mean of all light; without one, none.
+ShVector<glm::dvec3> incident_light(const NodeRadiance& light, double scale,
+                                    const EnvironmentLight* environment);
+glm::vec3 diffuse_light(const glm::dvec3& n, const NodeRadiance& light, double scale,
+                        const EnvironmentLight* environment);
 
 }  // namespace brume

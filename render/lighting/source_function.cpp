@@ -187,7 +187,10 @@ bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, 
   // Look-ups multiply by bands without the forward lobe.
   std::vector<double> factors = phase_bands(anisotropy_, phase_.count());
   for (std::size_t l = 0; l < factors.size(); ++l) factors[l] /= phase_.factors()[l];
-  grid_->set_scattered({multiple_.levels(), multiple_.color(), factors, scale}, job);
+  const SourceGrid::Scattered scattered{multiple_.levels(), multiple_.color(), factors,
+                                        environment_ ? scale : 0.0};
+  grid_->set_scattered(scattered, job);
+  if (multiple.ray_caster) grid_->set_incident(scattered, job);
   added_ = multiple_.revision();
   added_scale_ = scale;
   return !job.stop.stop_requested();

@@ -61,7 +61,6 @@ class SourceFunction {
   [[nodiscard]] double light_extinction() const { return extinction_; }
   // Of light that is scattered more than once; of no sweeps if there is none.
   [[nodiscard]] Convergence convergence() const { return multiple_.convergence(); }
-  [[nodiscard]] bool has_receivers() const { return grid_ && receivers_; }
   [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
   // Forward-lobe scattering of the light along a view ray, per unit of SliceWeights::along_rays.
   // `line_depth`: optical depth of the Gaussians from the eye to infinity.

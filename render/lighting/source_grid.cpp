@@ -186,12 +186,8 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
     }
   });
   if (content.receivers) {
-    // Receivers lie on surfaces, with nodes behind them: they get light as if nothing occluded it.
-    Transmitted open;
-    if (occluded) open = transmitted_light(level, coarse, false, lights, bands, 0, job);
-    level.incident =
-        incident_light(level.nodes, level.density, occluded ? open.light : transmitted.light,
-                       content.receivers->optics, job);
+    level.incident = incident_light(level.nodes, level.density, transmitted.light,
+                                    content.receivers->optics, job);
   }
   if (content.keeps_transmitted) {
     level.transmitted = std::move(transmitted.light);
@@ -286,6 +282,32 @@ void SourceGrid::set_scattered(const Scattered& scattered, const Job& job) {
               const std::size_t at = size * i + 4 * f + channel;
               level.values[at] = distant_scale * level.distant[at] + scale[c] * row[i];
             }
+          }
+        }
+      }
+    });
+  }
+  revision_ = new_revision();
+}
+
+void SourceGrid::set_incident(const Scattered& scattered, const Job& job) {
+  const auto distant_scale = static_cast<float>(scattered.distant_scale);
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    Level& level = levels_[k];
+    const NodeLight& light = scattered.levels[k];
+    const std::size_t functions = sh_size(grid_bands);
+    level.incident.assign(4 * functions * level.nodes.size(), 0.0f);
+    job.parallel_for((level.nodes.size() + node_block - 1) / node_block, [&](std::size_t b) {
+      const std::size_t begin = b * node_block;
+      const std::size_t end = std::min(begin + node_block, level.nodes.size());
+      for (std::size_t f = 0; f < functions; ++f) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float* transmitted = level.transmitted.row(c, f).data();
+          const float* row = light.row(light.channels == 3 ? c : 0, f).data();
+          const float color = scattered.color[static_cast<int>(c)];
+          for (std::size_t i = begin; i < end; ++i) {
+            level.incident[4 * (functions * i + f) + c] =
+                distant_scale * transmitted[i] + color * row[i];
           }
         }
       }

@@ -98,6 +98,9 @@ class SourceGrid {
   // J is distant_scale times that of the distant lights, plus `scattered`; and as it was.
   void set_scattered(const Scattered& scattered, const Job& job);
   void remove_scattered();
+  // Sets the light at the nodes that receivers get: of the distant lights, transmitted, and
+  // `scattered`, whose factors do not count.
+  void set_incident(const Scattered& scattered, const Job& job);
   // Data for SourceLookup. A node holds R G B 0 per basis function; J also has the transmittance
   // per cluster if there is more than one band.
   struct Level {
@@ -107,7 +110,8 @@ class SourceGrid {
     std::vector<float> values;   // J
     // J of distant light alone, if there is more.
     std::vector<float> distant;
-    std::vector<float> incident;  // see incident_light(); empty without receivers
+    // R G B 0 per basis function; see incident_light() and set_incident(). Empty without receivers.
+    std::vector<float> incident;
     // Of the distant lights, if kept: transmitted to the nodes, and then reflected by surfaces, see
     // reflected_light().
     NodeLight transmitted;

@@ -1,6 +1,7 @@
 #include "render/lighting/source_lookup.h"
 
 #include <algorithm>
+#include <cmath>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -19,9 +20,10 @@ struct Cell {
   std::ptrdiff_t row, slab;
   float corner_weights[8];  // of its corners, x fastest
 
-  // `coordinate`: in cells from the first node; `size`: floats in a node.
+  // `coordinate`: in cells from the first node; `size`: floats in a node. `to_eye`: unit, to hide
+  // what surfaces do from there; 0: hides nothing.
   Cell(const SourceLookup::Level& level, const float* values, const glm::vec3& coordinate,
-       std::ptrdiff_t size, bool hides_corners)
+       std::ptrdiff_t size, const glm::vec3& to_eye)
       : corner(values), row(size * level.count.x), slab(row * level.count.y) {
     const std::ptrdiff_t step[] = {size, row, slab};
     float f[3];
@@ -38,16 +40,22 @@ struct Cell {
       corner_weights[i] = ((i & 1) != 0 ? f[0] : 1.0f - f[0]) *
                           ((i & 2) != 0 ? f[1] : 1.0f - f[1]) * ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
     }
-    if (hides_corners && level.blocked) HideCorners(level, low_node);
+    if (!level.blocked || to_eye == glm::vec3(0.0f)) return;
+    int nearest = 0;
+    for (int k = 0; k < 3; ++k) nearest |= (f[k] + eye_reach * to_eye[k] > 0.5f ? 1 : 0) << k;
+    HideCorners(level, low_node, nearest);
+  }
+
+  // The nearest node to a point at this distance from a plane is on the same side [cells].
+  static float Reach(const glm::vec3& normal) {
+    return 0.5f * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
   }
 
  private:
-  // Drops the corners that the nearest one does not see.
-  void HideCorners(const SourceLookup::Level& level, const std::size_t (&low_node)[3]) {
-    int nearest = 0;
-    for (int i = 1; i < 8; ++i) {
-      if (corner_weights[i] > corner_weights[nearest]) nearest = i;
-    }
+  // Drops the corners that one does not see: the nearest to where the eye's ray comes from, since
+  // the nearest to the point itself may be in a wall.
+  void HideCorners(const SourceLookup::Level& level, const std::size_t (&low_node)[3],
+                   int nearest) {
     const auto bit = [](int corner_index, int k) { return corner_index >> k & 1; };
     std::size_t node = 0;
     for (int k = 3; k-- > 0;) {
@@ -63,7 +71,11 @@ struct Cell {
       if ((blocked >> link & 1u) != 0) corner_weights[i] = 0.0f;
       sum += corner_weights[i];
     }
-    for (float& weight : corner_weights) weight /= sum;
+    if (sum > 0.0f) {
+      for (float& weight : corner_weights) weight /= sum;
+    } else {
+      corner_weights[nearest] = 1.0f;
+    }
   }
 };
 
@@ -74,16 +86,18 @@ bool Holds(const SourceLookup::Level& level, const glm::vec3& coordinate) {
          coordinate.z <= static_cast<float>(level.count.z - 1);
 }
 
-// The cell of the finest level that holds a point, of nodes of `size` floats.
+// The cell of the finest level that holds a point, of nodes of `size` floats; moved by `offset`
+// cells.
 Cell CellAt(std::span<const SourceLookup::Level> levels, const float* SourceLookup::Level::*values,
-            const glm::vec3& p, std::ptrdiff_t size, bool hides_corners = true) {
+            const glm::vec3& p, std::ptrdiff_t size, const glm::vec3& to_eye,
+            const glm::vec3& offset = glm::vec3(0.0f)) {
   const SourceLookup::Level* level = levels.data();
   glm::vec3 coordinate = level->per_unit * (p - level->first);
   if (levels.size() > 1 && !Holds(*level, coordinate)) {
     ++level;
     coordinate = level->per_unit * (p - level->first);
   }
-  return {*level, level->*values, coordinate, size, hides_corners};
+  return {*level, level->*values, coordinate + offset, size, to_eye};
 }
 
 // What a cell has at its point, from float i of its nodes on.
@@ -110,7 +124,7 @@ HWY_INLINE glm::vec3 Sum(std::span<const SourceLookup::Level> levels, const glm:
   float sums[used] = {};
   for (std::size_t k = 0; k < t.size(); ++k) {
     if (!(sample_weights[k] > 0.0f)) continue;
-    const Cell cell = CellAt(levels, &SourceLookup::Level::values, t[k] * w, size);
+    const Cell cell = CellAt(levels, &SourceLookup::Level::values, t[k] * w, size, -w);
     const auto sample_weight = hn::Set(d, sample_weights[k]);
     for (std::size_t i = 0; i < used; i += hn::Lanes(d)) {
       hn::StoreU(hn::MulAdd(sample_weight, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d,
@@ -137,16 +151,20 @@ void ClusterTransmittanceAtOrigin(std::span<const SourceLookup::Level> levels,
   }
   constexpr std::size_t size = SourceGrid::node_size(PhaseBands::max_bands);
   const hn::CappedTag<float, 16> d;
-  const Cell cell = CellAt(levels, &SourceLookup::Level::values, glm::vec3(0.0f), size);
+  const Cell cell =
+      CellAt(levels, &SourceLookup::Level::values, glm::vec3(0.0f), size, glm::vec3(0.0f));
   for (std::size_t i = 0; i < source_clusters; i += hn::Lanes(d)) {
     hn::StoreU(Mixed<size>(cell, d, size - source_clusters + i), d, passes.data() + i);
   }
 }
 
-void MixIncident(std::span<const SourceLookup::Level> levels, const glm::vec3& p, float* values) {
+// n and to_eye: 0 to look up at p itself, of all nodes.
+void MixIncident(std::span<const SourceLookup::Level> levels, const glm::vec3& p,
+                 const glm::vec3& n, const glm::vec3& to_eye, float* values) {
   constexpr std::size_t size = std::tuple_size_v<NodeRadiance>;
   const hn::CappedTag<float, 16> d;
-  const Cell cell = CellAt(levels, &SourceLookup::Level::incident, p, size, false);
+  const Cell cell =
+      CellAt(levels, &SourceLookup::Level::incident, p, size, to_eye, Cell::Reach(n) * n);
   for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
     hn::StoreU(Mixed<size>(cell, d, i), d, values + i);
   }
@@ -199,8 +217,13 @@ SourceLookup::ClusterTransmittance SourceLookup::cluster_transmittance() const {
 }
 
 NodeRadiance SourceLookup::incident(const glm::vec3& p) const {
+  return incident_before(p, glm::vec3(0.0f), glm::vec3(0.0f));
+}
+
+NodeRadiance SourceLookup::incident_before(const glm::vec3& p, const glm::vec3& n,
+                                           const glm::vec3& to_eye) const {
   NodeRadiance light;
-  HWY_DYNAMIC_DISPATCH(MixIncident)(std::span(levels_).first(count_), p, light.data());
+  HWY_DYNAMIC_DISPATCH(MixIncident)(std::span(levels_).first(count_), p, n, to_eye, light.data());
   return light;
 }
 

@@ -25,16 +25,18 @@ using NodeRadiance = std::array<float, 4 * sh_size(grid_bands)>;
 // The bits of all neighbours, see GridOcclusion::blocked().
 inline constexpr std::uint32_t neighbour_bits = (1u << 27) - 1u;
 
+// How far towards the eye the node is looked for that decides which corners of a cell count beside
+// surfaces [cells]: beyond walls that the point is near, by all angles but the slightest.
+inline constexpr float eye_reach = 2.5f;
+
 // Look-ups in a SourceGrid relative to an origin (Highway, single precision). Keeps a reference to
 // the grid.
 class SourceLookup {
  public:
   SourceLookup(const SourceGrid& grid, const glm::dvec3& origin);
 
-  // Sum over k of sample_weights[k] J(origin + t[k] w), clamped to the grid; of nodes that
-  // surfaces hide from the nearest one, nothing. Zero weights cost
-  // nothing.
-  // Thread-safe.
+  // Sum over k of sample_weights[k] J(origin + t[k] w), clamped to the grid; of nodes that surfaces
+  // hide from the origin's side, nothing. Zero weights cost nothing. Thread-safe.
   [[nodiscard]] glm::vec3 operator()(const glm::vec3& w, std::span<const float> t,
                                      std::span<const float> sample_weights,
                                      const SourceWeights& weights) const;
@@ -46,6 +48,10 @@ class SourceLookup {
 
   // Incident light at origin + p, for grids with receivers. Thread-safe.
   [[nodiscard]] NodeRadiance incident(const glm::vec3& p) const;
+  // The same on a surface of unit normal n: looked up so far before it that the nearest node is, of
+  // nodes that surfaces do not hide from the eye's side.
+  [[nodiscard]] NodeRadiance incident_before(const glm::vec3& p, const glm::vec3& n,
+                                             const glm::vec3& to_eye) const;
 
   // The grid relative to the origin.
   struct Level {

@@ -241,9 +241,16 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
   lighting.albedo = work.albedo;
   if (lighting.environment) {
     lighting.fog_depth = fog_depth(work);
-    if (work.plan.has_receivers) lighting.incident = &source_.grid();
+    if (work.plan.has_receivers) {
+      lighting.incident = &source_.grid();
+      lighting.incident_scale = work.scene.environment->intensity;
+    }
   }
-  if (work.plan.runs(Stage::surface_scattering)) {
+  if (work.plan.has_all_light_at_surfaces) {
+    lighting.incident = &source_.grid();
+    lighting.incident_is_all = true;
+    lighting.extinction = source_.light_extinction();
+  } else if (work.plan.runs(Stage::surface_scattering)) {
     const bool paper = work.settings.paper_spread;
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
     lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();

@@ -81,7 +81,7 @@ PointLightShading point_light_shading(const Material& material, const PointLight
 
 std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
                           const SurfacePoints& points, Settings::Precision precision,
-                          LightAtPoints& light_at_point) {
+                          double extinction, LightAtPoints& light_at_point) {
   std::uint64_t pairs = 0;
   if (light.table) {
     lookup_depths(*light.table, light_at_point.paths, light_at_point.depths.data());
@@ -102,6 +102,10 @@ std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
   for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
     light_at_point.depths[k] += b0 * light_at_point.paths.length[k];
   }
+  const auto factor = static_cast<float>(extinction);
+  for (std::size_t k = 0; factor != 1.0f && k < points.padded_size(); ++k) {
+    light_at_point.depths[k] *= factor;
+  }
   return pairs;
 }
 
@@ -115,13 +119,13 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
   for (PointArray* channel : {&radiance.r, &radiance.g, &radiance.b}) channel->fill(0.0f);
   const Material& material = points.surface->material;
   const bool is_diffuse = !shading.material || shading.material->is_diffuse();
-  const bool reflects_indirect = !is_diffuse && (lighting.point || lighting.environment);
+  const bool reflects_indirect = !is_diffuse && (lighting.point || lighting.has_indirect());
   if (reflects_indirect) indirect.clear();
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
     const glm::vec3 position(light.light.position - points.origin);
     point_to_light(points, position, light_at_point);
-    pairs += find_depths(medium, light, points, precision, light_at_point);
+    pairs += find_depths(medium, light, points, precision, lighting.extinction, light_at_point);
     ray_caster.trace_shadow_rays(points, position, light_at_point);
     PointLightShading reflected = point_light_shading(material, light.light);
     if (material.type == Material::Type::measured) {
@@ -140,17 +144,17 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
       add_scattered(light_at_point, factors, reflected.intensity, points.count, indirect);
     }
   }
-  if (lighting.environment) {
-    const EnvironmentLight& environment = *lighting.environment;
-    for_each_incident(
-        lighting, shading.average_depth, points, [&](std::size_t k, const auto& incident) {
-          if (is_diffuse) {
-            add(glm::vec3(material.reflectance) * environment.diffuse(points.normal[k], incident),
-                k, radiance);
-          } else {
-            indirect.add(k, environment.incident(incident));
-          }
-        });
+  if (lighting.has_indirect()) {
+    for_each_incident(lighting, shading.average_depth, points,
+                      [&](std::size_t k, const auto& incident) {
+                        if (is_diffuse) {
+                          add(glm::vec3(material.reflectance) *
+                                  diffuse_light(lighting, points.normal[k], incident),
+                              k, radiance);
+                        } else {
+                          indirect.add(k, incident_light(lighting, incident));
+                        }
+                      });
   }
   if (reflects_indirect) {
     add_reflected(points, shading.material->table(), indirect, radiance);

@@ -31,20 +31,50 @@ struct SurfaceLighting {
   const ScatterTable* point = nullptr;
   const ScatterTable* distant = nullptr;
   const EnvironmentLight* environment = nullptr;  // null: none
-  // Grid of incident environment light, with receivers. Null: average optical depth is used.
+  // Grid of incident light, with receivers, in units of 1 / incident_scale. Null: average optical
+  // depth is used.
   const SourceGrid* incident = nullptr;
+  double incident_scale = 1.0;
+  // The grid holds all light but the point lights' unscattered: of all orders, and kept out by
+  // surfaces. `point` is null then, and optical depths of lights are times `extinction`.
+  bool incident_is_all = false;
+  double extinction = 1.0;
   double fog_depth = 0.0;  // average optical depth of b0
   double albedo = 1.0;
+
+  [[nodiscard]] bool has_indirect() const { return environment || incident; }
 };
 
-// Calls visit(k, incident environment light at point k, in the form that EnvironmentLight takes).
+// Incident light at a point as for_each_incident() gives it, and what a diffuse surface of
+// reflectance 1 and unit normal n makes of it.
+inline ShVector<glm::dvec3> incident_light(const SurfaceLighting& lighting,
+                                           const NodeRadiance& light) {
+  return incident_light(light, lighting.incident_scale, lighting.environment);
+}
+inline ShVector<glm::dvec3> incident_light(const SurfaceLighting& lighting,
+                                           const ScatterTable::Bands& fractions) {
+  return lighting.environment->incident(fractions);
+}
+inline glm::vec3 diffuse_light(const SurfaceLighting& lighting, const glm::dvec3& n,
+                               const NodeRadiance& light) {
+  return diffuse_light(n, light, lighting.incident_scale, lighting.environment);
+}
+inline glm::vec3 diffuse_light(const SurfaceLighting& lighting, const glm::dvec3& n,
+                               const ScatterTable::Bands& fractions) {
+  return lighting.environment->diffuse(n, fractions);
+}
+
+// Calls visit(k, incident light at point k).
 template <class Visit>
 void for_each_incident(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
                        const SurfacePoints& points, Visit visit) {
   if (lighting.incident) {
     const SourceLookup light(*lighting.incident, points.origin);
     for (std::size_t k = 0; k < points.count; ++k) {
-      visit(k, light.incident(glm::vec3(points.position[k])));
+      const glm::vec3 p(points.position[k]);
+      visit(k, lighting.incident_is_all ? light.incident_before(p, glm::vec3(points.normal[k]),
+                                                                glm::vec3(points.to_eye[k]))
+                                        : light.incident(p));
     }
     return;
   }
@@ -59,16 +89,17 @@ void for_each_incident(const SurfaceLighting& lighting, const AverageDepthGrid* 
 // Shading parameters of a light for an analytic material.
 PointLightShading point_light_shading(const Material& material, const PointLight& light);
 
-// Sets at.depths from at.paths. Returns the Gaussian x path pairs evaluated. Thread-safe.
+// Sets at.depths from at.paths, times `extinction`. Returns the Gaussian x path pairs evaluated.
+// Thread-safe.
 std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
                           const SurfacePoints& points, Settings::Precision precision,
-                          LightAtPoints& at);
+                          double extinction, LightAtPoints& at);
 
 // Outgoing RGB radiance at points of one surface:
 //   direct light with cast shadows, times exp(-T(s, p)) and brdf();
 //   light of point lights scattered once by the medium (eq. 25), unshadowed;
 //   environment light, direct and scattered, unshadowed: from the grid, or with the average optical
-//   depth (eq. 27);
+//   depth (eq. 27); or in place of both, light of all orders from the grid, shadowed;
 // the last two as spherical harmonics of six bands. Single precision except T(s, p), which depends
 // on `precision` unless there is a table. Returns the Gaussian x path pairs evaluated.
 // Thread-safe.

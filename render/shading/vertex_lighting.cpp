@@ -61,7 +61,8 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
   thread_local LightAtPoints at;
   thread_local std::array<PointArray, sh_max_bands> factors;
   point_to_light(points, glm::vec3(surface_light.light.position - points.origin), at);
-  const std::uint64_t pairs = find_depths(medium, surface_light, points, precision, at);
+  const std::uint64_t pairs =
+      find_depths(medium, surface_light, points, precision, lighting.extinction, at);
   if (lighting.point) {
     find_spread(at, points.padded_size(),
                 {lighting.point, lighting.distant, static_cast<float>(surface_light.density)},
@@ -86,7 +87,7 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
 void add_environment(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
                      const SurfacePoints& points, Light& light) {
   for_each_incident(lighting, average_depth, points, [&](std::size_t k, const auto& incident) {
-    const ShVector<glm::dvec3> sky = lighting.environment->incident(incident);
+    const ShVector<glm::dvec3> sky = incident_light(lighting, incident);
     for (std::size_t i = 0; i < light[k].size(); ++i) light[k][i] += sky[i];
   });
 }

@@ -31,7 +31,12 @@ bool has_indirect_light(const PlanCase& c) {
   return !c.is(Method::path) && (c.has_sky() || (c.has_lights() && c.has_medium()));
 }
 
+bool has_all_orders(const PlanCase& c) {
+  return c.is_multiple() && c.has_any_light() && c.has_gaussians();
+}
+
 bool uses_transfer(const PlanCase& c) {
+  if (has_all_orders(c)) return false;
   return (c.transfer == Transfer::shadow && has_indirect_light(c)) ||
          (c.transfer == Transfer::interreflection && c.has_any_light() && !c.is(Method::path));
 }
@@ -56,8 +61,7 @@ const StageRule stage_rules[] = {
      [](const PlanCase& c) { return c.is(Method::paper) && c.has_lights() && c.has_gaussians(); }},
     {Stage::light_table,
      [](const PlanCase& c) { return c.is(Method::sliced) && c.has_lights() && c.has_gaussians(); }},
-    {Stage::scattering,
-     [](const PlanCase& c) { return c.is_multiple() && c.has_any_light() && c.has_gaussians(); }},
+    {Stage::scattering, has_all_orders},
     {Stage::shadow_map,
      [](const PlanCase& c) {
        return c.is(Method::sliced) && c.has_lights() && c.has_medium() && c.surfaces;
@@ -130,6 +134,8 @@ const SkipRule skip_rules[] = {
      [](const PlanCase& c) {
        return c.transfer != Transfer::none && c.has_any_light() && c.is(Method::path);
      }},
+    {Stage::transfer, Reason::part_of_all_orders,
+     [](const PlanCase& c) { return c.transfer != Transfer::none && has_all_orders(c); }},
     {Stage::surface_scattering, Reason::no_medium,
      [](const PlanCase& c) { return c.surfaces && c.has_any_light() && !c.has_medium(); }},
     {Stage::environment, Reason::no_environment,
@@ -192,8 +198,10 @@ TEST(RenderPlan, ChoosesByItsRules) {
     ASSERT_EQ(plan.has_environment, c.has_sky()) << c.name();
     ASSERT_EQ(plan.has_environment_in_medium, c.has_sky() && c.has_medium()) << c.name();
     ASSERT_EQ(plan.has_receivers, c.has_sky() && c.has_medium() && c.surfaces &&
-                                      !c.is(Method::paper) && !c.is(Method::path))
+                                      !c.is(Method::paper) && !c.is(Method::path) &&
+                                      !has_all_orders(c))
         << c.name();
+    ASSERT_EQ(plan.has_all_light_at_surfaces, c.surfaces && has_all_orders(c)) << c.name();
     ASSERT_EQ(plan.has_indirect_light, has_indirect_light(c)) << c.name();
     const bool sums_depths = c.surfaces && c.has_lights() && c.has_gaussians();
     ASSERT_EQ(plan.surface_depths, !sums_depths || c.is(Method::path) ? SurfaceDepths::none
@@ -208,9 +216,7 @@ TEST(RenderPlan, ChoosesByItsRules) {
                                                      : Settings{}.depth_error);
     ASSERT_EQ(plan.lights.size(), c.has_lights() ? 2u : 0u);
     ASSERT_EQ(plan.transfers.size(), uses_transfer(c) ? 1u : 0u);
-    if (!c.is(Method::path)) {
-      ASSERT_EQ(plan.transfers, needed_transfers(c.scene()));
-    }
+    ASSERT_EQ(plan.transfers, needed_transfers(c.scene(), c.settings()));
     ASSERT_EQ(plan.has_medium(), c.has_medium());
   }
 }

@@ -170,7 +170,8 @@ class RenderCommand final : public Command {
     const Scene scene = evaluate_at(read_scene(scene_file_, files), time_);
     const Film film = size_.empty() ? scene.film : wanted;
     const auto transfers = std::make_shared<TransferStore>();
-    const double transfer_milliseconds = is_path ? 0.0 : make_transfers(scene, *transfers);
+    const double transfer_milliseconds =
+        is_path ? 0.0 : make_transfers(scene, settings, *transfers);
     std::string problem;
     const std::unique_ptr<FrameRenderer> made = make_renderer(backend, transfers, problem);
     FrameRenderer& renderer = *made;
@@ -254,9 +255,10 @@ class RenderCommand final : public Command {
   }
 
   // Radiance transfer of the scene, from the disk cache or computed. Returns the time [ms].
-  static double make_transfers(const Scene& scene, TransferStore& transfers) {
+  static double make_transfers(const Scene& scene, const Settings& settings,
+                               TransferStore& transfers) {
     const Clock::time_point start = Clock::now();
-    const std::vector<TransferRequest> needed = needed_transfers(scene);
+    const std::vector<TransferRequest> needed = needed_transfers(scene, settings);
     if (needed.empty()) return 0.0;
     std::vector<std::string> warnings;
     {

@@ -1,5 +1,6 @@
 // Surface shading: surface_radiance() and VertexLighting of render/shading. The including file
 // defines whether any surface is `glossy` (not diffuse).
+#include "grid_corners.glsl"
 #include "lights.glsl"
 #include "rays.glsl"
 #include "spherical_harmonics.glsl"
@@ -9,7 +10,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 // RGB per pixel. Not an image: software renderers recompile for other image sizes.
 layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
-// Incident environment light at grid nodes, R G B 0 per basis function. Then vertex lighting of
+// Incident light at grid nodes, R G B 0 per basis function; in place of the first 0, the bits of
+// GridOcclusion::blocked(). Then vertex lighting of
 // surfaces with radiance transfer: per vertex the outgoing radiance, and per basis function the
 // light still to be reflected. Then average depths around surfaces, four per vector, and the tables
 // of measured materials.
@@ -29,7 +31,10 @@ uniform int has_depths;
 uniform int scatters;  // whether the medium sends light of point lights around
 uniform int scatter_at, environment_at, densities_at;
 uniform int has_environment;
-uniform float environment_intensity;
+// See SurfaceLighting.
+uniform float extinction;
+uniform int incident_is_all;
+uniform float incident_scale;
 uniform float fog_depth;         // b0's part of the average depth
 uniform int incident_levels;                 // 0: there is none
 uniform vec4 incident_first[2];              // as source.glsl has them
@@ -65,6 +70,7 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   } else if (lights[l].has_table != 0) {
     light_at_point.depth += table_depth(l, q, light_at_point.length_);
   }
+  light_at_point.depth *= extinction;
   return light_at_point;
 }
 
@@ -144,7 +150,8 @@ void add_scattered(int l, LightAtPoint light_at_point, float factors[sh_bands],
 }
 
 // Incident light at a point, from the grid.
-void find_incident(vec3 p, out vec3 light[grid_functions]) {
+void find_incident(SurfacePoint point, vec3 to_eye, out vec3 light[grid_functions]) {
+  const vec3 p = point.position;
   int level = 0;
   vec3 coordinate = incident_first[0].w * (p - incident_first[0].xyz);
   if (incident_levels > 1 && (any(lessThan(coordinate, vec3(0.0))) ||
@@ -152,20 +159,31 @@ void find_incident(vec3 p, out vec3 light[grid_functions]) {
     level = 1;
     coordinate = incident_first[1].w * (p - incident_first[1].xyz);
   }
+  if (incident_is_all != 0) {
+    coordinate += 0.5 * dot(abs(point.normal), vec3(1.0)) * point.normal;
+  }
   const ivec4 count = incident_count[level];
   const vec3 last = vec3(count.xyz - 2);
   const vec3 inside = clamp(coordinate, vec3(0.0), last + 1.0);
   const vec3 low = min(floor(inside), last);
   const vec3 f = inside - low;
-  for (int i = 0; i < grid_functions; ++i) light[i] = vec3(0.0);
+  int firsts[8];
+  float weights[8];
   for (int c = 0; c < 8; ++c) {
     const ivec3 corner_ = ivec3(c & 1, (c >> 1) & 1, c >> 2);
-    const vec3 weights = mix(1.0 - f, f, vec3(corner_));
+    const vec3 weight = mix(1.0 - f, f, vec3(corner_));
     const ivec3 node = ivec3(low) + corner_;
-    const int first =
-        count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
+    weights[c] = weight.x * weight.y * weight.z;
+    firsts[c] = count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
+  }
+  if (incident_is_all != 0) {
+    const int decides = eye_corner(f, to_eye);
+    hide_corners(decides, incident_values[firsts[decides]].w, weights);
+  }
+  for (int i = 0; i < grid_functions; ++i) light[i] = vec3(0.0);
+  for (int c = 0; c < 8; ++c) {
     for (int i = 0; i < grid_functions; ++i) {
-      light[i] += weights.x * weights.y * weights.z * incident_values[first + i].rgb;
+      light[i] += weights[c] * incident_values[firsts[c] + i].rgb;
     }
   }
 }
@@ -206,26 +224,28 @@ void find_fractions(SurfacePoint point, out float fractions[sh_bands]) {
   }
 }
 
-// Mean incident light relative to that without medium.
+// Mean incident light relative to that of the environment without medium, at most 1.
 vec3 dimming(vec3 mean) {
+  if (has_environment == 0) return vec3(0.0);
   const vec3 all = values_rgb(environment_at);
-  return mix(vec3(0.0), environment_intensity * mean / max(all, vec3(tiny_square)),
-             greaterThan(all, vec3(0.0)));
+  const vec3 fraction = min(incident_scale * mean / max(all, vec3(tiny_square)), vec3(1.0));
+  return mix(vec3(0.0), fraction, greaterThan(all, vec3(0.0)));
 }
 
-// EnvironmentLight::diffuse() of a surface of reflectance 1.
-vec3 environment_light(SurfacePoint point) {
+// diffuse_light() of a surface of reflectance 1.
+vec3 light_from_around(SurfacePoint point, vec3 to_eye) {
   float y[sh_count];
   sh_basis(point.normal, y);
   vec3 sum = vec3(0.0);
   if (incident_levels > 0) {
     vec3 light[grid_functions];
-    find_incident(point.position, light);
+    find_incident(point, to_eye, light);
     for (int l = 0; l < 3; ++l) {
       vec3 band = vec3(0.0);
       for (int i = l * l; i < (l + 1) * (l + 1); ++i) band += y[i] * light[i];
-      sum += environment_intensity * cosine_factors[l] * band;
+      sum += incident_scale * cosine_factors[l] * band;
     }
+    if (has_environment == 0) return max(sum, vec3(0.0));
     vec3 fifth = vec3(0.0);
     for (int i = 16; i < 25; ++i) fifth += y[i] * values_rgb(environment_at + 4 * i);
     return max(sum + cosine_factors[4] * dimming(light[0]) * fifth, vec3(0.0));
@@ -242,22 +262,23 @@ vec3 environment_light(SurfacePoint point) {
   return max(sum, vec3(0.0));
 }
 
-// light += EnvironmentLight::incident().
-void add_environment(SurfacePoint point, inout vec3 light[sh_count]) {
+// light += incident_light().
+void add_light_from_around(SurfacePoint point, vec3 to_eye, inout vec3 light[sh_count]) {
   vec3 incoming[grid_functions];
   float fractions[sh_bands];
   if (incident_levels > 0) {
-    find_incident(point.position, incoming);
+    find_incident(point, to_eye, incoming);
   } else {
     find_fractions(point, fractions);
   }
   for (int l = 0; l < sh_bands; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-      const vec3 outside = values_rgb(environment_at + 4 * i);
+      const vec3 outside =
+          has_environment != 0 ? values_rgb(environment_at + 4 * i) : vec3(0.0);
       if (incident_levels == 0) {
         light[i] += fractions[l] * outside;
       } else if (i < grid_functions) {
-        light[i] += environment_intensity * incoming[i];
+        light[i] += incident_scale * incoming[i];
       } else {
         light[i] += dimming(incoming[0]) * outside;
       }
@@ -312,12 +333,14 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
     }
   }
   if (transferred) return radiance + transferred_light(point, hit, to_eye);
+  const bool has_indirect = has_environment != 0 || incident_levels > 0;
   if (is_diffuse) {
-    return has_environment == 0
-               ? radiance  // values has reflectance / pi
-               : radiance + pi * values_rgb(surface + surface_diffuse) * environment_light(point);
+    if (!has_indirect) return radiance;
+    // values has reflectance / pi
+    return radiance +
+           pi * values_rgb(surface + surface_diffuse) * light_from_around(point, to_eye);
   }
-  if (has_environment != 0) add_environment(point, light);
+  if (has_indirect) add_light_from_around(point, to_eye, light);
   return radiance + max(reflected(int(values[surface + surface_reflection_at]), point.normal, to_eye, light), vec3(0.0));
 }
 

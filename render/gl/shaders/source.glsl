@@ -1,5 +1,6 @@
 // The source function that a grid holds at a point of a view ray: SourceLookup, and the weights of
 // SourceFunction.
+#include "grid_corners.glsl"
 #include "radiance_map.glsl"
 #include "spherical_harmonics.glsl"
 
@@ -63,25 +64,6 @@ struct SourceCell {
   float weights[8];
 };
 
-// Drops the corners that surfaces hide from the nearest one: GridOcclusion::blocked().
-void hide_corners(inout SourceCell cell) {
-  int nearest = 0;
-  for (int c = 1; c < 8; ++c) {
-    if (cell.weights[c] > cell.weights[nearest]) nearest = c;
-  }
-  const uint blocked = floatBitsToUint(source_values[cell.first[nearest]].w) & source_blocked_bits;
-  if (blocked == 0u) return;
-  const ivec3 from = ivec3(nearest & 1, (nearest >> 1) & 1, nearest >> 2);
-  float sum = 0.0;
-  for (int c = 0; c < 8; ++c) {
-    const ivec3 offset = ivec3(c & 1, (c >> 1) & 1, c >> 2) - from + 1;
-    const int link = (offset.z * 3 + offset.y) * 3 + offset.x;
-    if (((blocked >> link) & 1u) != 0u) cell.weights[c] = 0.0;
-    sum += cell.weights[c];
-  }
-  for (int c = 0; c < 8; ++c) cell.weights[c] /= sum;
-}
-
 SourceCell source_cell(vec3 p) {
   int level = 0;
   vec3 coordinate = source_position(0, p);
@@ -102,7 +84,11 @@ SourceCell source_cell(vec3 p) {
     cell.first[c] = count.w + ((node.z * count.y + node.y) * count.x + node.x) * node_size;
     cell.weights[c] = weight.x * weight.y * weight.z;
   }
-  if (source_surfaces != 0) hide_corners(cell);
+  if (source_surfaces != 0) {
+    const float from_eye = length(p);
+    const int decides = eye_corner(x - low, from_eye > 0.0 ? -p / from_eye : vec3(0.0));
+    hide_corners(decides, source_values[cell.first[decides]].w, cell.weights);
+  }
   return cell;
 }
 

@@ -75,7 +75,7 @@ ComparedError error_on_grid(const std::string& label, const Scene& scene,
     const NodeRadiance incident = SourceLookup(source.grid(), r.position).incident({});
     const auto depth = static_cast<float>(average_depth(scene.medium, 0.0, r.position));
     for (std::size_t k = 0; k < independent_runs; ++k) {
-      grid[k][i] -= glm::dvec3(light.diffuse(r.normal, incident));
+      grid[k][i] -= glm::dvec3(diffuse_light(r.normal, incident, 1.0, &light));
       average[k][i] -= glm::dvec3(light.diffuse(r.normal, light.incident(depth, 1.0)));
     }
   }

@@ -1,0 +1,25 @@
+#include "render/gl/grid_nodes.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace brume::gl {
+
+void append_nodes(const SourceGrid::Level& level, std::span<const float> values,
+                  std::vector<glm::vec4>& target) {
+  const std::span<const std::uint32_t> blocked =
+      level.surfaces ? level.surfaces->blocked() : std::span<const std::uint32_t>{};
+  const std::size_t size = values.size() / level.nodes.size();
+  for (std::size_t node = 0; node < level.nodes.size(); ++node) {
+    const std::size_t first = target.size();
+    for (std::size_t i = 0; i < size; i += 4) {
+      const float* v = values.data() + node * size + i;
+      target.emplace_back(v[0], v[1], v[2], v[3]);
+    }
+    // Another bit makes an ordinary float of them, which no device changes.
+    constexpr std::uint32_t normal = 1u << 30;
+    if (!blocked.empty()) target[first].w = std::bit_cast<float>(normal | blocked[node]);
+  }
+}
+
+}  // namespace brume::gl

@@ -1,0 +1,27 @@
+// The corners of a grid's cell that count beside surfaces, as SourceLookup has them.
+#include "constants.glsl"
+
+// The corner that decides, for a place in the cell from 0 to 1.
+int eye_corner(vec3 place, vec3 to_eye) {
+  const ivec3 high = ivec3(greaterThan(place + eye_reach * to_eye, vec3(0.5)));
+  return high.x | (high.y << 1) | (high.z << 2);
+}
+
+// Drops the corners that surfaces hide from it. `bits`: its GridOcclusion::blocked(), as a float.
+void hide_corners(int decides, float bits, inout float weights[8]) {
+  const uint blocked = floatBitsToUint(bits) & source_blocked_bits;
+  if (blocked == 0u) return;
+  const ivec3 from = ivec3(decides & 1, (decides >> 1) & 1, decides >> 2);
+  float sum = 0.0;
+  for (int c = 0; c < 8; ++c) {
+    const ivec3 offset = ivec3(c & 1, (c >> 1) & 1, c >> 2) - from + 1;
+    const int link = (offset.z * 3 + offset.y) * 3 + offset.x;
+    if (((blocked >> link) & 1u) != 0u) weights[c] = 0.0;
+    sum += weights[c];
+  }
+  if (sum > 0.0) {
+    for (int c = 0; c < 8; ++c) weights[c] /= sum;
+  } else {
+    weights[decides] = 1.0;
+  }
+}
