@@ -189,6 +189,9 @@ AirlightIntegrator Renderer::Impl::reference(FrameContext& work) const {
               auto, const TileRays& rays, const TileAirlight& out) {
             std::uint64_t view_pairs = 0;
             std::uint64_t light_pairs = 0;
+            // For the rays that are left out when the job is stopped.
+            std::ranges::fill(out.airlight, glm::vec3(0.0f));
+            std::ranges::fill(out.depths, 0.0f);
             for (std::size_t k = 0; k < rays.directions.size(); ++k) {
               if (work.job.stop.stop_requested()) break;
               const ReferenceRay ray = reference_airlight(

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/jobs/background_job.h"
+#include "render/settings.h"
 #include "render/transfer/transfer_store.h"
 
 namespace brume {

@@ -47,7 +47,8 @@ class Interruption : public CommandLine {
     ASSERT_TRUE(program.wait_for(text)) << program.shown();
     program.press_interrupt();
     const int status = program.wait();
-    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status << '\n'
+                                                                   << program.shown();
     EXPECT_EQ(program.shown().find("error"), std::string::npos) << program.shown();
     EXPECT_EQ(folder_.entry_count(), entries);
   }

@@ -87,7 +87,7 @@ TEST_F(GlFrames, SampleScenes) {
 
 TEST_F(GlFrames, RandomScenes) {
   int unstable = 0;
-  const unsigned scenes = random_cases(40);
+  const unsigned scenes = random_cases(16);
   for (unsigned seed = 1; seed <= scenes; ++seed) {
     const Scene scene = random_scene(seed);
     Settings sliced = quick_slices();
@@ -319,7 +319,7 @@ TEST_F(GlFrames, ManyChangesLeakNoObjects) {
   settings.shadow_cells = 16;
   settings.source_grid = {64, 6};
   std::size_t limit = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const auto in = [&](int from, int to) {
       return from + static_cast<int>(random.uniform(0.0, to - from + 1));
     };
