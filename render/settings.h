@@ -87,7 +87,7 @@ struct Settings {
   // `sliced` and `march`: environment light in the medium; `sliced`: all that is scattered more
   // than once.
   SourceGridSize source_grid{};
-  // `sliced`: light scattered more than once; the other methods are single. Surfaces get none yet.
+  // `sliced`: light scattered and reflected more than once; the other methods are single.
   Scattering scattering = Scattering::single;
   ScatteringLimits scattering_limits{};
 

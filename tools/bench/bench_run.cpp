@@ -139,6 +139,8 @@ BenchReport run_bench(const BenchOptions& options,
   if (!options.scenes.empty()) return report;
   log("errors over optical depth");
   report.thickness = measure_thickness(options.quick ? 100 : 400);
+  log("all orders of scattering");
+  report.all_orders = measure_all_orders(options.quick);
   if (!options.quick) measure_errors(report, log);
   report.curves = measure_cost_curves(options, log);
   log("threads");

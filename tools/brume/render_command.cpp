@@ -100,7 +100,7 @@ class RenderCommand final : public Command {
                    "auto, paper, sliced, reference, march:STEPS or path:PATHS")
         ->capture_default_str();
     app.add_option("--scattering", scattering_,
-                   "sliced: single or multiple, all orders in the medium; surfaces get one order")
+                   "sliced: single or multiple, all orders of scattering and reflection")
         ->capture_default_str();
     app.add_option("--slices", slices_, "slices per view ray, for sliced")
         ->check(finite_in(4, 256))

@@ -175,6 +175,17 @@ std::string to_json(const BenchReport& report) {
                       {"change", row.change}});
   }
   json["airlight_scale"] = std::move(scales);
+  Json all_orders = Json::array();
+  for (const AllOrdersRow& row : report.all_orders) {
+    all_orders.push_back({{"name", row.scene},
+                          {"single", row.single},
+                          {"multiple", row.multiple},
+                          {"noise", row.noise},
+                          {"sweeps", row.sweeps},
+                          {"solve_ms", row.solve_milliseconds},
+                          {"camera_ratio", row.camera_ratio.median}});
+  }
+  json["all_orders"] = std::move(all_orders);
   Json noise_depths = Json::array();
   for (const NoiseDepthRow& row : report.noise_depths) {
     noise_depths.push_back(

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench/errors/all_orders_errors.h"
 #include "tools/bench/errors/compared_error.h"
 #include "tools/bench/errors/fog_errors.h"
 #include "tools/bench/errors/noise_errors.h"
@@ -77,6 +78,7 @@ struct BenchReport {
   std::vector<ComparedError> patches;
   std::vector<InscatteringRow> glow;
   std::vector<ScaleRow> scales;
+  std::vector<AllOrdersRow> all_orders;
   std::vector<ComparedError> lamp_light;      // on surfaces, as the next two
   std::vector<ComparedError> incident_light;  // of an environment
   std::vector<ComparedError> transfer;

@@ -26,6 +26,7 @@ std::vector<ReportTable> bench_tables(const BenchReport& report) {
                                      patch_table(report.patches),
                                      inscattering_table(report.glow),
                                      scale_table(report.scales),
+                                     all_orders_table(report.all_orders),
                                      noise_depth_table(report.noise_depths),
                                      noise_table(report.noise),
                                      surface_light_table(report.lamp_light),

@@ -17,6 +17,7 @@ ReportTable sky_table(const std::vector<SkyRow>& rows);
 ReportTable patch_table(const std::vector<ComparedError>& rows);
 ReportTable inscattering_table(const std::vector<InscatteringRow>& rows);
 ReportTable scale_table(const std::vector<ScaleRow>& rows);
+ReportTable all_orders_table(const std::vector<AllOrdersRow>& rows);
 ReportTable noise_depth_table(const std::vector<NoiseDepthRow>& rows);
 ReportTable noise_table(const std::vector<ComparedError>& rows);
 ReportTable surface_light_table(const std::vector<ComparedError>& rows);

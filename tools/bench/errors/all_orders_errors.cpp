@@ -1,0 +1,116 @@
+#include "tools/bench/errors/all_orders_errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "core/io/scene/scene_file.h"
+#include "render/frame.h"
+#include "render/output/compare.h"
+#include "render/renderer.h"
+#include "tools/bench/measure/report_text.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+
+namespace brume {
+namespace {
+
+constexpr Film error_film{48, 36};
+constexpr Film speed_film{200, 150};
+constexpr int paths = 512;
+
+Settings settings_of(Scattering scattering) {
+  Settings settings = sliced_settings({}, 24);
+  settings.scattering = scattering;
+  return settings;
+}
+
+// Relative RMSE of the airlight without the paths' noise.
+double error_of(const Frame& frame, const Frame& reference, double noise) {
+  const std::array<ChannelPair, 1> airlight{{{frame.airlight, reference.airlight}}};
+  const double measured = compare(airlight).rel_rmse;
+  return std::sqrt(std::max(measured * measured - noise * noise, 0.0));
+}
+
+// Frames with a moved camera, in turn, so that other programs disturb both alike.
+Spread camera_ratio(const Scene& scene, int frames) {
+  std::array<Renderer, 2> renderers;
+  const std::array settings{settings_of(Scattering::single), settings_of(Scattering::multiple)};
+  std::vector<double> ratios;
+  for (int i = 0; i <= frames; ++i) {
+    std::array<double, 2> milliseconds{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Frame frame =
+          *renderers[k].render(scene, moved(scene.camera, {}, i), speed_film, settings[k]);
+      milliseconds[k] = frame.statistics.frame_milliseconds;
+    }
+    // The first frame makes what the others keep.
+    if (i > 0) ratios.push_back(milliseconds[1] / milliseconds[0]);
+  }
+  return spread_of(std::move(ratios));
+}
+
+double stage_milliseconds(const Frame& frame, Stage stage) {
+  const auto& stages = frame.statistics.stages;
+  const auto it = std::ranges::find(stages, stage, &StageTime::stage);
+  return it == stages.end() ? 0.0 : it->milliseconds;
+}
+
+AllOrdersRow measure(std::string name, Scene scene, int frames) {
+  scene.film = error_film;
+  const auto render = [&](const Settings& settings) {
+    return *Renderer().render(scene, scene.camera, scene.film, settings);
+  };
+  Settings path;
+  path.airlight = AirlightMethod::path;
+  path.paths = paths;
+  const Frame reference = render(path);
+  const Frame multiple = render(settings_of(Scattering::multiple));
+  AllOrdersRow row;
+  row.scene = std::move(name);
+  const auto noise = relative_noise(reference);
+  row.noise = noise ? noise->airlight : 0.0;
+  row.single = error_of(render(settings_of(Scattering::single)), reference, row.noise);
+  row.multiple = error_of(multiple, reference, row.noise);
+  if (multiple.statistics.scattering) row.sweeps = multiple.statistics.scattering->sweeps;
+  row.solve_milliseconds = stage_milliseconds(multiple, Stage::scattering);
+  row.camera_ratio = camera_ratio(scene, frames);
+  return row;
+}
+
+Scene thick_cloud(double depth, double albedo, double anisotropy) {
+  Scene scene = cloud(300, depth);
+  scene.optics.albedo = glm::dvec3(albedo);
+  scene.optics.anisotropy = anisotropy;
+  return scene;
+}
+
+}  // namespace
+
+std::vector<AllOrdersRow> measure_all_orders(bool quick) {
+  const int frames = quick ? 3 : 9;
+  std::vector<AllOrdersRow> rows;
+  const auto add_cloud = [&](double depth, double albedo, double anisotropy) {
+    rows.push_back(
+        measure(formatted("cloud: depth %g, albedo %g, anisotropy %g", depth, albedo, anisotropy),
+                thick_cloud(depth, albedo, anisotropy), frames));
+  };
+  add_cloud(10.0, 0.999, 0.0);
+  if (quick) return rows;
+  for (const double depth : {1.0, 3.0, 30.0}) add_cloud(depth, 0.999, 0.0);
+  for (const double albedo : {0.5, 0.9}) add_cloud(10.0, albedo, 0.0);
+  for (const double anisotropy : {-0.3, 0.6, 0.85}) add_cloud(10.0, 0.999, anisotropy);
+  Scene backlit = thick_cloud(10.0, 0.999, 0.0);
+  backlit.lights[0].position = 2.0 * backlit.camera.target - backlit.camera.eye;
+  rows.push_back(measure("the same as the first, lit from behind", backlit, frames));
+  for (const char* name :
+       {"bunny_fog", "ground_fog", "evening_mist", "courtyard", "room", "tunnel"}) {
+    rows.push_back(measure(
+        name, load_scene(std::filesystem::path(BRUME_SCENES) / (std::string(name) + ".brume")),
+        frames));
+  }
+  return rows;
+}
+
+}  // namespace brume

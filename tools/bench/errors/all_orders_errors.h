@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/bench/measure/measurement.h"
+
+namespace brume {
+
+// What all orders of scattering change, against paths, and what they take: clouds of 300 Gaussians
+// over depth, albedo and anisotropy, and sample scenes with what their surfaces do.
+struct AllOrdersRow {
+  std::string scene;
+  // Relative RMSE of the airlight against paths, their noise taken out: of light scattered once,
+  // and of all; 0 where that is less than the noise.
+  double single = 0.0, multiple = 0.0;
+  double noise = 0.0;  // of the paths
+  int sweeps = 0;
+  double solve_milliseconds = 0.0;  // from scratch
+  Spread camera_ratio;              // frame times of a moved camera, all orders over one
+};
+std::vector<AllOrdersRow> measure_all_orders(bool quick);
+
+}  // namespace brume
