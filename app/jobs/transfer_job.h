@@ -19,8 +19,8 @@ class TransferJob : public QObject {
   [[nodiscard]] std::shared_ptr<const TransferStore> transfers() const { return transfers_; }
   [[nodiscard]] BackgroundJob& job() { return job_; }
 
-  // Computes what this scene needs with these settings, replacing a previous run. After cancelling, does not restart
-  // until the needs change.
+  // Computes what this scene needs with these settings, replacing a previous run. After cancelling,
+  // does not restart until the needs change.
   void follow(const Scene& scene, const Settings& settings);
 
  Q_SIGNALS:
