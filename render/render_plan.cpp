@@ -98,16 +98,6 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   return std::nullopt;
 }
 
-// None where paths or the grid of all orders keep light out and send it back.
-std::vector<TransferRequest> planned_transfers(const Scene& scene, const Content& content,
-                                               const Settings& settings) {
-  if (settings.airlight == AirlightMethod::path) return {};
-  const bool has_all_orders = settings.airlight == AirlightMethod::sliced &&
-                              settings.scattering == Scattering::multiple &&
-                              !why_scattered_once(scene, content, settings);
-  return has_all_orders ? std::vector<TransferRequest>{} : content.transfers(scene);
-}
-
 StageSet planned_stages(const Content& content, AirlightMethod method, bool has_transfers) {
   const bool paper = method == AirlightMethod::paper;
   const bool sliced = method == AirlightMethod::sliced;
@@ -171,11 +161,11 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   if (!content.surfaces) skip(Stage::visibility, Reason::no_surfaces);
   if (content.surfaces && !content.light()) skip(Stage::surfaces, Reason::no_light);
   if (plan.transfers.empty()) {
-    skip(Stage::transfer, !requests_transfer                    ? Reason::no_transfer_requested
-                          : !content.light()                    ? Reason::no_light
-                          : method == AirlightMethod::path      ? Reason::part_of_paths
-                          : content.transfers(scene).size() > 0 ? Reason::part_of_all_orders
-                                                                : Reason::only_direct_light);
+    skip(Stage::transfer, !requests_transfer                  ? Reason::no_transfer_requested
+                          : !content.light()                  ? Reason::no_light
+                          : method == AirlightMethod::path    ? Reason::part_of_paths
+                          : !content.transfers(scene).empty() ? Reason::part_of_all_orders
+                                                              : Reason::only_direct_light);
   }
   if (content.surfaces && content.light() && !content.medium()) {
     skip(Stage::surface_scattering, Reason::no_medium);
@@ -226,21 +216,21 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   settings = limit_light_map_memory(settings, content.lights.size(), content.surfaces);
   lights = content.lights;
   has_density = content.medium();
-  const bool is_sliced = method == AirlightMethod::sliced;
-  transfers = planned_transfers(scene, content, settings);
+  const bool wants_all_orders =
+      method == AirlightMethod::sliced && settings.scattering == Scattering::multiple;
+  const std::optional<Reason> why_once =
+      wants_all_orders ? why_scattered_once(scene, content, settings) : std::nullopt;
+  const bool has_all_orders = wants_all_orders && !why_once;
+  // Paths and the grid of all orders keep light out and send it back themselves.
+  if (!is_path && !has_all_orders) transfers = content.transfers(scene);
 
   stages =
       planned_stages(content, method, !transfers.empty() && (!shared || shared->has(transfers)));
   parts = planned_parts(content, settings, !transfers.empty());
   skipped = skipped_stages(scene, content, method, *this);
 
-  if (is_sliced && settings.scattering == Scattering::multiple) {
-    if (const auto why = why_scattered_once(scene, content, settings)) {
-      skipped.push_back({Stage::scattering, to_string(*why)});
-    } else {
-      stages.add(Stage::scattering);
-    }
-  }
+  stages.add(Stage::scattering, has_all_orders);
+  if (why_once) skipped.push_back({Stage::scattering, to_string(*why_once)});
 
   const auto pixels = static_cast<std::size_t>(film.width) * static_cast<std::size_t>(film.height);
   rasterizes = content.surfaces && triangle_count(scene) <= pixels;
@@ -263,7 +253,7 @@ bool RenderPlan::needs_transfer(const Surface& surface) const {
 }
 
 std::vector<TransferRequest> needed_transfers(const Scene& scene, const Settings& settings) {
-  return planned_transfers(scene, Content(scene), without_auto(settings));
+  return RenderPlan(scene, scene.film, settings).transfers;
 }
 
 }  // namespace brume

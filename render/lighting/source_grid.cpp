@@ -113,13 +113,13 @@ void add_reflected(const GridOcclusion& surfaces, const DistantLight& light,
   }
 }
 
-// `occluded`: by surfaces, also in the level `coarse` around this one, null if there is none.
+// `coarse`: the level around this one; null if there is none.
 Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::Level* coarse,
-                              bool occluded, std::span<const SourceLight> lights, int bands,
-                              int clusters, const Job& job) {
+                              std::span<const SourceLight> lights, int bands, int clusters,
+                              const Job& job) {
   const std::size_t nodes = level.nodes.size();
   Transmitted result{NodeLight(bands, 3, nodes), {}, {}};
-  const GridOcclusion* const surfaces = occluded ? level.surfaces.get() : nullptr;
+  const GridOcclusion* const surfaces = level.surfaces.get();
   if (surfaces) result.reflected.assign(3 * surfaces->surfels().size(), 0.0f);
   const std::size_t stride = result.light.stride;
   result.clusters.assign(static_cast<std::size_t>(clusters) * stride, 0.0f);
@@ -132,15 +132,14 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
       thread_local std::vector<float> inflow;
       const glm::vec3 w(current[k].light.direction);
       inflow.clear();
-      if (occluded && coarse) {
+      if (surfaces && coarse) {
         around.resize(coarse->nodes.size());
         inflow.resize(nodes);
         sweep_transmittance(coarse->nodes, coarse->density, w, occlusion_of(*coarse), {}, around);
         Resampling(coarse->first, coarse->nodes, level.first, level.nodes)
             .apply_to_border(around, inflow);
       }
-      sweep_transmittance(level.nodes, level.density, w,
-                          occluded ? occlusion_of(level) : SweepOcclusion{}, inflow,
+      sweep_transmittance(level.nodes, level.density, w, occlusion_of(level), inflow,
                           std::span(transmittances).subspan(k * stride, nodes));
     });
     for (std::size_t k = 0; surfaces && k < current.size(); ++k) {
@@ -167,9 +166,7 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
   const std::size_t nodes = level.nodes.size();
   const int clusters = content.bands > 1 ? source_clusters : 0;
   const int bands = content.receivers || content.surfaces ? grid_bands : content.bands;
-  const bool occluded = content.surfaces != nullptr;
-  Transmitted transmitted =
-      transmitted_light(level, coarse, occluded, lights, bands, clusters, job);
+  Transmitted transmitted = transmitted_light(level, coarse, lights, bands, clusters, job);
   const std::size_t stride = transmitted.light.stride;
   const std::size_t functions = sh_size(content.bands);
   const std::size_t size = SourceGrid::node_size(content.bands);
