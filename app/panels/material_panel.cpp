@@ -55,6 +55,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
   // After the list, which says what surface the fields are about.
   add_fields(*form);
+  transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
   form->addRow(tr("Radiance transfer"), transfer_);
   refresh();
 }
