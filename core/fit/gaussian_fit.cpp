@@ -262,10 +262,10 @@ void Fitting::relocate() {
     FitGaussian gaussian;
   };
   std::vector<Place> places;
-  for (const int side : {2, 4}) {
-    problem_.each_cube(side, residuals_, [&](const glm::dvec3& center, double sum) {
+  for (const int edge : {2, 4}) {
+    problem_.each_cube(edge, residuals_, [&](const glm::dvec3& center, double sum) {
       if (!(sum < 0.0)) return;
-      const double variance = side * side / 12.0 * glm::dot(grid_.spacing, grid_.spacing) / 3.0;
+      const double variance = edge * edge / 12.0 * glm::dot(grid_.spacing, grid_.spacing) / 3.0;
       FitGaussian g;
       g.b = center;
       g.a = std::min(1.0 / std::sqrt(2.0 * variance), sharpest_);

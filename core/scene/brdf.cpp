@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 glm::dvec3 phong_highlight(const Material& material, const glm::dvec3& wi, const glm::dvec3& wo,
                            const glm::dvec3& n) {

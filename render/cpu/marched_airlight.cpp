@@ -31,7 +31,7 @@ RayRange medium_range(const MediumIndex& medium, std::span<const std::uint32_t> 
   return range.empty() ? RayRange{0.0, 0.0} : range;
 }
 
-struct Scratch {
+struct MarchScratch {
   GaussianBatch batch;
   PathBatch rays;
   std::vector<double> begin, step;  // per ray [u]
@@ -49,7 +49,7 @@ struct Scratch {
 
 // Sets up the steps of every ray and clears what is summed over them.
 void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-             std::size_t lights, const TileRays& rays, int steps, Scratch& s) {
+             std::size_t lights, const TileRays& rays, int steps, MarchScratch& s) {
   s.batch.assign(medium, rays.eye, gaussians, medium.noise());
   s.rays.assign(rays.directions, rays.lengths);
   const std::size_t count = rays.directions.size();
@@ -71,7 +71,7 @@ void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians
 // The sample of every ray at one step: where it is, what it scatters, and which samples of the
 // tile are worth asking the lights for.
 std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int index, int steps,
-                          Scratch& s) {
+                          MarchScratch& s) {
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     s.t[k] = static_cast<float>(s.begin[k] + (index + 0.5) * s.step[k]);
   }
@@ -95,7 +95,7 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
 
 // Adds what the samples scatter of one light.
 std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
-                        const MarchedLight& light, const glm::dvec3& eye, Scratch& s,
+                        const MarchedLight& light, const glm::dvec3& eye, MarchScratch& s,
                         std::vector<float>& radiance) {
   s.no_self.assign(s.relevant.size(), -1);
   s.exact.resize(s.relevant.size());
@@ -116,7 +116,7 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
 
 // Adds what the samples scatter of the environment, but for its peak.
 void add_environment(const SourceFunction& environment, const MediumIndex& medium,
-                     const TileRays& rays, Scratch& s) {
+                     const TileRays& rays, MarchScratch& s) {
   const SourceLookup source(environment.grid(), rays.eye);
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   for (const std::size_t k : s.relevant) {
@@ -131,7 +131,7 @@ void add_environment(const SourceFunction& environment, const MediumIndex& mediu
 }
 
 // Adds what the peak of the phase function scatters of it.
-void add_forward_lobe(const SourceFunction& environment, const TileRays& rays, Scratch& s) {
+void add_forward_lobe(const SourceFunction& environment, const TileRays& rays, MarchScratch& s) {
   const SourceLookup source(environment.grid(), rays.eye);
   PathBatch lines = s.rays;
   lines.make_endless();
@@ -149,7 +149,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
                                const RayCaster& ray_caster, std::span<const MarchedLight> lights,
                                const SourceFunction* environment, const TileRays& rays, int steps,
                                const TileAirlight& out) {
-  thread_local Scratch s;
+  thread_local MarchScratch s;
   prepare(medium, gaussians, lights.size(), rays, steps, s);
   std::uint64_t pairs = 0;
   s.source_weights.clear();

@@ -74,7 +74,7 @@ std::uint64_t plain(const MediumIndex& medium, std::span<const std::uint32_t> ga
   return pairs;
 }
 
-struct Scratch {
+struct PaperScratch {
   GaussianBatch batch;
   PathBatch rays;
   LightBatch pack;
@@ -93,7 +93,7 @@ void gather(std::span<const double> values, std::span<const std::uint32_t> gauss
 
 std::uint64_t simd(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
                    const PaperLights& paper, const TileRays& rays, const TileAirlight& out) {
-  thread_local Scratch s;
+  thread_local PaperScratch s;
   const std::vector<PaperLight>& lights = paper.lights;
   const std::size_t count = rays.directions.size();
   s.batch.assign(medium, rays.eye, gaussians, medium.noise());

@@ -10,7 +10,7 @@
 namespace brume {
 namespace {
 
-struct Scratch {
+struct SliceScratch {
   RaySlices slices;
   GaussianBatch batch;
   PathBatch rays;
@@ -28,7 +28,7 @@ struct Scratch {
 constexpr std::size_t slices_per_lookup = 2;
 
 // Adds the source function of the slices.
-void add_source_function(const SourceFunction& function, const TileRays& rays, Scratch& s,
+void add_source_function(const SourceFunction& function, const TileRays& rays, SliceScratch& s,
                          std::span<glm::vec3> airlight) {
   const SourceLookup source(function.grid(), rays.eye);
   const std::size_t stride = s.rays.padded_size();
@@ -64,7 +64,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
                               std::span<const SlicedLight> lights,
                               const SourceFunction* source_function, const TileRays& rays,
                               const SliceNodes& slices, const TileAirlight& out) {
-  thread_local Scratch s;
+  thread_local SliceScratch s;
   const std::size_t count = rays.directions.size();
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
   std::fill(out.depths.begin(), out.depths.end(), 0.0);

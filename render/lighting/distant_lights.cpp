@@ -9,7 +9,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The light of a part of the map. `moment` is the sum of the channels' irradiance, times direction.
 struct Light {
@@ -80,17 +80,17 @@ class Raster {
 };
 
 // A box of a raster: cells [x0, x1) x [y0, y1).
-struct Box {
+struct RasterBox {
   int x0, y0, x1, y1;
   Light light;
   double spread;
   int cluster = 0;
 
-  bool operator<(const Box& other) const { return spread < other.spread; }
+  bool operator<(const RasterBox& other) const { return spread < other.spread; }
 };
 
-Box box_of(const Raster& raster, int x0, int y0, int x1, int y1) {
-  Box box{x0, y0, x1, y1, {}, 0.0};
+RasterBox box_of(const Raster& raster, int x0, int y0, int x1, int y1) {
+  RasterBox box{x0, y0, x1, y1, {}, 0.0};
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) box.light += raster.at(x, y);
   }
@@ -99,7 +99,7 @@ Box box_of(const Raster& raster, int x0, int y0, int x1, int y1) {
 }
 
 // The split of a box with minimum variance; nullopt for a single cell.
-std::optional<std::pair<Box, Box>> halves(const Raster& raster, const Box& box) {
+std::optional<std::pair<RasterBox, RasterBox>> halves(const Raster& raster, const RasterBox& box) {
   double max_reduction = -1.0;
   int cut_x = 0;
   int cut_y = 0;
@@ -143,11 +143,11 @@ void append(const Light& light, std::vector<DistantLight>& lights) {
 constexpr int fine_rows = 64;
 
 // Splits the box of maximum variance until there are enough.
-std::vector<Box> split(const Raster& raster, const LightGrouping& grouping) {
+std::vector<RasterBox> split(const Raster& raster, const LightGrouping& grouping) {
   const int side = raster.rows() / grouping.min_rows;
   // A single box covers all longitudes.
   const int width = grouping.min_rows == 1 ? raster.columns() : side;
-  std::vector<Box> boxes;  // a heap, and behind it those that cannot be split
+  std::vector<RasterBox> boxes;  // a heap, and behind it those that cannot be split
   for (int y = 0; y < raster.rows(); y += side) {
     for (int x = 0; x < raster.columns(); x += width) {
       boxes.push_back(box_of(raster, x, y, x + width, y + side));
@@ -162,7 +162,7 @@ std::vector<Box> split(const Raster& raster, const LightGrouping& grouping) {
     if (end == 0 || boxes.size() >= grouping.groups || !(boxes.front().spread > 0.0)) return boxes;
     const auto heap_end = boxes.begin() + static_cast<std::ptrdiff_t>(end);
     std::pop_heap(boxes.begin(), heap_end);
-    const Box box = boxes[end - 1];
+    const RasterBox box = boxes[end - 1];
     if (const auto cut = halves(raster, box)) {
       boxes[end - 1] = cut->first;
       boxes[end - 1].cluster = box.cluster;
@@ -181,7 +181,7 @@ std::vector<Box> split(const Raster& raster, const LightGrouping& grouping) {
 std::vector<DistantLight> distant_lights(const RadianceMap& map, std::size_t count) {
   const Raster raster(map, fine_rows);
   std::vector<DistantLight> lights;
-  for (const Box& box : split(raster, {.groups = count})) append(box.light, lights);
+  for (const RasterBox& box : split(raster, {.groups = count})) append(box.light, lights);
   return lights;
 }
 
@@ -189,7 +189,7 @@ std::vector<LightGroup> distant_light_groups(const RadianceMap& map,
                                              const LightGrouping& grouping) {
   const Raster raster(map, fine_rows);
   std::vector<LightGroup> groups;
-  for (const Box& box : split(raster, grouping)) {
+  for (const RasterBox& box : split(raster, grouping)) {
     const auto combined = distant(box.light);
     if (!combined) continue;
     LightGroup& group = groups.emplace_back(LightGroup{*combined, {}, box.cluster});

@@ -8,7 +8,7 @@ namespace {
 
 // Directions that scattered light comes from: a rule that is exact for the square of four bands,
 // and one more for what lies beyond them.
-constexpr int degree = 9;
+constexpr int scattered_degree = 9;
 
 }  // namespace
 
@@ -19,8 +19,8 @@ std::vector<float> incident_light(const GridNodes& nodes, std::span<const float>
   const std::vector<double> phase =
       phase_bands(optics.anisotropy, optics.anisotropy == 0.0 ? 1 : grid_bands);
   NodeLight scattered(grid_bands, 3, nodes.size());
-  scatter_once({nodes, density, optics.fog_density}, unscattered, {}, phase, degree, scattered,
-               job);
+  scatter_once({nodes, density, optics.fog_density}, unscattered, {}, phase, scattered_degree,
+               scattered, job);
   const auto scale = static_cast<float>(optics.scattered);
   const std::size_t functions = unscattered.functions();
   std::vector<float> values(4 * functions * nodes.size(), 0.0f);

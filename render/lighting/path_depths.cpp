@@ -39,7 +39,7 @@ std::uint32_t direction_code(const glm::dvec3& q) {
 }
 
 // Per-thread scratch memory, reused to avoid allocations.
-struct Scratch {
+struct PathScratch {
   std::vector<std::uint32_t> candidates;
   GaussianBatch batch;
   PathBatch paths;
@@ -70,7 +70,7 @@ std::uint64_t plain_depths(const MediumIndex& medium, const glm::dvec3& origin,
 std::uint64_t bundle_depths(const MediumIndex& medium, const glm::dvec3& origin,
                             std::span<const glm::dvec3> ends, std::span<const std::int32_t> self,
                             Settings::Precision precision, std::span<double> depths) {
-  thread_local Scratch scratch;
+  thread_local PathScratch scratch;
   scratch.candidates.clear();
   medium.bvh().query(RayBundle(origin, ends),
                      [&](std::uint32_t i) { scratch.candidates.push_back(i); });

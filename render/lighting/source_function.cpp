@@ -14,7 +14,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // In rows as fine as the phase function is narrow, 2 R columns of R rows.
 RadianceMap empty_map(double anisotropy) {

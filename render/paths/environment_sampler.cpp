@@ -10,7 +10,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double brightness(const glm::vec3& radiance) {
   return static_cast<double>(radiance.x) + static_cast<double>(radiance.y) +

@@ -6,17 +6,14 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/math/infinity.h"
+#include "core/math/max_component.h"
+
 namespace brume {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Points on a cell's border may be rounded into it: its majorant is that of a slightly larger one.
 constexpr double border = 1e-6;
-
-double max_component(const glm::dvec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
 
 }  // namespace
 

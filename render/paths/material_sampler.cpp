@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/math/max_component.h"
 #include "core/scene/brdf.h"
 #include "core/scene/measured_brdf.h"
 #include "render/paths/direction_sampling.h"
@@ -12,11 +13,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double max_component(const glm::dvec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
+using std::numbers::pi;
 
 // The exponent whose (n.h)^e falls to half where the highlight at normal incidence does.
 double half_vector_exponent(const MeasuredBrdf& measured) {

@@ -7,12 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/math/infinity.h"
+
 namespace brume {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 PathMedium::PathMedium(const MediumIndex& medium) : medium_(medium) {
   std::vector<GaussianTerm<double>> gaussians;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/math/infinity.h"
+#include "core/math/max_component.h"
 #include "core/scene/brdf.h"
 #include "core/transport/light_path.h"
 #include "core/transport/phase_function.h"
@@ -14,12 +16,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double max_component(const glm::dvec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
+using std::numbers::pi;
 
 // The light relative to the segment that ends at a point of the medium.
 PointLightRay<double> relative_to(const PathLight& light, const glm::dvec3& start,

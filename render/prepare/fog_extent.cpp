@@ -4,14 +4,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/math/infinity.h"
 #include "core/scene/mesh_arrays.h"
 
 namespace brume {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 FogExtent::FogExtent(const Scene& scene) : distance_(infinity) {
   const double b0 = scene.medium.homogeneous_density();

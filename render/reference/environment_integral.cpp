@@ -14,7 +14,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Number of directions for transmittance. On fog patches under skies with a low sun the error falls
 // with their number to the power 1.3. The forward lobe can make any part of the sky dominant, so

@@ -19,7 +19,7 @@ namespace {
 
 using Light = std::vector<ShVector<glm::dvec3>>;  // at some points
 
-constexpr auto block = static_cast<std::size_t>(Tiles::pixels);  // vertices taken together
+constexpr auto lighting_block = static_cast<std::size_t>(Tiles::pixels);  // vertices taken together
 
 // Beyond any light, and sums of some of these stay in the range of float.
 glm::vec3 bounded(const glm::dvec3& x) {
@@ -35,7 +35,7 @@ SurfacePoints places(const Surface& surface, std::span<const glm::vec3> vertices
   };
   SurfacePoints points{};
   points.surface = &surface;
-  points.count = std::min(block, vertices.size() - first);
+  points.count = std::min(lighting_block, vertices.size() - first);
   points.origin = place(first);
   for (std::size_t k = 0; k < points.padded_size(); ++k) {
     const std::size_t vertex = first + std::min(k, points.count - 1);
@@ -126,8 +126,8 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
     if (!material_->is_diffuse()) sides_[s].incident.resize(transfer.vertices * sh_size(order_));
   }
   std::atomic<std::uint64_t> pair_count = 0;
-  job.parallel_for((transfer.vertices + block - 1) / block, [&](std::size_t b) {
-    const SurfacePoints points = places(surface, mesh.points, b * block);
+  job.parallel_for((transfer.vertices + lighting_block - 1) / lighting_block, [&](std::size_t b) {
+    const SurfacePoints points = places(surface, mesh.points, b * lighting_block);
     Light light(points.count, ShVector<glm::dvec3>(order_));
     Light traced = light;
     for (const SurfaceLight& surface_light : lighting.lights) {
@@ -136,7 +136,7 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
     }
     if (lighting.environment) add_environment(lighting, shading.average_depth, points, light);
     for (std::size_t k = 0; k < points.count; ++k) {
-      receive(transfer, b * block + k, light[k], traced[k]);
+      receive(transfer, b * lighting_block + k, light[k], traced[k]);
     }
   });
   pairs += pair_count;

@@ -19,7 +19,7 @@
 namespace brume {
 namespace {
 
-constexpr std::size_t block = 64;  // vertices between two looks at a stop
+constexpr std::size_t vertex_block = 64;  // vertices between two looks at a stop
 
 // Rays start this share of the mesh's radius off it, a few roundings of float.
 constexpr double self_hit_margin = 1e-5;
@@ -190,10 +190,11 @@ class Transfer {
 
   template <class Body>
   void each_vertex(const Job& job, Body body) const {
-    job.parallel_for_with_progress((result_.vertices + block - 1) / block, [&](std::size_t b) {
-      const std::size_t end = std::min(result_.vertices, (b + 1) * block);
-      for (std::size_t v = b * block; v < end; ++v) body(v);
-    });
+    job.parallel_for_with_progress(
+        (result_.vertices + vertex_block - 1) / vertex_block, [&](std::size_t b) {
+          const std::size_t end = std::min(result_.vertices, (b + 1) * vertex_block);
+          for (std::size_t v = b * vertex_block; v < end; ++v) body(v);
+        });
   }
 
   // The rays of one vertex.

@@ -281,5 +281,5 @@ class AnimationExportTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(AnimationExportTest)
+BRUME_APP_SUITE("animation_export", AnimationExportTest)
 #include "animation_export_test.moc"

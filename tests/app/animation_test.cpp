@@ -301,5 +301,5 @@ class AnimationTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(AnimationTest)
+BRUME_APP_SUITE("animation", AnimationTest)
 #include "animation_test.moc"

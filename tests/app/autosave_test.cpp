@@ -235,5 +235,5 @@ class AutosaveTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(AutosaveTest)
+BRUME_APP_SUITE("autosave", AutosaveTest)
 #include "autosave_test.moc"

@@ -282,5 +282,5 @@ class DisplayTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(DisplayTest)
+BRUME_APP_SUITE("display", DisplayTest)
 #include "display_test.moc"

@@ -270,5 +270,5 @@ class DocumentTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(DocumentTest)
+BRUME_APP_SUITE("document", DocumentTest)
 #include "document_test.moc"

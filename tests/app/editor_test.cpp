@@ -376,5 +376,5 @@ class EditorTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(EditorTest)
+BRUME_APP_SUITE("editor", EditorTest)
 #include "editor_test.moc"

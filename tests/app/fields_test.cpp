@@ -280,5 +280,5 @@ class FieldsTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(FieldsTest)
+BRUME_APP_SUITE("fields", FieldsTest)
 #include "fields_test.moc"

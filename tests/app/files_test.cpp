@@ -336,5 +336,5 @@ class FilesTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(FilesTest)
+BRUME_APP_SUITE("files", FilesTest)
 #include "files_test.moc"

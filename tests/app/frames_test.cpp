@@ -403,5 +403,5 @@ class FramesTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(FramesTest)
+BRUME_APP_SUITE("frames", FramesTest)
 #include "frames_test.moc"

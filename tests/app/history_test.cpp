@@ -327,5 +327,5 @@ class HistoryTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(HistoryTest)
+BRUME_APP_SUITE("history", HistoryTest)
 #include "history_test.moc"

@@ -381,5 +381,5 @@ class ImportTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(ImportTest)
+BRUME_APP_SUITE("import", ImportTest)
 #include "import_test.moc"

@@ -245,5 +245,5 @@ class InspectorTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(InspectorTest)
+BRUME_APP_SUITE("inspector", InspectorTest)
 #include "inspector_test.moc"

@@ -294,5 +294,5 @@ class JobsTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(JobsTest)
+BRUME_APP_SUITE("jobs", JobsTest)
 #include "jobs_test.moc"

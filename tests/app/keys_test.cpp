@@ -285,5 +285,5 @@ class KeysTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(KeysTest)
+BRUME_APP_SUITE("keys", KeysTest)
 #include "keys_test.moc"

@@ -106,5 +106,5 @@ class LayoutTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(LayoutTest)
+BRUME_APP_SUITE("layout", LayoutTest)
 #include "layout_test.moc"

@@ -144,5 +144,5 @@ class ModesTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(ModesTest)
+BRUME_APP_SUITE("modes", ModesTest)
 #include "modes_test.moc"

@@ -295,5 +295,5 @@ class PanelsTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(PanelsTest)
+BRUME_APP_SUITE("panels", PanelsTest)
 #include "panels_test.moc"

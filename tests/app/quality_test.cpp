@@ -302,5 +302,5 @@ class QualityTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(QualityTest)
+BRUME_APP_SUITE("quality", QualityTest)
 #include "quality_test.moc"

@@ -261,5 +261,5 @@ class ScatteringTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(ScatteringTest)
+BRUME_APP_SUITE("scattering", ScatteringTest)
 #include "scattering_test.moc"

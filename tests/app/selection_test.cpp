@@ -362,5 +362,5 @@ class SelectionTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(SelectionTest)
+BRUME_APP_SUITE("selection", SelectionTest)
 #include "selection_test.moc"

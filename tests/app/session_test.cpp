@@ -240,5 +240,5 @@ class SessionTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(SessionTest)
+BRUME_APP_SUITE("session", SessionTest)
 #include "session_test.moc"

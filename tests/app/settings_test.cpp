@@ -144,5 +144,5 @@ class SettingsTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(SettingsTest)
+BRUME_APP_SUITE("settings", SettingsTest)
 #include "settings_test.moc"

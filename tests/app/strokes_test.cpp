@@ -255,5 +255,5 @@ class StrokesTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(StrokesTest)
+BRUME_APP_SUITE("strokes", StrokesTest)
 #include "strokes_test.moc"

@@ -1,13 +1,11 @@
 #include "tests/app/test_window.h"
 
 #include <QApplication>
-#include <QSettings>
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
-#include "app/widgets/application.h"
 #include "core/io/scene/scene_file.h"
 
 namespace brume {
@@ -89,20 +87,6 @@ void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QVERIFY(QTest::qWaitForWindowActive(window_.get(), patience));
   window_->viewport().setFocus();
   QTest::keyClick(&window_->viewport(), key, modifiers);
-}
-
-int start_test(int argc, char** argv, int (*run)(int, char**)) {
-  const QTemporaryDir settings;
-  qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
-  qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
-  qputenv("XDG_DATA_HOME", settings.path().toUtf8());
-  // Qt ends a test that takes five minutes; beside a full load some do.
-  qputenv("QTEST_FUNCTION_TIMEOUT", "1200000");
-  prepare_application();
-  QApplication application(argc, argv);
-  set_up_application(application);
-  QSettings().setValue("view/scattering", "single");
-  return run(argc, argv);
 }
 
 }  // namespace brume

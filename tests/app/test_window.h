@@ -58,16 +58,17 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
-// Runs a test program with settings and a cache of its own: the user's stay untouched. Views show
-// light scattered once, which takes a fraction of the time; ScatteringTest is about all orders.
-int start_test(int argc, char** argv, int (*run)(int, char**));
+// A suite of test_app, by name: a class of test functions, run with the arguments of
+// QTest::qExec().
+class AppSuite {
+ public:
+  AppSuite(const char* name, int (*run)(int, char**));
+};
 
 }  // namespace brume
 
-#define BRUME_TEST_MAIN(Test)                                  \
-  int main(int argc, char** argv) {                            \
-    return brume::start_test(argc, argv, [](int c, char** v) { \
-      Test test;                                               \
-      return QTest::qExec(&test, c, v);                        \
-    });                                                        \
-  }
+#define BRUME_APP_SUITE(name, Test)                                               \
+  static const brume::AppSuite registered_suite(name, [](int argc, char** argv) { \
+    Test test;                                                                    \
+    return QTest::qExec(&test, argc, argv);                                       \
+  });

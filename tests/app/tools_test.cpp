@@ -304,5 +304,5 @@ class ToolsTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(ToolsTest)
+BRUME_APP_SUITE("tools", ToolsTest)
 #include "tools_test.moc"

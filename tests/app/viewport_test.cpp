@@ -255,5 +255,5 @@ class ViewportTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(ViewportTest)
+BRUME_APP_SUITE("viewport", ViewportTest)
 #include "viewport_test.moc"

@@ -227,5 +227,5 @@ class ViewsTest : public QObject {
   }
 };
 
-BRUME_TEST_MAIN(ViewsTest)
+BRUME_APP_SUITE("views", ViewsTest)
 #include "views_test.moc"

@@ -347,5 +347,5 @@ class VtkFilesTest : public QObject {
   QTemporaryDir folder_;
 };
 
-BRUME_TEST_MAIN(VtkFilesTest)
+BRUME_APP_SUITE("vtk_files", VtkFilesTest)
 #include "vtk_files_test.moc"

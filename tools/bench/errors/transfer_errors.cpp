@@ -15,7 +15,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Frame frame_with(Scene scene, Surface::Transfer transfer) {
   for (Surface& surface : scene.surfaces) surface.transfer = transfer;

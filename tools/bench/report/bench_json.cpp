@@ -7,18 +7,18 @@
 namespace brume {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json to_json(const Spread& spread) {
+OrderedJson to_json(const Spread& spread) {
   return {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}};
 }
 
-Json to_json(const Quartiles& quartiles) {
+OrderedJson to_json(const Quartiles& quartiles) {
   return {{"median", quartiles.median}, {"lower", quartiles.lower}, {"upper", quartiles.upper}};
 }
 
-Json to_json(const std::vector<CacheGain>& gains) {
-  Json json = Json::array();
+OrderedJson to_json(const std::vector<CacheGain>& gains) {
+  OrderedJson json = OrderedJson::array();
   for (const CacheGain& gain : gains) {
     json.push_back({{"cache", gain.cache},
                     {"scene", gain.scene},
@@ -33,12 +33,12 @@ Json to_json(const std::vector<CacheGain>& gains) {
   return json;
 }
 
-Json to_json(const HardCaseError& error) {
+OrderedJson to_json(const HardCaseError& error) {
   return {{"airlight", error.airlight}, {"transmittance", error.transmittance}};
 }
 
-Json to_json(const HardCaseRow& row) {
-  Json json;
+OrderedJson to_json(const HardCaseRow& row) {
+  OrderedJson json;
   json["name"] = row.hard_case.name;
   json["bound"] = row.hard_case.bound;
   json["auto"] = {{"airlight", row.errors.automatic.airlight},
@@ -50,7 +50,7 @@ Json to_json(const HardCaseRow& row) {
   return json;
 }
 
-Json to_json(const KernelShare& share) {
+OrderedJson to_json(const KernelShare& share) {
   return {{"limit_per_second", to_json(share.limit_per_second)},
           {"of_limit", to_json(share.of_limit)},
           {"of_limit_with_pairs", to_json(share.of_limit_with_pairs)},
@@ -59,15 +59,15 @@ Json to_json(const KernelShare& share) {
           {"used_lanes", share.used_lanes}};
 }
 
-Json to_json(const ErrorEstimate& error) {
+OrderedJson to_json(const ErrorEstimate& error) {
   return {{"rel_rmse", error.rel_rmse},
           {"low", error.low},
           {"high", error.high},
           {"pixels", error.pixels}};
 }
 
-Json to_json(const std::vector<ComparedError>& rows) {
-  Json json = Json::array();
+OrderedJson to_json(const std::vector<ComparedError>& rows) {
+  OrderedJson json = OrderedJson::array();
   for (const ComparedError& row : rows) {
     json.push_back({{"what", row.label}, {"error", to_json(row.error)}});
     if (row.other) json.back()["other"] = to_json(*row.other);
@@ -75,8 +75,8 @@ Json to_json(const std::vector<ComparedError>& rows) {
   return json;
 }
 
-Json to_json(const Measurement& m) {
-  Json json;
+OrderedJson to_json(const Measurement& m) {
+  OrderedJson json;
   json["setting"] = m.setting;
   json["frame_ms"] = to_json(m.milliseconds);
   json["cpu_ms"] = to_json(m.cpu_milliseconds);
@@ -84,7 +84,7 @@ Json to_json(const Measurement& m) {
   json["first_frame_cpu_ms"] = m.first_cpu_milliseconds;
   json["error"] = to_json(m.error);
   json["view_pairs"] = m.pairs;
-  Json stages = Json::array();
+  OrderedJson stages = OrderedJson::array();
   for (const StageTime& stage : m.stages) {
     stages.push_back({{"name", to_string(stage.stage)}, {"ms", stage.milliseconds}});
   }
@@ -92,21 +92,21 @@ Json to_json(const Measurement& m) {
   return json;
 }
 
-Json to_json(const SceneReport& scene) {
-  Json json;
+OrderedJson to_json(const SceneReport& scene) {
+  OrderedJson json;
   json["name"] = scene.name;
   json["gaussians"] = scene.gaussians;
   json["lights"] = scene.lights;
   json["environment"] = scene.environment;
   json["size"] = {scene.film.width, scene.film.height};
   json["reference_cpu_ms"] = scene.reference_cpu_milliseconds;
-  Json settings = Json::array();
+  OrderedJson settings = OrderedJson::array();
   for (const Measurement& m : scene.settings) settings.push_back(to_json(m));
   json["settings"] = std::move(settings);
-  Json on_gl = Json::array();
+  OrderedJson on_gl = OrderedJson::array();
   for (const Measurement& m : scene.on_gl) on_gl.push_back(to_json(m));
   json["on_gl"] = std::move(on_gl);
-  Json peers = Json::array();
+  OrderedJson peers = OrderedJson::array();
   for (const OtherRendererRow& peer : scene.peers) {
     peers.push_back({{"program", peer.program},
                      {"setting", peer.setting},
@@ -114,13 +114,14 @@ Json to_json(const SceneReport& scene) {
                      {"rel_rmse", peer.rel_rmse}});
   }
   json["peers"] = std::move(peers);
-  Json fastest = Json::array();
+  OrderedJson fastest = OrderedJson::array();
   for (const double level : bench_error_levels) {
     const auto best = cheapest_within(scene.settings, level);
     fastest.push_back(
         {{"max_error", level},
-         {"setting", best ? Json(scene.settings[*best].setting) : Json(nullptr)},
-         {"cpu_ms", best ? Json(scene.settings[*best].cpu_milliseconds.median) : Json(nullptr)}});
+         {"setting", best ? OrderedJson(scene.settings[*best].setting) : OrderedJson(nullptr)},
+         {"cpu_ms", best ? OrderedJson(scene.settings[*best].cpu_milliseconds.median)
+                         : OrderedJson(nullptr)}});
   }
   json["fastest"] = std::move(fastest);
   return json;
@@ -129,21 +130,21 @@ Json to_json(const SceneReport& scene) {
 }  // namespace
 
 std::string to_json(const BenchReport& report) {
-  Json json;
+  OrderedJson json;
   json["version"] = BRUME_VERSION;
   json["device"] = device_name();
   json["command"] = report.command;
-  json["backends"] = Json::array({"cpu"});
+  json["backends"] = OrderedJson::array({"cpu"});
   if (!report.gl_device.empty()) {
     json["backends"].push_back("gl");
     json["gl_device"] = report.gl_device;
   }
   json["threads"] = report.threads;
   json["quick"] = report.quick;
-  Json scenes = Json::array();
+  OrderedJson scenes = OrderedJson::array();
   for (const SceneReport& scene : report.scenes) scenes.push_back(to_json(scene));
   json["scenes"] = std::move(scenes);
-  Json thickness = Json::array();
+  OrderedJson thickness = OrderedJson::array();
   for (const ThicknessRow& row : report.thickness) {
     thickness.push_back({{"factor", row.factor},
                          {"max_depth", row.max_depth},
@@ -152,7 +153,7 @@ std::string to_json(const BenchReport& report) {
                          {"sliced", to_json(row.sliced)}});
   }
   json["thickness"] = std::move(thickness);
-  Json skies = Json::array();
+  OrderedJson skies = OrderedJson::array();
   for (const SkyRow& row : report.skies) {
     skies.push_back({{"gaussians", row.gaussians},
                      {"depth", row.depth},
@@ -162,12 +163,12 @@ std::string to_json(const BenchReport& report) {
   }
   json["skies"] = std::move(skies);
   json["patches"] = to_json(report.patches);
-  Json glow = Json::array();
+  OrderedJson glow = OrderedJson::array();
   for (const InscatteringRow& row : report.glow) {
     glow.push_back({{"depth", row.depth}, {"share", row.share}});
   }
   json["glow"] = std::move(glow);
-  Json scales = Json::array();
+  OrderedJson scales = OrderedJson::array();
   for (const ScaleRow& row : report.scales) {
     scales.push_back({{"name", row.scene},
                       {"scale", row.scale},
@@ -175,7 +176,7 @@ std::string to_json(const BenchReport& report) {
                       {"change", row.change}});
   }
   json["airlight_scale"] = std::move(scales);
-  Json all_orders = Json::array();
+  OrderedJson all_orders = OrderedJson::array();
   for (const AllOrdersRow& row : report.all_orders) {
     all_orders.push_back({{"name", row.scene},
                           {"single", row.single},
@@ -186,7 +187,7 @@ std::string to_json(const BenchReport& report) {
                           {"camera_ratio", row.camera_ratio.median}});
   }
   json["all_orders"] = std::move(all_orders);
-  Json noise_depths = Json::array();
+  OrderedJson noise_depths = OrderedJson::array();
   for (const NoiseDepthRow& row : report.noise_depths) {
     noise_depths.push_back(
         {{"cells", row.cells}, {"afar", to_json(row.afar)}, {"near", to_json(row.near)}});
@@ -196,21 +197,21 @@ std::string to_json(const BenchReport& report) {
   json["lamp_light"] = to_json(report.lamp_light);
   json["arriving_light"] = to_json(report.incident_light);
   json["transfer"] = to_json(report.transfer);
-  Json curves = Json::array();
+  OrderedJson curves = OrderedJson::array();
   for (const CostCurve& curve : report.curves) {
-    Json points = Json::array();
+    OrderedJson points = OrderedJson::array();
     for (const CostPoint& p : curve.points) {
       points.push_back({{"size", p.size}, {"cpu_ms", p.cpu_milliseconds}});
     }
     curves.push_back({{"over", curve.over}, {"exponent", curve.exponent}, {"points", points}});
   }
   json["curves"] = std::move(curves);
-  Json threads = Json::array();
+  OrderedJson threads = OrderedJson::array();
   for (const ThreadRow& row : report.thread_rows) {
     threads.push_back({{"threads", row.threads}, {"frame_ms", to_json(row.milliseconds)}});
   }
   json["thread_rows"] = std::move(threads);
-  Json savings = Json::array();
+  OrderedJson savings = OrderedJson::array();
   for (const PlanSaving& saving : report.savings) {
     savings.push_back({{"stage", to_string(saving.stage)},
                        {"why", saving.why},
@@ -219,12 +220,12 @@ std::string to_json(const BenchReport& report) {
                        {"change", saving.change}});
   }
   json["left_out"] = std::move(savings);
-  Json hard_cases = Json::array();
+  OrderedJson hard_cases = OrderedJson::array();
   for (const HardCaseRow& row : report.hard_cases) hard_cases.push_back(to_json(row));
   json["hard_cases"] = std::move(hard_cases);
-  Json rows = Json::array();
+  OrderedJson rows = OrderedJson::array();
   for (const TableOneRow& row : report.table_one) {
-    Json entry = to_json(row.measurement);
+    OrderedJson entry = to_json(row.measurement);
     entry["name"] = row.name;
     entry["fps"] = 1e3 / row.measurement.milliseconds.median;
     entry["paper_fps"] = row.paper_fps;
@@ -233,7 +234,7 @@ std::string to_json(const BenchReport& report) {
   }
   json["table_one"] = std::move(rows);
   json["caches"] = to_json(report.caches);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace brume

@@ -11,7 +11,7 @@ void put_row(const std::vector<std::string>& cells, std::string& page) {
   page += '\n';
 }
 
-void put_table(const ReportTable& table, std::string& page) {
+void put_markdown(const ReportTable& table, std::string& page) {
   if (!table.title.empty()) page += "\n## " + table.title + '\n';
   if (!table.lead.empty()) page += '\n' + table.lead + '\n';
   page += '\n';
@@ -27,7 +27,7 @@ void put_table(const ReportTable& table, std::string& page) {
 
 std::string to_markdown(const BenchReport& report) {
   std::string page = std::string("# ") + bench_title + "\n\n" + bench_lead(report) + '\n';
-  for (const ReportTable& table : bench_tables(report)) put_table(table, page);
+  for (const ReportTable& table : bench_tables(report)) put_markdown(table, page);
   return page;
 }
 

@@ -15,7 +15,7 @@
 namespace brume {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Surface surface(MeshBuilder& mesh, const glm::dvec3& reflectance) {
   Surface result;
