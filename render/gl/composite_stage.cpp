@@ -10,6 +10,7 @@ namespace brume::gl {
 void CompositeStage::run(Programs& programs, const FrameContext& work, FilmTextures& textures) {
   const Program& program = programs["composite"];
   set_rays(program, work.rays);
+  program.set("film", textures.beauty.size());
   program.set("sky_size", glm::ivec2(0));
   if (work.plan.has_environment) {
     const Environment& environment = *work.scene.environment;

@@ -30,6 +30,7 @@ std::uint64_t DisplayStage::sum_pairs(Programs& programs, const FilmTextures& fi
   std::vector<float> rows(static_cast<std::size_t>(film.pairs.size().y));
   rows_.reserve(rows.size() * sizeof(float));
   const Program& program = programs["sum_pairs"];
+  program.set("width", film.pairs.size().x);
   program.bind("pairs", film.pairs);
   program.bind("Rows", rows_);
   program.dispatch(rows.size());

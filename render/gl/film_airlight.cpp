@@ -82,6 +82,7 @@ std::size_t FilmAirlight::run(Programs& programs, DeviceClock& clock, const Prog
   light_pixels_.upload(std::span<const glm::ivec2>(near_lights.pixels));
   clock.time(Stage::upsample, [&] {
     const Program& rms = programs["rms"];
+    rms.set("size", sample_film);
     rms.bind("samples", samples_);
     rms.bind("Totals", totals_);
     rms.dispatch(1);

@@ -51,6 +51,7 @@ void MeshBuffers::find_hits(Programs& programs, const CameraRays& rays, const Fi
   program.set("eye", rays.eye() - center_);
   bind(program);
   program.bind("Hits", hits_);
+  program.set("film", glm::ivec2(film.width, film.height));
   program.bind("depths", depth);
   program.dispatch_over({film.width, film.height});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "render/gl/failures.h"
@@ -125,13 +126,29 @@ void Buffer::bind(unsigned binding) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
 }
 
+namespace {
+
+// Llvmpipe compiles programs anew where sides of images become, or are no longer, powers of two.
+glm::ivec2 allocated(Texture::Format format, const glm::ivec2& size) {
+  constexpr int longest = 16384;                      // that any device supports
+  if (format == Texture::Format::rgba8) return size;  // whole pictures are handed on
+  const auto side = [](int n) {
+    while (n < longest && std::has_single_bit(static_cast<unsigned>(n))) ++n;
+    return n;
+  };
+  return {side(size.x), side(size.y)};
+}
+
+}  // namespace
+
 void Texture::reserve(Format format, const glm::ivec2& size) {
   if (object_ && format == format_ && size == size_) return;
   release();
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &name);
   Object made(Kind::texture, name);
-  glTextureStorage2D(name, 1, names_of(format).internal, size.x, size.y);
+  const glm::ivec2 storage = allocated(format, size);
+  glTextureStorage2D(name, 1, names_of(format).internal, storage.x, storage.y);
   check_memory("a texture of " + std::to_string(size.x) + " x " + std::to_string(size.y));
   object_ = std::move(made);
   format_ = format;
@@ -146,8 +163,8 @@ void Texture::upload(std::span<const float> values) {
 
 void Texture::download(std::span<float> values) const {
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glGetTextureImage(name(), 0, names_of(format_).channels, GL_FLOAT,
-                    static_cast<GLsizei>(values.size_bytes()), values.data());
+  glGetTextureSubImage(name(), 0, 0, 0, 0, size_.x, size_.y, 1, names_of(format_).channels,
+                       GL_FLOAT, static_cast<GLsizei>(values.size_bytes()), values.data());
 }
 
 void Texture::fill(float value) {

@@ -12,6 +12,7 @@ layout(r32f, binding = 2) readonly uniform image2D depths;  // to the surface; <
 layout(std430, binding = 0) readonly buffer Sky { vec4 sky[]; };
 layout(std430, binding = 1) readonly buffer Behind { vec4 behind[]; };  // RGB of surfaces
 
+uniform ivec2 film;
 uniform ivec2 sky_size;  // 0: there is none
 uniform vec2 sky_rotation;
 uniform float sky_intensity;
@@ -25,7 +26,6 @@ vec3 sky_radiance(vec3 w) {
 
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  const ivec2 film = imageSize(beauty);
   if (any(greaterThanEqual(pixel, film))) return;
   const vec4 medium = imageLoad(airlight, pixel);
   const bool on_surface = imageLoad(depths, pixel).r >= 0.0;

@@ -10,32 +10,33 @@ vec2 angle_of(float x, float y) {
   return square > tiny_sine_square ? vec2(x, y) / sqrt(square) : vec2(1.0, 0.0);
 }
 
-// A turn of all coefficients about z by the angle.
-void turn_about_z(vec2 angle, inout vec3 f[sh_count]) {
+// Turns `light` about z by the angle.
+void turn_about_z(vec2 angle) {
   vec2 turned = angle;  // by m times
   for (int m = 1; m < sh_bands; ++m) {
     for (int l = m; l < sh_bands; ++l) {
-      const vec3 a = f[l * (l + 1) + m];
-      const vec3 b = f[l * (l + 1) - m];
-      f[l * (l + 1) + m] = turned.x * a - turned.y * b;
-      f[l * (l + 1) - m] = turned.y * a + turned.x * b;
+      const vec3 a = light[l * (l + 1) + m];
+      const vec3 b = light[l * (l + 1) - m];
+      light[l * (l + 1) + m] = turned.x * a - turned.y * b;
+      light[l * (l + 1) - m] = turned.y * a + turned.x * b;
     }
     turned = vec2(turned.x * angle.x - turned.y * angle.y, turned.y * angle.x + turned.x * angle.y);
   }
 }
 
-// A quarter turn about x, or the inverse, which is the transpose.
-void quarter_turn(bool inverse_, vec3 f[sh_count], out vec3 result[sh_count]) {
-  for (int i = 0; i < sh_count; ++i) result[i] = vec3(0.0);
+// Turns it by a quarter about x, or back: the inverse is the transpose.
+void quarter_turn(bool inverse_) {
+  const vec3 before[sh_count] = light;
+  for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
   for (int e = turn_at; e < turn_at + turn_size * turn_count; e += turn_size) {
     const int a = int(values[e + turn_to]);
     const int b = int(values[e + turn_from]);
-    result[inverse_ ? b : a] += values[e + turn_value] * f[inverse_ ? a : b];
+    light[inverse_ ? b : a] += values[e + turn_value] * before[inverse_ ? a : b];
   }
 }
 
-// Outgoing radiance of a surface of normal n under light f; its table begins at `table`.
-vec3 reflected(int table, vec3 n, vec3 to_eye, vec3 f[sh_count]) {
+// Outgoing radiance of a surface of normal n under `light`, which turns; its table begins at `table`.
+vec3 reflected(int table, vec3 n, vec3 to_eye) {
   // The frame of the surface is the world turned about z and y to the normal, and then about it to
   // the eye.
   const vec2 azimuth = angle_of(n.x, n.y);
@@ -44,13 +45,11 @@ vec3 reflected(int table, vec3 n, vec3 to_eye, vec3 f[sh_count]) {
   const float y = azimuth.x * to_eye.y - azimuth.y * to_eye.x;
   const vec2 eye = angle_of(polar.x * x - polar.y * to_eye.z, y);
   const float cosine = polar.y * x + polar.x * to_eye.z;
-  const vec2 back = vec2(1.0, -1.0);
-  vec3 turned[sh_count];
-  turn_about_z(back * azimuth, f);
-  quarter_turn(false, f, turned);
-  turn_about_z(back * polar, turned);
-  quarter_turn(true, turned, f);
-  turn_about_z(back * eye, f);
+  const vec2 turns[3] = vec2[](azimuth, polar, eye);
+  for (int k = 0; k < turns.length(); ++k) {
+    if (k > 0) quarter_turn(k == 2);
+    turn_about_z(vec2(1.0, -1.0) * turns[k]);
+  }
 
   const float coordinate = acos(clamp(cosine, 0.0, 1.0)) * (float(reflection_intervals) * 2.0 / pi);
   const float row_below = min(floor(coordinate), float(reflection_intervals - 1));
@@ -59,7 +58,7 @@ vec3 reflected(int table, vec3 n, vec3 to_eye, vec3 f[sh_count]) {
   for (int l = 0; l < sh_bands; ++l) {
     for (int m = 0; m <= l; ++m) {
       sum += mix(values_rgb(row), values_rgb(row + reflection_row), coordinate - row_below) *
-             f[l * (l + 1) + m];
+             light[l * (l + 1) + m];
       row += 3;
     }
   }

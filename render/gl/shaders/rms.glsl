@@ -6,11 +6,12 @@ layout(local_size_x = 1024) in;
 layout(rgba32f, binding = 1) readonly uniform image2D samples;
 layout(std430, binding = 4) buffer Totals { UpsamplingTotals totals; };
 
+uniform ivec2 size;  // of the samples
+
 shared float sums[gl_WorkGroupSize.x];
 
 void main() {
   const int id = int(gl_LocalInvocationID.x);
-  const ivec2 size = imageSize(samples);
   float sum = 0.0;
   for (int i = id; i < size.x * size.y; i += int(gl_WorkGroupSize.x)) {
     const vec3 value = imageLoad(samples, ivec2(i % size.x, i / size.x)).rgb;

@@ -42,6 +42,9 @@ uniform ivec4 incident_count[2];
 
 vec3 values_rgb(int index) { return vec3(values[index], values[index + 1], values[index + 2]); }
 
+// Incident light of a surface that is not diffuse, still to be reflected.
+vec3 light[sh_count];
+
 #include "radiance_map.glsl"
 #include "measured_brdf.glsl"
 #include "reflection.glsl"
@@ -139,8 +142,7 @@ vec3 scattered_light(int l, SurfacePoint point, LightAtPoint light_at_point, flo
 }
 
 // light += that, for surfaces that are not diffuse.
-void add_scattered(int l, LightAtPoint light_at_point, float factors[sh_bands],
-                   inout vec3 light[sh_count]) {
+void add_scattered(int l, LightAtPoint light_at_point, float factors[sh_bands]) {
   float y[sh_count];
   sh_basis(-light_at_point.w, y);
   for (int k = 0; k < sh_bands; ++k) {
@@ -149,8 +151,12 @@ void add_scattered(int l, LightAtPoint light_at_point, float factors[sh_bands],
   }
 }
 
-// Incident light at a point, from the grid.
-void find_incident(SurfacePoint point, vec3 to_eye, out vec3 light[grid_functions]) {
+// Light from around a point: with a grid what that holds, else per band the fraction of the
+// environment's.
+vec3 incoming[grid_functions];
+float fractions[sh_bands];
+
+void find_incoming(SurfacePoint point, vec3 to_eye) {
   const vec3 p = point.position;
   int level = 0;
   vec3 coordinate = incident_first[0].w * (p - incident_first[0].xyz);
@@ -180,10 +186,10 @@ void find_incident(SurfacePoint point, vec3 to_eye, out vec3 light[grid_function
     const int decides = eye_corner(f, to_eye);
     hide_corners(decides, incident_values[firsts[decides]].w, weights);
   }
-  for (int i = 0; i < grid_functions; ++i) light[i] = vec3(0.0);
+  for (int i = 0; i < grid_functions; ++i) incoming[i] = vec3(0.0);
   for (int c = 0; c < 8; ++c) {
     for (int i = 0; i < grid_functions; ++i) {
-      light[i] += weights[c] * incident_values[firsts[c] + i].rgb;
+      incoming[i] += weights[c] * incident_values[firsts[c] + i].rgb;
     }
   }
 }
@@ -211,7 +217,7 @@ float average_depth(SurfacePoint point) {
 }
 
 // EnvironmentLight::incident(): per-band fractions, without a grid.
-void find_fractions(SurfacePoint point, out float fractions[sh_bands]) {
+void find_fractions(SurfacePoint point) {
   const float depth = fog_depth + average_depth(point);
   const float unscattered = exp(-depth);
   const float root = sqrt(depth);
@@ -232,26 +238,30 @@ vec3 dimming(vec3 mean) {
   return mix(vec3(0.0), fraction, greaterThan(all, vec3(0.0)));
 }
 
-// diffuse_light() of a surface of reflectance 1.
-vec3 light_from_around(SurfacePoint point, vec3 to_eye) {
+void find_light_from_around(SurfacePoint point, vec3 to_eye) {
+  if (incident_levels > 0) {
+    find_incoming(point, to_eye);
+  } else {
+    find_fractions(point);
+  }
+}
+
+// diffuse_light() of that, of a surface of reflectance 1.
+vec3 light_from_around(SurfacePoint point) {
   float y[sh_count];
   sh_basis(point.normal, y);
   vec3 sum = vec3(0.0);
   if (incident_levels > 0) {
-    vec3 light[grid_functions];
-    find_incident(point, to_eye, light);
     for (int l = 0; l < 3; ++l) {
       vec3 band = vec3(0.0);
-      for (int i = l * l; i < (l + 1) * (l + 1); ++i) band += y[i] * light[i];
+      for (int i = l * l; i < (l + 1) * (l + 1); ++i) band += y[i] * incoming[i];
       sum += incident_scale * cosine_factors[l] * band;
     }
     if (has_environment == 0) return max(sum, vec3(0.0));
     vec3 fifth = vec3(0.0);
     for (int i = 16; i < 25; ++i) fifth += y[i] * values_rgb(environment_at + 4 * i);
-    return max(sum + cosine_factors[4] * dimming(light[0]) * fifth, vec3(0.0));
+    return max(sum + cosine_factors[4] * dimming(incoming[0]) * fifth, vec3(0.0));
   }
-  float fractions[sh_bands];
-  find_fractions(point, fractions);
   for (int l = 0; l < sh_bands; ++l) {
     vec3 band = vec3(0.0);
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
@@ -263,14 +273,7 @@ vec3 light_from_around(SurfacePoint point, vec3 to_eye) {
 }
 
 // light += incident_light().
-void add_light_from_around(SurfacePoint point, vec3 to_eye, inout vec3 light[sh_count]) {
-  vec3 incoming[grid_functions];
-  float fractions[sh_bands];
-  if (incident_levels > 0) {
-    find_incident(point, to_eye, incoming);
-  } else {
-    find_fractions(point, fractions);
-  }
+void add_light_from_around() {
   for (int l = 0; l < sh_bands; ++l) {
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       const vec3 outside =
@@ -286,28 +289,24 @@ void add_light_from_around(SurfacePoint point, vec3 to_eye, inout vec3 light[sh_
   }
 }
 
-// VertexLighting::add(): what radiance transfer has made of light at the vertices.
-vec3 transferred_light(SurfacePoint point, PixelHit hit, vec3 to_eye) {
+// VertexLighting::add(): what radiance transfer has made of light at the vertices. Adds to `light`
+// what is still to be reflected; whether there is any.
+vec3 transferred_light(SurfacePoint point, PixelHit hit, out bool is_unreflected) {
+  is_unreflected = false;
   const int surface = surface_size * point.surface;
   const int first = int(values[surface + (point.on_back ? surface_back_at : surface_front_at)]);
   if (first < 0) return vec3(0.0);
   const float weights[3] = float[](1.0 - hit.u - hit.v, hit.u, hit.v);
   const int functions = int(values[surface + surface_transferred_functions]);
+  is_unreflected = glossy && functions > 0;
   vec3 sent = vec3(0.0);
-  vec3 light[sh_count];
-  if (glossy) {
-    for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
-  }
   for (int k = 0; k < 3; ++k) {
     const int index = first + (1 + functions) * vertex_of(hit.triangle, k);
     sent += weights[k] * incident_values[index].rgb;
-    if (!glossy) continue;
+    if (!is_unreflected) continue;
     for (int i = 0; i < functions; ++i) light[i] += weights[k] * incident_values[index + 1 + i].rgb;
   }
-  if (glossy && functions > 0) {
-    sent += reflected(int(values[surface + surface_reflection_at]), point.normal, to_eye, light);
-  }
-  return max(sent, vec3(0.0));
+  return sent;
 }
 
 vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int pixels) {
@@ -315,7 +314,6 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
   const bool transferred = values[surface + surface_has_transfer] > 0.0;
   const bool is_diffuse = !glossy || values[surface + surface_reflection_at] == 0.0;
   const bool is_scattered = scatters != 0 && !transferred;
-  vec3 light[sh_count];
   if (glossy) {
     for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
   }
@@ -329,19 +327,28 @@ vec3 surface_light(SurfacePoint point, PixelHit hit, vec3 to_eye, int index, int
     if (is_diffuse) {
       radiance += scattered_light(l, point, light_at_point, factors);
     } else {
-      add_scattered(l, light_at_point, factors, light);
+      add_scattered(l, light_at_point, factors);
     }
   }
-  if (transferred) return radiance + transferred_light(point, hit, to_eye);
-  const bool has_indirect = has_environment != 0 || incident_levels > 0;
-  if (is_diffuse) {
-    if (!has_indirect) return radiance;
-    // values has reflectance / pi
-    return radiance +
-           pi * values_rgb(surface + surface_diffuse) * light_from_around(point, to_eye);
+  vec3 rest = vec3(0.0);
+  bool is_unreflected = !is_diffuse;
+  if (transferred) {
+    rest = transferred_light(point, hit, is_unreflected);
+  } else if (has_environment != 0 || incident_levels > 0) {
+    find_light_from_around(point, to_eye);
+    if (is_diffuse) {
+      // values has reflectance / pi
+      rest = pi * values_rgb(surface + surface_diffuse) * light_from_around(point);
+    } else {
+      add_light_from_around();
+    }
   }
-  if (has_indirect) add_light_from_around(point, to_eye, light);
-  return radiance + max(reflected(int(values[surface + surface_reflection_at]), point.normal, to_eye, light), vec3(0.0));
+  // In one place: this is most of the shader.
+  if (glossy && is_unreflected) {
+    const int table = int(values[surface + surface_reflection_at]);
+    rest += reflected(table, point.normal, to_eye);
+  }
+  return radiance + max(rest, vec3(0.0));
 }
 
 void main() {

@@ -9,10 +9,10 @@ layout(r32f, binding = 0) writeonly uniform image2D depths;  // to the surface; 
 layout(std430, binding = 2) writeonly buffer Hits { PixelHit hits[]; };
 
 uniform dvec3 eye;
+uniform ivec2 film;
 
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  const ivec2 film = imageSize(depths);
   if (any(greaterThanEqual(pixel, film))) return;
   float skip;
   const Hit hit = first_hit(eye, exact_direction(pixel), 0.0, skip);

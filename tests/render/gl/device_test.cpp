@@ -177,6 +177,7 @@ TEST_F(InContext, CompositeAttenuatesTheBackground) {
   depth.reserve(Texture::Format::r32f, size);
   depth.upload(distances);
   const Program program("composite.glsl");
+  program.set("film", size);
   program.bind("Sky", no_sky);
   program.bind("airlight", airlight);
   program.bind("Behind", behind);
