@@ -253,7 +253,7 @@ class DisplayTest : public QObject {
 
   void a_window_can_close_in_motion() {
     const std::size_t objects = gl::live_objects();
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < 3; ++k) {
       GlWindow window;
       if (k % 2 == 0) QVERIFY(window.see_motion([](const RenderedFrame&) {}));
       turn(window.view());

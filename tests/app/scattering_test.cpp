@@ -26,6 +26,9 @@ using namespace brume;
 
 namespace {
 
+// Of a window whose picture has few pixels to trace paths for.
+constexpr QSize small(600, 400);
+
 // A cloud of optical depth 7, whose light is scattered more than once for the most part.
 Scene dense_scene() {
   Scene scene = small_scene();
@@ -160,7 +163,7 @@ class ScatteringTest : public QObject {
   }
 
   void path_tracing_refines_until_a_change() {
-    TestWindow window(dense_scene());
+    TestWindow window(dense_scene(), small);
     FrameScheduler& frames = window->viewport().frames();
     const auto* legend = window->viewport().findChild<Legend*>();
     std::vector<std::pair<std::uint64_t, int>> shown;  // state and paths, of whole pictures
@@ -220,7 +223,7 @@ class ScatteringTest : public QObject {
   }
 
   void paths_are_traced_on_the_cpu_beside_opengl() {
-    TestWindow window(dense_scene());
+    TestWindow window(dense_scene(), small);
     const FrameScheduler& frames = window->viewport().frames();
     window->findChild<QAction*>("backend_gl")->trigger();
     QVERIFY(window.settle());

@@ -26,9 +26,10 @@ Scene small_scene() {
   return scene;
 }
 
-TestWindow::TestWindow(const Scene& scene) : window_(std::make_unique<MainWindow>()) {
+TestWindow::TestWindow(const Scene& scene, const QSize& size)
+    : window_(std::make_unique<MainWindow>()) {
   save_document(scene, file("scene.brume"));
-  window_->resize(900, 775);  // a picture high enough to tell handles apart
+  window_->resize(size);
   window_->show();
   window_->activateWindow();
   if (!open("scene.brume") || !QTest::qWaitForWindowActive(window_.get(), patience) || !settle()) {

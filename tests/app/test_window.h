@@ -32,7 +32,8 @@ Scene small_scene();
 // Tests wait for conditions, never for time: on a busy machine a moment is any length.
 class TestWindow {
  public:
-  explicit TestWindow(const Scene& scene = small_scene());
+  // By default a picture high enough to tell handles apart.
+  explicit TestWindow(const Scene& scene = small_scene(), const QSize& size = {900, 775});
 
   MainWindow& operator*() { return *window_; }
   MainWindow* operator->() { return window_.get(); }
