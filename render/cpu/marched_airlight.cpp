@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <optional>
 #include <vector>
 
 #include "render/cpu/march_kernels.h"
@@ -43,6 +44,7 @@ struct MarchScratch {
   std::vector<std::int32_t> no_self;
   std::vector<double> exact;
   std::vector<SourceWeights> source_weights;
+  std::vector<float> source_sums;      // of all rays, see SourceLookup::add()
   std::vector<glm::vec3> environment;  // per ray
   std::vector<float> along_rays;       // see SliceWeights
 };
@@ -114,25 +116,24 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
   return pairs;
 }
 
-// Adds what the samples scatter of the environment, but for its peak.
-void add_environment(const SourceFunction& environment, const MediumIndex& medium,
-                     const TileRays& rays, MarchScratch& s) {
-  const SourceLookup source(environment.grid(), rays.eye);
+// Sums the source function at the samples.
+void add_environment(const SourceFunction& environment, const SourceLookup& source,
+                     const MediumIndex& medium, MarchScratch& s) {
   const auto b0 = static_cast<float>(medium.homogeneous_density());
+  std::ranges::fill(s.lit_weights, 0.0f);
   for (const std::size_t k : s.relevant) {
-    const float weight = s.weights[k] * std::exp(-s.depths[k]);
-    s.environment[k] += source(glm::vec3(rays.directions[k]), std::span(&s.t[k], 1),
-                               std::span(&weight, 1), s.source_weights[k]);
+    s.lit_weights[k] = s.weights[k] * std::exp(-s.depths[k]);
     if (!environment.has_forward_lobe()) continue;
     const float fog = b0 * s.t[k];
     s.along_rays[k] +=
         s.weights[k] * std::exp(medium.anisotropy() > 0.0 ? -fog : fog - 2.0f * s.depths[k]);
   }
+  source.add(s.rays, s.t.data(), s.lit_weights.data(), s.source_sums.data());
 }
 
 // Adds what the peak of the phase function scatters of it.
-void add_forward_lobe(const SourceFunction& environment, const TileRays& rays, MarchScratch& s) {
-  const SourceLookup source(environment.grid(), rays.eye);
+void add_forward_lobe(const SourceFunction& environment, const SourceLookup& source,
+                      const TileRays& rays, MarchScratch& s) {
   PathBatch lines = s.rays;
   lines.make_endless();
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
@@ -156,19 +157,31 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
   for (std::size_t k = 0; environment && k < rays.directions.size(); ++k) {
     s.source_weights.push_back(environment->weights(rays.directions[k]));
   }
+  std::optional<SourceLookup> source;
+  if (environment) {
+    source = environment->from_eye(rays.eye);
+    s.source_sums.assign(s.rays.padded_size() * source->node_size(), 0.0f);
+  }
   s.environment.assign(rays.directions.size(), glm::vec3(0.0f));
   s.along_rays.assign(rays.directions.size(), 0.0f);
   const bool is_lit = environment || !lights.empty();
   for (int index = 0; index < steps && is_lit; ++index) {
     pairs += add_samples(medium, rays, index, steps, s);
     if (s.relevant.empty()) continue;
-    if (environment) add_environment(*environment, medium, rays, s);
+    if (environment) add_environment(*environment, *source, medium, s);
     for (std::size_t l = 0; l < lights.size(); ++l) {
       pairs += add_light(medium, ray_caster, lights[l], rays.eye, s, s.radiance[l]);
     }
   }
 
-  if (environment && environment->has_forward_lobe()) add_forward_lobe(*environment, rays, s);
+  for (std::size_t k = 0; environment && k < rays.directions.size(); ++k) {
+    s.environment[k] = source->source(
+        std::span(s.source_sums).subspan(k * source->node_size(), source->node_size()),
+        s.source_weights[k]);
+  }
+  if (environment && environment->has_forward_lobe()) {
+    add_forward_lobe(*environment, *source, rays, s);
+  }
   std::fill(s.depths.begin(), s.depths.end(), 0.0f);
   accumulate_path_depths(s.batch, s.rays, s.depths.data());
   const double b0 = medium.homogeneous_density();

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "render/lighting/slice_kernels.h"
+#include "render/simd/coefficients.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
@@ -16,9 +17,9 @@ struct SliceScratch {
   PathBatch rays;
   std::vector<float> increments;
   std::vector<float> depths;
-  std::vector<float> slice_weights;                     // of the slices of all rays
-  std::vector<float> lookup_positions, lookup_weights;  // of one ray
-  PathBatch lines;                                      // the rays without an end
+  std::vector<float> slice_weights;                                  // of the slices of all rays
+  std::vector<float> lookup_positions, lookup_weights, lookup_sums;  // of all rays
+  PathBatch lines;                                                   // the rays without an end
   std::vector<float> along_rays, line_depths;
   std::array<std::vector<float>, light_pack> radiance;
 };
@@ -30,27 +31,35 @@ constexpr std::size_t slices_per_lookup = 2;
 // Adds the source function of the slices.
 void add_source_function(const SourceFunction& function, const TileRays& rays, SliceScratch& s,
                          std::span<glm::vec3> airlight) {
-  const SourceLookup source(function.grid(), rays.eye);
+  const SourceLookup source = function.from_eye(rays.eye);
   const std::size_t stride = s.rays.padded_size();
   const std::size_t slices = s.slices.count() - 1;
-  for (std::size_t i = 0; i < rays.directions.size(); ++i) {
-    s.lookup_positions.clear();
-    s.lookup_weights.clear();
-    for (std::size_t k = 0; k < slices; k += slices_per_lookup) {
-      float weight = 0.0f;
-      float position = 0.0f;  // times weight
-      for (std::size_t j = k; j < std::min(k + slices_per_lookup, slices); ++j) {
-        const float slice_weight = s.slice_weights[j * stride + i];
-        weight += slice_weight;
-        position += slice_weight * 0.5f * (*s.slices.at(i, j) + *s.slices.at(i, j + 1));
+  s.lookup_positions.resize(stride);
+  s.lookup_weights.resize(stride);
+  s.lookup_sums.assign(stride * source.node_size(), 0.0f);
+  for (std::size_t k = 0; k < slices; k += slices_per_lookup) {
+    std::ranges::fill(s.lookup_positions, 0.0f);
+    std::ranges::fill(s.lookup_weights, 0.0f);
+    for (std::size_t j = k; j < std::min(k + slices_per_lookup, slices); ++j) {
+      for (std::size_t first = 0; first < stride; first += RaySlices::group) {
+        const float* begin = s.slices.at(first, j);
+        const float* end = s.slices.at(first, j + 1);
+        for (std::size_t i = 0; i < RaySlices::group; ++i) {
+          const float weight = s.slice_weights[j * stride + first + i];
+          s.lookup_weights[first + i] += weight;
+          s.lookup_positions[first + i] += weight * 0.5f * (begin[i] + end[i]);
+        }
       }
-      if (!(weight > 0.0f)) continue;
-      s.lookup_positions.push_back(position / weight);
-      s.lookup_weights.push_back(weight);
     }
-    const glm::dvec3& w = rays.directions[i];
-    const SourceWeights weights = function.weights(w);
-    glm::vec3 scattered = source(glm::vec3(w), s.lookup_positions, s.lookup_weights, weights);
+    for (std::size_t i = 0; i < stride; ++i) {
+      s.lookup_positions[i] /= std::max(s.lookup_weights[i], coefficient::tiny);
+    }
+    source.add(s.rays, s.lookup_positions.data(), s.lookup_weights.data(), s.lookup_sums.data());
+  }
+  for (std::size_t i = 0; i < rays.directions.size(); ++i) {
+    const SourceWeights weights = function.weights(rays.directions[i]);
+    glm::vec3 scattered = source.source(
+        std::span(s.lookup_sums).subspan(i * source.node_size(), source.node_size()), weights);
     if (function.has_forward_lobe()) {
       scattered += s.along_rays[i] * function.lobe(source, weights, s.line_depths[i]);
     }

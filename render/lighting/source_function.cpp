@@ -235,6 +235,12 @@ void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, doub
   }
 }
 
+SourceLookup SourceFunction::from_eye(const glm::dvec3& eye) const {
+  const bool adds_clusters =
+      !lobes_.empty() && std::ranges::find(is_narrow_, true) != is_narrow_.end();
+  return {*grid_, eye, adds_clusters};
+}
+
 SourceFunction::WeightParts SourceFunction::weight_parts() const {
   if (!environment_) return {1.0, 1.0, phase_.factors(), {}, is_narrow_, 0.0};
   // Sums of what is beyond float would not be numbers.
@@ -244,13 +250,13 @@ SourceFunction::WeightParts SourceFunction::weight_parts() const {
           is_narrow_, environment_->rotation};
 }
 
-glm::vec3 SourceFunction::lobe(const SourceLookup& from_eye, const SourceWeights& weights,
+glm::vec3 SourceFunction::lobe(const SourceLookup& source, const SourceWeights& weights,
                                float line_depth) const {
   SourceLookup::ClusterTransmittance passes;
   if (anisotropy_ > 0.0) {
     passes.fill(std::exp(-static_cast<float>(extinction_) * line_depth));
   } else {
-    passes = from_eye.cluster_transmittance();
+    passes = source.cluster_transmittance();
   }
   glm::vec3 sum(0.0f);
   for (std::size_t f = 0; f < passes.size(); ++f) sum += passes[f] * weights.spread[f];
@@ -273,7 +279,6 @@ SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
   for (std::size_t f = 0; f < lobes_.size(); ++f) {
     const glm::vec3 scattered = static_cast<float>(scale) * map_radiance(*lobes_[f], in_map);
     (is_narrow_[f] ? weights.narrow : weights.spread)[f] = scattered;
-    weights.has_narrow_clusters |= is_narrow_[f];
   }
   return weights;
 }

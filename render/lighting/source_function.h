@@ -62,9 +62,11 @@ class SourceFunction {
   // Of light that is scattered more than once; of no sweeps if there is none.
   [[nodiscard]] Convergence convergence() const { return multiple_.convergence(); }
   [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
+  // Look-ups relative to the eye.
+  [[nodiscard]] SourceLookup from_eye(const glm::dvec3& eye) const;
   // Forward-lobe scattering of the light along a view ray, per unit of SliceWeights::along_rays.
   // `line_depth`: optical depth of the Gaussians from the eye to infinity.
-  [[nodiscard]] glm::vec3 lobe(const SourceLookup& from_eye, const SourceWeights& weights,
+  [[nodiscard]] glm::vec3 lobe(const SourceLookup& source, const SourceWeights& weights,
                                float line_depth) const;
   // Weights for a view ray along the unit vector w.
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;

@@ -14,6 +14,37 @@ HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Drops the corners of a cell beside surfaces that the one nearest to where the eye's ray comes
+// from does not see: the nearest to the point itself may be in a wall. `node`: the first corner's
+// index, `f`: place in the cell.
+void HideCorners(const SourceLookup::Level& level, std::ptrdiff_t node, const float (&f)[3],
+                 const glm::vec3& to_eye, float (&corner_weights)[8]) {
+  const auto bit = [](int corner, int k) { return corner >> k & 1; };
+  const std::ptrdiff_t step[] = {1, level.count.x,
+                                 static_cast<std::ptrdiff_t>(level.count.x) * level.count.y};
+  int nearest = 0;
+  for (int k = 0; k < 3; ++k) {
+    nearest |= (f[k] + eye_reach * to_eye[k] > 0.5f ? 1 : 0) << k;
+    node += bit(nearest, k) * step[k];
+  }
+  const std::uint32_t blocked = level.blocked[node];
+  if (blocked == 0) return;
+  float all = 0.0f;
+  float left = 0.0f;
+  for (int i = 0; i < 8; ++i) {
+    all += corner_weights[i];
+    const int link = neighbour_index(bit(i, 0) - bit(nearest, 0), bit(i, 1) - bit(nearest, 1),
+                                     bit(i, 2) - bit(nearest, 2));
+    if ((blocked >> link & 1u) != 0) corner_weights[i] = 0.0f;
+    left += corner_weights[i];
+  }
+  if (left > 0.0f) {
+    for (float& weight : corner_weights) weight *= all / left;
+  } else {
+    corner_weights[nearest] = all;
+  }
+}
+
 // The cell of a grid that holds a point, and where in it.
 struct Cell {
   const float* corner;
@@ -27,13 +58,11 @@ struct Cell {
       : corner(values), row(size * level.count.x), slab(row * level.count.y) {
     const std::ptrdiff_t step[] = {size, row, slab};
     float f[3];
-    std::size_t low_node[3];
     for (int k = 0; k < 3; ++k) {
       const auto last = static_cast<float>(level.count[k] - 2);
       const float x = std::min(std::max(coordinate[k], 0.0f), last + 1.0f);
       const float low = std::min(static_cast<float>(static_cast<int>(x)), last);
       corner += static_cast<std::ptrdiff_t>(low) * step[k];
-      low_node[k] = static_cast<std::size_t>(low);
       f[k] = x - low;
     }
     for (int i = 0; i < 8; ++i) {
@@ -41,41 +70,12 @@ struct Cell {
                           ((i & 2) != 0 ? f[1] : 1.0f - f[1]) * ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
     }
     if (!level.blocked || to_eye == glm::vec3(0.0f)) return;
-    int nearest = 0;
-    for (int k = 0; k < 3; ++k) nearest |= (f[k] + eye_reach * to_eye[k] > 0.5f ? 1 : 0) << k;
-    HideCorners(level, low_node, nearest);
+    HideCorners(level, (corner - values) / size, f, to_eye, corner_weights);
   }
 
   // The nearest node to a point at this distance from a plane is on the same side [cells].
   static float Reach(const glm::vec3& normal) {
     return 0.5f * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-  }
-
- private:
-  // Drops the corners that one does not see: the nearest to where the eye's ray comes from, since
-  // the nearest to the point itself may be in a wall.
-  void HideCorners(const SourceLookup::Level& level, const std::size_t (&low_node)[3],
-                   int nearest) {
-    const auto bit = [](int corner_index, int k) { return corner_index >> k & 1; };
-    std::size_t node = 0;
-    for (int k = 3; k-- > 0;) {
-      node = node * static_cast<std::size_t>(level.count[k]) + low_node[k] +
-             static_cast<std::size_t>(bit(nearest, k));
-    }
-    const std::uint32_t blocked = level.blocked[node];
-    if (blocked == 0) return;
-    float sum = 0.0f;
-    for (int i = 0; i < 8; ++i) {
-      const int link = neighbour_index(bit(i, 0) - bit(nearest, 0), bit(i, 1) - bit(nearest, 1),
-                                       bit(i, 2) - bit(nearest, 2));
-      if ((blocked >> link & 1u) != 0) corner_weights[i] = 0.0f;
-      sum += corner_weights[i];
-    }
-    if (sum > 0.0f) {
-      for (float& weight : corner_weights) weight /= sum;
-    } else {
-      corner_weights[nearest] = 1.0f;
-    }
   }
 };
 
@@ -112,34 +112,117 @@ HWY_INLINE hn::Vec<D> Mixed(const Cell& cell, D d, std::size_t i) {
   return value;
 }
 
-// In vectors of no more floats than nodes have.
-template <int bands, bool has_narrow_clusters>
-HWY_INLINE glm::vec3 Sum(std::span<const SourceLookup::Level> levels, const glm::vec3& w,
-                         std::span<const float> t, std::span<const float> sample_weights,
-                         const SourceWeights& weights) {
-  constexpr std::size_t size = SourceGrid::node_size(bands);
-  constexpr std::size_t harmonics = 4 * sh_size(bands);
-  constexpr std::size_t used = has_narrow_clusters ? size : harmonics;
-  const hn::CappedTag<float, (size < 16 ? size : 16)> d;
-  float sums[used] = {};
-  for (std::size_t k = 0; k < t.size(); ++k) {
-    if (!(sample_weights[k] > 0.0f)) continue;
-    const Cell cell = CellAt(levels, &SourceLookup::Level::values, t[k] * w, size, -w);
-    const auto sample_weight = hn::Set(d, sample_weights[k]);
-    for (std::size_t i = 0; i < used; i += hn::Lanes(d)) {
-      hn::StoreU(hn::MulAdd(sample_weight, Mixed<size>(cell, d, i), hn::LoadU(d, sums + i)), d,
-                 sums + i);
+// Rays whose cells are found at a time.
+constexpr std::size_t max_rays = 16;
+
+using Rays = hn::CappedTag<float, max_rays>;
+
+// The cells of points on several rays.
+struct Cells {
+  alignas(64) std::int32_t level[max_rays];
+  alignas(64) std::int32_t node[max_rays];  // of the first corner
+  alignas(64) float place[3][max_rays];     // in the cell
+  alignas(64) float corner_weights[8][max_rays];
+
+  // Those of `Lanes(Rays())` points, from ray `first` on; corners' weights are times `weight`.
+  HWY_INLINE Cells(std::span<const SourceLookup::Level> levels, const PathBatch& rays,
+                   std::size_t first, hn::Vec<Rays> t, hn::Vec<Rays> weight) {
+    const Rays d;
+    const hn::RebindToSigned<Rays> di;
+    using V = hn::Vec<Rays>;
+    const float* directions[] = {rays.x.data(), rays.y.data(), rays.z.data()};
+    const SourceLookup::Level& coarsest = levels.back();
+    const auto coordinate = [&](const SourceLookup::Level& grid, int k) HWY_ATTR {
+      const V p = hn::Mul(t, hn::LoadU(d, directions[k] + first));
+      return hn::Mul(hn::Set(d, grid.per_unit), hn::Sub(p, hn::Set(d, grid.first[k])));
+    };
+    auto on_finest = hn::Eq(t, t);
+    if (levels.size() > 1) {
+      for (int k = 0; k < 3; ++k) {
+        const V x = coordinate(levels[0], k);
+        const V last = hn::Set(d, static_cast<float>(levels[0].count[k] - 1));
+        on_finest = hn::And(on_finest, hn::And(hn::Ge(x, hn::Zero(d)), hn::Le(x, last)));
+      }
+    }
+    auto index = hn::Zero(di);
+    V f[3];
+    for (int k = 3; k-- > 0;) {
+      V x = coordinate(levels[0], k);
+      V last = hn::Set(d, static_cast<float>(levels[0].count[k] - 2));
+      auto count = hn::Set(di, levels[0].count[k]);
+      if (levels.size() > 1) {
+        x = hn::IfThenElse(on_finest, x, coordinate(coarsest, k));
+        last =
+            hn::IfThenElse(on_finest, last, hn::Set(d, static_cast<float>(coarsest.count[k] - 2)));
+        count =
+            hn::IfThenElse(hn::RebindMask(di, on_finest), count, hn::Set(di, coarsest.count[k]));
+      }
+      x = hn::Min(hn::Max(x, hn::Zero(d)), hn::Add(last, hn::Set(d, 1.0f)));
+      const V low = hn::Min(hn::Floor(x), last);
+      f[k] = hn::Sub(x, low);
+      index = hn::Add(hn::Mul(index, count), hn::ConvertTo(di, low));
+      hn::Store(f[k], d, place[k]);
+    }
+    hn::Store(index, di, node);
+    const auto other = hn::Set(di, static_cast<std::int32_t>(levels.size() - 1));
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, on_finest), hn::Zero(di), other), di, level);
+    const auto split = [&](V whole, V fraction, V(&parts)[2]) HWY_ATTR {
+      parts[1] = hn::Mul(whole, fraction);
+      parts[0] = hn::Sub(whole, parts[1]);
+    };
+    V z[2];
+    split(weight, f[2], z);
+    for (int k = 0; k < 2; ++k) {
+      V y[2];
+      split(z[k], f[1], y);
+      for (int j = 0; j < 2; ++j) {
+        V x[2];
+        split(y[j], f[0], x);
+        for (int i = 0; i < 2; ++i) hn::Store(x[i], d, corner_weights[4 * k + 2 * j + i]);
+      }
     }
   }
-  glm::vec3 result(0.0f);
-  for (std::size_t i = 0; i < harmonics; i += 4) {
-    const float* weight = weights.harmonics.data() + i;
-    result += glm::vec3(weight[0] * sums[i], weight[1] * sums[i + 1], weight[2] * sums[i + 2]);
+};
+
+// In vectors of no more floats than nodes have.
+template <int bands, bool adds_clusters>
+HWY_INLINE void Add(std::span<const SourceLookup::Level> levels, const PathBatch& rays,
+                    const float* t, const float* weights, float* sums) {
+  constexpr std::size_t size = SourceGrid::node_size(bands);
+  constexpr std::size_t used = adds_clusters ? size : 4 * sh_size(bands);
+  const hn::CappedTag<float, (size < 16 ? size : 16)> d;
+  const Rays d_rays;
+  const std::size_t lanes = hn::Lanes(d_rays);
+  for (std::size_t first = 0; first < rays.padded_size(); first += lanes) {
+    const auto weight = hn::LoadU(d_rays, weights + first);
+    if (hn::AllFalse(d_rays, hn::Gt(weight, hn::Zero(d_rays)))) continue;
+    const Cells cells(levels, rays, first, hn::LoadU(d_rays, t + first), weight);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const std::size_t ray = first + i;
+      if (!(weights[ray] > 0.0f)) continue;
+      const SourceLookup::Level& level = levels[static_cast<std::size_t>(cells.level[i])];
+      float corner_weights[8];
+      for (int c = 0; c < 8; ++c) corner_weights[c] = cells.corner_weights[c][i];
+      if (level.blocked) {
+        const float place[] = {cells.place[0][i], cells.place[1][i], cells.place[2][i]};
+        HideCorners(level, cells.node[i], place, -glm::vec3(rays.x[ray], rays.y[ray], rays.z[ray]),
+                    corner_weights);
+      }
+      constexpr auto step = static_cast<std::ptrdiff_t>(size);
+      const std::ptrdiff_t row = step * level.count.x;
+      const std::ptrdiff_t slab = row * level.count.y;
+      const float* corner = level.values + step * cells.node[i];
+      float* sum = sums + ray * size;
+      for (std::size_t k = 0; k < used; k += hn::Lanes(d)) {
+        auto value = hn::LoadU(d, sum + k);
+        for (int c = 0; c < 8; ++c) {
+          const float* at = corner + (c & 1) * step + (c >> 1 & 1) * row + (c >> 2) * slab + k;
+          value = hn::MulAdd(hn::Set(d, corner_weights[c]), hn::LoadU(d, at), value);
+        }
+        hn::StoreU(value, d, sum + k);
+      }
+    }
   }
-  for (std::size_t f = harmonics; f < used; ++f) {
-    result += sums[f] * weights.narrow[f - harmonics];
-  }
-  return result;
 }
 
 void ClusterTransmittanceAtOrigin(std::span<const SourceLookup::Level> levels,
@@ -170,13 +253,12 @@ void MixIncident(std::span<const SourceLookup::Level> levels, const glm::vec3& p
   }
 }
 
-glm::vec3 SumSource(int bands, std::span<const SourceLookup::Level> levels, const glm::vec3& w,
-                    std::span<const float> t, std::span<const float> sample_weights,
-                    const SourceWeights& weights) {
+void AddSource(int bands, bool adds_clusters, std::span<const SourceLookup::Level> levels,
+               const PathBatch& rays, const float* t, const float* weights, float* sums) {
   constexpr int max_bands = PhaseBands::max_bands;
-  if (bands == 1) return Sum<1, false>(levels, w, t, sample_weights, weights);
-  return weights.has_narrow_clusters ? Sum<max_bands, true>(levels, w, t, sample_weights, weights)
-                                     : Sum<max_bands, false>(levels, w, t, sample_weights, weights);
+  if (bands == 1) return Add<1, false>(levels, rays, t, weights, sums);
+  adds_clusters ? Add<max_bands, true>(levels, rays, t, weights, sums)
+                : Add<max_bands, false>(levels, rays, t, weights, sums);
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -185,12 +267,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace brume {
 
-HWY_EXPORT(SumSource);
+HWY_EXPORT(AddSource);
 HWY_EXPORT(ClusterTransmittanceAtOrigin);
 HWY_EXPORT(MixIncident);
 
-SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin)
-    : bands_(grid.bands()) {
+SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters)
+    : bands_(grid.bands()), adds_clusters_(adds_clusters && grid.bands() > 1) {
   for (const SourceGrid::Level& level : grid.levels()) {
     levels_[count_++] = {glm::vec3(level.first - origin),
                          1.0f / level.nodes.spacing,
@@ -203,11 +285,24 @@ SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin)
   }
 }
 
-glm::vec3 SourceLookup::operator()(const glm::vec3& w, std::span<const float> t,
-                                   std::span<const float> sample_weights,
-                                   const SourceWeights& weights) const {
-  return HWY_DYNAMIC_DISPATCH(SumSource)(bands_, std::span(levels_).first(count_), w, t,
-                                         sample_weights, weights);
+void SourceLookup::add(const PathBatch& rays, const float* t, const float* weights,
+                       float* sums) const {
+  HWY_DYNAMIC_DISPATCH(AddSource)
+  (bands_, adds_clusters_, std::span(levels_).first(count_), rays, t, weights, sums);
+}
+
+glm::vec3 SourceLookup::source(std::span<const float> sums, const SourceWeights& weights) const {
+  const std::size_t harmonics = 4 * sh_size(bands_);
+  glm::vec3 result(0.0f);
+  for (std::size_t i = 0; i < harmonics; i += 4) {
+    const float* weight = weights.harmonics.data() + i;
+    result += glm::vec3(weight[0] * sums[i], weight[1] * sums[i + 1], weight[2] * sums[i + 2]);
+  }
+  if (!adds_clusters_) return result;
+  for (std::size_t f = harmonics; f < sums.size(); ++f) {
+    result += sums[f] * weights.narrow[f - harmonics];
+  }
+  return result;
 }
 
 SourceLookup::ClusterTransmittance SourceLookup::cluster_transmittance() const {

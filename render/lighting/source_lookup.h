@@ -7,13 +7,13 @@
 #include <span>
 
 #include "render/lighting/source_grid.h"
+#include "render/simd/gaussian_kernels.h"
 
 namespace brume {
 
 // Weights of a view ray for a node's values: J is their weighted sum.
 struct SourceWeights {
   std::array<float, 4 * sh_size(PhaseBands::max_bands)> harmonics{};  // per basis function R G B 0
-  bool has_narrow_clusters = false;
   std::array<glm::vec3, source_clusters> narrow{};
   // Not part of J: forward-lobe scattering of the wide clusters.
   std::array<glm::vec3, source_clusters> spread{};
@@ -33,13 +33,17 @@ inline constexpr float eye_reach = 2.5f;
 // the grid.
 class SourceLookup {
  public:
-  SourceLookup(const SourceGrid& grid, const glm::dvec3& origin);
+  // `adds_clusters`: whether any SourceWeights::narrow are not 0.
+  SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters = false);
 
-  // Sum over k of sample_weights[k] J(origin + t[k] w), clamped to the grid; of nodes that surfaces
-  // hide from the origin's side, nothing. Zero weights cost nothing. Thread-safe.
-  [[nodiscard]] glm::vec3 operator()(const glm::vec3& w, std::span<const float> t,
-                                     std::span<const float> sample_weights,
-                                     const SourceWeights& weights) const;
+  // Floats per ray of what add() sums.
+  [[nodiscard]] std::size_t node_size() const { return SourceGrid::node_size(bands_); }
+  // Adds weights[k] times the nodes' values at distance t[k] on ray k, clamped to the grid, for
+  // padded_size() rays from the origin; of nodes that surfaces hide from the origin's side,
+  // nothing. No weight costs nothing. Thread-safe.
+  void add(const PathBatch& rays, const float* t, const float* weights, float* sums) const;
+  // What add() has summed for a ray, as J.
+  [[nodiscard]] glm::vec3 source(std::span<const float> sums, const SourceWeights& weights) const;
 
   // Transmittance towards each cluster at the origin, for grids of more than one band; 1 outside
   // the grid. Thread-safe.
@@ -67,6 +71,7 @@ class SourceLookup {
   std::array<Level, 2> levels_;
   std::size_t count_ = 0;
   int bands_;
+  bool adds_clusters_;
 };
 
 }  // namespace brume
