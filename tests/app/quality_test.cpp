@@ -238,7 +238,7 @@ class QualityTest : public QObject {
     QSignalSpy errors(&view.frames().quality(), &FrameQuality::error_changed);
     window.key(Qt::Key_A, Qt::ShiftModifier);
     // Long enough for the error of what was there before to come.
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < 30; ++k) {
       const RenderedFrame* before = view.frames().shown();
       Camera camera = view.camera();
       camera.eye.x += 0.01;

@@ -68,8 +68,8 @@ class AppSuite {
 
 }  // namespace brume
 
-#define BRUME_APP_SUITE(name, Test)                                               \
-  static const brume::AppSuite registered_suite(name, [](int argc, char** argv) { \
-    Test test;                                                                    \
-    return QTest::qExec(&test, argc, argv);                                       \
+#define BRUME_APP_SUITE(name, Test)                                           \
+  static const brume::AppSuite Test##_suite(name, [](int argc, char** argv) { \
+    Test test;                                                                \
+    return QTest::qExec(&test, argc, argv);                                   \
   });

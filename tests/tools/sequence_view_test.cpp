@@ -24,7 +24,7 @@ std::vector<float> difference(std::span<const float> a, std::span<const float> b
 // flicker, is less than where each frame is fitted by itself.
 TEST(SequenceView, FittedSmokeDoesNotFlicker) {
   VolumeFit how;
-  how.options.count = 200;
+  how.options.count = 100;
   VolumeFitter fitter(how);
   const FittedVolume first = *fitter.next(volumes / "smoke_0025.vdb");
   const FittedVolume second = *fitter.next(volumes / "smoke_0026.vdb");

@@ -67,7 +67,7 @@ Scene lit_cloud(int count, double depth, std::shared_ptr<const RadianceMap> map)
 // slices.
 std::vector<double> errors_of(const Scene& scene, const std::vector<int>& slices) {
   const auto reference = std::make_shared<ViewReference>(scene, scene.camera, scene.film, 1e-3);
-  const std::size_t pixels = scene.medium.size() > 1000 ? 6 : 16;
+  const std::size_t pixels = scene.medium.size() > 1000 ? 4 : scene.medium.size() > 100 ? 8 : 16;
   std::vector<double> errors;
   for (const int count : slices) {
     const Frame frame = render_frame(scene, sliced_settings({}, count));

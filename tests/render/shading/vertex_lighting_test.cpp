@@ -120,7 +120,9 @@ TEST(VertexLighting, UpdatesWhenItsInputsChange) {
   scene.film = {12, 12};
   scene.environment.emplace().map = smooth_sky();
   Surface surface;
-  surface.mesh = bowl_scene(2.0, shadow).surfaces[0].mesh;
+  MeshArrays bowl;
+  add_ball(bowl, 16, {0, 0, 0}, 1.0, 2.0, true);
+  surface.mesh = to_mesh(bowl);
   surface.scale = 0.7;
   surface.transfer = shadow;
   scene.surfaces = {surface};
