@@ -56,8 +56,9 @@ void add_source_function(const SourceFunction& function, const TileRays& rays, S
     }
     source.add(s.rays, s.lookup_positions.data(), s.lookup_weights.data(), s.lookup_sums.data());
   }
+  SourceWeights weights;
   for (std::size_t i = 0; i < rays.directions.size(); ++i) {
-    const SourceWeights weights = function.weights(rays.directions[i]);
+    if (i == 0 || function.is_anisotropic()) weights = function.weights(rays.directions[i]);
     glm::vec3 scattered = source.source(
         std::span(s.lookup_sums).subspan(i * source.node_size(), source.node_size()), weights);
     if (function.has_forward_lobe()) {

@@ -264,20 +264,19 @@ glm::vec3 SourceFunction::lobe(const SourceLookup& source, const SourceWeights& 
 }
 
 SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
-  const double scale = weight_parts().scale;
-  const double harmonics_scale = weight_parts().harmonics_scale;
+  const WeightParts parts = weight_parts();
   const auto bands = phase_.at(w);
   SourceWeights weights;
   for (std::size_t i = 0; i < sh_size(phase_.count()); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
       weights.harmonics[4 * i + c] =
-          static_cast<float>(harmonics_scale * static_cast<double>(bands[i]));
+          static_cast<float>(parts.harmonics_scale * static_cast<double>(bands[i]));
     }
   }
   if (lobes_.empty()) return weights;
   const glm::vec3 in_map(glm::conjugate(environment_rotation(*environment_)) * w);
   for (std::size_t f = 0; f < lobes_.size(); ++f) {
-    const glm::vec3 scattered = static_cast<float>(scale) * map_radiance(*lobes_[f], in_map);
+    const glm::vec3 scattered = static_cast<float>(parts.scale) * map_radiance(*lobes_[f], in_map);
     (is_narrow_[f] ? weights.narrow : weights.spread)[f] = scattered;
   }
   return weights;

@@ -68,6 +68,8 @@ class SourceFunction {
   // `line_depth`: optical depth of the Gaussians from the eye to infinity.
   [[nodiscard]] glm::vec3 lobe(const SourceLookup& source, const SourceWeights& weights,
                                float line_depth) const;
+  // Whether weights() depend on the view ray.
+  [[nodiscard]] bool is_anisotropic() const { return phase_.count() > 1; }
   // Weights for a view ray along the unit vector w.
   [[nodiscard]] SourceWeights weights(const glm::dvec3& w) const;
   // The inputs of weights(), for computing many at once on a device.

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "core/math/infinity.h"
 #include "core/math/quadrature.h"
 #include "core/math/sphere_rule.h"
 #include "core/transport/average_depth.h"
@@ -18,8 +19,6 @@
 namespace brume {
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
 TEST(PointSpread, MatchesTheAirlightOfAHomogeneousMedium) {
   Random random(11);
   for (int n = 0; n < 200; ++n) {
@@ -28,7 +27,7 @@ TEST(PointSpread, MatchesTheAirlightOfAHomogeneousMedium) {
     const double D = random.power(-1, 1);
     const glm::dvec3 w(std::sin(gamma), 0.0, std::cos(gamma));
     const PointLightRay<double> path({0, 0, D}, glm::dvec3(0), w, 0.0);
-    const double airlight = homogeneous_airlight(T / D, path, endless);
+    const double airlight = homogeneous_airlight(T / D, path, infinity);
     EXPECT_NEAR(T * std::exp(-T) * point_spread(T, gamma), airlight * D * D,
                 2e-10 * airlight * D * D)
         << T << ' ' << gamma;
@@ -152,7 +151,7 @@ TEST(AverageDepth, MatchesTheMeanOverTheSphere) {
     for (std::size_t i = 0; i < medium.size(); ++i) {
       const GaussianTerm<double> g(medium.gaussian(i));
       mean += node.weight / (4 * std::numbers::pi) *
-              optical_depth(g, line_profile(g, p, node.direction), endless);
+              optical_depth(g, line_profile(g, p, node.direction), infinity);
     }
   }
   EXPECT_NEAR(average_depth(medium, 10.0, p), mean, 1e-12 * mean);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/math/infinity.h"
 #include "core/math/quadrature.h"
 #include "core/math/special_functions.h"
 #include "core/transport/gaussian_airlight.h"
@@ -17,8 +18,6 @@
 
 namespace brume {
 namespace {
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 TEST(Quadrature, IsExactForPolynomials) {
   // Kronrod 15 is exact up to degree 22.
@@ -132,7 +131,7 @@ TEST(OpticalDepth, EndlessIsTheLimitOfLong) {
   const GaussianTerm<double> g(1.3, 2.0, {0.2, 0.1, 3.0});
   const glm::dvec3 o(0.0);
   const auto line = line_profile(g, o, {0, 0, 1});
-  EXPECT_NEAR(optical_depth(g, line, endless), optical_depth(g, o, {0, 0, 1e6}), 1e-14);
+  EXPECT_NEAR(optical_depth(g, line, infinity), optical_depth(g, o, {0, 0, 1e6}), 1e-14);
 }
 
 TEST(TruncatedMean, MatchesTheMeanOfTheDensity) {
@@ -184,7 +183,7 @@ TEST(Reach, NothingOutsideReachesTheTolerance) {
         std::acos(std::clamp(glm::dot(glm::normalize(g.center - A), w), -1.0, 1.0));
     if (angle > cone + 1e-7) {
       const auto line = line_profile(GaussianTerm<double>(g), A, w);
-      ASSERT_LE(optical_depth(GaussianTerm<double>(g), line, endless), eps);
+      ASSERT_LE(optical_depth(GaussianTerm<double>(g), line, infinity), eps);
     }
   }
   EXPECT_LE(max_ratio, 1.0);
@@ -205,7 +204,7 @@ TEST(HomogeneousAirlight, HasNoSingularities) {
   EXPECT_NEAR(airlight(0.7, {1e-9, 0, 5}, 2.0), ahead, 1e-9 * ahead);
   // Thin limit: b0 / (4 pi h) times the angle that the ray spans at the light.
   const double thin = 1e-9 * k / 2.0 * (0.5 * std::numbers::pi);
-  EXPECT_NEAR(airlight(1e-9, {0, 2, 0}, endless), thin, 1e-6 * thin);
+  EXPECT_NEAR(airlight(1e-9, {0, 2, 0}, infinity), thin, 1e-6 * thin);
   // Dense, light behind the eye: the published closed form overflows here.
   EXPECT_GT(airlight(1.0, {0, 0.1, -300}, 10.0), 0.0);
   EXPECT_LT(airlight(1.0, {0, 0.1, -300}, 10.0), 1e-100);
@@ -223,7 +222,7 @@ TEST(GaussianAirlight, NeverOverflows) {
   const glm::dvec3 w(0, 0, 1);
   const glm::dvec3 light(0, 3, 5);
   const double value =
-      gaussian_airlight(g, eye, w, endless, light, PointLightRay<double>(light, eye, w, 0.0), 2.0);
+      gaussian_airlight(g, eye, w, infinity, light, PointLightRay<double>(light, eye, w, 0.0), 2.0);
   EXPECT_TRUE(std::isfinite(value));
   EXPECT_GE(value, 0.0);
 }

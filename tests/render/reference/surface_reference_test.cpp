@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/math/infinity.h"
 #include "core/math/quadrature.h"
 #include "core/math/sphere_rule.h"
 #include "core/scene/brdf.h"
@@ -24,7 +25,6 @@ namespace brume {
 namespace {
 
 using std::numbers::pi;
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 // A point of a surface at the origin that looks along +z, seen from above.
 SurfacePoint upward(const Surface& surface) {
@@ -78,7 +78,7 @@ TEST(SurfaceReference, MatchesALightInAHomogeneousMedium) {
           light / D,
           [&](const glm::dvec3& w) {
             return homogeneous_airlight(0.4, PointLightRay<double>(light, glm::dvec3(0), w, 0.0),
-                                        endless);
+                                        infinity);
           },
           60);
   const ReflectedLight got =
@@ -111,7 +111,7 @@ TEST(SurfaceReference, MatchesALightInAnAbsorbingMedium) {
       3.0 * irradiance(
                 glm::normalize(light),
                 [&](const glm::dvec3& w) {
-                  const ViewRayMedium<double> medium(gaussians, 0.05, glm::dvec3(0), w, endless);
+                  const ViewRayMedium<double> medium(gaussians, 0.05, glm::dvec3(0), w, infinity);
                   return f(w) * airlight_integral(medium, source, 1e-6);
                 },
                 40);

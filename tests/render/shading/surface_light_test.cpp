@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/math/infinity.h"
 #include "core/math/sphere_rule.h"
 #include "core/scene/environment.h"
 #include "core/scene/mesh.h"
@@ -27,7 +28,6 @@ namespace brume {
 namespace {
 
 using std::numbers::pi;
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 Surface ball(double radius) {
   Surface surface;
@@ -181,7 +181,7 @@ TEST(SurfaceLight, HighlightsSoftenAndWidenWithOpticalDepth) {
   scene.lights.push_back({{1.2, 1.2, 2.0}, {9, 9, 9}, {}});
   scene.camera = {{0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 14.0};
   scene.film = {64, 64};
-  double last_contrast = endless;
+  double last_contrast = infinity;
   double last_width = 0.0;
   for (const double b0 : {0.0, 0.1, 0.3, 0.8, 2.0}) {
     scene.medium.set_homogeneous_density(b0);

@@ -50,8 +50,8 @@ ShVector<double> cosine_lobe(int order, const glm::dvec3& n) {
 glm::dvec3 transferred(const ShMaterial& material, const ShVector<glm::dvec3>& light,
                        const RadianceTransfer& transfer, MeshSide side, const MeshPoint& point,
                        const glm::dvec3& n, const glm::dvec3& wo) {
-  const ShVector<glm::dvec3> none(light.order());
-  return material.reflected(material.received(light, none, transfer, side, point), n, wo);
+  const ShVector<glm::dvec3> nothing(light.order());
+  return material.reflected(material.received(light, nothing, transfer, side, point), n, wo);
 }
 
 // The distance of two functions, relative to that which is 1 everywhere.

@@ -1,0 +1,137 @@
+// Look-ups in a grid of the source function: what nodes hold, interpolated.
+
+#include "render/lighting/source_lookup.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "render/geometry/medium_index.h"
+#include "tests/random.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
+
+namespace brume {
+namespace {
+
+// Isotropic, and with bands and clusters.
+class SourceLookups : public testing::TestWithParam<int> {
+ protected:
+  SourceLookups() {
+    for (const glm::dvec3& w : {glm::dvec3(0, 1, 0), glm::dvec3(0.6, 0, 0.8)}) {
+      lights_.push_back({{w, {1.0, 2.0, 0.5}}, static_cast<int>(lights_.size()), 1.0});
+    }
+    const MediumIndex index(cloud(30, 3.0).medium, 1e-4, 0.0);
+    // With fog there is a coarse level too.
+    SourceGrid::Content content;
+    content.bands = GetParam();
+    content.has_fog = true;
+    grid_.emplace(index.gaussians(), lights_, content,
+                  SourceGridSize{.nodes = 1000, .directions = 2}, Job{});
+  }
+  const SourceGrid::Level& level(int k) const {
+    return grid_->levels()[static_cast<std::size_t>(k)];
+  }
+  static glm::dvec3 position(const SourceGrid::Level& level, const glm::ivec3& node) {
+    return level.first + static_cast<double>(level.nodes.spacing) * glm::dvec3(node);
+  }
+  std::vector<float> values(const SourceGrid::Level& level, const glm::ivec3& node) const {
+    const std::size_t size = SourceGrid::node_size(GetParam());
+    const auto index = static_cast<std::size_t>(
+        (node.z * level.nodes.count.y + node.y) * level.nodes.count.x + node.x);
+    const auto begin = level.values.begin() + static_cast<std::ptrdiff_t>(size * index);
+    return {begin, begin + static_cast<std::ptrdiff_t>(size)};
+  }
+  // What look-ups at these points with these weights sum.
+  std::vector<float> sums(std::span<const glm::dvec3> points,
+                          std::span<const float> weights) const {
+    const SourceLookup lookup(*grid_, eye_, true);
+    std::vector<glm::dvec3> directions;
+    std::vector<double> lengths;
+    for (const glm::dvec3& p : points) {
+      lengths.push_back(glm::length(p - eye_));
+      directions.push_back((p - eye_) / lengths.back());
+    }
+    PathBatch rays;
+    rays.assign(directions, lengths);
+    std::vector<float> padded_weights(weights.begin(), weights.end());
+    padded_weights.resize(rays.padded_size(), 0.0f);
+    std::vector<float> sums(rays.padded_size() * lookup.node_size(), 0.0f);
+    lookup.add(rays, rays.length.data(), padded_weights.data(), sums.data());
+    return sums;
+  }
+
+  const glm::dvec3 eye_{0.3, 0.2, 9.0};
+  std::vector<SourceLight> lights_;
+  std::optional<SourceGrid> grid_;
+};
+
+TEST_P(SourceLookups, AtNodesTheyAreWhatNodesHold) {
+  const std::size_t size = SourceGrid::node_size(GetParam());
+  ASSERT_EQ(grid_->levels().size(), 2u);
+  for (const int k : {0, 1}) {
+    // Near corners; those of the coarse level are outside the fine one.
+    const glm::ivec3 low(1 - k);
+    const glm::ivec3 high = level(k).nodes.count - 1 - low;
+    const std::vector<glm::ivec3> nodes{low, {high.x, low.y, low.z}, {low.x, high.y, high.z}, high};
+    std::vector<glm::dvec3> points;
+    std::vector<float> weights;
+    for (const glm::ivec3& node : nodes) {
+      points.push_back(position(level(k), node));
+      weights.push_back(0.5f + static_cast<float>(weights.size()));
+    }
+    const std::vector<float> got = sums(points, weights);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const std::vector<float> expected = values(level(k), nodes[i]);
+      for (std::size_t f = 0; f < size; ++f) {
+        EXPECT_NEAR(got[i * size + f], weights[i] * expected[f], 2e-5f * weights[i])
+            << "level " << k << ", node " << i << ", float " << f;
+      }
+    }
+  }
+}
+
+TEST_P(SourceLookups, InCellsTheyAreLinearAlongEachAxis) {
+  const std::size_t size = SourceGrid::node_size(GetParam());
+  Random random(3);
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::ivec3 node = level(0).nodes.count / 2 - 1;
+    glm::ivec3 next = node;
+    ++next[axis];
+    std::vector<double> places;
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 20; ++i) {
+      places.push_back(random.uniform(0.0, 1.0));
+      points.push_back(glm::mix(position(level(0), node), position(level(0), next), places.back()));
+    }
+    const std::vector<float> got = sums(points, std::vector<float>(points.size(), 1.0f));
+    const std::vector<float> a = values(level(0), node);
+    const std::vector<float> b = values(level(0), next);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t f = 0; f < size; ++f) {
+        const double expected =
+            glm::mix(static_cast<double>(a[f]), static_cast<double>(b[f]), places[i]);
+        EXPECT_NEAR(got[i * size + f], expected, 2e-5) << "axis " << axis << ", float " << f;
+      }
+    }
+  }
+}
+
+TEST_P(SourceLookups, RaysWithoutWeightAreLeftAlone) {
+  const std::size_t size = SourceGrid::node_size(GetParam());
+  const std::vector<glm::dvec3> points(20, glm::dvec3(0.0));
+  std::vector<float> weights(20, 0.0f);
+  weights[17] = 1.0f;
+  const std::vector<float> got = sums(points, weights);
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (i / size == 17) continue;
+    EXPECT_EQ(got[i], 0.0f) << i;
+  }
+  EXPECT_GT(got[17 * size], 0.0f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bands, SourceLookups, testing::Values(1, PhaseBands::max_bands),
+                         testing::PrintToStringParamName());
+
+}  // namespace
+}  // namespace brume
