@@ -124,6 +124,7 @@ void add_kernels(Constants& constants) {
 void add_reflection(Constants& constants) {
   constants.add("source_clusters", source_clusters);
   constants.add("source_blocked_bits", neighbour_bits);
+  constants.add("enclosed_bit", GridOcclusion::enclosed_bit);
   constants.add("eye_reach", eye_reach);
   constants.add("sh_bands", sh_max_bands);
   constants.add("sh_count", sh_max_bands * sh_max_bands);

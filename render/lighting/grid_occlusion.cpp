@@ -111,6 +111,41 @@ GridOcclusion::GridOcclusion(const RayCaster& ray_caster, std::span<const Surfac
     return;
   }
   for (const NodeLinks& node : links) blocked_.push_back(node.blocked);
+  mark_enclosed(nodes);
+}
+
+void GridOcclusion::mark_enclosed(const GridNodes& nodes) {
+  std::vector<std::size_t> reached;
+  std::vector<bool> is_open(nodes.size(), false);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (blocked_[i] != 0) continue;
+    is_open[i] = true;
+    reached.push_back(i);
+  }
+  while (!reached.empty()) {
+    const std::size_t node = reached.back();
+    reached.pop_back();
+    const glm::ivec3 at = node_coordinates(nodes, node);
+    for (int link = 0; link < 27; ++link) {
+      const glm::ivec3 offset = neighbour_offset(link);
+      const glm::ivec3 p = at + offset;
+      if (glm::any(glm::lessThan(p, glm::ivec3(0))) ||
+          glm::any(glm::greaterThanEqual(p, nodes.count))) {
+        continue;
+      }
+      const std::size_t other = node_index(nodes, p);
+      const int back = neighbour_index(-offset.x, -offset.y, -offset.z);
+      if (is_open[other] || (blocked_[node] >> link & 1u) != 0 ||
+          (blocked_[other] >> back & 1u) != 0) {
+        continue;
+      }
+      is_open[other] = true;
+      reached.push_back(other);
+    }
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!is_open[i]) blocked_[i] |= enclosed_bit;
+  }
 }
 
 void LevelOcclusion::set(const RayCaster& ray_caster, std::span<const Surface> surfaces) {

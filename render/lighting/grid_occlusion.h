@@ -21,6 +21,9 @@ namespace brume {
 // the grid ends.
 class GridOcclusion {
  public:
+  // Of nodes within solids: those that no open links connect with a node all of whose links are.
+  static constexpr std::uint32_t enclosed_bit = 1u << neighbour_index(0, 0, 0);
+
   // What a node sees in place of a neighbour.
   struct Surfel {
     glm::vec3 offset{0.0f};       // from the node [u]
@@ -35,7 +38,7 @@ class GridOcclusion {
                 const glm::dvec3& first, const GridNodes& nodes, const Job& job);
 
   [[nodiscard]] bool is_grey() const { return is_grey_; }
-  // Per grid node, OccludedNode::blocked; empty: nothing is.
+  // Per grid node, OccludedNode::blocked, and enclosed_bit; empty: nothing is.
   [[nodiscard]] std::span<const std::uint32_t> blocked() const { return blocked_; }
   // For the kernels.
   [[nodiscard]] SweepOcclusion sweep() const { return {index_, nodes_, fractions_}; }
@@ -51,6 +54,8 @@ class GridOcclusion {
   }
 
  private:
+  void mark_enclosed(const GridNodes& nodes);
+
   std::vector<std::int32_t> index_;
   std::vector<std::uint32_t> blocked_;
   std::vector<OccludedNode> nodes_;

@@ -14,21 +14,29 @@ HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Drops the corners of a cell beside surfaces that the one nearest to where the eye's ray comes
-// from does not see: the nearest to the point itself may be in a wall. `node`: the first corner's
-// index, `f`: place in the cell.
+// Drops the corners of a cell beside surfaces that one of them does not see: the nearest to where
+// the eye's ray comes from, since the nearest to the point itself may be in a wall; or the next
+// that is in no solid. `node`: the first corner's index, `f`: place in the cell.
 void HideCorners(const SourceLookup::Level& level, std::ptrdiff_t node, const float (&f)[3],
                  const glm::vec3& to_eye, float (&corner_weights)[8]) {
   const auto bit = [](int corner, int k) { return corner >> k & 1; };
-  const std::ptrdiff_t step[] = {1, level.count.x,
-                                 static_cast<std::ptrdiff_t>(level.count.x) * level.count.y};
+  const auto blocked_at = [&](int corner) {
+    const std::ptrdiff_t row = level.count.x;
+    return level
+        .blocked[node + bit(corner, 0) + (bit(corner, 1) + bit(corner, 2) * level.count.y) * row];
+  };
   int nearest = 0;
-  for (int k = 0; k < 3; ++k) {
-    nearest |= (f[k] + eye_reach * to_eye[k] > 0.5f ? 1 : 0) << k;
-    node += bit(nearest, k) * step[k];
-  }
-  const std::uint32_t blocked = level.blocked[node];
+  for (int k = 0; k < 3; ++k) nearest |= (f[k] + eye_reach * to_eye[k] > 0.5f ? 1 : 0) << k;
+  std::uint32_t blocked = blocked_at(nearest);
   if (blocked == 0) return;
+  if ((blocked & GridOcclusion::enclosed_bit) != 0) {
+    for (const int flips : {1, 2, 4, 3, 5, 6, 7}) {
+      if ((blocked_at(nearest ^ flips) & GridOcclusion::enclosed_bit) != 0) continue;
+      nearest ^= flips;
+      blocked = blocked_at(nearest);
+      break;
+    }
+  }
   float all = 0.0f;
   float left = 0.0f;
   for (int i = 0; i < 8; ++i) {

@@ -7,10 +7,21 @@ int eye_corner(vec3 place, vec3 to_eye) {
   return high.x | (high.y << 1) | (high.z << 2);
 }
 
-// Drops the corners that surfaces hide from it. `bits`: its GridOcclusion::blocked(), as a float.
-void hide_corners(int decides, float bits, inout float weights[8]) {
-  const uint blocked = floatBitsToUint(bits) & source_blocked_bits;
+// Drops the corners that surfaces hide from it, or from the next that is in no solid. The including
+// file has corner_bits(): GridOcclusion::blocked() of the node whose values begin at `first`.
+uint corner_bits(int first);
+
+void hide_corners(int decides, int firsts[8], inout float weights[8]) {
+  uint blocked = corner_bits(firsts[decides]);
   if (blocked == 0u) return;
+  const int nearest = decides;
+  for (int k = 0; k < 7 && (blocked & enclosed_bit) != 0u; ++k) {
+    const int flips[7] = int[](1, 2, 4, 3, 5, 6, 7);
+    const uint bits = corner_bits(firsts[nearest ^ flips[k]]);
+    if ((bits & enclosed_bit) != 0u) continue;
+    decides = nearest ^ flips[k];
+    blocked = bits;
+  }
   const ivec3 from = ivec3(decides & 1, (decides >> 1) & 1, decides >> 2);
   float sum = 0.0;
   for (int c = 0; c < 8; ++c) {

@@ -40,6 +40,8 @@ uniform int incident_levels;                 // 0: there is none
 uniform vec4 incident_first[2];              // as source.glsl has them
 uniform ivec4 incident_count[2];
 
+uint corner_bits(int first) { return floatBitsToUint(incident_values[first].w) & source_blocked_bits; }
+
 vec3 values_rgb(int index) { return vec3(values[index], values[index + 1], values[index + 2]); }
 
 // Incident light of a surface that is not diffuse, still to be reflected.
@@ -184,7 +186,7 @@ void find_incoming(SurfacePoint point, vec3 to_eye) {
   }
   if (incident_is_all != 0) {
     const int decides = eye_corner(f, to_eye);
-    hide_corners(decides, incident_values[firsts[decides]].w, weights);
+    hide_corners(decides, firsts, weights);
   }
   for (int i = 0; i < grid_functions; ++i) incoming[i] = vec3(0.0);
   for (int c = 0; c < 8; ++c) {

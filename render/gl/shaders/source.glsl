@@ -7,6 +7,8 @@
 // R G B, and in the first of each node the neighbours that surfaces hide, as bits.
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
+uint corner_bits(int first) { return floatBitsToUint(source_values[first].w) & source_blocked_bits; }
+
 uniform int source_levels;  // 0: there is no grid
 // Per level: position of its first node relative to the eye, and nodes per unit; nodes along x, y and
 // z, and the index of its first value.
@@ -87,7 +89,7 @@ SourceCell source_cell(vec3 p) {
   if (source_surfaces != 0) {
     const float from_eye = length(p);
     const int decides = eye_corner(x - low, from_eye > 0.0 ? -p / from_eye : vec3(0.0));
-    hide_corners(decides, source_values[cell.first[decides]].w, cell.weights);
+    hide_corners(decides, cell.first, cell.weights);
   }
   return cell;
 }

@@ -20,7 +20,7 @@ Surface surface_of(const MeshArrays& mesh) {
 }
 
 // A ball over a floor, both of many triangles that share edges.
-std::vector<Surface> ball_over_floor(const glm::dvec3& at) {
+std::vector<Surface> ball_on_floor(const glm::dvec3& at) {
   MeshArrays ball;
   add_ball(ball, 20, {0.0, 0.0, 1.0}, 0.8, 3.0, false);
   MeshArrays floor;
@@ -104,7 +104,7 @@ TEST_F(DeviceRays, MatchEmbree) {
   camera.eye = {3.0, -4.0, 2.5};
   camera.target = {0.0, 0.0, 0.5};
   camera.up = {0.0, 0.0, 1.0};
-  EXPECT_GT(expect_same_hits(ball_over_floor({0.0, 0.0, 0.0}), camera), 5000);
+  EXPECT_GT(expect_same_hits(ball_on_floor({0.0, 0.0, 0.0}), camera), 5000);
   EXPECT_GT(expect_same_hits(random_triangles(3000), camera), 1000);
   EXPECT_GT(expect_same_hits(random_triangles(30), camera), 0);
   MeshArrays pair;  // in one leaf
@@ -132,10 +132,10 @@ TEST_F(DeviceRays, StayAccurateFarFromTheOrigin) {
   camera.up = {0.0, 0.0, 1.0};
   camera.target = at + glm::dvec3(0.0, 0.0, 0.5);
   camera.eye = camera.target + glm::dvec3(3.0, -4.0, 2.0);
-  EXPECT_GT(expect_same_hits(ball_over_floor(at), camera), 5000);
+  EXPECT_GT(expect_same_hits(ball_on_floor(at), camera), 5000);
   camera.eye = camera.target + 1e4 * glm::dvec3(3.0, -4.0, 2.0);
   camera.vertical_fov = 0.004;
-  EXPECT_GT(expect_same_hits(ball_over_floor(at), camera), 5000);
+  EXPECT_GT(expect_same_hits(ball_on_floor(at), camera), 5000);
 }
 
 TEST(TriangleHierarchies, ContainEveryTriangleOnce) {

@@ -39,7 +39,7 @@ Case with(std::string name, std::initializer_list<Gaussian> gaussians, double b0
   return result;
 }
 
-Case cloud(unsigned seed, double density) {
+Case small_cloud(unsigned seed, double density) {
   Random random(seed);
   Case result;
   result.name = "cloud " + std::to_string(seed) + " of density " + std::to_string(density);
@@ -79,17 +79,17 @@ std::vector<Case> hard_cases() {
   cases.push_back(with("thin fog", {}, 1e-9));
   cases.push_back(with("opaque fog", {}, 1e6));
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    cases.push_back(cloud(seed, 1.0));
-    cases.push_back(cloud(seed, 100.0));
-    cases.push_back(cloud(seed, 1.0));
+    cases.push_back(small_cloud(seed, 1.0));
+    cases.push_back(small_cloud(seed, 100.0));
+    cases.push_back(small_cloud(seed, 1.0));
     cases.back().end = 5.0;
-    cases.push_back(cloud(seed, 1.0));
+    cases.push_back(small_cloud(seed, 1.0));
     cases.back().medium.set_homogeneous_density(0.05);
     cases.back().lights = {light_at({0.1, 0.2, 0.3}), light_at({0, 0, 2}), light_at({50, 0, 0})};
     cases.push_back(cases.back());
     cases.back().slices = 5;
   }
-  Case lights = cloud(4, 1.0);
+  Case lights = small_cloud(4, 1.0);
   Random random(9);
   for (int i = 0; i < 40; ++i) lights.lights.push_back(light_at(random.point(1.0)));
   lights.slices = 100;
@@ -275,7 +275,7 @@ TEST_P(SliceBoundaries, CoverTheMedium) {
 // Without fog and lights: slices of the core, and the two of the tails.
 TEST_P(SliceBoundaries, AreAsManyAsAskedFor) {
   for (const int slices : {4, 12, 24, 100, 256}) {
-    for (Case c : {with("one", {{{0, 0, 0}, 1.0, 0.5}}), cloud(1, 1.0)}) {
+    for (Case c : {with("one", {{{0, 0, 0}, 1.0, 0.5}}), small_cloud(1, 1.0)}) {
       SCOPED_TRACE(c.name + " in " + std::to_string(slices));
       c.slices = slices;
       const Slices chosen = choose(c);

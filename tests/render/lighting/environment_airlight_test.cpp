@@ -38,12 +38,12 @@ std::shared_ptr<const RadianceMap> sky(Radiance radiance) {
   return map;
 }
 
-std::shared_ptr<const RadianceMap> uniform_sky() {
+std::shared_ptr<const RadianceMap> tinted_sky() {
   return sky([](const glm::dvec3&) { return glm::dvec3(1.0, 0.5, 2.0); });
 }
 
 // Bright above, dark below, with a sun that gives about half of the light.
-std::shared_ptr<const RadianceMap> sunny_sky() {
+std::shared_ptr<const RadianceMap> half_sun_sky() {
   const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 1.5, 0.5));
   return sky([sun](const glm::dvec3& d) {
     const double light = 0.1 + std::max(d.y, 0.0) + (glm::dot(d, sun) > 0.97 ? 20.0 : 0.0);
@@ -83,7 +83,7 @@ double error_of(const Scene& scene, int slices) {
 }
 
 TEST(DistantLights, PreserveFluxAndDirection) {
-  for (const auto& map : {uniform_sky(), sunny_sky()}) {
+  for (const auto& map : {tinted_sky(), half_sun_sky()}) {
     const ShVector<glm::dvec3> exact = map_sh(*map, 3);
     for (const auto& lights : {distant_lights(*map, 96), uniform_distant_lights(*map, 16)}) {
       ShVector<glm::dvec3> got(3);
@@ -99,7 +99,7 @@ TEST(DistantLights, PreserveFluxAndDirection) {
       }
     }
   }
-  EXPECT_EQ(distant_lights(*uniform_sky(), 1).size(), 1u);
+  EXPECT_EQ(distant_lights(*tinted_sky(), 1).size(), 1u);
   EXPECT_TRUE(distant_lights(*sky([](const auto&) { return glm::dvec3(0.0); }), 96).empty());
 }
 
@@ -120,7 +120,7 @@ TEST(DistantLights, ASunBecomesOneLight) {
 // shares of light: 4 standard errors.
 TEST(EnvironmentReference, MatchesTheIntegral) {
   for (const double g : {0.0, 0.6, -0.6}) {
-    Scene scene = lit_cloud(10, 2.0, sunny_sky());
+    Scene scene = lit_cloud(10, 2.0, half_sun_sky());
     scene.environment->rotation = 50.0;
     scene.environment->intensity = 0.5;
     const MediumIndex medium(scene.medium, culling_tolerance(scene.medium, 1e-8), g);
@@ -215,7 +215,7 @@ TEST(EnvironmentAirlight, MatchesTheReferenceForAnisotropicMedia) {
     // All light of a sun is dimmed alike, also of one that is 11 degrees wide.
     EXPECT_LT(error_of(scene, 24), 0.035) << g;
     Scene even = scene;
-    even.environment->map = uniform_sky();
+    even.environment->map = tinted_sky();
     EXPECT_LT(error_of(even, 24), 0.02) << g << " under an even sky";
     even.surfaces.push_back(wall(0.0, 3.0));
     EXPECT_LT(error_of(even, 24), 0.02) << g << " before a wall within the fog";
@@ -224,7 +224,7 @@ TEST(EnvironmentAirlight, MatchesTheReferenceForAnisotropicMedia) {
 
 // In both methods, which sum the peak each in their own way.
 TEST(EnvironmentAirlight, SlicedMatchesMarched) {
-  Scene scene = lit_cloud(30, 2.0, sunny_sky());
+  Scene scene = lit_cloud(30, 2.0, half_sun_sky());
   scene.medium.set_homogeneous_density(0.1);
   scene.surfaces.push_back(wall(0.05, 3.0));
   for (const double g : {0.8, -0.8}) {
@@ -241,7 +241,7 @@ TEST(EnvironmentAirlight, SlicedMatchesMarched) {
 }
 
 TEST(DistantLights, ClustersHoldTheSameLights) {
-  const auto map = sunny_sky();
+  const auto map = half_sun_sky();
   const std::vector<DistantLight> lights = distant_lights(*map, 96);
   const std::vector<LightGroup> groups = distant_light_groups(*map, {.groups = 96, .clusters = 16});
   ASSERT_EQ(groups.size(), lights.size());
@@ -263,7 +263,7 @@ TEST(EnvironmentAirlight, MatchesTheClosedFormUnderAUniformSky) {
        {AirlightMethod::sliced, AirlightMethod::march, AirlightMethod::reference}) {
     for (const double g : {0.0, 0.7}) {
       Scene scene;
-      scene.environment.emplace().map = uniform_sky();
+      scene.environment.emplace().map = tinted_sky();
       scene.medium.set_homogeneous_density(0.4);
       scene.optics.albedo = {1.0, 1.0, 0.5};
       scene.optics.anisotropy = g;
@@ -297,8 +297,8 @@ TEST(EnvironmentAirlight, MatchesTheReferenceInClouds) {
                       {300, 1.0, 0.0025, 0.0025},  {300, 3.0, 0.0056, 0.004},
                       {300, 10.0, 0.0096, 0.0083}, {3000, 3.0, 0.0065, 0.005}};
   for (const Row& row : rows) {
-    const double even = error_of(lit_cloud(row.count, row.depth, uniform_sky()), 24);
-    const double sunny = error_of(lit_cloud(row.count, row.depth, sunny_sky()), 24);
+    const double even = error_of(lit_cloud(row.count, row.depth, tinted_sky()), 24);
+    const double sunny = error_of(lit_cloud(row.count, row.depth, half_sun_sky()), 24);
     EXPECT_LT(even, row.even) << row.count << " at depth " << row.depth;
     EXPECT_LT(sunny, row.sunny) << row.count << " at depth " << row.depth;
   }
@@ -309,14 +309,14 @@ TEST(EnvironmentAirlight, MatchesTheReferenceInOtherScenes) {
     EXPECT_LT(error_of(scene, 24), bound) << what;
   };
   for (const double g : {0.6, -0.6}) {
-    Scene scene = lit_cloud(100, 2.0, uniform_sky());
+    Scene scene = lit_cloud(100, 2.0, tinted_sky());
     scene.optics.anisotropy = g;
     expect_close(scene, 0.0095, "turning light under an even sky");
-    scene.environment->map = sunny_sky();
+    scene.environment->map = half_sun_sky();
     scene.environment->rotation = 120.0;
     expect_close(scene, 0.0165, "turning light under a sun");
   }
-  Scene scene = lit_cloud(30, 2.0, sunny_sky());
+  Scene scene = lit_cloud(30, 2.0, half_sun_sky());
   scene.optics.albedo = {1.0, 0.8, 0.6};
   scene.environment->intensity = 3.0;
   expect_close(scene, 0.0056, "coloured albedo");
@@ -333,7 +333,7 @@ TEST(EnvironmentAirlight, MatchesTheReferenceInOtherScenes) {
 }
 
 TEST(EnvironmentAirlight, ConvergesAsGridAndSlicesGrow) {
-  const Scene scene = lit_cloud(300, 3.0, sunny_sky());
+  const Scene scene = lit_cloud(300, 3.0, half_sun_sky());
   const std::vector<double> errors = errors_of(scene, {8, 24, 64});
   EXPECT_LT(errors[1], 0.6 * errors[0]);
   // Not much: 24 slices look the source function up where it counts.
@@ -360,7 +360,7 @@ TEST(EnvironmentAirlight, IsAttenuatedByTheMedium) {
 }
 
 TEST(EnvironmentAirlight, UpdatesOnlyWhenItsInputsChange) {
-  Scene scene = lit_cloud(30, 1.0, sunny_sky());
+  Scene scene = lit_cloud(30, 1.0, half_sun_sky());
   scene.film = {8, 8};
   Renderer renderer;
   const Settings settings = sliced_settings({}, 12);
@@ -383,14 +383,14 @@ TEST(EnvironmentAirlight, UpdatesOnlyWhenItsInputsChange) {
   expect_as_new("fog");
   scene.surfaces.push_back(wall(-2.0, 1.0));
   expect_as_new("where fog ends");
-  scene.environment->map = uniform_sky();
+  scene.environment->map = tinted_sky();
   expect_as_new("map");
   scene.environment.reset();
   expect_as_new("none");
 }
 
 TEST(EnvironmentAirlight, StopsWithoutLeavingAHalfMadeGrid) {
-  const Scene scene = lit_cloud(30, 1.0, uniform_sky());
+  const Scene scene = lit_cloud(30, 1.0, tinted_sky());
   Renderer renderer;
   std::stop_source stop;
   stop.request_stop();
@@ -401,7 +401,7 @@ TEST(EnvironmentAirlight, StopsWithoutLeavingAHalfMadeGrid) {
 }
 
 TEST(EnvironmentAirlight, AutoMeetsItsErrorBound) {
-  Scene scene = lit_cloud(100, 3.0, sunny_sky());
+  Scene scene = lit_cloud(100, 3.0, half_sun_sky());
   scene.film = {24, 24};
   Renderer renderer;
   const auto frame = render_requested(renderer, scene, scene.camera, scene.film, {});

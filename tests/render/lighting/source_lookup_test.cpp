@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <vector>
 
 #include "render/geometry/medium_index.h"
 #include "tests/random.h"
+#include "tests/render/test_scenes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
@@ -132,6 +134,26 @@ TEST_P(SourceLookups, RaysWithoutWeightAreLeftAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Bands, SourceLookups, testing::Values(1, PhaseBands::max_bands),
                          testing::PrintToStringParamName());
+
+// Look-ups take no light from nodes in columns and slabs, but from those of dark rooms they do.
+TEST(GridOcclusion, NodesWithinThinSolidsAreEnclosed) {
+  const GridNodes nodes{glm::ivec3(7), 1.0f};
+  const auto enclosed = [&](double radius) {
+    Surface surface;
+    surface.mesh = ball_mesh(16);
+    surface.scale = radius;
+    surface.translate = {0.03, 0.02, 0.05};  // no ray meets a vertex
+    const std::vector<Surface> surfaces{surface};
+    const RayCaster ray_caster(surfaces);
+    const GridOcclusion occlusion(ray_caster, surfaces, glm::dvec3(-3.0), nodes, Job{});
+    return std::ranges::count_if(occlusion.blocked(), [](std::uint32_t bits) {
+      return (bits & GridOcclusion::enclosed_bit) != 0;
+    });
+  };
+  EXPECT_EQ(enclosed(0.4), 1);
+  EXPECT_EQ(enclosed(1.3), 7);
+  EXPECT_EQ(enclosed(2.5), 0);  // a room
+}
 
 }  // namespace
 }  // namespace brume

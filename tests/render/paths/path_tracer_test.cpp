@@ -30,7 +30,7 @@ void expect_matches(const PathEstimate& got, const glm::dvec3& expected, double 
   }
 }
 
-Environment gradient_sky() {
+Environment upward_sky() {
   auto sky = std::make_shared<RadianceMap>(RadianceMap{64, 32, {}});
   for (int i = 0; i < 64 * 32; ++i) {
     const glm::dvec3 d = map_direction(*sky, {i % 64 + 0.5, i / 64 + 0.5});
@@ -76,7 +76,7 @@ TEST(PathTracer, FirstOrderMatchesTheReferenceWhenScatteringIsAnisotropic) {
 TEST(PathTracer, FirstOrderMatchesTheReferenceUnderASky) {
   Scene scene = cloud_scene(20, 3.0);
   scene.lights.clear();
-  scene.environment = gradient_sky();
+  scene.environment = upward_sky();
   scene.medium.set_homogeneous_density(0.05);
   scene.optics.anisotropy = 0.4;
   expect_single_scattering(scene, 0.01);
@@ -265,7 +265,7 @@ TEST(PathTracer, SegmentsOfWalksMatchTheReferenceCloseToLights) {
 TEST(PathTracer, SurfacesReflectASky) {
   Scene scene = cloud_scene(20, 1.0);
   scene.lights.clear();
-  scene.environment = gradient_sky();
+  scene.environment = upward_sky();
   scene.surfaces = {wall(-0.5, 2.0)};
   expect_reflected_light(scene, 0.03, 30'000);
 }

@@ -128,7 +128,7 @@ TEST(SurfaceReference, MatchesALightInAnAbsorbingMedium) {
   EXPECT_LT(tinted.scattered.y, got.scattered.y);
 }
 
-std::shared_ptr<const RadianceMap> constant_sky(float radiance) {
+std::shared_ptr<const RadianceMap> even_sky(float radiance) {
   return std::make_shared<const RadianceMap>(
       RadianceMap{1, 1, std::vector<glm::vec3>(1, glm::vec3(radiance))});
 }
@@ -139,7 +139,7 @@ TEST(SurfaceReference, MatchesAConstantEnvironment) {
   const double b0 = 0.1;
   const double far = 10.0;
   scene.medium.set_homogeneous_density(b0);
-  scene.environment.emplace().map = constant_sky(2.0f);
+  scene.environment.emplace().map = even_sky(2.0f);
   // From a point at t the medium ends where the ball does; averaged over all directions.
   const auto from = [&](double t) {
     const auto f = [&](double cosine) {
@@ -160,7 +160,7 @@ TEST(SurfaceReference, SurfacesCastShadows) {
   Scene scene;
   scene.medium.set_homogeneous_density(0.3);
   scene.lights.push_back({{0, 0, 4}, {3, 3, 3}, {}});
-  scene.environment.emplace().map = constant_sky(1.0f);
+  scene.environment.emplace().map = even_sky(1.0f);
   const Surface ground;
   const SurfacePoint point = upward(ground);
   const auto behind_wall = [&](double half) {
