@@ -108,16 +108,24 @@ Cell CellAt(std::span<const SourceLookup::Level> levels, const float* SourceLook
   return {*level, level->*values, coordinate + offset, size, to_eye};
 }
 
+// `value` plus the weighted sum of what the nodes of `size` floats at a cell's corners hold; the
+// first corner's at `corner`.
+template <std::size_t size, class D>
+HWY_INLINE hn::Vec<D> AddCorners(D d, const float* corner, std::ptrdiff_t row, std::ptrdiff_t slab,
+                                 const float (&corner_weights)[8], hn::Vec<D> value) {
+  constexpr auto step = static_cast<std::ptrdiff_t>(size);
+  for (int c = 0; c < 8; ++c) {
+    const float* at = corner + (c & 1) * step + (c >> 1 & 1) * row + (c >> 2) * slab;
+    value = hn::MulAdd(hn::Set(d, corner_weights[c]), hn::LoadU(d, at), value);
+  }
+  return value;
+}
+
 // What a cell has at its point, from float i of its nodes on.
 template <std::size_t size, class D>
 HWY_INLINE hn::Vec<D> Mixed(const Cell& cell, D d, std::size_t i) {
-  auto value = hn::Zero(d);
-  for (std::size_t c = 0; c < 8; ++c) {
-    const float* node =
-        cell.corner + i + (c & 1) * size + (c >> 1 & 1) * cell.row + (c >> 2) * cell.slab;
-    value = hn::MulAdd(hn::Set(d, cell.corner_weights[c]), hn::LoadU(d, node), value);
-  }
-  return value;
+  return AddCorners<size>(d, cell.corner + i, cell.row, cell.slab, cell.corner_weights,
+                          hn::Zero(d));
 }
 
 // Rays whose cells are found at a time.
@@ -222,12 +230,8 @@ HWY_INLINE void Add(std::span<const SourceLookup::Level> levels, const PathBatch
       const float* corner = level.values + step * cells.node[i];
       float* sum = sums + ray * size;
       for (std::size_t k = 0; k < used; k += hn::Lanes(d)) {
-        auto value = hn::LoadU(d, sum + k);
-        for (int c = 0; c < 8; ++c) {
-          const float* at = corner + (c & 1) * step + (c >> 1 & 1) * row + (c >> 2) * slab + k;
-          value = hn::MulAdd(hn::Set(d, corner_weights[c]), hn::LoadU(d, at), value);
-        }
-        hn::StoreU(value, d, sum + k);
+        const auto value = hn::LoadU(d, sum + k);
+        hn::StoreU(AddCorners<size>(d, corner + k, row, slab, corner_weights, value), d, sum + k);
       }
     }
   }

@@ -11,10 +11,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 // RGB per pixel. Not an image: software renderers recompile for other image sizes.
 layout(std430, binding = 3) writeonly buffer Behind { vec4 behind[]; };
 // Incident light at grid nodes, R G B 0 per basis function; in place of the first 0, the bits of
-// GridOcclusion::blocked(). Then vertex lighting of
-// surfaces with radiance transfer: per vertex the outgoing radiance, and per basis function the
-// light still to be reflected. Then average depths around surfaces, four per vector, and the tables
-// of measured materials.
+// GridOcclusion::blocked(). Then vertex lighting of surfaces with radiance transfer: per vertex the
+// outgoing radiance, and per basis function the light still to be reflected. Then average depths
+// around surfaces, four per vector, and the tables of measured materials.
 layout(std430, binding = 6) readonly buffer Arriving { vec4 incident_values[]; };
 // A SurfaceRecord per surface. From the places named below on the elements of a quarter turn
 // (TurnElement), the polynomials of point and distant ScatterTable, the environment's coefficients

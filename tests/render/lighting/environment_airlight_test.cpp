@@ -285,8 +285,8 @@ TEST(EnvironmentAirlight, MatchesTheClosedFormUnderAUniformSky) {
   }
 }
 
-// The bounds are the errors as measured, and a third more. They are made of the grid: clouds
-// of depth 10 change within a cell.
+// The bounds are the errors as measured on 16 pixels, and a third more. They are made of the grid:
+// clouds of depth 10 change within a cell.
 TEST(EnvironmentAirlight, MatchesTheReferenceInClouds) {
   struct Row {
     int count;
