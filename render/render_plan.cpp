@@ -90,7 +90,7 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   // Of the error that is allowed.
   constexpr double negligible = 0.1;
   if (!content.light()) return Reason::no_light;
-  if (!content.gaussians) return Reason::no_gaussians;
+  if (!content.medium()) return Reason::no_medium;
   // Surfaces light each other, however thin the medium is.
   if (!content.surfaces && max_multiple_share(scene) < negligible * settings.max_error) {
     return Reason::thin_medium;

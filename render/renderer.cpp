@@ -14,6 +14,7 @@
 #include "render/cpu/paper_airlight.h"
 #include "render/cpu/sliced_airlight.h"
 #include "render/cpu/traced_paths.h"
+#include "render/lighting/source_view.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/frame_stages.h"
 #include "render/prepare/light_limits.h"
@@ -24,6 +25,7 @@ namespace brume {
 struct Renderer::Impl {
   FrameStages stages;
   FilmSlices film_slices;
+  SourceView source_view;
   TracedPaths paths;
 
   std::optional<Frame> render(FrameContext& work);
@@ -149,10 +151,15 @@ AirlightIntegrator Renderer::Impl::paper(FrameContext& work, StageClock& clock) 
 AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock) {
   const auto lights =
       std::make_shared<const std::vector<SlicedLight>>(stages.sliced_lights(work, clock));
-  const auto evaluate = [this, &work, lights](auto gaussians, const TileRays& rays,
-                                              const TileAirlight& out) {
+  std::optional<SlicedSource> source;
+  if (const SourceFunction* function = stages.source_function(work)) {
+    source_view.update(*function, work.rays.eye(), work.job);
+    source = {function, source_view.lookup(*function)};
+  }
+  const auto evaluate = [this, lights, source](auto gaussians, const TileRays& rays,
+                                               const TileAirlight& out) {
     return sliced_airlight(stages.prepared().medium(), gaussians, *lights,
-                           stages.source_function(work), rays, film_slices.nodes(rays.tile), out);
+                           source ? &*source : nullptr, rays, film_slices.nodes(rays.tile), out);
   };
   const auto prepare = [this, &work, lights](const FilmTiles& film) {
     film_slices.choose(film, stages.prepared().medium(), *lights, work.settings.slices, work.job);

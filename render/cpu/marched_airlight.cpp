@@ -160,7 +160,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
   std::optional<SourceLookup> source;
   if (environment) {
     source = environment->from_eye(rays.eye);
-    s.source_sums.assign(s.rays.padded_size() * source->node_size(), 0.0f);
+    s.source_sums.assign(s.rays.padded_size() * source->sums_size(), 0.0f);
   }
   s.environment.assign(rays.directions.size(), glm::vec3(0.0f));
   s.along_rays.assign(rays.directions.size(), 0.0f);
@@ -176,7 +176,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
 
   for (std::size_t k = 0; environment && k < rays.directions.size(); ++k) {
     s.environment[k] = source->source(
-        std::span(s.source_sums).subspan(k * source->node_size(), source->node_size()),
+        std::span(s.source_sums).subspan(k * source->sums_size(), source->sums_size()),
         s.source_weights[k]);
   }
   if (environment && environment->has_forward_lobe()) {

@@ -29,14 +29,16 @@ struct SliceScratch {
 constexpr std::size_t slices_per_lookup = 2;
 
 // Adds the source function of the slices.
-void add_source_function(const SourceFunction& function, const TileRays& rays, SliceScratch& s,
+void add_source_function(const SlicedSource& from, const TileRays& rays, SliceScratch& s,
                          std::span<glm::vec3> airlight) {
-  const SourceLookup source = function.from_eye(rays.eye);
+  const SourceFunction& function = *from.function;
+  const SourceLookup& source = from.lookup;
   const std::size_t stride = s.rays.padded_size();
   const std::size_t slices = s.slices.count() - 1;
   s.lookup_positions.resize(stride);
   s.lookup_weights.resize(stride);
-  s.lookup_sums.assign(stride * source.node_size(), 0.0f);
+  s.lookup_sums.assign(stride * source.sums_size(), 0.0f);
+  bool needs_weights = function.has_forward_lobe();
   for (std::size_t k = 0; k < slices; k += slices_per_lookup) {
     std::ranges::fill(s.lookup_positions, 0.0f);
     std::ranges::fill(s.lookup_weights, 0.0f);
@@ -54,13 +56,16 @@ void add_source_function(const SourceFunction& function, const TileRays& rays, S
     for (std::size_t i = 0; i < stride; ++i) {
       s.lookup_positions[i] /= std::max(s.lookup_weights[i], coefficient::tiny);
     }
-    source.add(s.rays, s.lookup_positions.data(), s.lookup_weights.data(), s.lookup_sums.data());
+    needs_weights |= source.add(s.rays, s.lookup_positions.data(), s.lookup_weights.data(),
+                                s.lookup_sums.data());
   }
   SourceWeights weights;
   for (std::size_t i = 0; i < rays.directions.size(); ++i) {
-    if (i == 0 || function.is_anisotropic()) weights = function.weights(rays.directions[i]);
+    if (needs_weights && (i == 0 || function.is_anisotropic())) {
+      weights = function.weights(rays.directions[i]);
+    }
     glm::vec3 scattered = source.source(
-        std::span(s.lookup_sums).subspan(i * source.node_size(), source.node_size()), weights);
+        std::span(s.lookup_sums).subspan(i * source.sums_size(), source.sums_size()), weights);
     if (function.has_forward_lobe()) {
       scattered += s.along_rays[i] * function.lobe(source, weights, s.line_depths[i]);
     }
@@ -71,9 +76,9 @@ void add_source_function(const SourceFunction& function, const TileRays& rays, S
 }  // namespace
 
 std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                              std::span<const SlicedLight> lights,
-                              const SourceFunction* source_function, const TileRays& rays,
-                              const SliceNodes& slices, const TileAirlight& out) {
+                              std::span<const SlicedLight> lights, const SlicedSource* source,
+                              const TileRays& rays, const SliceNodes& slices,
+                              const TileAirlight& out) {
   thread_local SliceScratch s;
   const std::size_t count = rays.directions.size();
   std::fill(out.airlight.begin(), out.airlight.end(), glm::vec3(0.0f));
@@ -93,12 +98,12 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   s.depths.resize(stride);
   SliceWeights slice_weights;
   const float light_extinction =
-      source_function ? static_cast<float>(source_function->light_extinction()) : 1.0f;
-  if (source_function) {
+      source ? static_cast<float>(source->function->light_extinction()) : 1.0f;
+  if (source) {
     s.slice_weights.resize(s.increments.size());
     slice_weights.per_slice = s.slice_weights.data();
     slice_weights.extinction = light_extinction;
-    if (source_function->has_forward_lobe()) {
+    if (source->function->has_forward_lobe()) {
       s.along_rays.resize(stride);
       slice_weights.along_rays = s.along_rays.data();
       s.line_depths.assign(stride, 0.0f);
@@ -128,7 +133,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];
     }
   }
-  if (source_function) add_source_function(*source_function, rays, s, out.airlight);
+  if (source) add_source_function(*source, rays, s, out.airlight);
   for (std::size_t k = 0; k < count; ++k) {
     // Homogeneous fog continues behind the last slice; the Gaussians do not.
     const auto sliced = static_cast<double>(*s.slices.at(k, last));

@@ -123,7 +123,6 @@ void add_kernels(Constants& constants) {
 // Of light given as spherical harmonics, and of materials.
 void add_reflection(Constants& constants) {
   constants.add("source_clusters", source_clusters);
-  constants.add("source_blocked_bits", neighbour_bits);
   constants.add("enclosed_bit", GridOcclusion::enclosed_bit);
   constants.add("eye_reach", eye_reach);
   constants.add("sh_bands", sh_max_bands);

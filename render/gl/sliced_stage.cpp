@@ -88,6 +88,7 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
     if (is_new) append_nodes(level, level.values, values);
     has_surfaces |= level.surfaces && !level.surfaces->blocked().empty();
   }
+  program.set("source_occlusion_bits", source->grid().occlusion_bits(eye));
   program.set("source_surfaces", has_surfaces ? 1 : 0);
   glm::vec4 factors(0.0f);
   for (std::size_t l = 0; l < parts.factors.size(); ++l) {

@@ -222,6 +222,7 @@ void SurfaceStage::upload_light(const FrameStages& stages, const FrameContext& w
   std::vector<glm::vec4> values;
   program.set("incident_levels",
               lighting.incident ? static_cast<int>(lighting.incident->levels().size()) : 0);
+  program.set("incident_occlusion_bits", lighting.occlusion_bits);
   std::size_t at = 0;
   for (std::size_t k = 0; lighting.incident && k < lighting.incident->levels().size(); ++k) {
     const SourceGrid::Level& level = lighting.incident->levels()[k];

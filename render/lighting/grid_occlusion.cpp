@@ -118,7 +118,11 @@ void GridOcclusion::mark_enclosed(const GridNodes& nodes) {
   std::vector<std::size_t> reached;
   std::vector<bool> is_open(nodes.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (blocked_[i] != 0) continue;
+    const glm::ivec3 at = node_coordinates(nodes, i);
+    if (glm::all(glm::greaterThan(at, glm::ivec3(0))) &&
+        glm::all(glm::lessThan(at, nodes.count - 1))) {
+      continue;
+    }
     is_open[i] = true;
     reached.push_back(i);
   }

@@ -21,8 +21,10 @@ namespace brume {
 // the grid ends.
 class GridOcclusion {
  public:
-  // Of nodes within solids: those that no open links connect with a node all of whose links are.
+  // Of nodes within solids and closed rooms: those that no open links connect with the grid's
+  // border.
   static constexpr std::uint32_t enclosed_bit = 1u << neighbour_index(0, 0, 0);
+  static constexpr std::uint32_t all_bits = (1u << 27) - 1u;
 
   // What a node sees in place of a neighbour.
   struct Surfel {

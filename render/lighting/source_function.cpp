@@ -135,11 +135,11 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   const Revision surfaces_revision = surfaces ? occlusion_.revision() : 0;
   const bool same_light =
       grid_ && same_map && anisotropy_ == input.anisotropy && size_ == input.size;
-  const bool same = same_light &&
-                    (!environment || environment_->rotation == environment->rotation) &&
-                    has_same(input.receivers) && medium_ == input.medium.revision() &&
-                    extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
-                    surfaces_revision_ == surfaces_revision;
+  const bool same =
+      same_light && (!environment || environment_->rotation == environment->rotation) &&
+      has_same(input.receivers) && medium_ == input.medium.revision() && in_fog_ == input.in_fog &&
+      extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
+      surfaces_revision_ == surfaces_revision;
   environment_.reset();
   if (environment) environment_ = *environment;
   if (same) return true;
@@ -151,6 +151,7 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
     read_map(*environment->map, input.anisotropy, input.size.directions, job);
   }
   medium_ = input.medium.revision();
+  in_fog_ = input.in_fog;
   extinction_ = extinction;
   keeps_transmitted_ = input.multiple.has_value();
   surfaces_revision_ = surfaces_revision;
@@ -158,10 +159,9 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   receivers_ = input.receivers;
   size_ = input.size;
 
-  const bool has_fog = input.medium.homogeneous_density() > 0.0;
   grid_.emplace(gaussian_terms(input.medium, extinction), lights_in_world(),
-                SourceGrid::Content{phase_.count(), has_fog, receivers_, surfaces,
-                                    input.multiple.has_value()},
+                SourceGrid::Content{phase_.count(), input.medium.homogeneous_density(),
+                                    input.in_fog, receivers_, surfaces, input.multiple.has_value()},
                 input.size, job);
   added_ = 0;
   return !job.stop.stop_requested();
@@ -238,7 +238,7 @@ void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, doub
 SourceLookup SourceFunction::from_eye(const glm::dvec3& eye) const {
   const bool adds_clusters =
       !lobes_.empty() && std::ranges::find(is_narrow_, true) != is_narrow_.end();
-  return {*grid_, eye, adds_clusters};
+  return {*grid_, eye, adds_clusters, grid_->occlusion_bits(eye)};
 }
 
 SourceFunction::WeightParts SourceFunction::weight_parts() const {

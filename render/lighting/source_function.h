@@ -44,6 +44,7 @@ class SourceFunction {
     const Medium& medium;            // densities are extinction coefficients
     double anisotropy;
     double fog_depth;  // optical depth of b0 from any point to the end of the fog
+    Box in_fog;        // bounds of what stands in fog
     std::optional<SourceGrid::Receivers> receivers;
     SourceGridSize size;
     std::optional<Multiple> multiple;
@@ -98,6 +99,7 @@ class SourceFunction {
   // Inputs of the cached grid and lights.
   std::optional<Environment> environment_;
   Revision medium_ = 0;
+  Box in_fog_;
   double extinction_ = 1.0;
   bool keeps_transmitted_ = false;
   Revision surfaces_revision_ = 0;

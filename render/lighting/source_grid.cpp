@@ -28,13 +28,22 @@ struct Bounds {
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
   double min_radius = std::numeric_limits<double>::infinity();
 
-  explicit Bounds(std::span<const GaussianTerm<double>> gaussians) {
+  Bounds(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content) {
     for (const GaussianTerm<double>& g : gaussians) {
       if (!(g.c > 0.0)) continue;
       low = glm::min(low, g.b - core_radii / g.a);
       high = glm::max(high, g.b + core_radii / g.a);
       min_radius = std::min(min_radius, 1.0 / g.a);
     }
+    if (!empty() || !(content.fog_density > 0.0)) return;
+    // Above a plane as well as in it.
+    const auto& [fog_low, fog_high] = content.in_fog;
+    const glm::dvec3 extent = fog_high - fog_low;
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    const glm::dvec3 margin = 0.5 * glm::max(0.5 * longest - extent, 0.0);
+    low = fog_low - margin;
+    high = fog_high + margin;
+    min_radius = 0.0;
   }
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
 };
@@ -233,7 +242,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
                        std::span<const SourceLight> lights, const Content& content,
                        const SourceGridSize& size, const Job& job)
     : bands_(content.bands) {
-  const Bounds bounds(gaussians);
+  const Bounds bounds(gaussians, content);
   core_ = {bounds.low, bounds.high};
   if (bounds.empty()) {
     levels_.emplace_back();
@@ -241,7 +250,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes));
     const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
                              (content.surfaces && !holds(content.surfaces->bounds()));
-    if (content.has_fog || goes_beyond) {
+    if (content.fog_density > 0.0 || goes_beyond) {
       const double beyond = glm::length(bounds.high - bounds.low);
       levels_.push_back(layout(bounds.low - beyond, bounds.high + beyond,
                                2.0 * static_cast<double>(levels_[0].nodes.spacing),
@@ -319,6 +328,21 @@ void SourceGrid::remove_scattered() {
     level.distant.clear();
   }
   revision_ = new_revision();
+}
+
+std::uint32_t SourceGrid::occlusion_bits(const glm::dvec3& eye) const {
+  for (const Level& level : levels_) {
+    if (!level.surfaces || level.surfaces->blocked().empty()) continue;
+    const glm::dvec3 coordinate = (eye - level.first) / static_cast<double>(level.nodes.spacing);
+    if (glm::any(glm::lessThan(coordinate, glm::dvec3(0.0))) ||
+        glm::any(glm::greaterThan(coordinate, glm::dvec3(level.nodes.count - 1)))) {
+      continue;
+    }
+    const std::size_t nearest = node_index(level.nodes, glm::ivec3(glm::round(coordinate)));
+    const std::uint32_t blocked = level.surfaces->blocked()[nearest];
+    return GridOcclusion::all_bits & ~(blocked & GridOcclusion::enclosed_bit);
+  }
+  return GridOcclusion::all_bits;
 }
 
 bool SourceGrid::holds(const Box& box) const {

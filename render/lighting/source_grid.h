@@ -58,7 +58,7 @@ struct SourceLight {
 
 // Source function of single scattering, without the scattering coefficient:
 //   J(x, w) = integral over directions w' of p(w, w') L(w') exp(-T(x, w')),
-// for distant light L. Stored on a grid around the Gaussians as the first spherical-harmonics bands
+// for distant light L. Stored on a grid as the first spherical-harmonics bands
 // of the incident light and the mean transmittance per cluster of directions; trilinearly
 // interpolated. The transmittance towards each light is swept through the grid: the cost is nodes x
 // lights, nearly independent of the number of Gaussians.
@@ -73,15 +73,17 @@ class SourceGrid {
     bool operator==(const Receivers&) const = default;
   };
   struct Content {
-    int bands = 1;  // bands of J, <= grid_bands
-    bool has_fog = false;
+    int bands = 1;             // bands of J, <= grid_bands
+    double fog_density = 0.0;  // homogeneous extinction [1/u]
+    Box in_fog;                // bounds of what stands in it
     std::optional<Receivers> receivers;
     LevelOcclusion* surfaces = nullptr;  // that occlude all light; null: none do
     bool keeps_transmitted = false;      // see Level
   };
 
-  // With fog or surfaces, a second, coarser grid covers four times the extent. In parallel; invalid
-  // after the job was stopped.
+  // Around the Gaussians, or without any around what stands in the fog. With fog or surfaces, a
+  // second, coarser grid covers four times the extent. In parallel; invalid after the job was
+  // stopped.
   SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const SourceLight> lights,
              const Content& content, const SourceGridSize& size, const Job& job);
 
@@ -125,6 +127,9 @@ class SourceGrid {
   // One or two, fine first.
   [[nodiscard]] std::span<const Level> levels() const { return levels_; }
   [[nodiscard]] int bands() const { return bands_; }
+  // The bits of GridOcclusion::blocked() that count for an eye: within a closed room, which has no
+  // other nodes, not enclosed_bit.
+  [[nodiscard]] std::uint32_t occlusion_bits(const glm::dvec3& eye) const;
   // Whether the fine grid covers receivers in this box.
   [[nodiscard]] bool holds(const Box& box) const;
 
@@ -132,7 +137,7 @@ class SourceGrid {
   Revision revision_ = new_revision();
   Revision distant_revision_ = revision_;
   int bands_;
-  Box core_;  // bounds of the fine grid; empty without Gaussians
+  Box core_;  // bounds of the fine grid; empty without a medium
   std::vector<Level> levels_;
 };
 

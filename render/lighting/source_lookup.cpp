@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -22,8 +24,9 @@ void HideCorners(const SourceLookup::Level& level, std::ptrdiff_t node, const fl
   const auto bit = [](int corner, int k) { return corner >> k & 1; };
   const auto blocked_at = [&](int corner) {
     const std::ptrdiff_t row = level.count.x;
-    return level
-        .blocked[node + bit(corner, 0) + (bit(corner, 1) + bit(corner, 2) * level.count.y) * row];
+    return level.occlusion_bits &
+           level.blocked[node + bit(corner, 0) +
+                         (bit(corner, 1) + bit(corner, 2) * level.count.y) * row];
   };
   int nearest = 0;
   for (int k = 0; k < 3; ++k) nearest |= (f[k] + eye_reach * to_eye[k] > 0.5f ? 1 : 0) << k;
@@ -136,6 +139,8 @@ using Rays = hn::CappedTag<float, max_rays>;
 // The cells of points on several rays.
 struct Cells {
   alignas(64) std::int32_t level[max_rays];
+  alignas(
+      64) std::int32_t beyond[max_rays];    // whether the point is beyond the coarser of two levels
   alignas(64) std::int32_t node[max_rays];  // of the first corner
   alignas(64) float place[3][max_rays];     // in the cell
   alignas(64) float corner_weights[8][max_rays];
@@ -152,14 +157,22 @@ struct Cells {
       const V p = hn::Mul(t, hn::LoadU(d, directions[k] + first));
       return hn::Mul(hn::Set(d, grid.per_unit), hn::Sub(p, hn::Set(d, grid.first[k])));
     };
-    auto on_finest = hn::Eq(t, t);
-    if (levels.size() > 1) {
+    const auto is_on = [&](const SourceLookup::Level& grid) HWY_ATTR {
+      auto is_on_grid = hn::Eq(t, t);
       for (int k = 0; k < 3; ++k) {
-        const V x = coordinate(levels[0], k);
-        const V last = hn::Set(d, static_cast<float>(levels[0].count[k] - 1));
-        on_finest = hn::And(on_finest, hn::And(hn::Ge(x, hn::Zero(d)), hn::Le(x, last)));
+        const V x = coordinate(grid, k);
+        const V last = hn::Set(d, static_cast<float>(grid.count[k] - 1));
+        is_on_grid = hn::And(is_on_grid, hn::And(hn::Ge(x, hn::Zero(d)), hn::Le(x, last)));
       }
+      return is_on_grid;
+    };
+    auto on_finest = hn::Eq(t, t);
+    auto on_any = on_finest;
+    if (levels.size() > 1) {
+      on_finest = is_on(levels[0]);
+      on_any = is_on(coarsest);
     }
+    hn::Store(hn::IfThenElse(hn::RebindMask(di, on_any), hn::Zero(di), hn::Set(di, 1)), di, beyond);
     auto index = hn::Zero(di);
     V f[3];
     for (int k = 3; k-- > 0;) {
@@ -200,13 +213,29 @@ struct Cells {
   }
 };
 
-// In vectors of no more floats than nodes have.
+// `sum` plus the weighted sum of `used` values of nodes of `size` at a cell's corners, in vectors
+// of no more floats than nodes have.
+template <std::size_t size, std::size_t used>
+HWY_INLINE void AddNodes(const float* values, const SourceLookup::Level& level, std::int32_t node,
+                         const float (&corner_weights)[8], float* sum) {
+  const hn::CappedTag<float, (size < 16 ? size : 16)> d;
+  constexpr auto step = static_cast<std::ptrdiff_t>(size);
+  const std::ptrdiff_t row = step * level.count.x;
+  const std::ptrdiff_t slab = row * level.count.y;
+  const float* corner = values + step * node;
+  for (std::size_t k = 0; k < used; k += hn::Lanes(d)) {
+    const auto value = hn::LoadU(d, sum + k);
+    hn::StoreU(AddCorners<size>(d, corner + k, row, slab, corner_weights, value), d, sum + k);
+  }
+}
+
+// `stride`: floats per ray in `sums`.
 template <int bands, bool adds_clusters>
-HWY_INLINE void Add(std::span<const SourceLookup::Level> levels, const PathBatch& rays,
-                    const float* t, const float* weights, float* sums) {
+HWY_INLINE bool Add(std::span<const SourceLookup::Level> levels, const PathBatch& rays,
+                    const float* t, const float* weights, std::size_t stride, float* sums) {
   constexpr std::size_t size = SourceGrid::node_size(bands);
   constexpr std::size_t used = adds_clusters ? size : 4 * sh_size(bands);
-  const hn::CappedTag<float, (size < 16 ? size : 16)> d;
+  bool sums_nodes = false;
   const Rays d_rays;
   const std::size_t lanes = hn::Lanes(d_rays);
   for (std::size_t first = 0; first < rays.padded_size(); first += lanes) {
@@ -224,17 +253,23 @@ HWY_INLINE void Add(std::span<const SourceLookup::Level> levels, const PathBatch
         HideCorners(level, cells.node[i], place, -glm::vec3(rays.x[ray], rays.y[ray], rays.z[ray]),
                     corner_weights);
       }
-      constexpr auto step = static_cast<std::ptrdiff_t>(size);
-      const std::ptrdiff_t row = step * level.count.x;
-      const std::ptrdiff_t slab = row * level.count.y;
-      const float* corner = level.values + step * cells.node[i];
-      float* sum = sums + ray * size;
-      for (std::size_t k = 0; k < used; k += hn::Lanes(d)) {
-        const auto value = hn::LoadU(d, sum + k);
-        hn::StoreU(AddCorners<size>(d, corner + k, row, slab, corner_weights, value), d, sum + k);
+      float* sum = sums + ray * stride;
+      if (level.view && t[ray] >= level.view_begin && cells.beyond[i] == 0) {
+        AddNodes<4, 4>(level.view, level, cells.node[i], corner_weights, sum);
+        if constexpr (adds_clusters) {
+          constexpr std::size_t clusters = 4 * sh_size(bands);
+          sums_nodes = true;
+          AddNodes<size, source_clusters>(level.values + clusters, level, cells.node[i],
+                                          corner_weights, sum + 4 + clusters);
+        }
+      } else {
+        sums_nodes = true;
+        float* of_nodes = sum + (level.view ? 4 : 0);
+        AddNodes<size, used>(level.values, level, cells.node[i], corner_weights, of_nodes);
       }
     }
   }
+  return sums_nodes;
 }
 
 void ClusterTransmittanceAtOrigin(std::span<const SourceLookup::Level> levels,
@@ -265,12 +300,13 @@ void MixIncident(std::span<const SourceLookup::Level> levels, const glm::vec3& p
   }
 }
 
-void AddSource(int bands, bool adds_clusters, std::span<const SourceLookup::Level> levels,
-               const PathBatch& rays, const float* t, const float* weights, float* sums) {
+bool AddSource(int bands, bool adds_clusters, std::span<const SourceLookup::Level> levels,
+               const PathBatch& rays, const float* t, const float* weights, std::size_t stride,
+               float* sums) {
   constexpr int max_bands = PhaseBands::max_bands;
-  if (bands == 1) return Add<1, false>(levels, rays, t, weights, sums);
-  adds_clusters ? Add<max_bands, true>(levels, rays, t, weights, sums)
-                : Add<max_bands, false>(levels, rays, t, weights, sums);
+  if (bands == 1) return Add<1, false>(levels, rays, t, weights, stride, sums);
+  if (!adds_clusters) return Add<max_bands, false>(levels, rays, t, weights, stride, sums);
+  return Add<max_bands, true>(levels, rays, t, weights, stride, sums);
 }
 
 }  // namespace brume::HWY_NAMESPACE
@@ -283,7 +319,8 @@ HWY_EXPORT(AddSource);
 HWY_EXPORT(ClusterTransmittanceAtOrigin);
 HWY_EXPORT(MixIncident);
 
-SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters)
+SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters,
+                           std::uint32_t occlusion_bits)
     : bands_(grid.bands()), adds_clusters_(adds_clusters && grid.bands() > 1) {
   for (const SourceGrid::Level& level : grid.levels()) {
     levels_[count_++] = {glm::vec3(level.first - origin),
@@ -293,19 +330,39 @@ SourceLookup::SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, boo
                          level.incident.data(),
                          level.surfaces && !level.surfaces->blocked().empty()
                              ? level.surfaces->blocked().data()
-                             : nullptr};
+                             : nullptr,
+                         occlusion_bits};
   }
 }
 
-void SourceLookup::add(const PathBatch& rays, const float* t, const float* weights,
+bool SourceLookup::add(const PathBatch& rays, const float* t, const float* weights,
                        float* sums) const {
-  HWY_DYNAMIC_DISPATCH(AddSource)
-  (bands_, adds_clusters_, std::span(levels_).first(count_), rays, t, weights, sums);
+  return HWY_DYNAMIC_DISPATCH(AddSource)(bands_, adds_clusters_, std::span(levels_).first(count_),
+                                         rays, t, weights, sums_size(), sums);
+}
+
+void SourceLookup::set_view(const std::array<std::vector<float>, 2>& levels) {
+  sums_nodes_ = false;
+  for (std::size_t k = 0; k < count_; ++k) {
+    Level& level = levels_[k];
+    level.view = levels[k].data();
+    const float near = min_view_spacings / level.per_unit;
+    const glm::vec3 last = level.first + glm::vec3(level.count - 1) / level.per_unit;
+    const glm::vec3 nearest = glm::clamp(glm::vec3(0.0f), level.first, last);
+    const bool has_near = glm::length(nearest) < near;
+    level.view_begin = has_near ? near : 0.0f;
+    sums_nodes_ |= has_near || count_ > 1 || adds_clusters_;
+  }
 }
 
 glm::vec3 SourceLookup::source(std::span<const float> sums, const SourceWeights& weights) const {
   const std::size_t harmonics = 4 * sh_size(bands_);
   glm::vec3 result(0.0f);
+  if (view_size() > 0) {
+    result = {sums[0], sums[1], sums[2]};
+    if (!sums_nodes_) return result;
+    sums = sums.subspan(view_size());
+  }
   for (std::size_t i = 0; i < harmonics; i += 4) {
     const float* weight = weights.harmonics.data() + i;
     result += glm::vec3(weight[0] * sums[i], weight[1] * sums[i + 1], weight[2] * sums[i + 2]);

@@ -22,26 +22,35 @@ struct SourceWeights {
 // Incident light at a point: R G B 0 per basis function.
 using NodeRadiance = std::array<float, 4 * sh_size(grid_bands)>;
 
-// The bits of all neighbours, see GridOcclusion::blocked().
-inline constexpr std::uint32_t neighbour_bits = (1u << 27) - 1u;
-
 // How far towards the eye the node is looked for that decides which corners of a cell count beside
 // surfaces [cells]: beyond walls that the point is near, by all angles but the slightest.
 inline constexpr float eye_reach = 2.5f;
+
+// From this distance on [spacings], the directions to a cell's nodes hardly differ.
+inline constexpr float min_view_spacings = 16.0f;
 
 // Look-ups in a SourceGrid relative to an origin (Highway, single precision). Keeps a reference to
 // the grid.
 class SourceLookup {
  public:
-  // `adds_clusters`: whether any SourceWeights::narrow are not 0.
-  SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters = false);
+  // `adds_clusters`: whether any SourceWeights::narrow are not 0. `occlusion_bits`: of the eye, see
+  // SourceGrid.
+  SourceLookup(const SourceGrid& grid, const glm::dvec3& origin, bool adds_clusters = false,
+               std::uint32_t occlusion_bits = GridOcclusion::all_bits);
 
-  // Floats per ray of what add() sums.
-  [[nodiscard]] std::size_t node_size() const { return SourceGrid::node_size(bands_); }
+  // What the harmonics of each level's nodes sum to, R G B 0; see SourceView.
+  // Keeps a reference.
+  void set_view(const std::array<std::vector<float>, 2>& levels);
+
+  // Floats per ray of what add() sums: of J, and of what nodes hold.
+  [[nodiscard]] std::size_t sums_size() const {
+    return view_size() + (sums_nodes_ ? SourceGrid::node_size(bands_) : 0);
+  }
   // Adds weights[k] times the nodes' values at distance t[k] on ray k, clamped to the grid, for
   // padded_size() rays from the origin; of nodes that surfaces hide from the origin's side,
-  // nothing. No weight costs nothing. Thread-safe.
-  void add(const PathBatch& rays, const float* t, const float* weights, float* sums) const;
+  // nothing. No weight costs nothing. Whether it has summed what nodes hold, for which source()
+  // needs weights. Thread-safe.
+  bool add(const PathBatch& rays, const float* t, const float* weights, float* sums) const;
   // What add() has summed for a ray, as J.
   [[nodiscard]] glm::vec3 source(std::span<const float> sums, const SourceWeights& weights) const;
 
@@ -65,13 +74,19 @@ class SourceLookup {
     const float* values = nullptr;
     const float* incident = nullptr;
     const std::uint32_t* blocked = nullptr;  // see GridOcclusion; null: no surfaces
+    std::uint32_t occlusion_bits = GridOcclusion::all_bits;
+    const float* view = nullptr;  // see set_view()
+    float view_begin = 0.0f;      // distance from where it is used [u]
   };
 
  private:
+  [[nodiscard]] std::size_t view_size() const { return levels_[0].view ? 4 : 0; }
+
   std::array<Level, 2> levels_;
   std::size_t count_ = 0;
   int bands_;
   bool adds_clusters_;
+  bool sums_nodes_ = true;
 };
 
 }  // namespace brume

@@ -1,14 +1,15 @@
 #include "render/prepare/fog_extent.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
+#include "core/limits.h"
 #include "core/math/infinity.h"
 #include "core/scene/mesh_arrays.h"
 
 namespace brume {
-namespace {}  // namespace
 
 FogExtent::FogExtent(const Scene& scene) : distance_(infinity) {
   const double b0 = scene.medium.homogeneous_density();
@@ -33,6 +34,20 @@ FogExtent::FogExtent(const Scene& scene) : distance_(infinity) {
   } else {
     distance_ = 1.0 / b0;
   }
+}
+
+Box fog_bounds(double b0, std::span<const PointLight> lights) {
+  const glm::dvec3 reach(std::min(2.0 / b0, limits::max_length));
+  if (lights.empty()) return {-reach, reach};
+  Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
+  for (const PointLight& light : lights) {
+    box.low = glm::min(box.low, light.position - reach);
+    box.high = glm::max(box.high, light.position + reach);
+  }
+  const glm::dvec3 extent = box.high - box.low;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  const double step = std::exp2(std::floor(std::log2(longest)) - 3.0);
+  return {step * glm::floor(box.low / step), step * glm::ceil(box.high / step)};
 }
 
 double FogExtent::ray_distance(const glm::dvec3& eye) const {

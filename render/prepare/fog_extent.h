@@ -1,8 +1,10 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "core/scene/scene.h"
+#include "render/geometry/box.h"
 
 namespace brume {
 
@@ -26,5 +28,10 @@ class FogExtent {
   glm::dvec3 center_{0.0};
   double distance_;
 };
+
+// Where fog of density b0 > 0 [1/u] without surfaces scatters light more than once: two mean free
+// paths around these lights, or around the origin. In steps of at least a sixteenth of its size, so
+// that it mostly stays while a light is dragged.
+Box fog_bounds(double b0, std::span<const PointLight> lights);
 
 }  // namespace brume

@@ -108,6 +108,7 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
                               work.scene.medium,
                               work.scene.optics.anisotropy,
                               has_environment ? fog_depth(work) : 0.0,
+                              lit_fog(work),
                               {},
                               work.settings.source_grid,
                               {}};
@@ -134,11 +135,19 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
   for (const PointLight& light : work.plan.lights) {
     multiple.lights.push_back(
         {light.position, light.intensity,
-         &prepared_.optical_depth_table(light.position, work.settings.optical_depth_table,
-                                        work.frame.statistics.light_pairs)});
+         work.plan.runs(Stage::light_table)
+             ? &prepared_.optical_depth_table(light.position, work.settings.optical_depth_table,
+                                              work.frame.statistics.light_pairs)
+             : nullptr});
   }
-  if (!multiple.lights.empty()) clock.finish(Stage::light_table);
+  if (work.plan.runs(Stage::light_table)) clock.finish(Stage::light_table);
   return multiple;
+}
+
+Box FrameStages::lit_fog(const FrameContext& work) const {
+  if (!work.plan.runs(Stage::homogeneous)) return {};
+  if (work.plan.runs(Stage::visibility)) return prepared_.ray_caster().bounds();
+  return fog_bounds(prepared_.medium().homogeneous_density(), work.plan.lights);
 }
 
 IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
@@ -250,6 +259,7 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
     lighting.incident = &source_.grid();
     lighting.incident_is_all = true;
     lighting.extinction = source_.light_extinction();
+    lighting.occlusion_bits = source_.grid().occlusion_bits(work.rays.eye());
   } else if (work.plan.runs(Stage::surface_scattering)) {
     const bool paper = work.settings.paper_spread;
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();

@@ -121,6 +121,8 @@ class FrameStages {
  private:
   static bool make_transfers(FrameContext& work);
   SurfaceLighting tabled_lighting(FrameContext& work);
+  // Bounds of what stands in homogeneous fog.
+  [[nodiscard]] Box lit_fog(const FrameContext& work) const;
   [[nodiscard]] IncidentOptics incident_optics(const FrameContext& work) const;
   SourceFunction::Multiple multiple_scattering(FrameContext& work, StageClock& clock);
 

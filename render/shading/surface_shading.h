@@ -39,7 +39,8 @@ struct SurfaceLighting {
   // surfaces. `point` is null then, and optical depths of lights are times `extinction`.
   bool incident_is_all = false;
   double extinction = 1.0;
-  double fog_depth = 0.0;  // average optical depth of b0
+  std::uint32_t occlusion_bits = GridOcclusion::all_bits;  // see SourceGrid
+  double fog_depth = 0.0;                                  // average optical depth of b0
   double albedo = 1.0;
 
   [[nodiscard]] bool has_indirect() const { return environment || incident; }
@@ -69,7 +70,7 @@ template <class Visit>
 void for_each_incident(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
                        const SurfacePoints& points, Visit visit) {
   if (lighting.incident) {
-    const SourceLookup light(*lighting.incident, points.origin);
+    const SourceLookup light(*lighting.incident, points.origin, false, lighting.occlusion_bits);
     for (std::size_t k = 0; k < points.count; ++k) {
       const glm::vec3 p(points.position[k]);
       visit(k, lighting.incident_is_all ? light.incident_before(p, glm::vec3(points.normal[k]),

@@ -32,7 +32,7 @@ bool has_indirect_light(const PlanCase& c) {
 }
 
 bool has_all_orders(const PlanCase& c) {
-  return c.is_multiple() && c.has_any_light() && c.has_gaussians();
+  return c.is_multiple() && c.has_any_light() && c.has_medium();
 }
 
 bool uses_transfer(const PlanCase& c) {
@@ -177,8 +177,8 @@ const SkipRule skip_rules[] = {
      [](const PlanCase& c) { return c.lights == PlanCase::Part::idle; }, 1},
     {Stage::scattering, Reason::no_light,
      [](const PlanCase& c) { return c.is_multiple() && !c.has_any_light(); }},
-    {Stage::scattering, Reason::no_gaussians,
-     [](const PlanCase& c) { return c.is_multiple() && c.has_any_light() && !c.has_gaussians(); }},
+    {Stage::scattering, Reason::no_medium,
+     [](const PlanCase& c) { return c.is_multiple() && c.has_any_light() && !c.has_medium(); }},
 };
 
 TEST(RenderPlan, SkipsStagesForTheirReasons) {

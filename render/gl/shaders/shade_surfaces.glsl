@@ -39,7 +39,11 @@ uniform int incident_levels;                 // 0: there is none
 uniform vec4 incident_first[2];              // as source.glsl has them
 uniform ivec4 incident_count[2];
 
-uint corner_bits(int first) { return floatBitsToUint(incident_values[first].w) & source_blocked_bits; }
+uniform uint incident_occlusion_bits;        // SourceGrid::occlusion_bits() of the eye
+
+uint corner_bits(int first) {
+  return floatBitsToUint(incident_values[first].w) & incident_occlusion_bits;
+}
 
 vec3 values_rgb(int index) { return vec3(values[index], values[index + 1], values[index + 2]); }
 

@@ -7,7 +7,9 @@
 // R G B, and in the first of each node the neighbours that surfaces hide, as bits.
 layout(std430, binding = 7) readonly buffer Source { vec4 source_values[]; };
 
-uint corner_bits(int first) { return floatBitsToUint(source_values[first].w) & source_blocked_bits; }
+uniform uint source_occlusion_bits;  // SourceGrid::occlusion_bits() of the eye
+
+uint corner_bits(int first) { return floatBitsToUint(source_values[first].w) & source_occlusion_bits; }
 
 uniform int source_levels;  // 0: there is no grid
 // Per level: position of its first node relative to the eye, and nodes per unit; nodes along x, y and

@@ -38,6 +38,7 @@ void environment(benchmark::State& state) {
                    scene.medium,
                    scene.optics.anisotropy,
                    0.0,
+                   {},
                    receivers,
                    settings.source_grid,
                    {}},

@@ -164,6 +164,42 @@ TEST(MultipleScattering, ClosedWallsKeepTheSkyOut) {
   EXPECT_LT(indoors, 0.01 * outdoors);
 }
 
+// Fog without Gaussians has a grid of its own: around lights, and within walls.
+TEST(MultipleScattering, FogAloneMatchesPaths) {
+  Scene scene;
+  scene.medium.set_homogeneous_density(0.15);
+  scene.optics.albedo = glm::dvec3(0.95);
+  scene.camera.eye = {0, 0, 8};
+  scene.film = {12, 9};
+  scene.lights = {{{1.0, 1.0, 0.0}, glm::dvec3(3.0), {}}};
+  const auto mean = [&](const Settings& settings) {
+    return mean_airlight(render_frame(scene, settings));
+  };
+  Settings once = multiple_settings();
+  once.scattering = Scattering::single;
+  Settings paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = 2048;
+  const double expected = mean(paths);
+  EXPECT_LT(mean(once), 0.5 * expected);
+  // Beyond the grid is no fog: 3% of the light is lost there.
+  EXPECT_NEAR(mean(multiple_settings()), expected, 0.05 * expected);
+}
+
+TEST(MultipleScattering, ClosedWallsKeepTheSkyOutOfFog) {
+  Scene scene;
+  scene.medium.set_homogeneous_density(0.2);
+  scene.camera.eye = {0, 0, 2};
+  scene.film = {8, 8};
+  scene.environment.emplace().map = constant_sky(1.0f);
+  Surface& ball = scene.surfaces.emplace_back();
+  ball.mesh = ball_mesh(24);
+  ball.scale = 2.5;
+  const Frame once = render_frame(scene, {.airlight = AirlightMethod::sliced});
+  const Frame all = render_frame(scene, multiple_settings());
+  EXPECT_LT(mean_airlight(all), 0.01 * mean_airlight(once));
+}
+
 // What is reflected ten times over shows whether walls keep as much light as they should: a percent
 // lost or gained at each reflection is ten in the end. Half a percent is what the grid gives.
 TEST(MultipleScattering, WhiteWallsMatchPaths) {

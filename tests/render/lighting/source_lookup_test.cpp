@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/geometry/medium_index.h"
+#include "render/lighting/source_view.h"
 #include "tests/random.h"
 #include "tests/render/test_scenes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
@@ -27,7 +28,7 @@ class SourceLookups : public testing::TestWithParam<int> {
     // With fog there is a coarse level too.
     SourceGrid::Content content;
     content.bands = GetParam();
-    content.has_fog = true;
+    content.fog_density = 0.1;
     grid_.emplace(index.gaussians(), lights_, content,
                   SourceGridSize{.nodes = 1000, .directions = 2}, Job{});
   }
@@ -58,7 +59,7 @@ class SourceLookups : public testing::TestWithParam<int> {
     rays.assign(directions, lengths);
     std::vector<float> padded_weights(weights.begin(), weights.end());
     padded_weights.resize(rays.padded_size(), 0.0f);
-    std::vector<float> sums(rays.padded_size() * lookup.node_size(), 0.0f);
+    std::vector<float> sums(rays.padded_size() * lookup.sums_size(), 0.0f);
     lookup.add(rays, rays.length.data(), padded_weights.data(), sums.data());
     return sums;
   }
@@ -135,15 +136,65 @@ TEST_P(SourceLookups, RaysWithoutWeightAreLeftAlone) {
 INSTANTIATE_TEST_SUITE_P(Bands, SourceLookups, testing::Values(1, PhaseBands::max_bands),
                          testing::PrintToStringParamName());
 
-// Look-ups take no light from nodes in columns and slabs, but from those of dark rooms they do.
-TEST(GridOcclusion, NodesWithinThinSolidsAreEnclosed) {
+// Against the sum of all that nodes hold, from afar and from within: near a sun's forward lobe it
+// is off most.
+TEST(SourceView, HoldsWhatNodesSumTo) {
+  Scene scene = cloud(30, 3.0);
+  scene.environment.emplace().map = sunny_sky();
+  scene.environment->rotation = 40.0;
+  SourceFunction function;
+  ASSERT_TRUE(function.update(
+      {&*scene.environment, scene.medium, 0.6, 0.0, {}, {}, SourceGridSize{}, {}}, Job{}));
+  for (const glm::dvec3& eye : {glm::dvec3(0.3, 0.2, 9.0), glm::dvec3(0.2, 0.1, 0.9)}) {
+    std::vector<glm::dvec3> directions;
+    std::vector<double> lengths;
+    Random random(5);
+    for (int i = 0; i < 64; ++i) {
+      const glm::dvec3 q = random.point(1.0) - eye;
+      lengths.push_back(glm::length(q));
+      directions.push_back(q / lengths.back());
+    }
+    PathBatch rays;
+    rays.assign(directions, lengths);
+    const std::vector<float> weights(rays.padded_size(), 1.0f);
+    const auto looked_up = [&](const SourceLookup& lookup) {
+      std::vector<float> sums(rays.padded_size() * lookup.sums_size(), 0.0f);
+      lookup.add(rays, rays.length.data(), weights.data(), sums.data());
+      std::vector<glm::vec3> result;
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        result.push_back(
+            lookup.source(std::span(sums).subspan(i * lookup.sums_size(), lookup.sums_size()),
+                          function.weights(directions[i])));
+      }
+      return result;
+    };
+    SourceView view;
+    view.update(function, eye, Job{});
+    const std::vector<glm::vec3> got = looked_up(view.lookup(function));
+    const std::vector<glm::vec3> expected = looked_up(function.from_eye(eye));
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      sum += glm::length(got[i] - expected[i]) / glm::length(expected[i]);
+      EXPECT_LT(glm::length(got[i] - expected[i]), 0.02f * glm::length(expected[i])) << i;
+    }
+    EXPECT_LT(sum, 0.002f * static_cast<float>(expected.size()));
+  }
+}
+
+// A ball around the origin; no ray meets a vertex.
+std::vector<Surface> solid_ball(double radius) {
+  Surface surface;
+  surface.mesh = ball_mesh(16);
+  surface.scale = radius;
+  surface.translate = {0.03, 0.02, 0.05};
+  return {surface};
+}
+
+// Look-ups take no light from nodes in columns and pedestals.
+TEST(GridOcclusion, NodesWithinSolidsAreEnclosed) {
   const GridNodes nodes{glm::ivec3(7), 1.0f};
   const auto enclosed = [&](double radius) {
-    Surface surface;
-    surface.mesh = ball_mesh(16);
-    surface.scale = radius;
-    surface.translate = {0.03, 0.02, 0.05};  // no ray meets a vertex
-    const std::vector<Surface> surfaces{surface};
+    const std::vector<Surface> surfaces = solid_ball(radius);
     const RayCaster ray_caster(surfaces);
     const GridOcclusion occlusion(ray_caster, surfaces, glm::dvec3(-3.0), nodes, Job{});
     return std::ranges::count_if(occlusion.blocked(), [](std::uint32_t bits) {
@@ -152,7 +203,24 @@ TEST(GridOcclusion, NodesWithinThinSolidsAreEnclosed) {
   };
   EXPECT_EQ(enclosed(0.4), 1);
   EXPECT_EQ(enclosed(1.3), 7);
-  EXPECT_EQ(enclosed(2.5), 0);  // a room
+  EXPECT_EQ(enclosed(1.9), 27);
+  EXPECT_EQ(enclosed(3.4), 0);  // it reaches beyond the grid
+}
+
+// But for an eye in there they are a room.
+TEST(GridOcclusion, NodesAroundTheEyeAreNotEnclosed) {
+  const std::vector<Surface> surfaces = solid_ball(1.5);
+  const RayCaster ray_caster(surfaces);
+  LevelOcclusion occlusion;
+  occlusion.set(ray_caster, surfaces);
+  SourceGrid::Content content;
+  content.surfaces = &occlusion;
+  const MediumIndex index(cloud(30, 3.0).medium, 1e-4, 0.0);
+  const SourceGrid grid(index.gaussians(), {}, content, SourceGridSize{.nodes = 8000}, Job{});
+  constexpr std::uint32_t enclosed = GridOcclusion::enclosed_bit;
+  EXPECT_EQ(grid.occlusion_bits({0.1, 0.2, 0.0}), GridOcclusion::all_bits & ~enclosed);
+  EXPECT_EQ(grid.occlusion_bits({2.2, 0.0, 0.0}), GridOcclusion::all_bits);
+  EXPECT_EQ(grid.occlusion_bits({1e12, -1e12, 0.0}), GridOcclusion::all_bits);
 }
 
 }  // namespace
