@@ -293,8 +293,7 @@ TEST(EnvironmentAirlight, MatchesTheReferenceInClouds) {
     double depth, even, sunny;
   };
   const Row rows[] = {{1, 1.0, 0.0025, 0.0025},    {30, 0.3, 0.0015, 0.0015},
-                      {30, 3.0, 0.0105, 0.0075},   {30, 10.0, 0.015, 0.0135},
-                      {300, 1.0, 0.0025, 0.0025},  {300, 3.0, 0.0056, 0.004},
+                      {30, 10.0, 0.015, 0.0135},   {300, 3.0, 0.0056, 0.004},
                       {300, 10.0, 0.0096, 0.0083}, {3000, 3.0, 0.0065, 0.005}};
   for (const Row& row : rows) {
     const double even = error_of(lit_cloud(row.count, row.depth, tinted_sky()), 24);
