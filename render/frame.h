@@ -56,6 +56,7 @@ struct FrameStatistics {
   std::uint64_t light_pairs = 0;  // Gaussian x ray pairs evaluated from lights
   std::uint64_t view_pairs = 0;   // Gaussian x ray pairs evaluated from the eye
   std::optional<Convergence> scattering;
+  std::size_t grid_bytes = 0;  // memory of the light that a grid holds
   // view_pairs per pixel, 0 for interpolated ones; empty without a medium.
   std::vector<float> pixel_pairs;
   std::optional<PathNoise> path_noise;  // of `path` with two paths or more

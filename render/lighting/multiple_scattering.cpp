@@ -159,6 +159,15 @@ std::vector<float> with_fog(std::vector<float> density, double fog) {
 
 }  // namespace
 
+std::size_t MultipleScattering::bytes() const {
+  std::size_t floats = 0;
+  for (const NodeLight& level : levels_) floats += level.values.size();
+  for (const std::optional<Solution>& solution : solutions_) {
+    if (solution) floats += solution->scattered.values.size();
+  }
+  return sizeof(float) * floats;
+}
+
 void MultipleScattering::clear() {
   *this = MultipleScattering();
 }

@@ -49,6 +49,7 @@ class MultipleScattering {
   [[nodiscard]] const glm::vec3& color() const { return color_; }
   // Of the finest level.
   [[nodiscard]] const Convergence& convergence() const { return convergence_; }
+  [[nodiscard]] std::size_t bytes() const;  // memory
 
  private:
   // What the solution depends on.

@@ -62,6 +62,8 @@ class SourceFunction {
   [[nodiscard]] double light_extinction() const { return extinction_; }
   // Of light that is scattered more than once; of no sweeps if there is none.
   [[nodiscard]] Convergence convergence() const { return multiple_.convergence(); }
+  // Memory of the light on the grid.
+  [[nodiscard]] std::size_t bytes() const { return grid_->bytes() + multiple_.bytes(); }
   [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
   // Look-ups relative to the eye.
   [[nodiscard]] SourceLookup from_eye(const glm::dvec3& eye) const;

@@ -345,6 +345,15 @@ std::uint32_t SourceGrid::occlusion_bits(const glm::dvec3& eye) const {
   return GridOcclusion::all_bits;
 }
 
+std::size_t SourceGrid::bytes() const {
+  std::size_t floats = 0;
+  for (const Level& level : levels_) {
+    floats += level.density.size() + level.values.size() + level.distant.size() +
+              level.incident.size() + level.transmitted.values.size() + level.reflected.size();
+  }
+  return sizeof(float) * floats;
+}
+
 bool SourceGrid::holds(const Box& box) const {
   return glm::all(glm::lessThanEqual(core_.low, box.low)) &&
          glm::all(glm::greaterThanEqual(core_.high, box.high));

@@ -26,7 +26,8 @@ using NodeRadiance = std::array<float, 4 * sh_size(grid_bands)>;
 // surfaces [cells]: beyond walls that the point is near, by all angles but the slightest.
 inline constexpr float eye_reach = 2.5f;
 
-// From this distance on [spacings], the directions to a cell's nodes hardly differ.
+// From this distance on [spacings], the directions to a cell's nodes hardly differ: airlight is
+// within 0.2% of the sum of all that nodes hold; from 8 on it would be 0.6% off.
 inline constexpr float min_view_spacings = 16.0f;
 
 // Look-ups in a SourceGrid relative to an origin (Highway, single precision). Keeps a reference to

@@ -103,6 +103,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace brume {
+
 HWY_EXPORT(SumRow);
 
 void SourceView::update(const SourceFunction& function, const glm::dvec3& eye, const Job& job) {

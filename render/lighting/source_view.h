@@ -2,7 +2,6 @@
 
 #include <array>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
 #include "core/revision.h"

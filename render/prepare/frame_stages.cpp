@@ -118,6 +118,7 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
   if (!source_.update(input, work.job)) return false;
   clock.finish(has_environment ? Stage::environment : Stage::scattering);
   if (!source_.update_multiple(input, work.job)) return false;
+  work.frame.statistics.grid_bytes = source_.bytes();
   if (has_multiple) {
     work.frame.statistics.scattering = source_.convergence();
     clock.finish(Stage::scattering);

@@ -174,7 +174,8 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
   report.patches.push_back({"turning fog", small, {}});
   report.glow.push_back({1.0, 0.62});
   report.scales.push_back({"statue", 4, 0.0964, 0.00704});
-  report.all_orders.push_back({"room", 2.9, 0.039, 0.044, 8, 950.0, {1.02, 0.99, 1.1}});
+  report.all_orders.push_back(
+      {"room", 2.9, 0.039, 0.044, 8, 950.0, 210.0, {1.02, 0.99, 1.1}, 61.0});
   report.noise_depths.push_back({2.0, {-0.0031, -0.0168, 0.0171}, {0.0, -0.02, 0.029}});
   report.noise.push_back({"torn fog", small, large});
   report.lamp_light.push_back({"lit ball", small, large});

@@ -24,14 +24,19 @@ void turn_about_z(vec2 angle) {
   }
 }
 
-// Turns it by a quarter about x, or back: the inverse is the transpose.
+// Turns it by a quarter about x, or back: the inverse is the transpose. Copied one by one: of a copy
+// of all, Mesa 25 reads what was written to `light` since.
+vec3 unturned[sh_count];
+
 void quarter_turn(bool inverse_) {
-  const vec3 before[sh_count] = light;
-  for (int i = 0; i < sh_count; ++i) light[i] = vec3(0.0);
+  for (int i = 0; i < sh_count; ++i) {
+    unturned[i] = light[i];
+    light[i] = vec3(0.0);
+  }
   for (int e = turn_at; e < turn_at + turn_size * turn_count; e += turn_size) {
     const int a = int(values[e + turn_to]);
     const int b = int(values[e + turn_from]);
-    light[inverse_ ? b : a] += values[e + turn_value] * before[inverse_ ? a : b];
+    light[inverse_ ? b : a] += values[e + turn_value] * unturned[inverse_ ? a : b];
   }
 }
 

@@ -57,6 +57,26 @@ double stage_milliseconds(const Frame& frame, Stage stage) {
   return it == stages.end() ? 0.0 : it->milliseconds;
 }
 
+// The median over some frames, before each of which a Gaussian was moved.
+double edit_milliseconds(Scene scene, int frames) {
+  Settings settings = settings_of(Scattering::multiple);
+  settings.scattering_limits.warm_start = true;
+  Renderer renderer;
+  std::vector<double> milliseconds;
+  for (int i = 0; i <= frames; ++i) {
+    const Medium before = std::exchange(scene.medium, {});
+    scene.medium.set_homogeneous_density(before.homogeneous_density());
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      Gaussian g = before.gaussian(k);
+      if (k == 0) g.center.x += 0.02 * g.radius;
+      scene.medium.append(g);
+    }
+    const Frame frame = *renderer.render(scene, scene.camera, scene.film, settings);
+    if (i > 0) milliseconds.push_back(stage_milliseconds(frame, Stage::scattering));
+  }
+  return spread_of(std::move(milliseconds)).median;
+}
+
 AllOrdersRow measure(std::string name, Scene scene, int frames) {
   scene.film = error_film;
   const auto render = [&](const Settings& settings) {
@@ -75,12 +95,14 @@ AllOrdersRow measure(std::string name, Scene scene, int frames) {
   row.multiple = error_of(multiple, reference, row.noise);
   if (multiple.statistics.scattering) row.sweeps = multiple.statistics.scattering->sweeps;
   row.solve_milliseconds = stage_milliseconds(multiple, Stage::scattering);
+  row.edit_milliseconds = edit_milliseconds(scene, frames);
   row.camera_ratio = camera_ratio(scene, frames);
+  row.megabytes = 1e-6 * static_cast<double>(multiple.statistics.grid_bytes);
   return row;
 }
 
-Scene thick_cloud(double depth, double albedo, double anisotropy) {
-  Scene scene = cloud(300, depth);
+Scene thick_cloud(double depth, double albedo, double anisotropy, int gaussians = 300) {
+  Scene scene = cloud(gaussians, depth);
   scene.optics.albedo = glm::dvec3(albedo);
   scene.optics.anisotropy = anisotropy;
   return scene;
@@ -101,6 +123,10 @@ std::vector<AllOrdersRow> measure_all_orders(bool quick) {
   for (const double depth : {1.0, 3.0, 30.0}) add_cloud(depth, 0.999, 0.0);
   for (const double albedo : {0.5, 0.9}) add_cloud(10.0, albedo, 0.0);
   for (const double anisotropy : {-0.3, 0.6, 0.85}) add_cloud(10.0, 0.999, anisotropy);
+  for (const int gaussians : {3000, 30'000, 100'000}) {
+    rows.push_back(measure(formatted("%d Gaussians of depth 10", gaussians),
+                           thick_cloud(10.0, 0.999, 0.0, gaussians), frames));
+  }
   Scene backlit = thick_cloud(10.0, 0.999, 0.0);
   backlit.lights[0].position = 2.0 * backlit.camera.target - backlit.camera.eye;
   rows.push_back(measure("the same as the first, lit from behind", backlit, frames));

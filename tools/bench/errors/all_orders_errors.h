@@ -8,7 +8,8 @@
 namespace brume {
 
 // What all orders of scattering change, against paths, and what they take: clouds of 300 Gaussians
-// over depth, albedo and anisotropy, and sample scenes with what their surfaces do.
+// over depth, albedo and anisotropy, of more Gaussians, and sample scenes with what their surfaces
+// do.
 struct AllOrdersRow {
   std::string scene;
   // Relative RMSE of the airlight against paths, their noise taken out: of light scattered once,
@@ -17,7 +18,9 @@ struct AllOrdersRow {
   double noise = 0.0;  // of the paths
   int sweeps = 0;
   double solve_milliseconds = 0.0;  // from scratch
+  double edit_milliseconds = 0.0;   // once a Gaussian was moved, from the solution before
   Spread camera_ratio;              // frame times of a moved camera, all orders over one
+  double megabytes = 0.0;           // of the light on the grid
 };
 std::vector<AllOrdersRow> measure_all_orders(bool quick);
 

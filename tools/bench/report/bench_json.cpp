@@ -184,7 +184,9 @@ std::string to_json(const BenchReport& report) {
                           {"noise", row.noise},
                           {"sweeps", row.sweeps},
                           {"solve_ms", row.solve_milliseconds},
-                          {"camera_ratio", row.camera_ratio.median}});
+                          {"edit_ms", row.edit_milliseconds},
+                          {"camera_ratio", row.camera_ratio.median},
+                          {"megabytes", row.megabytes}});
   }
   json["all_orders"] = std::move(all_orders);
   OrderedJson noise_depths = OrderedJson::array();

@@ -131,10 +131,10 @@ ReportTable all_orders_table(const std::vector<AllOrdersRow>& rows) {
       "All orders of scattering",
       "`sliced` 24 at 48 x 36: the relative RMSE of the airlight against 512 paths per "
       "pixel, their noise taken out, of light scattered once and any number of times; "
-      "the sweeps and the milliseconds to solve it from scratch; and the time of a "
-      "frame of 200 x 150 with a moved camera, all orders over one, as measured in "
-      "turn.",
-      {"scene", "once", "all orders", "noise", "sweeps", "solve", "moved camera"},
+      "the sweeps and the milliseconds to solve it from scratch, and once a Gaussian "
+      "was moved; the time of a frame of 200 x 150 with a moved camera, all orders "
+      "over one, as measured in turn; and the memory of the light on the grid.",
+      {"scene", "once", "all orders", "noise", "sweeps", "solve", "edit", "moved camera", "MB"},
       {},
       ""};
   for (const AllOrdersRow& row : rows) {
@@ -142,7 +142,8 @@ ReportTable all_orders_table(const std::vector<AllOrdersRow>& rows) {
                           formatted("%.2g%%", 100.0 * row.multiple),
                           formatted("%.2g%%", 100.0 * row.noise), formatted("%d", row.sweeps),
                           formatted("%.0f", row.solve_milliseconds),
-                          with_spread(row.camera_ratio, 2)});
+                          formatted("%.0f", row.edit_milliseconds),
+                          with_spread(row.camera_ratio, 2), formatted("%.0f", row.megabytes)});
   }
   return table;
 }
