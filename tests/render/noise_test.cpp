@@ -93,8 +93,8 @@ TEST(Noise, MarchConvergesToTheReference) {
 }
 
 TEST(Noise, PaperInSimdIsThePlainFrame) {
-  for (Scene scene : {noisy(cloud_scene(300, 1.0), 0.4), noisy(eye_inside(), 0.4),
-                      noisy(cut_by_a_surface(), 0.4, 20.0)}) {
+  for (const Scene& scene : {noisy(cloud_scene(300, 1.0), 0.4), noisy(eye_inside(), 0.4),
+                             noisy(cut_by_a_surface(), 0.4, 20.0)}) {
     for (const bool improved : {false, true}) {
       Settings settings = method(AirlightMethod::paper);
       settings.paper = {improved, improved};

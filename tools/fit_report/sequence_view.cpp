@@ -3,7 +3,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <utility>
 
 #include "render/renderer.h"
 #include "tools/fit_report/grid_picture.h"
@@ -41,8 +40,7 @@ std::vector<float> SequenceView::render(std::span<const Gaussian> gaussians) con
   scene.lights.push_back(light_);
   Settings settings;
   settings.airlight = AirlightMethod::sliced;
-  const Frame frame =
-      *Renderer().render(scene, camera_, film_, sliced_settings(std::move(settings), 64));
+  const Frame frame = *Renderer().render(scene, camera_, film_, sliced_settings(settings, 64));
   std::vector<float> red;
   for (std::size_t i = 0; i < frame.airlight.size(); i += 3) red.push_back(frame.airlight[i]);
   return red;

@@ -16,7 +16,7 @@
 namespace brume::gl {
 namespace {
 
-constexpr Device able{"A GPU", 4, 6, false, 1 << 30, 49152, 1024, 16, 32768};
+const Device able{"A GPU", 4, 6, false, 1 << 30, 49152, 1024, 16, 32768};
 
 TEST(Device, RecognizesSoftwareRenderers) {
   for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer"}) {

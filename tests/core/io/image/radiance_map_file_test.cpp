@@ -99,7 +99,8 @@ TEST(HdrFile, RefusesWhatItIsNot) {
       {hdr_header(8, 1) + new_row + bytes({136}), "ends here"},
   };
   for (const auto& [content, part] : cases) {
-    const std::string error = error_of([&] { read_hdr(folder.write("bad.hdr", content)); });
+    const std::filesystem::path file = folder.write("bad.hdr", content);
+    const std::string error = error_of([&] { read_hdr(file); });
     EXPECT_TRUE(contains(error, part)) << part << " in: " << error;
     EXPECT_TRUE(contains(error, "bad.hdr"));
   }

@@ -20,7 +20,7 @@ using Coord = openvdb::Coord;
 // Voxels alone, full leaves and tiles of both levels, on both sides of the origin.
 template <class Grid>
 typename Grid::Ptr some_grid(typename Grid::ValueType unit) {
-  const auto grid = new_grid<Grid>();
+  auto grid = new_grid<Grid>();
   Random random(1);
   for (int i = 0; i < 300; ++i) {
     const glm::ivec3 voxel(random.point(300.0));
