@@ -292,7 +292,7 @@ class CellStrip {
       return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.film.width) +
              static_cast<std::size_t>(x);
     };
-    std::array<std::uint32_t, 4> done{};
+    std::array<std::uint32_t, max_cell_rows> done{};
     for (int y = first.y0; y < first.y1 && wide_ > 0; ++y) {
       const std::size_t first_pixel = pixel(first.x0, y);
       done[static_cast<std::size_t>(y - first.y0)] = interpolate_cells(
@@ -316,6 +316,9 @@ class CellStrip {
   }
 
  private:
+  // Of samples four pixels apart; the film's last cells have the border's row too.
+  static constexpr std::size_t max_cell_rows = 5;
+
   const AirlightSamples& samples_;
   std::size_t count_ = 0;
   std::size_t wide_ =
