@@ -1,5 +1,7 @@
 // Background jobs: what is delivered, and what is not.
 
+#include <QLabel>
+#include <QToolButton>
 #include <atomic>
 #include <semaphore>
 #include <stdexcept>

@@ -266,8 +266,9 @@ class SelectionTest : public QObject {
                                           {{1e-300, 2, 3}, 0.1 + 0.2, 7.7}};
     const QString text = gaussians_to_text(gaussians);
     QVERIFY(gaussians_from_text(text) == gaussians);
-    for (QString bad : {QString(), QString("fog"), text + "1\t2\t3\t0\t1\n", text + "1\t2\t3\n",
-                        text + "1\t2\t3\tnan\t1\n", text + "1\t2\t3\t1\t-1\n"}) {
+    for (const QString& bad :
+         {QString(), QString("fog"), text + "1\t2\t3\t0\t1\n", text + "1\t2\t3\n",
+          text + "1\t2\t3\tnan\t1\n", text + "1\t2\t3\t1\t-1\n"}) {
       QVERIFY2(gaussians_from_text(bad).empty(), qPrintable(bad));
     }
     TestWindow window;

@@ -339,7 +339,7 @@ class VtkFilesTest : public QObject {
 
  private:
   fs::path write(const std::string& name, const std::string& text) {
-    const fs::path file = to_path(folder_.filePath(QString::fromStdString(name)));
+    fs::path file = to_path(folder_.filePath(QString::fromStdString(name)));
     std::ofstream(file, std::ios::binary) << text;
     return file;
   }
