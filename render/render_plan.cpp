@@ -91,6 +91,8 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   constexpr double negligible = 0.1;
   if (!content.light()) return Reason::no_light;
   if (!content.medium()) return Reason::no_medium;
+  // Nothing says where fog under an open sky ends: on any grid there would be too much of it.
+  if (!content.gaussians && !content.surfaces && content.environment) return Reason::no_gaussians;
   // Surfaces light each other, however thin the medium is.
   if (!content.surfaces && max_multiple_share(scene) < negligible * settings.max_error) {
     return Reason::thin_medium;
