@@ -39,13 +39,18 @@ void measure_table_one(const TableOneScene& kind, const BenchOptions& options,
   Settings settings = fewest_slices(chooser, scene);
   settings.threads = options.threads;
   const ReferenceSample reference = find_reference(scene, 300, 1e-3);
-  TableOneRow row{kind.name, kind.frames_per_second, {}, {}};
+  TableOneRow row{kind.name, kind.frames_per_second, {}, {}, {}};
   Renderer renderer(transfers);
   static_cast<void>(renderer.render(scene, scene.camera, scene.film, settings));
   // As one turns a scene in the editor: each frame shows triangles that the last one did not.
   constexpr double turn = 0.5;
   row.measurement = measure(renderer, scene, settings, reference.sample, 2.0, {turn, 1});
   row.share = measure_kernel_share(scene, settings, options.quick ? 3 : 9);
+  Settings all_orders = settings;
+  all_orders.scattering = Scattering::multiple;
+  row.all_orders_ratio =
+      frame_time_ratio({Renderer(transfers), Renderer(transfers)}, scene, {settings, all_orders},
+                       options.quick ? 3 : 15, {turn, 1});
   report.table_one.push_back(std::move(row));
   if (std::ranges::find(cached_scenes, kind.name) == cached_scenes.end()) return;
   for (CacheGain& gain :

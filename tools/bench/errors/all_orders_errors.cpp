@@ -33,24 +33,6 @@ double error_of(const Frame& frame, const Frame& reference, double noise) {
   return std::sqrt(std::max(measured * measured - noise * noise, 0.0));
 }
 
-// Frames with a moved camera, in turn, so that other programs disturb both alike.
-Spread camera_ratio(const Scene& scene, int frames) {
-  std::array<Renderer, 2> renderers;
-  const std::array settings{settings_of(Scattering::single), settings_of(Scattering::multiple)};
-  std::vector<double> ratios;
-  for (int i = 0; i <= frames; ++i) {
-    std::array<double, 2> milliseconds{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Frame frame =
-          *renderers[k].render(scene, moved(scene.camera, {}, i), speed_film, settings[k]);
-      milliseconds[k] = frame.statistics.frame_milliseconds;
-    }
-    // The first frame makes what the others keep.
-    if (i > 0) ratios.push_back(milliseconds[1] / milliseconds[0]);
-  }
-  return spread_of(std::move(ratios));
-}
-
 double stage_milliseconds(const Frame& frame, Stage stage) {
   const auto& stages = frame.statistics.stages;
   const auto it = std::ranges::find(stages, stage, &StageTime::stage);
@@ -96,8 +78,10 @@ AllOrdersRow measure(std::string name, Scene scene, int frames) {
   if (multiple.statistics.scattering) row.sweeps = multiple.statistics.scattering->sweeps;
   row.solve_milliseconds = stage_milliseconds(multiple, Stage::scattering);
   row.edit_milliseconds = edit_milliseconds(scene, frames);
-  row.camera_ratio = camera_ratio(scene, frames);
   row.megabytes = 1e-6 * static_cast<double>(multiple.statistics.grid_bytes);
+  scene.film = speed_film;
+  row.camera_ratio = frame_time_ratio(
+      {}, scene, {settings_of(Scattering::single), settings_of(Scattering::multiple)}, frames);
   return row;
 }
 

@@ -7,7 +7,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 
-#include "render/renderer.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
@@ -83,6 +82,22 @@ MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Sett
     result.stages.push_back({stage, spread_of(stages[stage]).median});
   }
   return result;
+}
+
+Spread frame_time_ratio(std::array<Renderer, 2> renderers, const Scene& scene,
+                        const std::array<Settings, 2>& settings, int frames,
+                        const CameraStep& step) {
+  std::vector<double> ratios;
+  for (int i = 0; i <= frames; ++i) {
+    const Camera camera = moved(scene.camera, step, i);
+    std::array<double, 2> milliseconds{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Frame frame = *renderers[k].render(scene, camera, scene.film, settings[k]);
+      milliseconds[k] = frame.statistics.frame_milliseconds;
+    }
+    if (i > 0) ratios.push_back(milliseconds[1] / milliseconds[0]);
+  }
+  return spread_of(std::move(ratios));
 }
 
 Measurement measure(FrameRenderer& renderer, const Scene& scene, const Settings& settings,

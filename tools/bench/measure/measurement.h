@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "core/scene/scene.h"
 #include "render/frame_renderer.h"
 #include "render/quality/error_estimate.h"
+#include "render/renderer.h"
 
 namespace brume {
 
@@ -38,6 +40,13 @@ Camera moved(Camera camera, const CameraStep& step, int steps);
 // `renderer`, which a first frame must have filled.
 MovedFrames moved_frames(FrameRenderer& renderer, const Scene& scene, const Settings& settings,
                          int min_frames, double seconds = 0.0, const CameraStep& step = {});
+
+// Frame times of a moving camera with the second settings over those with the first: a frame of
+// each in turn, so that other programs disturb both alike, after one that fills their renderer's
+// caches.
+Spread frame_time_ratio(std::array<Renderer, 2> renderers, const Scene& scene,
+                        const std::array<Settings, 2>& settings, int frames,
+                        const CameraStep& step = {});
 
 // Cost and error of one setting on one view, from the same frames.
 struct Measurement : MovedFrames {

@@ -185,7 +185,7 @@ std::string to_json(const BenchReport& report) {
                           {"sweeps", row.sweeps},
                           {"solve_ms", row.solve_milliseconds},
                           {"edit_ms", row.edit_milliseconds},
-                          {"camera_ratio", row.camera_ratio.median},
+                          {"camera_ratio", to_json(row.camera_ratio)},
                           {"megabytes", row.megabytes}});
   }
   json["all_orders"] = std::move(all_orders);
@@ -232,6 +232,7 @@ std::string to_json(const BenchReport& report) {
     entry["fps"] = 1e3 / row.measurement.milliseconds.median;
     entry["paper_fps"] = row.paper_fps;
     entry["kernel"] = to_json(row.share);
+    entry["all_orders_ratio"] = to_json(row.all_orders_ratio);
     rows.push_back(std::move(entry));
   }
   json["table_one"] = std::move(rows);

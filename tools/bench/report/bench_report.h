@@ -60,6 +60,7 @@ struct TableOneRow {
   double paper_fps = 0.0;
   Measurement measurement;
   KernelShare share;
+  Spread all_orders_ratio;  // frame times, all orders of scattering over one
 };
 
 struct HardCaseRow {
