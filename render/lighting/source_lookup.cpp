@@ -143,9 +143,10 @@ struct Cells {
       64) std::int32_t beyond[max_rays];    // whether the point is beyond the coarser of two levels
   alignas(64) std::int32_t node[max_rays];  // of the first corner
   alignas(64) float place[3][max_rays];     // in the cell
-  alignas(64) float corner_weights[8][max_rays];
+  // Times `weight`, of the edges along x from corners 0, 2, 4, 6.
+  alignas(64) float edge_weights[4][max_rays];
 
-  // Those of `Lanes(Rays())` points, from ray `first` on; corners' weights are times `weight`.
+  // Those of `Lanes(Rays())` points, from ray `first` on.
   HWY_INLINE Cells(std::span<const SourceLookup::Level> levels, const PathBatch& rays,
                    std::size_t first, hn::Vec<Rays> t, hn::Vec<Rays> weight) {
     const Rays d;
@@ -204,11 +205,14 @@ struct Cells {
     for (int k = 0; k < 2; ++k) {
       V y[2];
       split(z[k], f[1], y);
-      for (int j = 0; j < 2; ++j) {
-        V x[2];
-        split(y[j], f[0], x);
-        for (int i = 0; i < 2; ++i) hn::Store(x[i], d, corner_weights[4 * k + 2 * j + i]);
-      }
+      for (int j = 0; j < 2; ++j) hn::Store(y[j], d, edge_weights[2 * k + j]);
+    }
+  }
+
+  void CornerWeights(std::size_t i, float (&corner_weights)[8]) const {
+    for (int c = 0; c < 8; ++c) {
+      const float along = (c & 1) != 0 ? place[0][i] : 1.0f - place[0][i];
+      corner_weights[c] = along * edge_weights[c / 2][i];
     }
   }
 };
@@ -229,6 +233,31 @@ HWY_INLINE void AddNodes(const float* values, const SourceLookup::Level& level, 
   }
 }
 
+// AddNodes<4, 4>() where no corner is hidden: both nodes of an edge at a time if vectors hold them.
+HWY_INLINE void AddEdges(const float* values, const SourceLookup::Level& level, const Cells& cells,
+                         std::size_t i, float* sum) {
+#if HWY_MAX_BYTES >= 32
+  const hn::CappedTag<float, 8> d;
+  const hn::Half<hn::CappedTag<float, 8>> node;
+  const std::ptrdiff_t row = 4 * level.count.x;
+  const std::ptrdiff_t slab = row * level.count.y;
+  const float* corner = values + 4 * cells.node[i];
+  const auto edge = [&](std::size_t e, std::ptrdiff_t step) HWY_ATTR {
+    return hn::Mul(hn::Set(d, cells.edge_weights[e][i]), hn::LoadU(d, corner + step));
+  };
+  const auto edges =
+      hn::Add(hn::Add(edge(0, 0), edge(1, row)), hn::Add(edge(2, slab), edge(3, slab + row)));
+  const auto begin = hn::LowerHalf(edges);
+  const auto along = hn::Sub(hn::UpperHalf(node, edges), begin);
+  const auto value = hn::MulAdd(hn::Set(node, cells.place[0][i]), along, begin);
+  hn::StoreU(hn::Add(hn::LoadU(node, sum), value), node, sum);
+#else
+  float corner_weights[8];
+  cells.CornerWeights(i, corner_weights);
+  AddNodes<4, 4>(values, level, cells.node[i], corner_weights, sum);
+#endif
+}
+
 // `stride`: floats per ray in `sums`.
 template <int bands, bool adds_clusters>
 HWY_INLINE bool Add(std::span<const SourceLookup::Level> levels, const PathBatch& rays,
@@ -246,15 +275,21 @@ HWY_INLINE bool Add(std::span<const SourceLookup::Level> levels, const PathBatch
       const std::size_t ray = first + i;
       if (!(weights[ray] > 0.0f)) continue;
       const SourceLookup::Level& level = levels[static_cast<std::size_t>(cells.level[i])];
+      float* sum = sums + ray * stride;
+      const bool from_view = level.view && t[ray] >= level.view_begin && cells.beyond[i] == 0;
+      if (!level.blocked && (bands == 1 || (from_view && !adds_clusters))) {
+        sums_nodes |= !from_view;
+        AddEdges(from_view ? level.view : level.values, level, cells, i, sum);
+        continue;
+      }
       float corner_weights[8];
-      for (int c = 0; c < 8; ++c) corner_weights[c] = cells.corner_weights[c][i];
+      cells.CornerWeights(i, corner_weights);
       if (level.blocked) {
         const float place[] = {cells.place[0][i], cells.place[1][i], cells.place[2][i]};
         HideCorners(level, cells.node[i], place, -glm::vec3(rays.x[ray], rays.y[ray], rays.z[ray]),
                     corner_weights);
       }
-      float* sum = sums + ray * stride;
-      if (level.view && t[ray] >= level.view_begin && cells.beyond[i] == 0) {
+      if (from_view) {
         AddNodes<4, 4>(level.view, level, cells.node[i], corner_weights, sum);
         if constexpr (adds_clusters) {
           constexpr std::size_t clusters = 4 * sh_size(bands);

@@ -8,8 +8,8 @@
 namespace brume {
 
 // What all orders of scattering change, against paths, and what they take: clouds of 300 Gaussians
-// over depth, albedo and anisotropy, of more Gaussians, and sample scenes with what their surfaces
-// do.
+// over depth, albedo and anisotropy, of more Gaussians that are smaller, and sample scenes with
+// what their surfaces do.
 struct AllOrdersRow {
   std::string scene;
   // Relative RMSE of the airlight against paths, their noise taken out: of light scattered once,

@@ -31,12 +31,12 @@ Scene two_gaussians() {
   return scene;
 }
 
-Scene cloud(int count, double depth, std::uint64_t seed) {
+Scene cloud(int count, double depth, std::uint64_t seed, double radius) {
   HashRandom random(seed);
   std::vector<Gaussian> gaussians;
   gaussians.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    gaussians.push_back({random.in_ball(), 0.3, random.uniform(0.5, 1.5)});
+    gaussians.push_back({random.in_ball(), radius, random.uniform(0.5, 1.5)});
   }
   Scene scene;
   scene.medium = with_depth(gaussians, depth);

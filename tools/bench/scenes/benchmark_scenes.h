@@ -17,9 +17,8 @@ Scene sample_airlight(const char* name);
 // Two thick overlapping Gaussians, one light.
 Scene two_gaussians();
 
-// A ball of random Gaussians of radius 0.3 with maximum optical depth `depth`, lit by a point
-// light.
-Scene cloud(int count, double depth, std::uint64_t seed = 1);
+// A ball of random Gaussians with maximum optical depth `depth`, lit by a point light.
+Scene cloud(int count, double depth, std::uint64_t seed = 1, double radius = 0.3);
 
 // A medium of these Gaussians, scaled to a maximum optical depth of `depth`.
 Medium with_depth(std::span<const Gaussian> gaussians, double depth);
