@@ -22,7 +22,6 @@
 #include "render/lighting/slice_boundaries.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/lighting/source_grid.h"
-#include "render/lighting/source_lookup.h"
 #include "render/prepare/upsampling_limits.h"
 #include "render/simd/coefficients.h"
 #include "render/simd/reflection_kernels.h"
@@ -124,7 +123,6 @@ void add_kernels(Constants& constants) {
 void add_reflection(Constants& constants) {
   constants.add("source_clusters", source_clusters);
   constants.add("enclosed_bit", GridOcclusion::enclosed_bit);
-  constants.add("eye_reach", eye_reach);
   constants.add("sh_bands", sh_max_bands);
   constants.add("sh_count", sh_max_bands * sh_max_bands);
   const ShRecurrence recurrence;

@@ -77,7 +77,7 @@ class PointsAroundLight {
 }  // namespace
 
 void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
-                     NodeLight& incident, const Job& job) {
+                     const GridOcclusion* occlusion, NodeLight& incident, const Job& job) {
   static const std::vector<WeightedPoint> rule = mean_rule();
   const double spacing = static_cast<double>(nodes.spacing);
   const auto width = static_cast<std::size_t>(nodes.count.x);
@@ -105,11 +105,21 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
         at.push_back(row * width + x);
         continue;
       }
+      const std::size_t node = row * width + x;
+      const bool is_beside_surfaces =
+          occlusion && !occlusion->blocked().empty() && occlusion->blocked()[node] != 0;
       std::vector<glm::dvec3> around_node;
-      around_node.reserve(rule.size());
-      for (const WeightedPoint& p : rule) around_node.push_back(point + spacing * p.offset);
+      std::vector<double> weights;
+      double sum = 0.0;
+      for (const WeightedPoint& p : rule) {
+        const glm::dvec3 q = point + spacing * p.offset;
+        if (is_beside_surfaces && light.surfaces->occluded(point, q)) continue;
+        around_node.push_back(q);
+        weights.push_back(p.weight);
+        sum += p.weight;
+      }
       around.each(around_node, [&](std::size_t k, const glm::dvec3& w, double arriving) {
-        add(row * width + x, rule[k].weight * arriving, w);
+        add(node, weights[k] / sum * arriving, w);
       });
     }
     around.each(points, [&](std::size_t k, const glm::dvec3& w, double arriving) {

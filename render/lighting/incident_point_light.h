@@ -21,10 +21,11 @@ struct NodePointLight {
 };
 
 // Adds its unscattered light I exp(-T) / r^2 to `incident`, at nodes of which the first lies at
-// `first`. Nodes near the light get the mean over the cells around them, weighted by their share of
-// a trilinear interpolation: so the integral of 1 / r^2 is kept.
+// `first`. Nodes near the light get the mean over what they see of the cells around them, weighted
+// by its share of a trilinear interpolation: so the integral of 1 / r^2 is kept. `occlusion`: of
+// the nodes; null: there are no surfaces.
 void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
-                     NodeLight& incident, const Job& job);
+                     const GridOcclusion* occlusion, NodeLight& incident, const Job& job);
 
 // Adds what the surfaces between the nodes reflect of it, per channel and surfel; see
 // reflected_light(). Within half a spacing the light counts as that far away: nearer, one surfel

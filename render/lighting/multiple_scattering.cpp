@@ -75,7 +75,7 @@ UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::
     NodePointLight point{source.position, {intensity.x, intensity.y, intensity.z}, source.table,
                          extinction,      extinction * input.fog_density,          input.surfaces};
     if (color) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
-    add_point_light(point, level.first, level.nodes, light.incident, job);
+    add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
     if (!level.surfaces) continue;
     add_reflected_point_light(point, *level.surfaces, level.first, level.nodes, light.reflected,
                               channels, job);

@@ -16,11 +16,11 @@ HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Drops the corners of a cell beside surfaces that one of them does not see: the nearest to where
-// the eye's ray comes from, since the nearest to the point itself may be in a wall; or the next
-// that is in no solid. `node`: the first corner's index, `f`: place in the cell.
-void HideCorners(const SourceLookup::Level& level, std::ptrdiff_t node, const float (&f)[3],
-                 const glm::vec3& to_eye, float (&corner_weights)[8]) {
+// Drops the corners of a cell beside surfaces that one of them does not see: the one towards the
+// eye, since the nearest to the point itself may be behind a wall; or the next that is in no solid.
+// `node`: the first corner's index.
+void HideCorners(const SourceLookup::Level& level, std::ptrdiff_t node, const glm::vec3& to_eye,
+                 float (&corner_weights)[8]) {
   const auto bit = [](int corner, int k) { return corner >> k & 1; };
   const auto blocked_at = [&](int corner) {
     const std::ptrdiff_t row = level.count.x;
@@ -28,15 +28,15 @@ void HideCorners(const SourceLookup::Level& level, std::ptrdiff_t node, const fl
            level.blocked[node + bit(corner, 0) +
                          (bit(corner, 1) + bit(corner, 2) * level.count.y) * row];
   };
-  int nearest = 0;
-  for (int k = 0; k < 3; ++k) nearest |= (f[k] + eye_reach * to_eye[k] > 0.5f ? 1 : 0) << k;
-  std::uint32_t blocked = blocked_at(nearest);
+  int seeing = 0;
+  for (int k = 0; k < 3; ++k) seeing |= (to_eye[k] > 0.0f ? 1 : 0) << k;
+  std::uint32_t blocked = blocked_at(seeing);
   if (blocked == 0) return;
   if ((blocked & GridOcclusion::enclosed_bit) != 0) {
     for (const int flips : {1, 2, 4, 3, 5, 6, 7}) {
-      if ((blocked_at(nearest ^ flips) & GridOcclusion::enclosed_bit) != 0) continue;
-      nearest ^= flips;
-      blocked = blocked_at(nearest);
+      if ((blocked_at(seeing ^ flips) & GridOcclusion::enclosed_bit) != 0) continue;
+      seeing ^= flips;
+      blocked = blocked_at(seeing);
       break;
     }
   }
@@ -44,15 +44,15 @@ void HideCorners(const SourceLookup::Level& level, std::ptrdiff_t node, const fl
   float left = 0.0f;
   for (int i = 0; i < 8; ++i) {
     all += corner_weights[i];
-    const int link = neighbour_index(bit(i, 0) - bit(nearest, 0), bit(i, 1) - bit(nearest, 1),
-                                     bit(i, 2) - bit(nearest, 2));
+    const int link = neighbour_index(bit(i, 0) - bit(seeing, 0), bit(i, 1) - bit(seeing, 1),
+                                     bit(i, 2) - bit(seeing, 2));
     if ((blocked >> link & 1u) != 0) corner_weights[i] = 0.0f;
     left += corner_weights[i];
   }
   if (left > 0.0f) {
     for (float& weight : corner_weights) weight *= all / left;
   } else {
-    corner_weights[nearest] = all;
+    corner_weights[seeing] = all;
   }
 }
 
@@ -81,7 +81,7 @@ struct Cell {
                           ((i & 2) != 0 ? f[1] : 1.0f - f[1]) * ((i & 4) != 0 ? f[2] : 1.0f - f[2]);
     }
     if (!level.blocked || to_eye == glm::vec3(0.0f)) return;
-    HideCorners(level, (corner - values) / size, f, to_eye, corner_weights);
+    HideCorners(level, (corner - values) / size, to_eye, corner_weights);
   }
 
   // The nearest node to a point at this distance from a plane is on the same side [cells].
@@ -142,7 +142,7 @@ struct Cells {
   alignas(
       64) std::int32_t beyond[max_rays];    // whether the point is beyond the coarser of two levels
   alignas(64) std::int32_t node[max_rays];  // of the first corner
-  alignas(64) float place[3][max_rays];     // in the cell
+  alignas(64) float along[max_rays];        // place in the cell along x
   // Times `weight`, of the edges along x from corners 0, 2, 4, 6.
   alignas(64) float edge_weights[4][max_rays];
 
@@ -191,9 +191,9 @@ struct Cells {
       const V low = hn::Min(hn::Floor(x), last);
       f[k] = hn::Sub(x, low);
       index = hn::Add(hn::Mul(index, count), hn::ConvertTo(di, low));
-      hn::Store(f[k], d, place[k]);
     }
     hn::Store(index, di, node);
+    hn::Store(f[0], d, along);
     const auto other = hn::Set(di, static_cast<std::int32_t>(levels.size() - 1));
     hn::Store(hn::IfThenElse(hn::RebindMask(di, on_finest), hn::Zero(di), other), di, level);
     const auto split = [&](V whole, V fraction, V(&parts)[2]) HWY_ATTR {
@@ -211,8 +211,8 @@ struct Cells {
 
   void CornerWeights(std::size_t i, float (&corner_weights)[8]) const {
     for (int c = 0; c < 8; ++c) {
-      const float along = (c & 1) != 0 ? place[0][i] : 1.0f - place[0][i];
-      corner_weights[c] = along * edge_weights[c / 2][i];
+      const float share = (c & 1) != 0 ? along[i] : 1.0f - along[i];
+      corner_weights[c] = share * edge_weights[c / 2][i];
     }
   }
 };
@@ -249,7 +249,7 @@ HWY_INLINE void AddEdges(const float* values, const SourceLookup::Level& level, 
       hn::Add(hn::Add(edge(0, 0), edge(1, row)), hn::Add(edge(2, slab), edge(3, slab + row)));
   const auto begin = hn::LowerHalf(edges);
   const auto along = hn::Sub(hn::UpperHalf(node, edges), begin);
-  const auto value = hn::MulAdd(hn::Set(node, cells.place[0][i]), along, begin);
+  const auto value = hn::MulAdd(hn::Set(node, cells.along[i]), along, begin);
   hn::StoreU(hn::Add(hn::LoadU(node, sum), value), node, sum);
 #else
   float corner_weights[8];
@@ -285,8 +285,7 @@ HWY_INLINE bool Add(std::span<const SourceLookup::Level> levels, const PathBatch
       float corner_weights[8];
       cells.CornerWeights(i, corner_weights);
       if (level.blocked) {
-        const float place[] = {cells.place[0][i], cells.place[1][i], cells.place[2][i]};
-        HideCorners(level, cells.node[i], place, -glm::vec3(rays.x[ray], rays.y[ray], rays.z[ray]),
+        HideCorners(level, cells.node[i], -glm::vec3(rays.x[ray], rays.y[ray], rays.z[ray]),
                     corner_weights);
       }
       if (from_view) {

@@ -22,10 +22,6 @@ struct SourceWeights {
 // Incident light at a point: R G B 0 per basis function.
 using NodeRadiance = std::array<float, 4 * sh_size(grid_bands)>;
 
-// How far towards the eye the node is looked for that decides which corners of a cell count beside
-// surfaces [cells]: beyond walls that the point is near, by all angles but the slightest.
-inline constexpr float eye_reach = 2.5f;
-
 // From this distance on [spacings], the directions to a cell's nodes hardly differ: airlight is
 // within 0.2% of the sum of all that nodes hold; from 8 on it would be 0.6% off.
 inline constexpr float min_view_spacings = 16.0f;

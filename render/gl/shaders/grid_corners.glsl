@@ -1,9 +1,9 @@
 // The corners of a grid's cell that count beside surfaces, as SourceLookup has them.
 #include "constants.glsl"
 
-// The corner that decides, for a place in the cell from 0 to 1.
-int eye_corner(vec3 place, vec3 to_eye) {
-  const ivec3 high = ivec3(greaterThan(place + eye_reach * to_eye, vec3(0.5)));
+// The corner that decides: the one towards the eye.
+int eye_corner(vec3 to_eye) {
+  const ivec3 high = ivec3(greaterThan(to_eye, vec3(0.0)));
   return high.x | (high.y << 1) | (high.z << 2);
 }
 

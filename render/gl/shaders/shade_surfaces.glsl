@@ -188,8 +188,7 @@ void find_incoming(SurfacePoint point, vec3 to_eye) {
     firsts[c] = count.w + ((node.z * count.y + node.y) * count.x + node.x) * grid_functions;
   }
   if (incident_is_all != 0) {
-    const int decides = eye_corner(f, to_eye);
-    hide_corners(decides, firsts, weights);
+    hide_corners(eye_corner(to_eye), firsts, weights);
   }
   for (int i = 0; i < grid_functions; ++i) incoming[i] = vec3(0.0);
   for (int c = 0; c < 8; ++c) {

@@ -89,9 +89,7 @@ SourceCell source_cell(vec3 p) {
     cell.weights[c] = weight.x * weight.y * weight.z;
   }
   if (source_surfaces != 0) {
-    const float from_eye = length(p);
-    const int decides = eye_corner(x - low, from_eye > 0.0 ? -p / from_eye : vec3(0.0));
-    hide_corners(decides, cell.first, cell.weights);
+    hide_corners(eye_corner(-p), cell.first, cell.weights);
   }
   return cell;
 }

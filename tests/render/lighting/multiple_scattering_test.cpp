@@ -5,10 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/io/scene/scene_file.h"
+#include "core/scene/mesh_arrays.h"
 #include "render/renderer.h"
 #include "tests/render/golden_rays.h"
 #include "tests/render/test_scenes.h"
@@ -232,6 +234,29 @@ TEST(MultipleScattering, TunnelsAreDark) {
   const double expected = mean_airlight(render_frame(scene, paths));
   const double actual = mean_airlight(render_frame(scene, multiple_settings()));
   EXPECT_NEAR(actual, expected, 0.25 * expected);
+}
+
+// A wall on a floor with a light below, seen at a slight angle: the nodes next to the wall's foot
+// are below the floor, and those above it see the light from points around them.
+TEST(MultipleScattering, WallsTakeNoLightThroughTheFloor) {
+  for (const float floor : {0.0f, 0.015f, 0.03f, 0.045f}) {
+    Scene scene = cloud_scene(5, 0.2);
+    scene.film = {2, 32};
+    scene.camera = {
+        {-4.0, 0.0, 0.2}, {0.3, 0.0, 0.02 + static_cast<double>(floor)}, {0, 0, 1}, 0.8};
+    scene.lights = {{{0.2, 0.0, -0.05}, glm::dvec3(1.0), {}}};
+    scene.surfaces.push_back(wall(static_cast<double>(floor), 3.0));
+    const MeshArrays mesh{{{0.3f, -3, floor}, {0.3f, 3, floor}, {0.3f, 3, 3}, {0.3f, -3, 3}},
+                          std::vector(4, glm::vec3(-1, 0, 0)),
+                          {{0, 2, 1}, {0, 3, 2}}};
+    scene.surfaces.emplace_back().mesh = to_mesh(mesh);
+    const Frame frame = render_frame(scene, multiple_settings());
+    float max = 0.0f;
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+      max = std::max(max, frame.beauty[4 * i] - frame.airlight[3 * i]);
+    }
+    EXPECT_LT(max, 1e-3f) << floor;
+  }
 }
 
 TEST(MultipleScattering, SurfacesSendLightBack) {
