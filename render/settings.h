@@ -37,11 +37,9 @@ enum class Scattering { single, multiple };
 // Where the iteration for light scattered more than once ends; see solve_scattering().
 struct ScatteringLimits {
   // Of the quadrature rules of the sweeps' directions: of all; of the first if a point light is
-  // inside the medium, or surfaces are, which radiate along them; more for all of them if surfaces
-  // are, or scattering is anisotropic.
-  int degree = 7;
-  int light_degree = 15;
-  int directional_extra = 2;
+  // inside the medium, or surfaces are, which radiate along them.
+  int degree = 9;
+  int light_degree = 19;
   double tolerance = 1e-3;  // of the residual relative to the solution
   int sweeps = 40;          // maximum
   // From the last solution on. For frames in motion: a frame then depends on those before it.

@@ -140,10 +140,8 @@ bool is_in_medium(const SourceGrid::Level& level, double fog, const glm::dvec3& 
 }
 
 SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceGrid::Level& level) {
-  const bool is_directional = input.anisotropy != 0.0 || input.surfaces;
-  const int degree = input.limits.degree + (is_directional ? input.limits.directional_extra : 0);
-  SweepDegrees degrees{degree, degree};
-  if (input.surfaces) degrees.first = std::max(degree, input.limits.light_degree);
+  SweepDegrees degrees{input.limits.degree, input.limits.degree};
+  if (input.surfaces) degrees.first = std::max(degrees.first, input.limits.light_degree);
   for (const MultipleScattering::Light& light : input.lights) {
     if (is_in_medium(level, input.fog_density, light.position)) {
       degrees.first = std::max(degrees.first, input.limits.light_degree);
