@@ -91,7 +91,7 @@ TEST(BenchCompare, RoundTripsReports) {
   const auto json = [](double error) {
     BenchReport written;
     const ErrorEstimate estimate{error, 0.9 * error, 1.1 * error, 9};
-    for (auto rows : {&BenchReport::patches, &BenchReport::noise, &BenchReport::lamp_light,
+    for (auto rows : {&BenchReport::patches, &BenchReport::noise, &BenchReport::point_light,
                       &BenchReport::incident_light, &BenchReport::transfer}) {
       (written.*rows).push_back({"a ball", estimate, estimate});
     }
@@ -178,7 +178,7 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
       {"room", 2.9, 0.039, 0.044, 8, 950.0, 210.0, {1.02, 0.99, 1.1}, 61.0});
   report.noise_depths.push_back({2.0, {-0.0031, -0.0168, 0.0171}, {0.0, -0.02, 0.029}});
   report.noise.push_back({"torn fog", small, large});
-  report.lamp_light.push_back({"lit ball", small, large});
+  report.point_light.push_back({"lit ball", small, large});
   report.incident_light.push_back({"under a sky", small, large});
   report.transfer.push_back({"floor", small, large});
   report.transfer.push_back({"bowl", large, {}});

@@ -93,7 +93,7 @@ void measure_errors(BenchReport& report, const std::function<void(const std::str
   report.noise_depths = measure_noise_depths();
   report.noise = measure_noise_errors(400);
   log("light on surfaces: lights");
-  report.lamp_light = measure_surface_light(40'000);
+  report.point_light = measure_surface_light(40'000);
   log("light on surfaces: environment");
   report.incident_light = measure_incident_light(2'000);
   log("light on surfaces: radiance transfer");
@@ -111,7 +111,7 @@ std::vector<BenchScene> built_in_scenes(bool quick) {
   Scene inside = cloud(100, 3.0);
   inside.lights[0].position = {0.2, 0.1, 0.0};
   inside.lights[0].intensity = glm::dvec3(1.0);
-  scenes.push_back({"lamp_inside", inside});
+  scenes.push_back({"light_in_cloud", inside});
   Scene fog = cloud(100, 2.0);
   fog.medium.set_homogeneous_density(0.05);
   fog.lights.push_back({{-2.0, 1.0, 1.0}, {4, 6, 8}, {}});

@@ -70,7 +70,7 @@ std::vector<ComparedError> measure_surface_light(std::size_t samples) {
   for (const double depth : {0.1, 0.3, 1.0, 3.0}) {
     const Scene scene = ball_in_fog(depth);
     const SurfaceTruth reference(scene, {.samples = samples});
-    rows.push_back({formatted("diffuse ball in even fog, lamp at depth %g", depth),
+    rows.push_back({formatted("diffuse ball in homogeneous fog, light at depth %g", depth),
                     reference.scattered_error(frame_of(scene, false)),
                     reference.scattered_error(frame_of(scene, true))});
   }
@@ -81,7 +81,7 @@ std::vector<ComparedError> measure_surface_light(std::size_t samples) {
     const Frame ours = frame_of(scene, false);
     const Frame paper = frame_of(scene, true);
     const std::string label =
-        formatted("%s ball in a cloud, lamp outside at depth %.2g", kind, depth_to_light(scene));
+        formatted("%s ball in a cloud, light outside at depth %.2g", kind, depth_to_light(scene));
     rows.push_back({label, reference.scattered_error(ours), reference.scattered_error(paper)});
     rows.push_back({label + ": of all light", reference.error(ours), reference.error(paper)});
   };

@@ -86,7 +86,7 @@ ComparedError light_in_bowl_error(double distance, std::size_t samples) {
   const Frame direct = frame_with(scene, Surface::Transfer::none);
   Frame indirect = frame_with(scene, Surface::Transfer::interreflection);
   for (std::size_t i = 0; i < direct.beauty.size(); ++i) indirect.beauty[i] -= direct.beauty[i];
-  return {formatted("what walls of a bowl send each other, lamp %g radii away", distance),
+  return {formatted("what walls of a bowl send each other, light %g radii away", distance),
           reference.error(indirect),
           {}};
 }
@@ -103,7 +103,7 @@ std::vector<ComparedError> measure_transfer(std::size_t samples) {
   return {shadow_error("floor under a ball in a smooth sky", diffuse, samples),
           shadow_error("the same, shiny", floor_under_a_sky(Material::Type::phong), samples),
           shadow_error("the same, diffuse, in a cloud 0.3 deep", in_fog, samples),
-          shadow_error("deep bowl in fog that a lamp lights", bowl, samples),
+          shadow_error("deep bowl in fog, lit by a point light", bowl, samples),
           light_in_bowl_error(2.0, samples),
           light_in_bowl_error(4.0, samples),
           light_in_bowl_error(20.0, samples)};

@@ -196,7 +196,7 @@ std::string to_json(const BenchReport& report) {
   }
   json["noise_depths"] = std::move(noise_depths);
   json["noise"] = to_json(report.noise);
-  json["lamp_light"] = to_json(report.lamp_light);
+  json["lamp_light"] = to_json(report.point_light);
   json["arriving_light"] = to_json(report.incident_light);
   json["transfer"] = to_json(report.transfer);
   OrderedJson curves = OrderedJson::array();

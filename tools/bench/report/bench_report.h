@@ -80,7 +80,7 @@ struct BenchReport {
   std::vector<InscatteringRow> glow;
   std::vector<ScaleRow> scales;
   std::vector<AllOrdersRow> all_orders;
-  std::vector<ComparedError> lamp_light;      // on surfaces, as the next two
+  std::vector<ComparedError> point_light;     // on surfaces, as the next two
   std::vector<ComparedError> incident_light;  // of an environment
   std::vector<ComparedError> transfer;
   std::vector<NoiseDepthRow> noise_depths;

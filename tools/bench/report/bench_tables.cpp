@@ -29,7 +29,7 @@ std::vector<ReportTable> bench_tables(const BenchReport& report) {
                                      all_orders_table(report.all_orders),
                                      noise_depth_table(report.noise_depths),
                                      noise_table(report.noise),
-                                     surface_light_table(report.lamp_light),
+                                     surface_light_table(report.point_light),
                                      incident_light_table(report.incident_light),
                                      transfer_table(report.transfer),
                                      peer_table(report.scenes),

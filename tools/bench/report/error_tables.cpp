@@ -177,11 +177,10 @@ ReportTable surface_light_table(const std::vector<ComparedError>& rows) {
       "Light on surfaces",
       "Light reflected by surfaces, compared with unbiased Monte Carlo: relative RMSE over pixels "
       "or points, with the noise of the Monte Carlo estimate subtracted, and its 95% interval. "
-      "First the light of a point light (lamp) that fog scatters onto a ball, relative to the "
-      "scattered light alone unless the row says all light. The lamp is inside homogeneous (even) "
-      "fog with an albedo of 60% for blue, or outside clouds of 30 random Gaussians of optical "
-      "depth 3, behind more and more of the cloud. Beside it the paper's single point spread "
-      "function.",
+      "First the light of a point light that fog scatters onto a ball, relative to the scattered "
+      "light alone unless the row says all light. The light is inside homogeneous fog with an "
+      "albedo of 60% for blue, or outside clouds of 30 random Gaussians of optical depth 3, behind "
+      "more and more of the cloud. Beside it the paper's single point spread function.",
       {"receiver", "Brume", "`--paper-spread`"},
       {},
       ""};

@@ -8,9 +8,9 @@ namespace brume {
 
 // Scenes of the kinds that Table 1 of the paper times, with its numbers of vertices, Gaussians and
 // lights, made in memory. The paper's own meshes and fogs are not published: shapes are ours. Where
-// it has an environment, surfaces have radiance transfer with interreflection, and there is a lamp
-// besides for everything to be on; with the suffix _sky there is none, as in the paper. Frames of
-// 800 x 600 as there.
+// it has an environment, surfaces have radiance transfer with interreflection, and there is a point
+// light besides for everything to be on; with the suffix _sky there is none, as in the paper.
+// Frames of 800 x 600 as there.
 struct TableOneScene {
   const char* name;
   Scene (*make)();
