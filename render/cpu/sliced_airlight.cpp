@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 
 #include "render/lighting/slice_kernels.h"
-#include "render/simd/coefficients.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
@@ -17,16 +16,12 @@ struct SliceScratch {
   PathBatch rays;
   std::vector<float> increments;
   std::vector<float> depths;
-  std::vector<float> slice_weights;                                  // of the slices of all rays
-  std::vector<float> lookup_positions, lookup_weights, lookup_sums;  // of all rays
-  PathBatch lines;                                                   // the rays without an end
+  std::vector<float> lookup_weights, lookup_distances;  // see SliceWeights
+  std::vector<float> lookup_sums;                       // of all rays
+  PathBatch lines;                                      // the rays without an end
   std::vector<float> along_rays, line_depths;
   std::array<std::vector<float>, light_pack> radiance;
 };
-
-// Neighbouring slices share a look-up at their mean position: half the work, and more accurate than
-// the middle of each.
-constexpr std::size_t slices_per_lookup = 2;
 
 // Adds the source function of the slices.
 void add_source_function(const SlicedSource& from, const TileRays& rays, SliceScratch& s,
@@ -34,30 +29,11 @@ void add_source_function(const SlicedSource& from, const TileRays& rays, SliceSc
   const SourceFunction& function = *from.function;
   const SourceLookup& source = from.lookup;
   const std::size_t stride = s.rays.padded_size();
-  const std::size_t slices = s.slices.count() - 1;
-  s.lookup_positions.resize(stride);
-  s.lookup_weights.resize(stride);
   s.lookup_sums.assign(stride * source.sums_size(), 0.0f);
   bool needs_weights = function.has_forward_lobe();
-  for (std::size_t k = 0; k < slices; k += slices_per_lookup) {
-    std::ranges::fill(s.lookup_positions, 0.0f);
-    std::ranges::fill(s.lookup_weights, 0.0f);
-    for (std::size_t j = k; j < std::min(k + slices_per_lookup, slices); ++j) {
-      for (std::size_t first = 0; first < stride; first += RaySlices::group) {
-        const float* begin = s.slices.at(first, j);
-        const float* end = s.slices.at(first, j + 1);
-        for (std::size_t i = 0; i < RaySlices::group; ++i) {
-          const float weight = s.slice_weights[j * stride + first + i];
-          s.lookup_weights[first + i] += weight;
-          s.lookup_positions[first + i] += weight * 0.5f * (begin[i] + end[i]);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < stride; ++i) {
-      s.lookup_positions[i] /= std::max(s.lookup_weights[i], coefficient::tiny);
-    }
-    needs_weights |= source.add(s.rays, s.lookup_positions.data(), s.lookup_weights.data(),
-                                s.lookup_sums.data());
+  for (std::size_t at = 0; at < s.lookup_weights.size(); at += stride) {
+    needs_weights |= source.add(s.rays, s.lookup_distances.data() + at,
+                                s.lookup_weights.data() + at, s.lookup_sums.data());
   }
   SourceWeights weights;
   for (std::size_t i = 0; i < rays.directions.size(); ++i) {
@@ -100,8 +76,11 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   const float light_extinction =
       source ? static_cast<float>(source->function->light_extinction()) : 1.0f;
   if (source) {
-    s.slice_weights.resize(s.increments.size());
-    slice_weights.per_slice = s.slice_weights.data();
+    const std::size_t lookups = (last + slices_per_lookup - 1) / slices_per_lookup;
+    s.lookup_weights.resize(lookups * stride);
+    s.lookup_distances.resize(lookups * stride);
+    slice_weights.lookups = s.lookup_weights.data();
+    slice_weights.lookup_distances = s.lookup_distances.data();
     slice_weights.extinction = light_extinction;
     if (source->function->has_forward_lobe()) {
       s.along_rays.resize(stride);

@@ -141,4 +141,22 @@ glm::vec3 diffuse_light(const glm::dvec3& n, const NodeRadiance& light, double s
   return glm::max(sum, 0.0f);
 }
 
+DiffuseFactors diffuse_factors(double scale, const EnvironmentLight* environment) {
+  const ScatterTable::Bands& cosine = EnvironmentLight::cosine_factors();
+  DiffuseFactors factors;
+  for (std::size_t l = 0; l < 3; ++l) factors.bands[l] = static_cast<float>(scale) * cosine[l];
+  if (!environment) return factors;
+  factors.bands[4] = cosine[4];
+  const ShVector<glm::vec3>& sky = environment->coefficients();
+  for (int c = 0; c < 3; ++c) {
+    const auto channel = static_cast<std::size_t>(c);
+    for (std::size_t i = sh_size(4); i < sh_size(5); ++i) {
+      factors.fifth_band[4 * (i - sh_size(4)) + channel] = sky[i][c];
+    }
+    const float mean = sky[0][c];
+    if (mean > 0.0f) factors.per_mean[channel] = static_cast<float>(scale) / mean;
+  }
+  return factors;
+}
+
 }  // namespace brume

@@ -7,7 +7,7 @@
 #include "core/math/spherical_harmonics.h"
 #include "core/revision.h"
 #include "core/scene/scene.h"
-#include "render/lighting/source_lookup.h"
+#include "render/lighting/incident_lookup.h"
 #include "render/simd/scatter_table.h"
 
 namespace brume {
@@ -63,5 +63,7 @@ ShVector<glm::dvec3> incident_light(const NodeRadiance& light, double scale,
                                     const EnvironmentLight* environment);
 glm::vec3 diffuse_light(const glm::dvec3& n, const NodeRadiance& light, double scale,
                         const EnvironmentLight* environment);
+// The latter, for IncidentLookup::diffuse().
+DiffuseFactors diffuse_factors(double scale, const EnvironmentLight* environment);
 
 }  // namespace brume

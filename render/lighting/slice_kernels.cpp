@@ -289,6 +289,8 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
     }
     V depth = zero;
     V begin = hn::LoadU(d, slices.at(i, 0));
+    V weight = zero;  // of a look-up
+    V weighted_distance = zero;
     for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
       const V end = hn::LoadU(d, slices.at(i, k + 1));
       const V width = hn::Sub(end, begin);
@@ -297,7 +299,6 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       const V next_depth = hn::Add(depth, increment);
       const auto matters = hn::And(hn::Gt(increment, set(negligible)),
                                    hn::Lt(depth, set(coefficient::visible_depth)));
-      if (weights.per_slice) hn::StoreU(zero, d, weights.per_slice + k * stride + i);
       if (!hn::AllFalse(d, matters)) {
         // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
         const V scattered_fraction = hn::Mul(
@@ -305,11 +306,10 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
             hn::IfThenElse(hn::Lt(increment, set(coefficient::small_increment)),
                            hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
                            hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
-        if (weights.per_slice) {
-          hn::StoreU(hn::IfThenElseZero(matters, scattered_fraction), d,
-                     weights.per_slice + k * stride + i);
-        }
         const V center = hn::Mul(set(0.5f), hn::Add(begin, end));
+        const V counted = hn::IfThenElseZero(matters, scattered_fraction);
+        weight = hn::Add(weight, counted);
+        weighted_distance = hn::MulAdd(counted, center, weighted_distance);
         for (std::size_t l = 0; l < lights.size(); ++l) {
           const V falloff = MeanInverseSquare(hn::Sub(begin, ts[l]), hn::Sub(end, ts[l]), h2[l]);
           const V along = hn::Sub(center, ts[l]);
@@ -329,6 +329,14 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
           sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(scattered_fraction, light)));
         }
+      }
+      if (weights.lookups && ((k + 1) % slices_per_lookup == 0 || k + 2 == slices.count())) {
+        const std::size_t at = k / slices_per_lookup * stride + i;
+        hn::StoreU(weight, d, weights.lookups + at);
+        hn::StoreU(hn::Div(weighted_distance, hn::Max(weight, set(coefficient::tiny))), d,
+                   weights.lookup_distances + at);
+        weight = zero;
+        weighted_distance = zero;
       }
       depth = next_depth;
       begin = end;

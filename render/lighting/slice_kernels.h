@@ -35,11 +35,17 @@ struct SliceLight {
   const ShadowMap* shadows = nullptr;        // null: no surfaces
 };
 
+// Neighbouring slices share a look-up of the source function at their mean position: half the work,
+// and more accurate than the middle of each.
+constexpr std::size_t slices_per_lookup = 2;
+
 // In-scattered fractions for distant light; null: not needed.
 struct SliceWeights {
-  // weights[k * rays.padded_size() + i] = exp(-T_k) (1 - exp(-dT_k)) for slice k of ray i:
-  // in-scattering of a unit uniform light.
-  float* per_slice = nullptr;
+  // [j * rays.padded_size() + i], of the slices k of ray i that share look-up j: the sum of
+  // exp(-T_k) (1 - exp(-dT_k)), in-scattering of a unit uniform light, and the mean distance of
+  // their centers weighted by it.
+  float* lookups = nullptr;
+  float* lookup_distances = nullptr;
   // [i]: sum over the slices of ray i for light along the ray, attenuated by Gaussians only, their
   // densities times `extinction`: from the eye, where it is 1, if the anisotropy is negative, else
   // from behind, where it is exp(that optical depth of the ray).

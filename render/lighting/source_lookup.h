@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "render/lighting/source_grid.h"
+#include "render/lighting/grid_levels.h"
 #include "render/simd/gaussian_kernels.h"
 
 namespace brume {
@@ -18,9 +18,6 @@ struct SourceWeights {
   // Not part of J: forward-lobe scattering of the wide clusters.
   std::array<glm::vec3, source_clusters> spread{};
 };
-
-// Incident light at a point: R G B 0 per basis function.
-using NodeRadiance = std::array<float, 4 * sh_size(grid_bands)>;
 
 // From this distance on [spacings], the directions to a cell's nodes hardly differ: airlight is
 // within 0.2% of the sum of all that nodes hold; from 8 on it would be 0.6% off.
@@ -56,31 +53,10 @@ class SourceLookup {
   using ClusterTransmittance = std::array<float, source_clusters>;
   [[nodiscard]] ClusterTransmittance cluster_transmittance() const;
 
-  // Incident light at origin + p, for grids with receivers. Thread-safe.
-  [[nodiscard]] NodeRadiance incident(const glm::vec3& p) const;
-  // The same on a surface of unit normal n: looked up so far before it that the nearest node is, of
-  // nodes that surfaces do not hide from the eye's side.
-  [[nodiscard]] NodeRadiance incident_before(const glm::vec3& p, const glm::vec3& n,
-                                             const glm::vec3& to_eye) const;
-
-  // The grid relative to the origin.
-  struct Level {
-    glm::vec3 first{0.0f};
-    float per_unit = 1.0f;
-    glm::ivec3 count{2};
-    const float* values = nullptr;
-    const float* incident = nullptr;
-    const std::uint32_t* blocked = nullptr;  // see GridOcclusion; null: no surfaces
-    std::uint32_t occlusion_bits = GridOcclusion::all_bits;
-    const float* view = nullptr;  // see set_view()
-    float view_begin = 0.0f;      // distance from where it is used [u]
-  };
-
  private:
-  [[nodiscard]] std::size_t view_size() const { return levels_[0].view ? 4 : 0; }
+  [[nodiscard]] std::size_t view_size() const { return levels_.all()[0].view ? 4 : 0; }
 
-  std::array<Level, 2> levels_;
-  std::size_t count_ = 0;
+  GridLevels levels_;
   int bands_;
   bool adds_clusters_;
   bool sums_nodes_ = true;

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <span>
 
-#include "core/math/spherical_harmonics.h"
 #include "render/simd/coefficients.h"
 
 // Highway includes this file once per instruction set.
@@ -13,7 +11,7 @@
 #define HWY_TARGET_INCLUDE "render/lighting/source_view.cpp"
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
-#include <hwy/highway.h>
+#include "render/simd/sh_basis-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -25,44 +23,6 @@ using Nodes = hn::CappedTag<float, max_nodes>;
 
 constexpr int view_bands = PhaseBands::max_bands;
 constexpr std::size_t view_functions = sh_size(view_bands);
-
-// sh_basis() at unit vectors, times a factor per band; function after function.
-HWY_INLINE void FindBasis(hn::Vec<Nodes> x, hn::Vec<Nodes> y, hn::Vec<Nodes> z,
-                          std::span<const float> factors,
-                          float (&basis)[view_functions][max_nodes]) {
-  static const ShRecurrence recurrence;
-  const Nodes d;
-  using V = hn::Vec<Nodes>;
-  const auto constant = [&](double value)
-                            HWY_ATTR { return hn::Set(d, static_cast<float>(value)); };
-  V c = constant(1.0);
-  V s = hn::Zero(d);
-  V first = constant(0.5 * std::numbers::inv_sqrtpi);
-  for (int m = 0; m < view_bands; ++m) {
-    const auto column = static_cast<std::size_t>(m);
-    if (m > 0) {
-      first = hn::Mul(first, constant(recurrence.start[column]));
-      const V turned = hn::Sub(hn::Mul(c, x), hn::Mul(s, y));
-      s = hn::MulAdd(s, x, hn::Mul(c, y));
-      c = turned;
-    }
-    V q = first;
-    V below = hn::Zero(d);
-    for (int l = m; l < view_bands; ++l) {
-      const auto row = static_cast<std::size_t>(l);
-      if (l > m) {
-        const V next =
-            hn::Mul(constant(recurrence.up[row][column]),
-                    hn::NegMulAdd(constant(recurrence.down[row][column]), below, hn::Mul(z, q)));
-        below = q;
-        q = next;
-      }
-      const V weighted = hn::Mul(q, hn::Set(d, factors[row]));
-      hn::Store(hn::Mul(weighted, c), d, basis[sh_index(l, m)]);
-      if (m > 0) hn::Store(hn::Mul(weighted, s), d, basis[sh_index(l, -m)]);
-    }
-  }
-}
 
 // R G B 0 of `count` nodes in a row along x, the first at `first` from the eye: their values times
 // the basis at their directions and `factors` per band.
@@ -81,7 +41,8 @@ void SumRow(const float* values, std::size_t count, const glm::vec3& first, floa
     const V square = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
     const V scale =
         hn::Div(hn::Set(d, 1.0f), hn::Sqrt(hn::Max(square, hn::Set(d, coefficient::tiny_square))));
-    FindBasis(hn::Mul(x, scale), hn::Mul(y, scale), hn::Mul(z, scale), factors, basis);
+    FindBasis<view_bands>(d, hn::Mul(x, scale), hn::Mul(y, scale), hn::Mul(z, scale), factors,
+                          basis);
     for (std::size_t k = 0; k < std::min(hn::Lanes(d), count - i); ++k) {
       const float* node = values + (i + k) * size;
       for (std::size_t c = 0; c < 4; c += hn::Lanes(rgb)) {

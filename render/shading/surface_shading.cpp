@@ -37,6 +37,28 @@ void add_measured_light(const SurfacePoints& points, const LightAtPoints& light_
   }
 }
 
+// Indirect light that diffuse surfaces reflect.
+void add_diffuse_light(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
+                       const SurfacePoints& points, PointRadiance& radiance) {
+  thread_local PointRadiance sent;
+  if (lighting.incident) {
+    incident_lookup(lighting, points)
+        .diffuse(points, diffuse_factors(lighting.incident_scale, lighting.environment), sent);
+  } else {
+    for_each_fraction(
+        lighting, average_depth, points, [&](std::size_t k, const ScatterTable::Bands& fractions) {
+          const glm::vec3 light = lighting.environment->diffuse(points.normal[k], fractions);
+          sent.r[k] = light.r;
+          sent.g[k] = light.g;
+          sent.b[k] = light.b;
+        });
+  }
+  const glm::vec3 reflectance(points.surface->material.reflectance);
+  for (std::size_t k = 0; k < points.count; ++k) {
+    add(reflectance * glm::vec3(sent.r[k], sent.g[k], sent.b[k]), k, radiance);
+  }
+}
+
 // light += light of a point light scattered by the medium, with factors per band.
 void add_scattered(const LightAtPoints& light_at_point, const BandArrays& factors,
                    const glm::vec3& intensity, std::size_t count, IncidentLight& light) {
@@ -144,16 +166,12 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
       add_scattered(light_at_point, factors, reflected.intensity, points.count, indirect);
     }
   }
-  if (lighting.has_indirect()) {
+  if (lighting.has_indirect() && is_diffuse) {
+    add_diffuse_light(lighting, shading.average_depth, points, radiance);
+  } else if (lighting.has_indirect()) {
     for_each_incident(lighting, shading.average_depth, points,
                       [&](std::size_t k, const auto& incident) {
-                        if (is_diffuse) {
-                          add(glm::vec3(material.reflectance) *
-                                  diffuse_light(lighting, points.normal[k], incident),
-                              k, radiance);
-                        } else {
-                          indirect.add(k, incident_light(lighting, incident));
-                        }
+                        indirect.add(k, incident_light(lighting, incident));
                       });
   }
   if (reflects_indirect) {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "render/geometry/medium_index.h"
 #include "render/lighting/environment_light.h"
+#include "render/lighting/incident_lookup.h"
 #include "render/lighting/optical_depth_table.h"
-#include "render/lighting/source_lookup.h"
 #include "render/settings.h"
 #include "render/shading/prepared_shading.h"
 #include "render/simd/scatter_table.h"
@@ -46,8 +47,7 @@ struct SurfaceLighting {
   [[nodiscard]] bool has_indirect() const { return environment || incident; }
 };
 
-// Incident light at a point as for_each_incident() gives it, and what a diffuse surface of
-// reflectance 1 and unit normal n makes of it.
+// Incident light at a point as for_each_incident() gives it.
 inline ShVector<glm::dvec3> incident_light(const SurfaceLighting& lighting,
                                            const NodeRadiance& light) {
   return incident_light(light, lighting.incident_scale, lighting.environment);
@@ -56,35 +56,36 @@ inline ShVector<glm::dvec3> incident_light(const SurfaceLighting& lighting,
                                            const ScatterTable::Bands& fractions) {
   return lighting.environment->incident(fractions);
 }
-inline glm::vec3 diffuse_light(const SurfaceLighting& lighting, const glm::dvec3& n,
-                               const NodeRadiance& light) {
-  return diffuse_light(n, light, lighting.incident_scale, lighting.environment);
-}
-inline glm::vec3 diffuse_light(const SurfaceLighting& lighting, const glm::dvec3& n,
-                               const ScatterTable::Bands& fractions) {
-  return lighting.environment->diffuse(n, fractions);
+
+// With a grid.
+inline IncidentLookup incident_lookup(const SurfaceLighting& lighting,
+                                      const SurfacePoints& points) {
+  return {*lighting.incident, points.origin, lighting.occlusion_bits};
 }
 
-// Calls visit(k, incident light at point k).
+// Calls visit(k, fractions of the environment at point k), without a grid.
 template <class Visit>
-void for_each_incident(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
+void for_each_fraction(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
                        const SurfacePoints& points, Visit visit) {
-  if (lighting.incident) {
-    const SourceLookup light(*lighting.incident, points.origin, false, lighting.occlusion_bits);
-    for (std::size_t k = 0; k < points.count; ++k) {
-      const glm::vec3 p(points.position[k]);
-      visit(k, lighting.incident_is_all ? light.incident_before(p, glm::vec3(points.normal[k]),
-                                                                glm::vec3(points.to_eye[k]))
-                                        : light.incident(p));
-    }
-    return;
-  }
   const auto fog = static_cast<float>(lighting.fog_depth);
   for (std::size_t k = 0; k < points.count; ++k) {
     const float Tbar =
         average_depth ? fog + (*average_depth)(points.origin + points.position[k]) : fog;
     visit(k, lighting.environment->incident(Tbar, lighting.albedo));
   }
+}
+
+// Calls visit(k, incident light at point k).
+template <class Visit>
+void for_each_incident(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
+                       const SurfacePoints& points, Visit visit) {
+  if (!lighting.incident) {
+    for_each_fraction(lighting, average_depth, points, visit);
+    return;
+  }
+  thread_local std::array<NodeRadiance, Tiles::pixels> light;
+  incident_lookup(lighting, points).incident(points, light);
+  for (std::size_t k = 0; k < points.count; ++k) visit(k, light[k]);
 }
 
 // Shading parameters of a light for an analytic material.

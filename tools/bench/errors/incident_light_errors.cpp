@@ -73,7 +73,11 @@ ComparedError error_on_grid(const std::string& label, const Scene& scene,
   Runs average = reference;
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     const Receiver& r = receivers[i];
-    const NodeRadiance incident = SourceLookup(source.grid(), r.position).incident({});
+    SurfacePoints point{};
+    point.count = 1;
+    std::array<NodeRadiance, 1> light_at_point;
+    IncidentLookup(source.grid(), r.position).incident(point, light_at_point);
+    const NodeRadiance& incident = light_at_point[0];
     const auto depth = static_cast<float>(average_depth(scene.medium, 0.0, r.position));
     for (std::size_t k = 0; k < independent_runs; ++k) {
       grid[k][i] -= glm::dvec3(diffuse_light(r.normal, incident, 1.0, &light));
