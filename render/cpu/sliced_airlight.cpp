@@ -93,6 +93,8 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       }
     }
   }
+  const SliceScattering scattering =
+      slice_scattering(medium.anisotropy(), source ? source->function : nullptr);
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
     std::array<SliceLight, light_pack> pack;
     std::array<float*, light_pack> radiance{};
@@ -104,9 +106,9 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
       s.radiance[l].assign(stride, 0.0f);
       radiance[l] = s.radiance[l].data();
     }
-    sum_slices(s.rays, s.slices, s.increments.data(), static_cast<float>(b0),
-               static_cast<float>(medium.anisotropy()), negligible, std::span(pack).first(size),
-               s.depths.data(), first == 0 ? slice_weights : SliceWeights(), radiance);
+    sum_slices(s.rays, s.slices, s.increments.data(), static_cast<float>(b0), scattering,
+               negligible, std::span(pack).first(size), s.depths.data(),
+               first == 0 ? slice_weights : SliceWeights(), radiance);
     for (std::size_t l = 0; l < size; ++l) {
       const glm::vec3 intensity(lights[first + l].intensity);
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];

@@ -37,9 +37,12 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   set_noise(program, medium.noise(), eye);
   program.set("light_count", static_cast<int>(lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
-  program.set("anisotropy", static_cast<float>(medium.anisotropy()));
   program.set("negligible", static_cast<float>(medium.negligible_depth()));
   const SourceFunction* const source = stages.source_function(work);
+  const SliceScattering scattering = slice_scattering(medium.anisotropy(), source);
+  program.set("anisotropy", scattering.anisotropy);
+  program.set("view_extinction", scattering.view_extinction);
+  program.set("truncated_phase", scattering.truncated_phase);
   program.set("light_extinction", source ? static_cast<float>(source->light_extinction()) : 1.0f);
   upload_source(source, eye, program);
   return film_.run(

@@ -133,6 +133,11 @@ std::vector<double> phase_bands(double anisotropy, int count) {
   return bands;
 }
 
+double forward_lobe(double anisotropy, int count) {
+  constexpr double nearer_bands = 0.15;
+  return std::pow(std::max(anisotropy, 0.0), count - nearer_bands);
+}
+
 std::vector<float> reflected_light(const GridOcclusion& surfaces, const NodeLight& incident) {
   constexpr int bands = 3;  // of the clamped cosine; the fourth has none
   assert(incident.bands >= bands);

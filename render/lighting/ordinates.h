@@ -51,6 +51,11 @@ struct FinerGrid {
 
 // Bands of the Henyey-Greenstein phase function, from 0 on: g^l.
 std::vector<double> phase_bands(double anisotropy, int count);
+// The fraction of light that counts as scattered in the forward lobe of that phase function, beyond
+// `count` bands. Delta-M truncation takes the first of those bands, g^count, for all; but what is
+// then left in four bands scatters too much to the side and back: in a cloud of optical depth 10
+// and g = 0.85, 2% in the mean. In [0, 1); 0 for g <= 0.
+double forward_lobe(double anisotropy, int count);
 
 // Nodes per block of a parallel sum.
 inline constexpr std::size_t node_block = 1024;

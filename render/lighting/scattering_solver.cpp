@@ -11,7 +11,7 @@ namespace brume {
 TruncatedScattering::TruncatedScattering(double full_albedo, double anisotropy, int bands)
     : albedo(full_albedo), phase(phase_bands(anisotropy, bands)) {
   if (bands == 1) return;  // isotropic
-  const double lobe = std::pow(std::max(anisotropy, 0.0), bands);
+  const double lobe = forward_lobe(anisotropy, bands);
   for (double& factor : phase) factor = (factor - lobe) / (1.0 - lobe);
   extinction = 1.0 - full_albedo * lobe;
   albedo = full_albedo * (1.0 - lobe) / extinction;

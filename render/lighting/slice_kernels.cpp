@@ -256,18 +256,36 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
   }
 }
 
+// exp(-T) (1 - exp(-dT)), without cancellation for small dT.
+HWY_INLINE V ScatteredFraction(V depth, V increment) {
+  const D d;
+  return hn::Mul(hn::Exp(d, hn::Neg(depth)),
+                 hn::IfThenElse(hn::Lt(increment, set(coefficient::small_increment)),
+                                hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
+                                hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
+}
+
+HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
+  const auto& power = scattering.truncated_phase;
+  V sum = set(power[3]);
+  for (std::size_t i = 3; i-- > 0;) sum = hn::MulAdd(sum, cosine, set(power[i]));
+  return sum;
+}
+
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
-               float anisotropy, float negligible, std::span<const SliceLight> lights,
-               float* depths, const SliceWeights& weights,
+               const SliceScattering& scattering, float negligible,
+               std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
                const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
   if (weights.along_rays) {
-    const float from_eye = anisotropy < 0.0f ? 1.0f : -1.0f;
+    const float from_eye = scattering.anisotropy < 0.0f ? 1.0f : -1.0f;
     SumAlongRays(slices, stride, increments, b0, 1.0f + from_eye * weights.extinction,
                  weights.along_rays);
   }
+  const bool has_view_extinction = scattering.view_extinction != 1.0f;
+  const V view_extinction = set(scattering.view_extinction);
   std::array<OpticalDepthTable::View, light_pack> tables{};
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (lights[l].table && !lights[l].table->empty()) tables[l] = lights[l].table->view();
@@ -297,17 +315,18 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       const V gaussians = hn::Max(hn::LoadU(d, increments + k * stride + i), zero);
       const V increment = hn::MulAdd(set(b0), width, gaussians);
       const V next_depth = hn::Add(depth, increment);
-      const auto matters = hn::And(hn::Gt(increment, set(negligible)),
-                                   hn::Lt(depth, set(coefficient::visible_depth)));
+      const auto matters =
+          hn::And(hn::Gt(increment, set(negligible)),
+                  hn::Lt(hn::Mul(view_extinction, depth), set(coefficient::visible_depth)));
       if (!hn::AllFalse(d, matters)) {
-        // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
-        const V scattered_fraction = hn::Mul(
-            hn::Exp(d, hn::Neg(depth)),
-            hn::IfThenElse(hn::Lt(increment, set(coefficient::small_increment)),
-                           hn::NegMulAdd(hn::Mul(set(0.5f), increment), increment, increment),
-                           hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
+        const V scattered_fraction = ScatteredFraction(depth, increment);
+        const V truncated_fraction =
+            has_view_extinction ? hn::Div(ScatteredFraction(hn::Mul(view_extinction, depth),
+                                                            hn::Mul(view_extinction, increment)),
+                                          view_extinction)
+                                : scattered_fraction;
         const V center = hn::Mul(set(0.5f), hn::Add(begin, end));
-        const V counted = hn::IfThenElseZero(matters, scattered_fraction);
+        const V counted = hn::IfThenElseZero(matters, truncated_fraction);
         weight = hn::Add(weight, counted);
         weighted_distance = hn::MulAdd(counted, center, weighted_distance);
         for (std::size_t l = 0; l < lights.size(); ++l) {
@@ -323,11 +342,17 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           }
           light_depth = hn::Mul(light_depth, set(-lights[l].extinction));
           V light = hn::Mul(falloff, hn::Exp(d, light_depth));
-          if (anisotropy != 0.0f) {
-            light = hn::Mul(light, HenyeyGreenstein(d, CosTheta(d, along, distance), anisotropy));
-          }
           if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
-          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(scattered_fraction, light)));
+          V fraction = scattered_fraction;
+          if (scattering.anisotropy != 0.0f) {
+            const V cosine = CosTheta(d, along, distance);
+            fraction = hn::Mul(fraction, HenyeyGreenstein(d, cosine, scattering.anisotropy));
+            if (has_view_extinction) {
+              const V more = hn::Sub(truncated_fraction, scattered_fraction);
+              fraction = hn::MulAdd(more, TruncatedPhase(scattering, cosine), fraction);
+            }
+          }
+          sum[l] = hn::Add(sum[l], hn::IfThenElseZero(matters, hn::Mul(fraction, light)));
         }
       }
       if (weights.lookups && ((k + 1) % slices_per_lookup == 0 || k + 2 == slices.count())) {
@@ -373,11 +398,11 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
 }
 
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
-                float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, const SliceWeights& weights,
+                const SliceScattering& scattering, float negligible,
+                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
                 const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, slices, increments, b0, anisotropy, negligible, lights, depths, weights, radiance);
+  (rays, slices, increments, b0, scattering, negligible, lights, depths, weights, radiance);
 }
 
 }  // namespace brume

@@ -39,11 +39,21 @@ struct SliceLight {
 // and more accurate than the middle of each.
 constexpr std::size_t slices_per_lookup = 2;
 
+// How slices scatter light towards the eye.
+struct SliceScattering {
+  float anisotropy = 0.0f;
+  // Extinction on the way to the eye of what the truncated phase function scatters, relative to the
+  // medium's: below 1 what its forward lobe scatters goes on.
+  float view_extinction = 1.0f;
+  // The truncated phase function times 4 pi, see PhaseBands: coefficients of powers of the cosine.
+  std::array<float, 4> truncated_phase{};
+};
+
 // In-scattered fractions for distant light; null: not needed.
 struct SliceWeights {
   // [j * rays.padded_size() + i], of the slices k of ray i that share look-up j: the sum of
-  // exp(-T_k) (1 - exp(-dT_k)), in-scattering of a unit uniform light, and the mean distance of
-  // their centers weighted by it.
+  // exp(-T_k) (1 - exp(-dT_k)), in-scattering of a unit uniform light, see sum_slices(), and the
+  // mean distance of their centers weighted by it.
   float* lookups = nullptr;
   float* lookup_distances = nullptr;
   // [i]: sum over the slices of ray i for light along the ray, attenuated by Gaussians only, their
@@ -56,12 +66,15 @@ struct SliceWeights {
 // Single scattering summed front to back over the slices (K = slices.count() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
 //   (times henyey_greenstein() at the slice's center x_k)
+// with a view extinction e below 1 for the truncated phase function
+//   exp(-e T_k) (1 - exp(-e dT_k)) / e, as for look-ups, and for the rest of it the same as
+//   without.
 // radiance[l][i] += that, per unit of radiant intensity [1/u^2]; depths[i] = T(v, p) of Gaussians
 // and b0 up to t_K. Slices of optical depth below `negligible` are skipped. At most light_pack
 // lights.
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
-                float anisotropy, float negligible, std::span<const SliceLight> lights,
-                float* depths, const SliceWeights& weights,
+                const SliceScattering& scattering, float negligible,
+                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
                 const std::array<float*, light_pack>& radiance);
 
 }  // namespace brume

@@ -185,8 +185,11 @@ bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, 
   }
   if (added_ == multiple_.revision() && added_scale_ == scale) return true;
   // Look-ups multiply by bands without the forward lobe.
-  std::vector<double> factors = phase_bands(anisotropy_, phase_.count());
-  for (std::size_t l = 0; l < factors.size(); ++l) factors[l] /= phase_.factors()[l];
+  std::vector<double> factors(static_cast<std::size_t>(phase_.count()), 1.0);
+  if (view_extinction() == 1.0) {
+    const std::vector<double> whole = phase_bands(anisotropy_, phase_.count());
+    for (std::size_t l = 0; l < factors.size(); ++l) factors[l] = whole[l] / phase_.factors()[l];
+  }
   const SourceGrid::Scattered scattered{multiple_.levels(), multiple_.color(), factors,
                                         environment_ ? scale : 0.0};
   grid_->set_scattered(scattered, job);
@@ -280,6 +283,15 @@ SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
     (is_narrow_[f] ? weights.narrow : weights.spread)[f] = scattered;
   }
   return weights;
+}
+
+SliceScattering slice_scattering(double anisotropy, const SourceFunction* source) {
+  SliceScattering scattering{.anisotropy = static_cast<float>(anisotropy)};
+  if (!source) return scattering;
+  scattering.view_extinction = static_cast<float>(source->view_extinction());
+  std::ranges::transform(source->phase().phase_powers(), scattering.truncated_phase.begin(),
+                         [](double power) { return static_cast<float>(power); });
+  return scattering;
 }
 
 }  // namespace brume

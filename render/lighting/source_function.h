@@ -12,6 +12,7 @@
 #include "core/scene/scene.h"
 #include "render/lighting/distant_lights.h"
 #include "render/lighting/multiple_scattering.h"
+#include "render/lighting/slice_kernels.h"
 #include "render/lighting/source_grid.h"
 #include "render/lighting/source_lookup.h"
 #include "render/settings.h"
@@ -60,6 +61,10 @@ class SourceFunction {
   // Extinction of light on its way to where it is scattered to the eye, relative to the medium's:
   // with more than one scattering, what the forward lobe scatters goes on. See TruncatedScattering.
   [[nodiscard]] double light_extinction() const { return extinction_; }
+  // The same on the way to the eye, of what a SourceGrid's bands scatter. 1 with surfaces: of what
+  // they send, only those bands hold what the forward lobe scatters to the eye.
+  [[nodiscard]] double view_extinction() const { return surfaces_revision_ ? 1.0 : extinction_; }
+  [[nodiscard]] const PhaseBands& phase() const { return phase_; }
   // Of light that is scattered more than once; of no sweeps if there is none.
   [[nodiscard]] Convergence convergence() const { return multiple_.convergence(); }
   // Memory of the light on the grid.
@@ -123,5 +128,8 @@ class SourceFunction {
   Revision added_ = 0;
   double added_scale_ = 0.0;
 };
+
+// How slices scatter light to the eye, with a source function or without (null).
+SliceScattering slice_scattering(double anisotropy, const SourceFunction* source);
 
 }  // namespace brume

@@ -7,6 +7,7 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 #include "core/math/spherical_harmonics.h"
 #include "render/lighting/density_samples.h"
@@ -205,7 +206,8 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
 
 PhaseBands::PhaseBands(double anisotropy) : count_(anisotropy == 0.0 ? 1 : max_bands) {
   double factor = 1.0;
-  double lobe_scattering = std::pow(anisotropy, max_bands);
+  double lobe_scattering =
+      anisotropy > 0.0 ? forward_lobe(anisotropy, max_bands) : std::pow(anisotropy, max_bands);
   for (double& f : factors_) {
     f = factor - lobe_scattering;
     factor *= anisotropy;
@@ -227,15 +229,17 @@ std::array<float, sh_size(PhaseBands::max_bands)> PhaseBands::at(const glm::dvec
 
 double PhaseBands::phase(double cosine) const {
   double sum = 0.0;
-  double previous = 0.0;  // Legendre's polynomials by their recurrence
-  double current = 1.0;
-  for (int l = 0; l < count_; ++l) {
-    sum += factors_[static_cast<std::size_t>(l)] * (2.0 * l + 1.0) * current;
-    const double next = ((2.0 * l + 1.0) * cosine * current - l * previous) / (l + 1.0);
-    previous = current;
-    current = next;
-  }
+  for (const double power : phase_powers() | std::views::reverse) sum = sum * cosine + power;
   return sum / (4.0 * std::numbers::pi);
+}
+
+std::array<double, PhaseBands::max_bands> PhaseBands::phase_powers() const {
+  // Legendre's polynomials, up to the third.
+  static_assert(max_bands == 4);
+  const double p1 = 3.0 * factors_[1];
+  const double p2 = 5.0 * factors_[2];
+  const double p3 = 7.0 * factors_[3];
+  return {factors_[0] - 0.5 * p2, p1 - 1.5 * p3, 1.5 * p2, 2.5 * p3};
 }
 
 SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,

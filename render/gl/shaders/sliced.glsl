@@ -18,6 +18,8 @@ uniform float b0;
 uniform float anisotropy;
 uniform float negligible;
 uniform float light_extinction;  // factor of optical depths towards lights
+uniform float view_extinction;   // see SliceScattering
+uniform float truncated_phase[4];
 
 // The length of a ray without an end, whose products with exponents are still floats.
 const float endless_line = 1e18;
@@ -37,6 +39,12 @@ ivec4 slices_of(uint i, CenterRay ray, int first, int last) {
       sqrt(g.max_e) / g.a + ray.spread * (h + 0.5 * ray.spread * abs(t));
   const ivec2 range = touched_slices(t - slack, t + slack, first, last);
   return ivec4(range, first == 0 || t - slack >= farthest[first] ? 1 : 0, 0);
+}
+
+// exp(-T) (1 - exp(-dT)), without cancellation for small dT.
+float scattered_fraction(float depth, float increment) {
+  return exp(-depth) * (increment < small_increment ? increment - 0.5 * increment * increment
+                                                    : 1.0 - exp(-increment));
 }
 
 void main() {
@@ -124,14 +132,17 @@ void main() {
                                       : (transmittance_in - transmittance_out) / exponent);
         transmittance_in = transmittance_out;
       }
-      if (increment > negligible && depth < visible_depth) {
-        // exp(-T) (1 - exp(-dT)), without cancellation for small dT.
-        const float scattered_fraction =
-            exp(-depth) * (increment < small_increment ? increment - 0.5 * increment * increment
-                                                       : 1.0 - exp(-increment));
+      if (increment > negligible && view_extinction * depth < visible_depth) {
+        const float whole_fraction = scattered_fraction(depth, increment);
+        float truncated_fraction = whole_fraction;
+        if (view_extinction != 1.0) {
+          truncated_fraction =
+              scattered_fraction(view_extinction * depth, view_extinction * increment) /
+              view_extinction;
+        }
         const float center = 0.5 * (t_begin + t_end);
-        lookup_weight += scattered_fraction;
-        lookup_position += scattered_fraction * center;
+        lookup_weight += truncated_fraction;
+        lookup_position += truncated_fraction * center;
         for (int l = 0; l < light_count; ++l) {
           const vec3 s = lights[l].position;
           const float ts = dot(s, w);
@@ -143,11 +154,18 @@ void main() {
           float light_depth = b0 * distance_;
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
           float light = mean_inverse_square(t_begin - ts, t_end - ts, h2) * exp(-light_extinction * light_depth);
+          float fraction = whole_fraction;
           if (anisotropy != 0.0) {
-            light *= henyey_greenstein(cos_theta(along, distance_), anisotropy);
+            const float c = cos_theta(along, distance_);
+            fraction *= henyey_greenstein(c, anisotropy);
+            if (view_extinction != 1.0) {
+              float truncated = truncated_phase[3];
+              for (int i = 2; i >= 0; --i) truncated = truncated * c + truncated_phase[i];
+              fraction += (truncated_fraction - whole_fraction) * truncated;
+            }
           }
           if (lights[l].has_shadows != 0) light *= lit(l, q, distance_);
-          airlight += lights[l].intensity * (phase * scattered_fraction * light);
+          airlight += lights[l].intensity * (phase * fraction * light);
         }
       }
       depth += increment;

@@ -32,8 +32,10 @@ TEST(MultipleScattering, MatchesGoldenRays) {
   const std::vector<GoldenRay> rays = golden_rays();
   ASSERT_EQ(rays.size(), 20u);
   for (const GoldenRay& ray : rays) {
+    double bound = 0.02;
     // A light inside the medium makes a field like 1 / r, which nodes do not resolve.
-    const double bound = ray.name.starts_with("lamp_inside") ? 0.05 : 0.02;
+    if (ray.name.starts_with("lamp_inside")) bound = 0.05;
+    if (ray.name.starts_with("furnace")) bound = 0.003;
     EXPECT_NEAR(airlight(ray.scattering_scene()), ray.radiance,
                 bound * ray.radiance + 2.0 * ray.standard_error)
         << ray.name;
@@ -70,10 +72,9 @@ double furnace_error(double depth, double anisotropy) {
 
 TEST(MultipleScattering, KeepsAUniformField) {
   for (const double depth : {0.3, 3.0, 10.0}) EXPECT_LT(furnace_error(depth, 0.0), 0.003) << depth;
-  // What is dense or scatters forwards shows that the sweeps have but 50 directions.
+  for (const double g : {-0.5, 0.6, 0.85}) EXPECT_LT(furnace_error(10.0, g), 0.003) << g;
+  // What is dense shows that the sweeps have but 50 directions.
   EXPECT_LT(furnace_error(30.0, 0.0), 0.005);
-  EXPECT_LT(furnace_error(3.0, 0.6), 0.004);
-  EXPECT_LT(furnace_error(10.0, 0.6), 0.005);
 }
 
 // Black fog scatters each light once.

@@ -112,7 +112,7 @@ Seconds run_kernels(const View& view, float negligible) {
     timed(seconds.view,
           [&] { accumulate_increments(tile.batch, tile.rays, tile.slices, increments.data()); });
     const auto sum = [&](const Lights& lights) {
-      sum_slices(tile.rays, tile.slices, increments.data(), 0.0f, 0.0f, negligible,
+      sum_slices(tile.rays, tile.slices, increments.data(), 0.0f, {}, negligible,
                  std::span(lights).first(view.light_count), depths.data(), {}, out);
     };
     timed(seconds.sum, [&] { sum(view.lights); });
