@@ -6,14 +6,14 @@
 #include <span>
 
 #include "app/frames/frame_service.h"
-#include "render/reference/reference_pixels.h"
-#include "render/renderer.h"
+#include "render/quality/view_reference.h"
 
 namespace brume {
 namespace {
 
 constexpr int coarsest = 32;         // pixels apart
 constexpr double tolerance = 1e-3;   // of the reference: far below what is to be seen
+constexpr int paths = 256;           // per pixel, of what is scattered more than once
 constexpr std::size_t at_once = 64;  // pixels between two looks at the clock
 constexpr qint64 told_every = 200;   // milliseconds
 
@@ -43,12 +43,15 @@ void fill_block(ErrorMap& map, std::size_t pixel, int step, float error) {
   }
 }
 
-// The same frame without what is scattered more than once. Radiance transfer changes no airlight.
-std::optional<Frame> scattered_once(const FrameRequest& request, const Job& job) {
-  Settings settings = request.settings;
-  settings.scattering = Scattering::single;
-  return Renderer(std::make_shared<const TransferStore>())
-      .render(*request.scene, request.camera, request.film, settings, job.stop);
+// RGB rms difference of a pixel's airlight, what the noise of its reference adds subtracted.
+double difference(const Frame& frame, std::size_t pixel, const PixelAirlight& truth) {
+  double square = -truth.variance;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double d =
+        static_cast<double>(frame.airlight[3 * pixel + c]) - truth.radiance[static_cast<int>(c)];
+    square += d * d;
+  }
+  return std::sqrt(std::max(square, 0.0) / 3.0);
 }
 
 double rms(const std::vector<float>& values) {
@@ -71,13 +74,9 @@ void ErrorMapper::start(const std::shared_ptr<const RenderedFrame>& frame) {
 }
 
 void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, const Job& job) {
-  const bool all_orders = rendered->frame.statistics.scattering.has_value();
-  std::optional<Frame> once;
-  if (all_orders) {
-    once = scattered_once(rendered->request, job);
-    if (!once) return;
-  }
-  const Frame& frame = once ? *once : rendered->frame;
+  const Frame& frame = rendered->frame;
+  const FrameRequest& request = rendered->request;
+  const bool all_orders = frame.statistics.scattering.has_value();
   ErrorMap map{frame.film, std::vector<float>(frame.depth.size(), 0.0F), 0.0, all_orders};
   const double unit = rms(frame.airlight);
   const auto tell = [&] {
@@ -85,8 +84,8 @@ void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, con
       Q_EMIT grown(rendered, copy);
     });
   };
-  const FrameRequest& request = rendered->request;
-  const ReferencePixels reference(*request.scene, request.camera, frame.film, tolerance);
+  ViewReference reference(*request.scene, request.camera, frame.film, tolerance,
+                          all_orders ? Scattering::multiple : Scattering::single);
   QElapsedTimer clock;
   clock.start();
   std::size_t done = 0;
@@ -94,18 +93,13 @@ void ErrorMapper::work(const std::shared_ptr<const RenderedFrame>& rendered, con
     const std::vector<std::size_t> pixels = pixels_of_level(frame.film, step);
     for (std::size_t k = 0; k < pixels.size(); k += at_once) {
       const auto some = std::span(pixels).subspan(k, std::min(at_once, pixels.size() - k));
-      const std::vector<glm::dvec3> truth = reference.airlight(some, job.stop);
-      if (truth.size() != some.size()) return;
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        double square = 0.0;
-        for (std::size_t c = 0; c < 3; ++c) {
-          const double d =
-              static_cast<double>(frame.airlight[3 * some[i] + c]) - truth[i][static_cast<int>(c)];
-          square += d * d / 3.0;
-        }
-        const double error = unit > 0.0 ? std::sqrt(square) / unit : 0.0;
-        fill_block(map, some[i], step, static_cast<float>(error));
+      if (!reference.evaluate(some, paths, job.stop)) return;
+      for (const std::size_t pixel : some) {
+        const double error =
+            unit > 0.0 ? difference(frame, pixel, reference.airlight(pixel)) / unit : 0.0;
+        fill_block(map, pixel, step, static_cast<float>(error));
       }
+      reference.forget();
       done += some.size();
       map.done = static_cast<double>(done) / static_cast<double>(map.error.size());
       // The first level at once, or else there is hardly anything to see.

@@ -11,13 +11,13 @@ namespace brume {
 struct RenderedFrame;
 
 // Per-pixel error of a frame's airlight: RGB rms difference from the reference over the frame's rms
-// airlight, so its rms over the film is the relative RMSE. The reference scatters once: of a frame
-// of all orders, the error of the light that is scattered once.
+// airlight, so its rms over the film is the relative RMSE. Of all orders by paths, whose noise is
+// subtracted: what of it is left shows where there is little error.
 struct ErrorMap {
   Film film;
   std::vector<float> error;  // >= 0, by row from the top
   double done = 0.0;         // fraction of evaluated pixels; others copy a neighbour
-  bool all_orders = false;   // of a frame that has more
+  bool all_orders = false;   // of light that is scattered once and more often
 };
 
 // Computes an error map in a background thread, coarse to fine.

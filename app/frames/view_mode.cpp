@@ -186,7 +186,7 @@ ColorScale color_scale(const Frame& frame, ViewMode mode, const ErrorMap* map) {
     case ViewMode::error: {
       if (!map) return {mode_text("Error: waiting for the measurement"), {}};
       QString title =
-          map->all_orders ? mode_text("Error of light scattered once") : mode_text("Error");
+          map->all_orders ? mode_text("Error, all orders of scattering") : mode_text("Error");
       if (map->done < 1.0) {
         title += mode_text(", %1 % of the pixels").arg(100.0 * map->done, 0, 'f', 0);
       }

@@ -28,6 +28,9 @@ class ViewReference {
     return known_.at(pixel).airlight;
   }
 
+  // Forgets all pixels.
+  void forget() { known_.clear(); }
+
   // Whether more paths make pixels surer.
   [[nodiscard]] bool is_noisy() const { return path_pixels_.has_value(); }
 
