@@ -1,4 +1,4 @@
-// The corners of a grid's cell that count beside surfaces, as SourceLookup has them.
+// The corners of a grid's cell that count beside surfaces, as grid_cells-inl.h has them.
 #include "constants.glsl"
 
 // The corner that decides: the one towards the eye.
