@@ -39,7 +39,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   const PathScene scene = PathScene::of_view(*medium_, work.albedo, ray_caster, work.scene.surfaces,
                                              environment_ ? &*environment_ : nullptr,
                                              path_lights(work.plan.lights, work.rays, work.camera),
-                                             work.rays.eye(), work.fog_extent.surface_distance());
+                                             work.rays.eye(), work.fog_extent.ball());
 
   PathKey key;
   key.medium = medium_revision_;
@@ -48,7 +48,7 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   key.lights = work.plan.lights;
   key.environment = work.scene.environment;
   key.surfaces = work.scene.surfaces;
-  key.fog_distance = scene.fog.distance;
+  key.fog = scene.fog.ball;
   key.camera = work.camera;
   key.film = work.frame.film;
   key.channels = channels_of(work);

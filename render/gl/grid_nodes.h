@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "render/gl/resources.h"
 #include "render/lighting/source_grid.h"
 
 namespace brume::gl {
@@ -12,5 +16,10 @@ namespace brume::gl {
 // the last of the first four, which must be of no use, the bits of GridOcclusion::blocked().
 void append_nodes(const SourceGrid::Level& level, std::span<const float> values,
                   std::vector<glm::vec4>& target);
+
+// Sets the elements [index] of the uniforms NAME_first and NAME_count, see shaders/source.glsl:
+// where a level lies from `origin`, and the index of its first value.
+void set_level(const Program& program, const std::string& name, std::size_t index,
+               const SourceGrid::Level& level, const glm::dvec3& origin, std::size_t first_value);
 
 }  // namespace brume::gl

@@ -121,6 +121,7 @@ void add_kernels(Constants& constants) {
 
 // Of light given as spherical harmonics, and of materials.
 void add_reflection(Constants& constants) {
+  constants.add("max_grid_levels", static_cast<int>(SourceGrid::max_levels));
   constants.add("source_clusters", source_clusters);
   constants.add("enclosed_bit", GridOcclusion::enclosed_bit);
   constants.add("sh_bands", sh_max_bands);

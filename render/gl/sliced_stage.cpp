@@ -83,10 +83,7 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
   const auto levels = source->grid().levels();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const SourceGrid::Level& level = levels[k];
-    program.set(k == 0 ? "source_first[0]" : "source_first[1]",
-                glm::vec4(glm::vec3(level.first - eye), 1.0f / level.nodes.spacing));
-    program.set(k == 0 ? "source_count[0]" : "source_count[1]",
-                glm::ivec4(level.nodes.count, static_cast<int>(at)));
+    set_level(program, "source", k, level, eye, at);
     at += level.values.size() / 4;
     if (is_new) append_nodes(level, level.values, values);
     has_surfaces |= level.surfaces && !level.surfaces->blocked().empty();

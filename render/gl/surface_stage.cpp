@@ -226,10 +226,7 @@ void SurfaceStage::upload_light(const FrameStages& stages, const FrameContext& w
   std::size_t at = 0;
   for (std::size_t k = 0; lighting.incident && k < lighting.incident->levels().size(); ++k) {
     const SourceGrid::Level& level = lighting.incident->levels()[k];
-    program.set(k == 0 ? "incident_first[0]" : "incident_first[1]",
-                glm::vec4(glm::vec3(level.first - center), 1.0f / level.nodes.spacing));
-    program.set(k == 0 ? "incident_count[0]" : "incident_count[1]",
-                glm::ivec4(level.nodes.count, static_cast<int>(at)));
+    set_level(program, "incident", k, level, center, at);
     at += level.incident.size() / 4;
     if (is_new) append_nodes(level, level.incident, values);
   }

@@ -95,10 +95,10 @@ constexpr std::size_t max_points = 16;
 
 using Points = hn::CappedTag<float, max_points>;
 
-// The cells of the finest level that hold points, clamped to the coarsest.
+// The cells of the finest levels that hold points, clamped to the coarsest.
 struct Cells {
   alignas(64) std::int32_t level[max_points];
-  // Whether the point is beyond the coarser of two levels.
+  // Whether the point is beyond the coarsest of several levels.
   alignas(64) std::int32_t beyond[max_points];
   alignas(64) std::int32_t node[max_points];  // of the first corner
   alignas(64) float along[max_points];        // place in the cell along x
@@ -123,36 +123,43 @@ struct Cells {
       }
       return is_on_grid;
     };
-    auto on_finest = hn::Eq(weight, weight);
-    auto on_any = on_finest;
-    if (levels.size() > 1) {
-      on_finest = is_on(levels[0]);
-      on_any = is_on(coarsest);
-    }
+    auto on_any = hn::Eq(weight, weight);
+    if (levels.size() > 1) on_any = is_on(coarsest);
     hn::Store(hn::IfThenElse(hn::RebindMask(di, on_any), hn::Zero(di), hn::Set(di, 1)), di, beyond);
+    V place[3];
+    V last[3];
+    hn::Vec<decltype(di)> count[3];
+    for (int k = 0; k < 3; ++k) {
+      place[k] = coordinate(coarsest, k);
+      last[k] = hn::Set(d, static_cast<float>(coarsest.count[k] - 2));
+      count[k] = hn::Set(di, coarsest.count[k]);
+    }
+    auto finest = hn::Set(di, static_cast<std::int32_t>(levels.size() - 1));
+    for (std::size_t l = levels.size() - 1; l-- > 0;) {
+      const GridLevel& finer = levels[l];
+      const auto on_finer = is_on(finer);
+      for (int k = 0; k < 3; ++k) {
+        const auto finer_last = hn::Set(d, static_cast<float>(finer.count[k] - 2));
+        place[k] = hn::IfThenElse(on_finer, coordinate(finer, k), place[k]);
+        last[k] = hn::IfThenElse(on_finer, finer_last, last[k]);
+        count[k] =
+            hn::IfThenElse(hn::RebindMask(di, on_finer), hn::Set(di, finer.count[k]), count[k]);
+      }
+      const auto finer_level = hn::Set(di, static_cast<std::int32_t>(l));
+      finest = hn::IfThenElse(hn::RebindMask(di, on_finer), finer_level, finest);
+    }
     auto index = hn::Zero(di);
     V f[3];
     for (int k = 3; k-- > 0;) {
-      V x = coordinate(levels[0], k);
-      V last = hn::Set(d, static_cast<float>(levels[0].count[k] - 2));
-      auto count = hn::Set(di, levels[0].count[k]);
-      if (levels.size() > 1) {
-        x = hn::IfThenElse(on_finest, x, coordinate(coarsest, k));
-        last =
-            hn::IfThenElse(on_finest, last, hn::Set(d, static_cast<float>(coarsest.count[k] - 2)));
-        count =
-            hn::IfThenElse(hn::RebindMask(di, on_finest), count, hn::Set(di, coarsest.count[k]));
-      }
-      x = moved(x, k);
-      x = hn::Min(hn::Max(x, hn::Zero(d)), hn::Add(last, hn::Set(d, 1.0f)));
-      const V low = hn::Min(hn::Floor(x), last);
+      V x = moved(place[k], k);
+      x = hn::Min(hn::Max(x, hn::Zero(d)), hn::Add(last[k], hn::Set(d, 1.0f)));
+      const V low = hn::Min(hn::Floor(x), last[k]);
       f[k] = hn::Sub(x, low);
-      index = hn::Add(hn::Mul(index, count), hn::ConvertTo(di, low));
+      index = hn::Add(hn::Mul(index, count[k]), hn::ConvertTo(di, low));
     }
     hn::Store(index, di, node);
     hn::Store(f[0], d, along);
-    const auto other = hn::Set(di, static_cast<std::int32_t>(levels.size() - 1));
-    hn::Store(hn::IfThenElse(hn::RebindMask(di, on_finest), hn::Zero(di), other), di, level);
+    hn::Store(finest, di, level);
     const auto split = [&](V whole, V fraction, V(&parts)[2]) HWY_ATTR {
       parts[1] = hn::Mul(whole, fraction);
       parts[0] = hn::Sub(whole, parts[1]);

@@ -35,7 +35,7 @@ class GridLevels {
   [[nodiscard]] std::span<const GridLevel> all() const { return std::span(levels_).first(count_); }
 
  private:
-  std::array<GridLevel, 2> levels_;
+  std::array<GridLevel, SourceGrid::max_levels> levels_;
   std::size_t count_ = 0;
 };
 

@@ -166,6 +166,7 @@ void LevelOcclusion::set(const RayCaster& ray_caster, std::span<const Surface> s
 
 std::shared_ptr<const GridOcclusion> LevelOcclusion::at(std::size_t level, const glm::dvec3& first,
                                                         const GridNodes& nodes, const Job& job) {
+  if (level >= cached_.size()) cached_.resize(level + 1);
   Cached& cached = cached_[level];
   if (cached.surfaces != revision_ || cached.first != first || cached.nodes != nodes) {
     cached = {revision_, first, nodes,

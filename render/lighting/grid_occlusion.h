@@ -88,8 +88,8 @@ class LevelOcclusion {
   std::span<const Surface> surfaces_;
   Revision ray_caster_revision_ = 0;
   std::vector<Material> materials_;
-  Revision revision_ = 0;  // of geometry and materials
-  std::array<Cached, 2> cached_;
+  Revision revision_ = 0;       // of geometry and materials
+  std::vector<Cached> cached_;  // per level
 };
 
 }  // namespace brume

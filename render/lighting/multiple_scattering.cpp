@@ -94,36 +94,28 @@ bool holds(const SourceGrid::Level& level, const glm::dvec3& p) {
   return !glm::any(glm::lessThan(p, level.first)) && !glm::any(glm::greaterThan(p, high));
 }
 
-// What arrives at the nodes of the finer level from the coarser one's outside of it: `light` of all
-// orders at the coarser one's nodes, and what its surfaces send.
-NodeLight light_from_outside(const SourceGrid::Level& coarse, const SourceGrid::Level& fine,
-                             const GridMedium& medium, const GridMedium& fine_medium,
-                             const TruncatedScattering& scattering, UnscatteredLight light,
-                             int degree, const Job& job) {
-  const double spacing = static_cast<double>(coarse.nodes.spacing);
-  const auto is_inside = [&](std::size_t node) {
-    return holds(fine, coarse.first + spacing * glm::dvec3(node_coordinates(coarse.nodes, node)));
-  };
-  NodeLight& total = light.incident;
-  for (std::size_t i = 0; i < coarse.nodes.size(); ++i) {
-    if (!is_inside(i)) continue;
-    for (std::size_t row = 0; row < total.channels * total.functions(); ++row) {
-      total.values[row * total.stride + i] = 0.0f;
+// Removes what surfaces within the finer level send, and the medium at nodes beside them, which may
+// be on the other side. What other nodes there scatter may stay: of a ray from the border outwards
+// it counts only as far as they are interpolated.
+void remove_within(const SourceGrid::Level& finer, const SourceGrid::Level& level,
+                   UnscatteredLight& light) {
+  const double spacing = static_cast<double>(level.nodes.spacing);
+  const GridOcclusion& surfaces = *level.surfaces;
+  const std::size_t links = surfaces.surfels().size();
+  NodeLight& incident = light.incident;
+  for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
+    const std::size_t at = surfaces.grid_nodes()[i];
+    const glm::dvec3 coordinates(node_coordinates(level.nodes, at));
+    if (!holds(finer, level.first + spacing * coordinates)) continue;
+    for (std::size_t row = 0; row < incident.channels * incident.functions(); ++row) {
+      incident.values[row * incident.stride + at] = 0.0f;
+    }
+    for (std::size_t c = 0; c < incident.channels; ++c) {
+      const std::size_t first = c * links + surfaces.nodes()[i].first;
+      std::fill_n(light.reflected.begin() + static_cast<std::ptrdiff_t>(first),
+                  surfaces.surfels_of(i).size(), 0.0f);
     }
   }
-  for (std::size_t i = 0; coarse.surfaces && i < coarse.surfaces->nodes().size(); ++i) {
-    if (!is_inside(coarse.surfaces->grid_nodes()[i])) continue;
-    const std::size_t links = light.reflected.size() / total.channels;
-    for (std::size_t c = 0; c < total.channels; ++c) {
-      std::fill_n(light.reflected.begin() +
-                      static_cast<std::ptrdiff_t>(c * links + coarse.surfaces->nodes()[i].first),
-                  coarse.surfaces->surfels_of(i).size(), 0.0f);
-    }
-  }
-  std::vector<double> phase = scattering.phase;
-  for (double& factor : phase) factor *= scattering.albedo;
-  return scatter_into({fine_medium, {coarse.first, coarse.nodes, fine.first, fine.nodes}}, medium,
-                      total, light.reflected, phase, degree, job);
 }
 
 // Whether a light is among nodes that scatter.
@@ -150,8 +142,12 @@ SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceG
   return degrees;
 }
 
-std::vector<float> with_fog(std::vector<float> density, double fog) {
-  for (float& value : density) value += static_cast<float>(fog);
+// Density at the nodes, with homogeneous fog [1/u].
+std::vector<float> density_with_fog(const SourceGrid::Level& level, double fog) {
+  std::vector<float> density = level.density;
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    density[i] += static_cast<float>(fog) * (level.fog.empty() ? 1.0f : level.fog[i]);
+  }
   return density;
 }
 
@@ -195,15 +191,21 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   std::vector<std::vector<float>> extinctions;
   std::vector<GridMedium> media;
   for (const SourceGrid::Level& level : levels) {
-    extinctions.push_back(with_fog(level.density, truncation.extinction * input.fog_density));
+    extinctions.push_back(density_with_fog(level, truncation.extinction * input.fog_density));
     media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get()});
   }
+  std::vector<double> phase = truncation.phase;
+  for (double& factor : phase) factor *= truncation.albedo;
+  solutions_.resize(levels.size());
   std::vector<NodeLight> solved(levels.size());
-  std::optional<NodeLight> outside;
+  std::vector<OuterLevel> outer;  // the finest first
   for (std::size_t k = levels.size(); k-- > 0;) {
     const SourceGrid::Level& level = levels[k];
+    const SweepDegrees degrees = sweep_degrees(input, level);
     UnscatteredLight light = unscattered_light(input, k, truncation.extinction, color, job);
-    if (outside) {
+    std::optional<NodeLight> outside;
+    if (!outer.empty()) {
+      outside = scatter_into(media[k], outer, phase, degrees.rest, job);
       add(outside->values, light.incident.values);
       if (level.surfaces) add(reflected_light(*level.surfaces, *outside), light.reflected);
     }
@@ -211,21 +213,23 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     if (input.limits.warm_start) {
       scattered = first_guess(k, level, light.incident.bands, light.incident.channels);
     }
-    convergence_ = solve_scattering(media[k], truncation, light, sweep_degrees(input, level),
-                                    input.limits, scattered, job);
+    convergence_ =
+        solve_scattering(media[k], truncation, light, degrees, input.limits, scattered, job);
     if (job.stop.stop_requested()) {
       clear();
       return false;
     }
     solutions_[k] = Solution{level.first, level.nodes, scattered};
-    if (k == 1) {
+    if (k > 0) {
+      // Of all orders.
       add(scattered.values, light.incident.values);
       if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
-      outside = light_from_outside(level, levels[0], media[1], media[0], truncation,
-                                   std::move(light), sweep_degrees(input, level).rest, job);
-    } else if (outside) {
-      add(outside->values, scattered.values);
+      const SourceGrid::Level& finer = levels[k - 1];
+      if (level.surfaces) remove_within(finer, level, light);
+      outer.insert(outer.begin(), {media[k], std::move(light.incident), std::move(light.reflected),
+                                   Resampling(level.first, level.nodes, finer.first, finer.nodes)});
     }
+    if (outside) add(outside->values, scattered.values);
     solved[k] = std::move(scattered);
   }
   levels_ = std::move(solved);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -83,7 +82,7 @@ class MultipleScattering {
   Revision revision_ = 0;
   glm::vec3 color_{1.0f};
   std::vector<NodeLight> levels_;
-  std::array<std::optional<Solution>, 2> solutions_;
+  std::vector<std::optional<Solution>> solutions_;  // per level
   Convergence convergence_;
 };
 

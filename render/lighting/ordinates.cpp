@@ -83,6 +83,20 @@ class Emission {
   std::vector<float> isotropic_;
 };
 
+// Adds what arrives at the nodes from direction w of the radiance `border` at the grid's border.
+void add_inflow(const GridMedium& medium, const glm::dvec3& w, std::span<float> border,
+                std::span<float> arriving) {
+  // The sweep is of a fraction.
+  const float max = *std::ranges::max_element(border);
+  if (!(max > 0.0f)) return;
+  for (float& value : border) value = std::max(value / max, 0.0f);
+  thread_local std::vector<float> transmitted;
+  transmitted.resize(medium.nodes.size());
+  sweep_transmittance(medium.nodes, medium.density, glm::vec3(w), occlusion_of(medium), border,
+                      transmitted);
+  for (std::size_t i = 0; i < transmitted.size(); ++i) arriving[i] += max * transmitted[i];
+}
+
 // Sets `light` to what arrives at its nodes from all directions of a quadrature rule, given for
 // each by sweep(w, arriving).
 template <class DirectionSweep>
@@ -175,33 +189,35 @@ void scatter_once(const GridMedium& medium, const NodeLight& incident,
             [&](const glm::dvec3& w, const Channels& arriving) { emission.sweep(w, arriving); });
 }
 
-NodeLight scatter_into(const FinerGrid& finer, const GridMedium& medium, const NodeLight& incident,
-                       std::span<const float> reflected, std::span<const double> phase, int degree,
-                       const Job& job) {
-  const Emission emission(medium, incident, reflected, phase);
-  const std::size_t nodes = finer.medium.nodes.size();
-  const SweepOcclusion occlusion = occlusion_of(finer.medium);
-  NodeLight result(incident.bands, incident.channels, nodes);
+NodeLight scatter_into(const GridMedium& medium, std::span<const OuterLevel> outer,
+                       std::span<const double> phase, int degree, const Job& job) {
+  std::vector<Emission> emissions;
+  for (const OuterLevel& level : outer) {
+    emissions.emplace_back(level.medium, level.incident, level.reflected, phase);
+  }
+  const NodeLight& nearest = outer.front().incident;
+  NodeLight result(nearest.bands, nearest.channels, medium.nodes.size());
   integrate(degree, result, job, [&](const glm::dvec3& w, const Channels& arriving) {
-    thread_local std::vector<float> around;
-    thread_local std::vector<float> border;
-    around.resize(incident.channels * incident.stride);
-    border.assign(nodes, 0.0f);
-    Channels outside;
-    for (std::size_t c = 0; c < incident.channels; ++c) {
-      outside[c] = std::span(around).subspan(c * incident.stride, incident.stride);
+    std::array<std::vector<float>, 3> inflow;  // at the border; of the outermost level none
+    for (std::size_t k = outer.size(); k-- > 0;) {
+      const OuterLevel& level = outer[k];
+      std::array<std::vector<float>, 3> around;
+      Channels rows;
+      for (std::size_t c = 0; c < nearest.channels; ++c) {
+        around[c].resize(level.incident.stride);
+        rows[c] = around[c];
+      }
+      emissions[k].sweep(w, rows);
+      const std::size_t nodes = k > 0 ? outer[k - 1].medium.nodes.size() : medium.nodes.size();
+      for (std::size_t c = 0; c < nearest.channels; ++c) {
+        if (!inflow[c].empty()) add_inflow(level.medium, w, inflow[c], around[c]);
+        inflow[c].assign(nodes, 0.0f);
+        level.finer.apply_to_border(around[c], inflow[c]);
+      }
     }
-    emission.sweep(w, outside);
-    for (std::size_t c = 0; c < incident.channels; ++c) {
-      finer.resampling.apply_to_border(outside[c], border);
-      // The sweep is of a fraction.
-      const float max = *std::ranges::max_element(border);
+    for (std::size_t c = 0; c < nearest.channels; ++c) {
       std::ranges::fill(arriving[c], 0.0f);
-      if (!(max > 0.0f)) continue;
-      for (float& value : border) value = std::max(value / max, 0.0f);
-      sweep_transmittance(finer.medium.nodes, finer.medium.density, glm::vec3(w), occlusion, border,
-                          arriving[c].first(nodes));
-      for (float& value : arriving[c]) value *= max;
+      add_inflow(medium, w, inflow[c], arriving[c]);
     }
   });
   return result;

@@ -43,10 +43,12 @@ struct GridMedium {
   const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
 };
 
-// A grid within another.
-struct FinerGrid {
+// A level around finer ones, and the light in it.
+struct OuterLevel {
   GridMedium medium;
-  Resampling resampling;  // of the other's values
+  NodeLight incident;
+  std::vector<float> reflected;  // see reflected_light()
+  Resampling finer;              // to the nodes of the next finer level
 };
 
 // Bands of the Henyey-Greenstein phase function, from 0 on: g^l.
@@ -74,10 +76,9 @@ void scatter_once(const GridMedium& medium, const NodeLight& incident,
                   std::span<const float> reflected, std::span<const double> phase, int degree,
                   NodeLight& scattered, const Job& job);
 
-// The same light at the nodes of a finer grid within, of what arrives at its border and goes on
-// into it: as many bands as `incident` has.
-NodeLight scatter_into(const FinerGrid& finer, const GridMedium& medium, const NodeLight& incident,
-                       std::span<const float> reflected, std::span<const double> phase, int degree,
-                       const Job& job);
+// The same light at the nodes of a grid within other levels, the finest of them first: what arrives
+// at its border from them and goes on into it, in as many bands as theirs.
+NodeLight scatter_into(const GridMedium& medium, std::span<const OuterLevel> outer,
+                       std::span<const double> phase, int degree, const Job& job);
 
 }  // namespace brume

@@ -137,9 +137,9 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
       grid_ && same_map && anisotropy_ == input.anisotropy && size_ == input.size;
   const bool same =
       same_light && (!environment || environment_->rotation == environment->rotation) &&
-      has_same(input.receivers) && medium_ == input.medium.revision() && in_fog_ == input.in_fog &&
-      extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
-      surfaces_revision_ == surfaces_revision;
+      has_same(input.receivers) && medium_ == input.medium.revision() &&
+      fog_ball_ == input.fog_ball && in_fog_ == input.in_fog && extinction_ == extinction &&
+      keeps_transmitted_ == input.multiple.has_value() && surfaces_revision_ == surfaces_revision;
   environment_.reset();
   if (environment) environment_ = *environment;
   if (same) return true;
@@ -151,6 +151,7 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
     read_map(*environment->map, input.anisotropy, input.size.directions, job);
   }
   medium_ = input.medium.revision();
+  fog_ball_ = input.fog_ball;
   in_fog_ = input.in_fog;
   extinction_ = extinction;
   keeps_transmitted_ = input.multiple.has_value();
@@ -159,10 +160,11 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   receivers_ = input.receivers;
   size_ = input.size;
 
-  grid_.emplace(gaussian_terms(input.medium, extinction), lights_in_world(),
-                SourceGrid::Content{phase_.count(), input.medium.homogeneous_density(),
-                                    input.in_fog, receivers_, surfaces, input.multiple.has_value()},
-                input.size, job);
+  grid_.emplace(
+      gaussian_terms(input.medium, extinction), lights_in_world(),
+      SourceGrid::Content{phase_.count(), input.medium.homogeneous_density(), input.fog_ball,
+                          input.in_fog, receivers_, surfaces, input.multiple.has_value()},
+      input.size, job);
   added_ = 0;
   return !job.stop.stop_requested();
 }

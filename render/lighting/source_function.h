@@ -45,7 +45,8 @@ class SourceFunction {
     const Medium& medium;            // densities are extinction coefficients
     double anisotropy;
     double fog_depth;  // optical depth of b0 from any point to the end of the fog
-    Box in_fog;        // bounds of what stands in fog
+    FogBall fog_ball;
+    Box in_fog;  // bounds of what stands in fog
     std::optional<SourceGrid::Receivers> receivers;
     SourceGridSize size;
     std::optional<Multiple> multiple;
@@ -106,6 +107,7 @@ class SourceFunction {
   // Inputs of the cached grid and lights.
   std::optional<Environment> environment_;
   Revision medium_ = 0;
+  FogBall fog_ball_;
   Box in_fog_;
   double extinction_ = 1.0;
   bool keeps_transmitted_ = false;

@@ -49,6 +49,10 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
 };
 
+double smallest(const glm::dvec3& v) {
+  return std::min({v.x, v.y, v.z});
+}
+
 // Nodes from `low` to `high` at the smallest spacing, at least `min_spacing`, with at most
 // `max_nodes` nodes. The spacing is a float, to be identical wherever it is used.
 SourceGrid::Level layout(const glm::dvec3& low, const glm::dvec3& high, double min_spacing,
@@ -123,10 +127,40 @@ void add_reflected(const GridOcclusion& surfaces, const DistantLight& light,
   }
 }
 
+glm::dvec3 node_position(const SourceGrid::Level& level, std::size_t node) {
+  const double spacing = static_cast<double>(level.nodes.spacing);
+  return level.first + spacing * glm::dvec3(node_coordinates(level.nodes, node));
+}
+
+// Share of a cell around each node that is in the fog; empty: all.
+std::vector<float> fog_shares(const SourceGrid::Level& level, const FogBall& ball) {
+  if (ball.is_endless()) return {};
+  std::vector<float> shares(level.nodes.size());
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double inside = ball.radius - glm::length(node_position(level, i) - ball.center);
+    const double share = 0.5 + inside / static_cast<double>(level.nodes.spacing);
+    shares[i] = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  }
+  return shares;
+}
+
+// Times what fog transmits from each node on along w, relative to its radius.
+void add_fog(const SourceGrid::Level& level, const SourceGrid::Content& content,
+             const glm::dvec3& w, std::span<float> transmittance) {
+  constexpr double opaque = 80.0;  // the inverse is a float
+  const FogBall& ball = content.fog_ball;
+  if (ball.is_endless()) return;
+  for (std::size_t i = 0; i < transmittance.size(); ++i) {
+    const double less = ball.radius - ball.length(node_position(level, i), w);
+    const double depth = std::min(content.fog_density * less, opaque);
+    transmittance[i] *= std::exp(static_cast<float>(depth));
+  }
+}
+
 // `coarse`: the level around this one; null if there is none.
 Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::Level* coarse,
                               std::span<const SourceLight> lights, int bands, int clusters,
-                              const Job& job) {
+                              const SourceGrid::Content& content, const Job& job) {
   const std::size_t nodes = level.nodes.size();
   Transmitted result{NodeLight(bands, 3, nodes), {}, {}};
   const GridOcclusion* const surfaces = level.surfaces.get();
@@ -149,8 +183,9 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
         Resampling(coarse->first, coarse->nodes, level.first, level.nodes)
             .apply_to_border(around, inflow);
       }
-      sweep_transmittance(level.nodes, level.density, w, occlusion_of(level), inflow,
-                          std::span(transmittances).subspan(k * stride, nodes));
+      const std::span<float> passes = std::span(transmittances).subspan(k * stride, nodes);
+      sweep_transmittance(level.nodes, level.density, w, occlusion_of(level), inflow, passes);
+      add_fog(level, content, current[k].light.direction, passes);
     });
     for (std::size_t k = 0; surfaces && k < current.size(); ++k) {
       add_reflected(*surfaces, current[k].light,
@@ -176,7 +211,7 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
   const std::size_t nodes = level.nodes.size();
   const int clusters = content.bands > 1 ? source_clusters : 0;
   const int bands = content.receivers || content.surfaces ? grid_bands : content.bands;
-  Transmitted transmitted = transmitted_light(level, coarse, lights, bands, clusters, job);
+  Transmitted transmitted = transmitted_light(level, coarse, lights, bands, clusters, content, job);
   const std::size_t stride = transmitted.light.stride;
   const std::size_t functions = sh_size(content.bands);
   const std::size_t size = SourceGrid::node_size(content.bands);
@@ -254,20 +289,31 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     levels_.push_back(layout(bounds.low, bounds.high, 0.12 * bounds.min_radius, size.nodes));
     const bool goes_beyond = (content.receivers && !holds(content.receivers->box)) ||
                              (content.surfaces && !holds(content.surfaces->bounds()));
-    if (content.fog_density > 0.0 || goes_beyond) {
-      const double beyond = glm::length(bounds.high - bounds.low);
-      levels_.push_back(layout(bounds.low - beyond, bounds.high + beyond,
-                               2.0 * static_cast<double>(levels_[0].nodes.spacing),
-                               size.nodes / 2));
+    glm::dvec3 low = bounds.low;
+    glm::dvec3 high = bounds.high;
+    const auto add_level = [&](int nodes) {
+      const double beyond = glm::length(high - low);
+      low -= beyond;
+      high += beyond;
+      const double spacing = static_cast<double>(levels_.back().nodes.spacing);
+      levels_.push_back(layout(low, high, 2.0 * spacing, nodes));
+    };
+    if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
+    if (content.fog_density > 0.0) {
+      const double reach = std::min(1.0 / content.fog_density, content.fog_ball.radius);
+      while (levels_.size() < max_levels && 0.5 * smallest(high - low) < reach) {
+        add_level(size.nodes / 4);
+      }
     }
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     Level& level = levels_[k];
     level.density = density_on_grid(gaussians, level.first, level.nodes, job);
+    if (content.fog_density > 0.0) level.fog = fog_shares(level, content.fog_ball);
     if (content.surfaces) level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {
-    fill(levels_[k], k == 0 && levels_.size() > 1 ? &levels_[1] : nullptr, lights, content, job);
+    fill(levels_[k], k + 1 < levels_.size() ? &levels_[k + 1] : nullptr, lights, content, job);
   }
 }
 

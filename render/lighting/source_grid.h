@@ -11,6 +11,7 @@
 #include "core/revision.h"
 #include "core/transport/optical_depth.h"
 #include "render/geometry/box.h"
+#include "render/geometry/fog_ball.h"
 #include "render/lighting/distant_lights.h"
 #include "render/lighting/grid_occlusion.h"
 #include "render/lighting/incident_grid.h"
@@ -77,14 +78,20 @@ class SourceGrid {
   struct Content {
     int bands = 1;             // bands of J, <= grid_bands
     double fog_density = 0.0;  // homogeneous extinction [1/u]
-    Box in_fog;                // bounds of what stands in it
+    // Where it is, if its share of each light's way to each node counts, relative to its radius;
+    // endless: distant lights are as bright everywhere.
+    FogBall fog_ball;
+    Box in_fog;  // bounds of what stands in it
     std::optional<Receivers> receivers;
     LevelOcclusion* surfaces = nullptr;  // that occlude all light; null: none do
     bool keeps_transmitted = false;      // see Level
   };
 
-  // Around the Gaussians, or without any around what stands in the fog. With fog or surfaces, a
-  // second, coarser grid covers four times the extent. In parallel; invalid after the job was
+  static constexpr std::size_t max_levels = 5;
+
+  // Around the Gaussians, or without any around what stands in the fog. With fog or surfaces, each
+  // of further, coarser levels covers several times the extent of the one before: one at least, as
+  // many as reach a mean free path or the end of the fog. In parallel; invalid after the job was
   // stopped.
   SourceGrid(std::span<const GaussianTerm<double>> gaussians, std::span<const SourceLight> lights,
              const Content& content, const SourceGridSize& size, const Job& job);
@@ -111,6 +118,7 @@ class SourceGrid {
     glm::dvec3 first{0.0};  // position of node 0
     GridNodes nodes;
     std::vector<float> density;  // of the Gaussians, per node [1/u]
+    std::vector<float> fog;      // share of what is around each node that has fog; empty: 1
     std::vector<float> values;   // J
     // J of distant light alone, if there is more.
     std::vector<float> distant;
@@ -126,7 +134,7 @@ class SourceGrid {
   static constexpr std::size_t node_size(int bands) {
     return 4 * sh_size(bands) + (bands > 1 ? source_clusters : 0);
   }
-  // One or two, fine first.
+  // At most max_levels, fine first.
   [[nodiscard]] std::span<const Level> levels() const { return levels_; }
   [[nodiscard]] int bands() const { return bands_; }
   [[nodiscard]] std::size_t bytes() const;  // memory

@@ -138,7 +138,7 @@ bool SourceLookup::add(const PathBatch& rays, const float* t, const float* weigh
                                          sums_size(), sums);
 }
 
-void SourceLookup::set_view(const std::array<std::vector<float>, 2>& levels) {
+void SourceLookup::set_view(std::span<const std::vector<float>> levels) {
   sums_nodes_ = false;
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     GridLevel& level = levels_.all()[k];

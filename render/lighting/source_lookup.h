@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 #include "render/lighting/grid_levels.h"
 #include "render/simd/gaussian_kernels.h"
@@ -34,7 +35,7 @@ class SourceLookup {
 
   // What the harmonics of each level's nodes sum to, R G B 0; see SourceView.
   // Keeps a reference.
-  void set_view(const std::array<std::vector<float>, 2>& levels);
+  void set_view(std::span<const std::vector<float>> levels);
 
   // Floats per ray of what add() sums: of J, and of what nodes hold.
   [[nodiscard]] std::size_t sums_size() const {

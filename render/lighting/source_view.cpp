@@ -79,6 +79,7 @@ void SourceView::update(const SourceFunction& function, const glm::dvec3& eye, c
   for (const double factor : parts.factors) {
     factors.push_back(static_cast<float>(parts.harmonics_scale * factor));
   }
+  levels_.resize(grid.levels().size());
   for (std::size_t k = 0; k < grid.levels().size(); ++k) {
     const SourceGrid::Level& level = grid.levels()[k];
     const auto width = static_cast<std::size_t>(level.nodes.count.x);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -26,7 +25,7 @@ class SourceView {
   Revision grid_ = 0;
   double scale_ = 0.0;
   glm::dvec3 eye_{0.0};
-  std::array<std::vector<float>, 2> levels_;  // R G B 0 per node
+  std::vector<std::vector<float>> levels_;  // R G B 0 per node
 };
 
 }  // namespace brume

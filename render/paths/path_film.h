@@ -26,7 +26,7 @@ struct PathKey {
   std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
-  double fog_distance = 0.0;
+  FogBall fog;
   Camera camera;
   Film film;
   glm::dvec3 channels{1.0};

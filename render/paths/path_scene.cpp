@@ -23,10 +23,14 @@ std::vector<PathLight> path_lights(std::span<const PointLight> lights, const Cam
 }
 
 PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
-                        std::span<const PathLight> lights, const glm::dvec3& eye, double distance) {
+                        std::span<const PathLight> lights, const glm::dvec3& eye,
+                        const FogBall& extent) {
   PathFog fog;
   const double density = medium.homogeneous_density();
   if (!(density > 0.0)) return fog;
+  fog.density = density;
+  fog.ball = extent;
+  if (!extent.is_endless()) return fog;
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high(-std::numeric_limits<double>::infinity());
   const auto add = [&](const glm::dvec3& p, double margin) {
@@ -42,36 +46,20 @@ PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
   }
   for (const PathLight& light : lights) add(light.position, 0.0);
   if (!(low.x <= high.x)) low = high = eye;
-  fog.center = 0.5 * (low + high);
-  const double scene_radius = 0.5 * glm::length(high - low);
-  const double eye_distance = glm::length(eye - fog.center);
-  fog.density = density;
-  fog.distance = distance;
-  fog.is_endless = !std::isfinite(distance);
-  if (fog.is_endless) {
-    fog.scene_radius = std::max(scene_radius, eye_distance) + 1.0 / density;
-    fog.radius = fog.scene_radius + max_free_paths / density;
-  } else {
-    fog.scene_radius = scene_radius;
-    fog.radius = distance + std::max(scene_radius, eye_distance);
-  }
+  fog.ball.center = 0.5 * (low + high);
+  const double eye_distance = glm::length(eye - fog.ball.center);
+  fog.scene_radius = std::max(0.5 * glm::length(high - low), eye_distance) + 1.0 / density;
+  fog.ball.radius = fog.scene_radius + max_free_paths / density;
   return fog;
 }
 
-double PathFog::length(const glm::dvec3& x, const glm::dvec3& w, bool seen_by_camera) const {
-  if (!(density > 0.0)) return 0.0;
-  const glm::dvec3 q = x - center;
-  const double along = glm::dot(q, w);
-  const double square = along * along + radius * radius - glm::dot(q, q);
-  const double out = square > 0.0 ? std::max(0.0, std::sqrt(square) - along) : 0.0;
-  // Endless fog ends somewhere even for points seen far away.
-  if (seen_by_camera && !is_endless) return distance;
-  return std::min(distance, out);
+double PathFog::length(const glm::dvec3& x, const glm::dvec3& w) const {
+  return density > 0.0 ? ball.length(x, w) : 0.0;
 }
 
 double PathFog::importance(const glm::dvec3& x) const {
-  if (!is_endless) return 1.0;
-  return scene_radius / std::max(glm::length(x - center), scene_radius);
+  if (!is_endless()) return 1.0;
+  return scene_radius / std::max(glm::length(x - ball.center), scene_radius);
 }
 
 void PathScene::set_lights(std::vector<PathLight> all) {
@@ -96,10 +84,10 @@ void PathScene::set_lights(std::vector<PathLight> all) {
 PathScene PathScene::of_view(const PathMedium& medium, double albedo, const RayCaster& ray_caster,
                              std::span<const Surface> surfaces,
                              const EnvironmentSampler* environment, std::vector<PathLight> lights,
-                             const glm::dvec3& eye, double fog_distance) {
+                             const glm::dvec3& eye, const FogBall& fog) {
   PathScene scene{.medium = medium,
                   .albedo = albedo,
-                  .fog = PathFog::around(medium.index(), ray_caster, lights, eye, fog_distance),
+                  .fog = PathFog::around(medium.index(), ray_caster, lights, eye, fog),
                   .ray_caster = ray_caster,
                   .surfaces = surfaces};
   if (environment && !environment->empty()) scene.environment = environment;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "render/geometry/fog_ball.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"
 #include "render/paths/path_medium.h"
@@ -25,28 +26,28 @@ struct PathLight {
 std::vector<PathLight> path_lights(std::span<const PointLight> lights, const CameraRays& rays,
                                    const Camera& camera);
 
-// Where homogeneous fog is. As everywhere, rays towards an environment cross `distance` of it;
-// paths that stray out of a ball around the scene find none outside.
+// Where homogeneous fog is.
 struct PathFog {
   double density = 0.0;  // b0 [1/u]
-  glm::dvec3 center{0.0};
-  double scene_radius = 0.0;  // of the ball around everything that sends or scatters light [u]
-  double distance = 0.0;      // that a ray crosses, at most; may be +inf [u]
-  double radius = 0.0;        // of the ball that it fills [u]
-  bool is_endless = false;    // no environment limits it
+  FogBall ball;
+  // Of the ball around everything that sends or scatters light, in endless fog; else 0 [u].
+  double scene_radius = 0.0;
 
   // Without an environment fog is endless. Walks in it are followed to this many mean free paths
   // beyond the scene: at albedo 1 a hundredth of the light that is scattered often comes from
   // farther away, at albedo 0.99 nothing.
   static constexpr double max_free_paths = 100.0;
 
-  // Around all that sends or scatters light; `distance` as of FogExtent::surface_distance().
+  // `extent`: see FogExtent::ball(); what is endless there ends far around all that sends or
+  // scatters light.
   static PathFog around(const MediumIndex& medium, const RayCaster& ray_caster,
-                        std::span<const PathLight> lights, const glm::dvec3& eye, double distance);
+                        std::span<const PathLight> lights, const glm::dvec3& eye,
+                        const FogBall& extent);
 
-  // Length of a ray from x in the unit direction w in it [u]. A point that the camera sees has all
-  // of `distance`.
-  [[nodiscard]] double length(const glm::dvec3& x, const glm::dvec3& w, bool seen_by_camera) const;
+  // Whether no environment limits it.
+  [[nodiscard]] bool is_endless() const { return scene_radius > 0.0; }
+  // Length of a ray from x in the unit direction w in it [u].
+  [[nodiscard]] double length(const glm::dvec3& x, const glm::dvec3& w) const;
 
   // What a collision at x is worth to the scene, relative to one in it: in endless fog light
   // diffuses like 1 / distance. (A steeper fall is as cheap for its noise, but leaves outliers.)
@@ -68,12 +69,11 @@ struct PathScene {
   // Sets the lights and their near_radius.
   void set_lights(std::vector<PathLight> all);
 
-  // The scene of a view. `environment` may be null; `fog_distance` as of
-  // FogExtent::surface_distance().
+  // The scene of a view. `environment` may be null; `fog` as of FogExtent::ball().
   static PathScene of_view(const PathMedium& medium, double albedo, const RayCaster& ray_caster,
                            std::span<const Surface> surfaces, const EnvironmentSampler* environment,
                            std::vector<PathLight> lights, const glm::dvec3& eye,
-                           double fog_distance);
+                           const FogBall& fog);
 
   [[nodiscard]] double anisotropy() const { return medium.index().anisotropy(); }
 };

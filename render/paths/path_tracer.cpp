@@ -139,9 +139,8 @@ glm::dvec3 PathTracer::environment_at(const Vertex& vertex, PathRandom& random) 
   const glm::dvec3 value = scattering(vertex, l);
   if (!(pdf > 0.0) || !(max_component(value) > 0.0)) return glm::dvec3(0.0);
   if (scene_.ray_caster.first_hit(vertex.position, l)) return glm::dvec3(0.0);
-  const double depth =
-      scene_.medium.depth(vertex.position, l, infinity) +
-      scene_.fog.density * scene_.fog.length(vertex.position, l, vertex.seen_by_camera);
+  const double depth = scene_.medium.depth(vertex.position, l, infinity) +
+                       scene_.fog.density * scene_.fog.length(vertex.position, l);
   return std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value * environment->radiance(l);
 }
 
@@ -182,7 +181,7 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
 
 PathTracer::Segment PathTracer::segment(const Vertex& vertex, const glm::dvec3& w) const {
   return {vertex.position, w, scene_.ray_caster.first_hit(vertex.position, w),
-          scene_.fog.length(vertex.position, w, vertex.seen_by_camera)};
+          scene_.fog.length(vertex.position, w)};
 }
 
 glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& segment,
@@ -262,7 +261,6 @@ OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair&
   const double opacity = -std::expm1(-ray.depth());
   const CameraRay::Point point = ray.at_depth(-std::log1p(-opacity * stratified.first));
   Vertex vertex = Vertex::in_medium(ray.eye(), ray.w(), point.t);
-  vertex.seen_by_camera = true;
   const double density = point.density * std::exp(-point.depth) / opacity;
   const auto weight = [&](const PathLight& light, double) {
     const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
@@ -279,7 +277,6 @@ OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair&
 OrderedRadiance PathTracer::surface(const SurfacePoint& point, PathRandom& random) const {
   OrderedRadiance sum;
   Vertex vertex = Vertex::on_surface(point);
-  vertex.seen_by_camera = true;
   sum.add(1, direct_light(vertex, random));
   walk(vertex, glm::dvec3(1.0), random, sum);
   return sum;

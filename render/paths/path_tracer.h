@@ -58,7 +58,6 @@ class PathTracer {
     glm::dvec3 start{0.0};     // of the segment that ended here
     double t = 0.0;            // and its length
     bool is_surface = false;
-    bool seen_by_camera = false;
     SurfacePoint point;  // of a surface
 
     static Vertex in_medium(const glm::dvec3& start, const glm::dvec3& w, double t);

@@ -11,7 +11,7 @@
 
 namespace brume {
 
-FogExtent::FogExtent(const Scene& scene) : distance_(infinity) {
+FogExtent::FogExtent(const Scene& scene) {
   const double b0 = scene.medium.homogeneous_density();
   if (!scene.environment || !(b0 > 0.0)) return;
   glm::dvec3 low(infinity);
@@ -29,10 +29,9 @@ FogExtent::FogExtent(const Scene& scene) : distance_(infinity) {
   }
   const double diameter = glm::length(high - low);
   if (low.x <= high.x && diameter > 0.0) {
-    center_ = 0.5 * (low + high);
-    distance_ = diameter;
+    ball_ = {0.5 * (low + high), diameter};
   } else {
-    distance_ = 1.0 / b0;
+    ball_.radius = 1.0 / b0;
   }
 }
 
@@ -51,7 +50,7 @@ Box fog_bounds(double b0, std::span<const PointLight> lights) {
 }
 
 double FogExtent::ray_distance(const glm::dvec3& eye) const {
-  return distance_ + glm::length(eye - center_);
+  return ball_.radius + glm::length(eye - ball_.center);
 }
 
 }  // namespace brume

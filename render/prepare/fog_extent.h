@@ -5,6 +5,7 @@
 
 #include "core/scene/scene.h"
 #include "render/geometry/box.h"
+#include "render/geometry/fog_ball.h"
 
 namespace brume {
 
@@ -16,17 +17,18 @@ class FogExtent {
   explicit FogExtent(const Scene& scene);
 
   // D for points on surfaces [u]; +inf without environment or fog.
-  [[nodiscard]] double surface_distance() const { return distance_; }
+  [[nodiscard]] double surface_distance() const { return ball_.radius; }
   // Optical depth of fog of density b0 [1/u] over D; 0 without fog.
   [[nodiscard]] double surface_optical_depth(double b0) const {
-    return b0 > 0.0 ? b0 * distance_ : 0.0;
+    return b0 > 0.0 ? b0 * ball_.radius : 0.0;
   }
+  // Around the middle of surfaces and Gaussians; D is its radius.
+  [[nodiscard]] const FogBall& ball() const { return ball_; }
   // Length of a view ray that hits nothing: D beyond the center of the scene.
   [[nodiscard]] double ray_distance(const glm::dvec3& eye) const;
 
  private:
-  glm::dvec3 center_{0.0};
-  double distance_;
+  FogBall ball_;
 };
 
 // Where fog of density b0 > 0 [1/u] without surfaces scatters light more than once: two mean free

@@ -108,6 +108,7 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
                               work.scene.medium,
                               work.scene.optics.anisotropy,
                               has_environment ? fog_depth(work) : 0.0,
+                              has_multiple ? work.fog_extent.ball() : FogBall{},
                               lit_fog(work),
                               {},
                               work.settings.source_grid,

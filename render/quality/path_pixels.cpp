@@ -43,7 +43,7 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
     group.medium = std::make_unique<PathMedium>(*group.index);
     group.scene = std::make_unique<PathScene>(
         PathScene::of_view(*group.medium, each.albedo, ray_caster_, surfaces_, environment_.get(),
-                           lights, rays_.eye(), fog_extent.surface_distance()));
+                           lights, rays_.eye(), fog_extent.ball()));
   }
 }
 

@@ -36,8 +36,8 @@ uniform int incident_is_all;
 uniform float incident_scale;
 uniform float fog_depth;         // b0's part of the average depth
 uniform int incident_levels;                 // 0: there is none
-uniform vec4 incident_first[2];              // as source.glsl has them
-uniform ivec4 incident_count[2];
+uniform vec4 incident_first[max_grid_levels];  // as source.glsl has them
+uniform ivec4 incident_count[max_grid_levels];
 
 uniform uint incident_occlusion_bits;        // SourceGrid::occlusion_bits() of the eye
 
@@ -165,10 +165,11 @@ void find_incoming(SurfacePoint point, vec3 to_eye) {
   const vec3 p = point.position;
   int level = 0;
   vec3 coordinate = incident_first[0].w * (p - incident_first[0].xyz);
-  if (incident_levels > 1 && (any(lessThan(coordinate, vec3(0.0))) ||
-                              any(greaterThan(coordinate, vec3(incident_count[0].xyz - 1))))) {
-    level = 1;
-    coordinate = incident_first[1].w * (p - incident_first[1].xyz);
+  while (level + 1 < incident_levels &&
+         (any(lessThan(coordinate, vec3(0.0))) ||
+          any(greaterThan(coordinate, vec3(incident_count[level].xyz - 1))))) {
+    ++level;
+    coordinate = incident_first[level].w * (p - incident_first[level].xyz);
   }
   if (incident_is_all != 0) {
     coordinate += 0.5 * dot(abs(point.normal), vec3(1.0)) * point.normal;

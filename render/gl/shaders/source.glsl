@@ -14,8 +14,8 @@ uint corner_bits(int first) { return floatBitsToUint(source_values[first].w) & s
 uniform int source_levels;  // 0: there is no grid
 // Per level: position of its first node relative to the eye, and nodes per unit; nodes along x, y and
 // z, and the index of its first value.
-uniform vec4 source_first[2];
-uniform ivec4 source_count[2];
+uniform vec4 source_first[max_grid_levels];
+uniform ivec4 source_count[max_grid_levels];
 uniform int source_surfaces;  // whether they hide nodes from each other
 uniform int source_bands;     // of a node: 1, or 4 where scattering is anisotropic
 uniform float source_harmonics_scale;  // of what the grid holds
@@ -71,9 +71,9 @@ struct SourceCell {
 SourceCell source_cell(vec3 p) {
   int level = 0;
   vec3 coordinate = source_position(0, p);
-  if (source_levels > 1 && !is_on_source(0, coordinate)) {
-    level = 1;
-    coordinate = source_position(1, p);
+  while (level + 1 < source_levels && !is_on_source(level, coordinate)) {
+    ++level;
+    coordinate = source_position(level, p);
   }
   const ivec4 count = source_count[level];
   const vec3 last = vec3(count.xyz - 2);

@@ -39,6 +39,7 @@ void environment(benchmark::State& state) {
                    scene.optics.anisotropy,
                    0.0,
                    {},
+                   {},
                    receivers,
                    settings.source_grid,
                    {}},

@@ -30,6 +30,7 @@ class IncidentLookups : public testing::Test {
                       0.0,
                       0.0,
                       {},
+                      {},
                       receivers,
                       SourceGridSize{.nodes = 1000},
                       {}},

@@ -195,6 +195,35 @@ TEST(MultipleScattering, FogAloneMatchesPaths) {
   EXPECT_NEAR(mean(multiple_settings()), expected, 0.05 * expected);
 }
 
+// A thin cloud in thin endless fog, seen against it: what rays meet far from the cloud counts. With
+// the light at the border of a grid of two levels in place of it a third would be too much.
+TEST(MultipleScattering, ThinFogGoesOnBeyondTheScene) {
+  Scene scene = cloud_scene(5, 0.1);
+  scene.medium.set_homogeneous_density(0.01);
+  scene.camera.eye = {0, 0, 6};
+  scene.film = {12, 9};
+  scene.lights = {{{2.0, 2.0, 0.0}, glm::dvec3(10.0), {}}};
+  Settings paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = 2048;
+  const double expected = mean_airlight(render_frame(scene, paths));
+  EXPECT_NEAR(mean_airlight(render_frame(scene, multiple_settings())), expected, 0.02 * expected);
+}
+
+// Fog under a sky is a ball, brighter towards its border.
+TEST(MultipleScattering, FogUnderASkyMatchesPaths) {
+  Scene scene = cloud_scene(5, 0.1);
+  scene.medium.set_homogeneous_density(0.1);
+  scene.film = {12, 9};
+  scene.lights.clear();
+  scene.environment.emplace().map = gradient_sky();
+  Settings paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = 1024;
+  const double expected = mean_airlight(render_frame(scene, paths));
+  EXPECT_NEAR(mean_airlight(render_frame(scene, multiple_settings())), expected, 0.04 * expected);
+}
+
 TEST(MultipleScattering, ClosedWallsKeepTheSkyOutOfFog) {
   Scene scene;
   scene.medium.set_homogeneous_density(0.2);

@@ -71,10 +71,10 @@ class SourceLookups : public testing::TestWithParam<int> {
 
 TEST_P(SourceLookups, AtNodesTheyAreWhatNodesHold) {
   const std::size_t size = SourceGrid::node_size(GetParam());
-  ASSERT_EQ(grid_->levels().size(), 2u);
-  for (const int k : {0, 1}) {
-    // Near corners; those of the coarse level are outside the fine one.
-    const glm::ivec3 low(1 - k);
+  ASSERT_EQ(grid_->levels().size(), 3u);
+  for (const int k : {0, 1, 2}) {
+    // Near corners; those of coarse levels are outside the finer one.
+    const glm::ivec3 low(k == 2 ? 0 : 1);
     const glm::ivec3 high = level(k).nodes.count - 1 - low;
     const std::vector<glm::ivec3> nodes{low, {high.x, low.y, low.z}, {low.x, high.y, high.z}, high};
     std::vector<glm::dvec3> points;
@@ -144,7 +144,7 @@ TEST(SourceView, HoldsWhatNodesSumTo) {
   scene.environment->rotation = 40.0;
   SourceFunction function;
   ASSERT_TRUE(function.update(
-      {&*scene.environment, scene.medium, 0.6, 0.0, {}, {}, SourceGridSize{}, {}}, Job{}));
+      {&*scene.environment, scene.medium, 0.6, 0.0, {}, {}, {}, SourceGridSize{}, {}}, Job{}));
   for (const glm::dvec3& eye : {glm::dvec3(0.3, 0.2, 9.0), glm::dvec3(0.2, 0.1, 0.9)}) {
     std::vector<glm::dvec3> directions;
     std::vector<double> lengths;

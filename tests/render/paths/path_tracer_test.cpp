@@ -97,25 +97,23 @@ TEST(PathFog, EndsAroundTheScene) {
   const std::vector<PathLight> lights{{{1, 0, 0}, glm::dvec3(1.0), 0.0},
                                       {{-1, 0, 0}, glm::dvec3(1.0), 0.0}};
   const glm::dvec3 w = glm::normalize(glm::dvec3(1, 2, 3));
-  const PathFog limited = PathFog::around(index, RayCaster({}), lights, {0, 0, 3}, 4.0);
-  EXPECT_EQ(limited.length({0, 0, 0}, w, false), 4.0);
-  EXPECT_EQ(limited.length({0, 0, 3}, w, false), 4.0) << "at the eye";
-  EXPECT_EQ(limited.length(6.0 * w, -w, false), 4.0);
-  EXPECT_NEAR(limited.length(6.0 * w, w, false), 1.0, 1e-12);
-  EXPECT_EQ(limited.length(6.0 * w, w, true), 4.0) << "as far as the camera sees";
-  EXPECT_EQ(limited.length(8.0 * w, w, false), 0.0);
+  const FogBall ball{glm::dvec3(0.0), 4.0};
+  const PathFog limited = PathFog::around(index, RayCaster({}), lights, {0, 0, 3}, ball);
+  EXPECT_NEAR(limited.length({0, 0, 0}, w), 4.0, 1e-12);
+  EXPECT_NEAR(limited.length(3.0 * w, w), 1.0, 1e-12);
+  EXPECT_NEAR(limited.length(3.0 * w, -w), 7.0, 1e-12);
+  EXPECT_EQ(limited.length(8.0 * w, w), 0.0);
   EXPECT_EQ(limited.importance(100.0 * w), 1.0);
 
-  const PathFog endless = PathFog::around(index, RayCaster({}), lights, {0, 0, 3},
-                                          std::numeric_limits<double>::infinity());
-  const double out = endless.length({0, 0, 0}, w, true);
+  const PathFog endless = PathFog::around(index, RayCaster({}), lights, {0, 0, 3}, FogBall());
+  const double out = endless.length({0, 0, 0}, w);
   EXPECT_NEAR(out, 3.0 + 2.0 + PathFog::max_free_paths * 2.0, 1e-9);
-  EXPECT_NEAR(endless.length(3.0 * w, w, false), out - 3.0, 1e-9);
+  EXPECT_NEAR(endless.length(3.0 * w, w), out - 3.0, 1e-9);
   EXPECT_EQ(endless.importance(4.0 * w), 1.0);
   EXPECT_NEAR(endless.importance(20.0 * w), 0.25, 1e-12);
 
   const MediumIndex clear(Medium{}, 1e-9);
-  EXPECT_EQ(PathFog::around(clear, RayCaster({}), lights, {0, 0, 3}, 4.0).length(w, w, true), 0.0);
+  EXPECT_EQ(PathFog::around(clear, RayCaster({}), lights, {0, 0, 3}, ball).length(w, w), 0.0);
 }
 
 // Under a constant sky nothing can be told from it, however the fog scatters.

@@ -30,7 +30,7 @@ TracedScene::TracedScene(const Scene& scene, double albedo)
       ray_caster_(scene_.surfaces) {
   if (scene.environment) environment_.emplace(*scene.environment);
   const FogExtent extent(scene);
-  fog_distance_ = extent.surface_distance();
+  fog_ = extent.ball();
   fog_depth_ = extent.surface_optical_depth(index_.homogeneous_density());
 }
 
@@ -45,8 +45,7 @@ PathScene TracedScene::scene_from(const glm::dvec3& eye) const {
     lights.push_back({light.position, light.intensity, 0.0});
   }
   return PathScene::of_view(medium_, albedo_, ray_caster_, scene_.surfaces,
-                            environment_ ? &*environment_ : nullptr, std::move(lights), eye,
-                            fog_distance_);
+                            environment_ ? &*environment_ : nullptr, std::move(lights), eye, fog_);
 }
 
 // `sample(block, k, sample index)`; sums over blocks are independent of each other.

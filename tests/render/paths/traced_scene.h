@@ -53,7 +53,7 @@ class TracedScene {
   PathMedium medium_;
   RayCaster ray_caster_;
   std::optional<EnvironmentSampler> environment_;
-  double fog_distance_;
+  FogBall fog_;
   double fog_depth_;
 };
 
