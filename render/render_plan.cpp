@@ -15,9 +15,10 @@ struct Content {
   std::vector<PointLight> lights;  // that are on and not black
   std::size_t lights_off = 0;
   std::size_t black_lights = 0;
+  std::size_t spots_of_paper = 0;
   bool surfaces, environment, gaussians, homogeneous, noise;
 
-  explicit Content(const Scene& scene)
+  Content(const Scene& scene, AirlightMethod method)
       : surfaces(!scene.surfaces.empty()),
         environment(scene.environment && scene.environment->intensity > 0.0),
         gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
@@ -28,6 +29,8 @@ struct Content {
         ++lights_off;
       } else if (light.intensity == glm::dvec3(0.0)) {
         ++black_lights;
+      } else if (light.spot && method == AirlightMethod::paper) {
+        ++spots_of_paper;  // its closed form is that of isotropic lights
       } else {
         lights.push_back(light);
       }
@@ -200,6 +203,9 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   }
   if (content.lights_off > 0) skip(Stage::lights, Reason::lights_off, content.lights_off);
   if (content.black_lights > 0) skip(Stage::lights, Reason::black_lights, content.black_lights);
+  if (content.spots_of_paper > 0) {
+    skip(Stage::lights, Reason::spots_of_paper, content.spots_of_paper);
+  }
   if (!plan.transfers.empty() && !plan.runs(Stage::transfer)) {
     skip(Stage::transfer, Reason::transfer_pending);
   }
@@ -210,9 +216,9 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
 
 RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& requested,
                        const TransferStore* shared) {
-  const Content content(scene);
   settings = without_auto(requested);
   const AirlightMethod method = settings.airlight;
+  const Content content(scene, method);
   const bool is_reference = method == AirlightMethod::reference;
   const bool is_path = method == AirlightMethod::path;
   settings = limit_light_map_memory(settings, content.lights.size(), content.surfaces);

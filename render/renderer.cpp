@@ -171,7 +171,8 @@ AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {
   std::vector<MarchedLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,
-                      min_light_distance(work.rays, work.camera, light.position)});
+                      min_light_distance(work.rays, work.camera, light.position),
+                      SpotFalloff(light.spot)});
   }
   return {[this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
                                                     const TileAirlight& out) {
@@ -186,7 +187,8 @@ AirlightIntegrator Renderer::Impl::reference(FrameContext& work) const {
   std::vector<ReferenceLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,
-                      min_light_distance(work.rays, work.camera, light.position)});
+                      min_light_distance(work.rays, work.camera, light.position),
+                      SpotFalloff(light.spot)});
   }
   std::optional<ReferenceEnvironment> environment;
   if (work.plan.has_environment) {

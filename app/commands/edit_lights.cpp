@@ -6,6 +6,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "core/limits.h"
+#include "core/number_domain.h"
 
 namespace brume {
 
@@ -13,16 +14,47 @@ QString light_name(std::size_t index) {
   return undo_text("light %1").arg(index + 1);
 }
 
-void add_light(Document& document, const glm::dvec3& position) {
+namespace {
+
+// Between the angles of a cone that the interface makes [degrees].
+constexpr double min_angle_difference = 0.01;
+
+void add(Document& document, PointLight light) {
   Lights lights = document.scene().lights;
   if (lights.size() >= limits::lights) return;
-  PointLight light;
-  light.position = position;
   // As bright as those that are there, so that it is seen.
   light.intensity = glm::dvec3(lights.empty() ? 20.0 : light_strength(lights.back()));
   lights.push_back(light);
   const std::size_t index = lights.size() - 1;
   set_scene_part(document, std::move(lights), undo_text("Add %1").arg(light_name(index)));
+}
+
+}  // namespace
+
+void add_light(Document& document, const glm::dvec3& position) {
+  PointLight light;
+  light.position = position;
+  add(document, std::move(light));
+}
+
+void add_spot(Document& document, const glm::dvec3& position, const glm::dvec3& target) {
+  PointLight light;
+  light.position = position;
+  light.spot = SpotCone{.inner_angle = 15.0, .outer_angle = 20.0};
+  if (target != position) light.spot->direction = target - position;
+  add(document, std::move(light));
+}
+
+SpotCone with_inner_angle(SpotCone cone, double angle) {
+  cone.inner_angle = std::clamp(angle, 0.0, domain::cone_angle.max_value - min_angle_difference);
+  cone.outer_angle = std::max(cone.outer_angle, cone.inner_angle + min_angle_difference);
+  return cone;
+}
+
+SpotCone with_outer_angle(SpotCone cone, double angle) {
+  cone.outer_angle = std::clamp(angle, min_angle_difference, domain::cone_angle.max_value);
+  cone.inner_angle = std::clamp(cone.inner_angle, 0.0, cone.outer_angle - min_angle_difference);
+  return cone;
 }
 
 void delete_light(Document& document, std::size_t index) {

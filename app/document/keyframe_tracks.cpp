@@ -55,9 +55,17 @@ std::size_t index_of() {
 std::vector<Track> tracks(const Scene& scene) {
   std::vector<Track> rows;
   rows.push_back({track_text("Camera"), index_of<KeyedCamera>(), 0, 3});
+  std::size_t of_lights = 0;
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    rows.push_back({track_text("Light %1 position").arg(k + 1), index_of<Lights>(), 2 * k, 1});
-    rows.push_back({track_text("Light %1 intensity").arg(k + 1), index_of<Lights>(), 2 * k + 1, 1});
+    const auto add = [&](const QString& title) {
+      rows.push_back({title.arg(k + 1), index_of<Lights>(), of_lights++, 1});
+    };
+    add(track_text("Light %1 position"));
+    add(track_text("Light %1 intensity"));
+    if (!scene.lights[k].spot) continue;
+    add(track_text("Light %1 direction"));
+    add(track_text("Light %1 inner angle"));
+    add(track_text("Light %1 outer angle"));
   }
   if (scene.environment) {
     const std::size_t part = index_of<std::optional<Environment>>();

@@ -1,5 +1,6 @@
 #include "app/panels/light_panel.h"
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -55,18 +56,31 @@ void LightPanel::add_light_list(QFormLayout& form) {
   form.addRow(list_);
   auto* add = new QPushButton(tr("Add light"), this);
   add->setObjectName("add_light");
+  auto* add_cone = new QPushButton(tr("Add spot"), this);
+  add_cone->setObjectName("add_spot");
+  add_cone->setToolTip(tr("Adds a light that shines in a cone, at what the view looks at"));
   auto* remove = new QPushButton(tr("Delete"), this);
   remove->setObjectName("delete_light");
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(add);
+  buttons->addWidget(add_cone);
   buttons->addWidget(remove);
   form.addRow(buttons);
-  connect(add, &QPushButton::clicked, this, [this] {
-    // Above what the view looks at.
+  // Above what the view looks at.
+  const auto place = [this] {
     const View& view = active_view_();
-    const glm::dvec3 above = view.shift_on_film({0.0, -0.3 * view.film().height});
-    add_light(document_, view.pivot() + above);
+    return view.pivot() + view.shift_on_film({0.0, -0.3 * view.film().height});
+  };
+  const auto show_last = [this] {
     document_.set_active_light(document_.scene().lights.size() - 1);
+  };
+  connect(add, &QPushButton::clicked, this, [this, place, show_last] {
+    add_light(document_, place());
+    show_last();
+  });
+  connect(add_cone, &QPushButton::clicked, this, [this, place, show_last] {
+    add_spot(document_, place(), active_view_().pivot());
+    show_last();
   });
   connect(remove, &QPushButton::clicked, this,
           [this] { delete_light(document_, document_.active_light()); });
@@ -94,8 +108,10 @@ void LightPanel::show_lights() {
   for (int row = 0; row < list_->count(); ++row) {
     const auto k = static_cast<std::size_t>(row);
     QListWidgetItem* item = list_->item(row);
-    item->setText(QString("%1 · %2 W/sr")
-                      .arg(tr("Light %1").arg(row + 1), number_text(light_strength(lights[k]))));
+    item->setText(
+        QString("%1 · %2 W/sr")
+            .arg(lights[k].spot ? tr("Spot %1").arg(row + 1) : tr("Light %1").arg(row + 1),
+                 number_text(light_strength(lights[k]))));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(lights[k].on ? Qt::Checked : Qt::Unchecked);
     QPixmap swatch(12, 12);
@@ -138,6 +154,62 @@ void LightPanel::add_light_fields(QFormLayout& form) {
                 change(tr("Move %1"), gesture,
                        [position](PointLight& l) { l.position = position; });
               }});
+  add_cone_fields(form);
+}
+
+void LightPanel::add_cone_fields(QFormLayout& form) {
+  auto* is_spot = new QCheckBox(tr("Spot: shines in a cone"), this);
+  is_spot->setObjectName("light_is_spot");
+  form.addRow({}, is_spot);
+  connect(is_spot, &QCheckBox::clicked, this, [this](bool on) {
+    change_light(document_, document_.active_light(),
+                 on ? tr("Make %1 a spot") : tr("Make %1 shine all around"), no_merge,
+                 [on](PointLight& l) {
+                   l.spot = on ? std::optional(SpotCone{}) : std::nullopt;
+                   if (!on) l.keys.direction = {};
+                   if (!on) l.keys.inner_angle = l.keys.outer_angle = {};
+                 });
+  });
+  on_refresh([this, is_spot] {
+    is_spot->setEnabled(light() != nullptr);
+    is_spot->setChecked(cone() != nullptr);
+  });
+  const auto change = [this](const QString& verb, MergeId gesture,
+                             const std::function<SpotCone(const SpotCone&)>& how) {
+    change_light(document_, document_.active_light(), verb, gesture,
+                 [&how](PointLight& l) { l.spot = how(*l.spot); });
+  };
+  add_vector(form, tr("Direction"),
+             {"light_direction", domain::coordinate, 0.01,
+              [this]() -> std::optional<glm::dvec3> {
+                return cone() ? std::optional(cone()->direction) : std::nullopt;
+              },
+              [change](const glm::dvec3& direction, MergeId gesture) {
+                if (direction == glm::dvec3(0.0)) return;
+                change(tr("Turn %1"), gesture, [direction](SpotCone c) {
+                  c.direction = direction;
+                  return c;
+                });
+              }});
+  const auto add_angle = [&](const QString& title, const char* name, double SpotCone::*angle,
+                             SpotCone (*with)(SpotCone, double), const QString& verb) {
+    add_number(form, title,
+               {name, domain::cone_angle, ValueField::Scale::linear, 0.25,
+                [this, angle]() -> std::optional<double> {
+                  return cone() ? std::optional(cone()->*angle) : std::nullopt;
+                },
+                [change, with, verb](double value, MergeId gesture) {
+                  change(verb, gesture, [=](const SpotCone& c) { return with(c, value); });
+                }});
+  };
+  add_angle(tr("Inner angle, degrees"), "light_inner_angle", &SpotCone::inner_angle,
+            with_inner_angle, tr("Set inner angle of %1"));
+  add_angle(tr("Outer angle, degrees"), "light_outer_angle", &SpotCone::outer_angle,
+            with_outer_angle, tr("Set outer angle of %1"));
+}
+
+const SpotCone* LightPanel::cone() const {
+  return light() && light()->spot ? &*light()->spot : nullptr;
 }
 
 void LightPanel::add_environment_fields(QFormLayout& form) {

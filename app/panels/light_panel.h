@@ -24,11 +24,14 @@ class LightPanel : public SceneForm {
  private:
   void add_light_list(QFormLayout& form);
   void add_light_fields(QFormLayout& form);
+  void add_cone_fields(QFormLayout& form);
   void add_environment_fields(QFormLayout& form);
   void show_lights();
   void choose_environment();
   void show_environment();
   [[nodiscard]] const PointLight* light() const;  // the active one; may be null
+
+  [[nodiscard]] const SpotCone* cone() const;  // of the active spot; may be null
 
   std::function<const View&()> active_view_;
   QListWidget* list_;

@@ -3,7 +3,9 @@
 #include <QLineF>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/undo_text.h"
@@ -12,6 +14,8 @@
 #include "app/view/overlay.h"
 #include "app/widgets/color_button.h"
 #include "core/limits.h"
+#include "core/math/infinity.h"
+#include "core/transport/spot_falloff.h"
 
 namespace brume {
 namespace {
@@ -30,6 +34,38 @@ double strength_of(double radius) {
   return std::clamp(QString::number(strength, 'g', 4).toDouble(), 0.0, limits::intensity);
 }
 
+using Part = LightHandles::Handle::Part;
+
+// A cone as it is drawn: its axis as long as a share of the distance from the eye.
+struct DrawnCone {
+  glm::dvec3 target{0.0};  // end of the axis
+  glm::dvec3 axis{0.0};    // unit
+  double length = 0.0;     // [u]
+  double radius = 0.0;     // of the rim at the target; none of a cone that is too wide
+
+  DrawnCone(const PointLight& light, const CameraRays& rays) {
+    constexpr double share = 0.2;
+    axis = SpotFalloff(light.spot).axis();
+    length = share * glm::length(light.position - rays.eye());
+    target = light.position + length * axis;
+    const double angle = light.spot->outer_angle;
+    if (angle < max_drawn_angle) radius = length * std::tan(glm::radians(angle));
+  }
+  [[nodiscard]] glm::dvec3 rim(double angle) const {
+    const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
+    const glm::dvec3 up = glm::cross(right, axis);
+    return target + radius * (std::cos(angle) * right + std::sin(angle) * up);
+  }
+  static constexpr double max_drawn_angle = 80.0;  // degrees
+  static constexpr int segments = 48;
+};
+
+double film_distance(const CameraRays& rays, const glm::dvec3& point, QPointF position) {
+  const glm::dvec3 at = rays.project(point);
+  return at.z > 0.0 ? QLineF(QPointF(at.x, at.y), position).length() : infinity;
+}
+
 }  // namespace
 
 std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
@@ -39,10 +75,20 @@ std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
     const glm::dvec3 at = rays.project(lights[k].position);
     if (at.z <= 0.0) continue;
     const double distance = QLineF(QPointF(at.x, at.y), position).length();
-    if (distance <= sun_radius + 3.0) return Handle{k, false};
-    const bool ringed = k == document_.active_light();
-    if (ringed && std::abs(distance - ring_radius(light_strength(lights[k]))) <= pick_distance) {
-      return Handle{k, true};
+    if (distance <= sun_radius + 3.0) return Handle{k, Part::light};
+    if (k != document_.active_light()) continue;
+    if (lights[k].spot) {
+      const DrawnCone cone(lights[k], rays);
+      if (film_distance(rays, cone.target, position) <= sun_radius) return Handle{k, Part::target};
+      for (int i = 0; cone.radius > 0.0 && i < DrawnCone::segments; ++i) {
+        const double angle = glm::two_pi<double>() * i / DrawnCone::segments;
+        if (film_distance(rays, cone.rim(angle), position) <= 1.5 * pick_distance) {
+          return Handle{k, Part::rim};
+        }
+      }
+    }
+    if (std::abs(distance - ring_radius(light_strength(lights[k]))) <= pick_distance) {
+      return Handle{k, Part::ring};
     }
   }
   return std::nullopt;
@@ -63,7 +109,30 @@ bool LightHandles::press(const CameraRays& rays, QPointF position) {
 
 void LightHandles::move(const CameraRays& rays, QPointF position) {
   const auto [handle, start, before, merge_id] = *gesture_;
-  if (handle.is_ring) {
+  if (handle.part == Part::target || handle.part == Part::rim) {
+    const DrawnCone cone(before, rays);
+    if (handle.part == Part::target) {
+      const glm::dvec3 direction =
+          cone.target + dragged_across(cone.target, rays, start, position) - before.position;
+      if (!(glm::length(direction) > 0.0)) return;
+      change_light(document_, handle.light, undo_text("Turn %1"), merge_id,
+                   [&](PointLight& l) { l.spot->direction = direction; });
+    } else {
+      const glm::dvec3 at = rays.project(cone.target);
+      const double begin = QLineF(QPointF(at.x, at.y), start).length();
+      const double now = QLineF(QPointF(at.x, at.y), position).length();
+      const double radius = cone.radius * now / std::max(begin, 1.0);
+      const double angle = std::clamp(glm::degrees(std::atan(radius / cone.length)), 0.1,
+                                      DrawnCone::max_drawn_angle - 0.1);
+      // The soft edge keeps its share.
+      const double inner = before.spot->inner_angle * angle / before.spot->outer_angle;
+      change_light(document_, handle.light, undo_text("Set outer angle of %1"), merge_id,
+                   [&](PointLight& l) {
+                     l.spot->inner_angle = inner;
+                     l.spot = with_outer_angle(*l.spot, angle);
+                   });
+    }
+  } else if (handle.part == Part::ring) {
     const glm::dvec3 at = rays.project(before.position);
     const double strength = strength_of(QLineF(QPointF(at.x, at.y), position).length());
     change_light(document_, handle.light, undo_text("Set intensity of %1"), merge_id,
@@ -102,8 +171,31 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
       overlay.lines.push_back(point(sun_radius + 2.0));
       overlay.lines.push_back(point(sun_radius + (hovered ? 7.0 : 5.0)));
     }
+    if (lights[k].spot) {
+      const DrawnCone cone(lights[k], rays);
+      const bool active = k == document_.active_light();
+      const auto line = [&](const glm::dvec3& start, const glm::dvec3& end, bool bright) {
+        overlay.add_line(rays, start, end,
+                         qRgba(color.red(), color.green(), color.blue(),
+                               bright   ? 255
+                               : active ? 150
+                                        : 70));
+      };
+      const bool bright_target = hovered && hovered_->part == Part::target;
+      const bool bright_rim = hovered && hovered_->part == Part::rim;
+      line(lights[k].position, cone.target, bright_target);
+      const glm::dvec3 end = rays.project(cone.target);
+      if (active && end.z > 0.0) overlay.add_circle(end.x, end.y, 0.6 * sun_radius, rgba);
+      for (int i = 0; cone.radius > 0.0 && i < DrawnCone::segments; ++i) {
+        const auto rim = [&](int j) {
+          return cone.rim(glm::two_pi<double>() * j / DrawnCone::segments);
+        };
+        line(rim(i), rim(i + 1), bright_rim);
+        if (i % (DrawnCone::segments / 4) == 0) line(lights[k].position, rim(i), bright_rim);
+      }
+    }
     if (k == document_.active_light()) {
-      const bool bright = hovered && hovered_->is_ring;
+      const bool bright = hovered && hovered_->part == Part::ring;
       overlay.add_circle(at.x, at.y, ring_radius(light_strength(lights[k])),
                          qRgba(color.red(), color.green(), color.blue(), bright ? 255 : 120));
     }

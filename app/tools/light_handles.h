@@ -12,7 +12,7 @@ class Document;
 struct Overlay;
 
 // Light handles in the view: a sun icon to move a light in the view plane, and a ring to change its
-// strength.
+// strength; of a spot the end of its axis to turn it, and the rim of its cone to open it.
 class LightHandles {
  public:
   explicit LightHandles(Document& document) : document_(document) {}
@@ -29,8 +29,9 @@ class LightHandles {
   [[nodiscard]] bool is_dragging() const { return gesture_.has_value(); }
 
   struct Handle {
+    enum class Part { light, ring, target, rim };
     std::size_t light = 0;
-    bool is_ring = false;
+    Part part = Part::light;
     bool operator==(const Handle&) const = default;
   };
   [[nodiscard]] const std::optional<Handle>& hovered() const { return hovered_; }

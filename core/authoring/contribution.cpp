@@ -7,6 +7,7 @@
 
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
+#include "core/transport/spot_falloff.h"
 
 namespace brume {
 
@@ -54,13 +55,14 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
     depth += optical_depth(GaussianTerm<double>(medium.gaussian(i)), light.position, point);
   }
   const double cosine = -glm::dot(from_light, direction) / distance;
+  const double falloff = SpotFalloff(light.spot).at(from_light / distance);
   const double phase =
       henyey_greenstein(cosine, scene.optics.anisotropy) / (4.0 * glm::pi<double>());
   glm::dvec3 radiance(0.0);
   for (int k = 0; k < 3; ++k) {
     // Depths are of what is scattered; what is lost is more, by the albedo.
     const double albedo = scene.optics.albedo[k];
-    radiance[k] = light.intensity[k] / (distance * distance) * phase * albedo *
+    radiance[k] = falloff * light.intensity[k] / (distance * distance) * phase * albedo *
                   std::exp(-depth / albedo) * -std::expm1(-contribution.optical_depth / albedo);
   }
   return radiance;

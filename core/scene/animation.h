@@ -12,6 +12,11 @@ template <class L>
 void visit_keyed_light(L& light, auto&& visit) {
   visit("position", light.position, light.keys.position, domain::coordinate);
   visit("intensity", light.intensity, light.keys.intensity, domain::intensity);
+  if (!light.spot) return;
+  auto& spot = *light.spot;
+  visit("direction", spot.direction, light.keys.direction, domain::coordinate);
+  visit("inner_angle", spot.inner_angle, light.keys.inner_angle, domain::cone_angle);
+  visit("outer_angle", spot.outer_angle, light.keys.outer_angle, domain::cone_angle);
 }
 
 template <class E>

@@ -24,14 +24,30 @@ struct TriangleMesh;
 struct LightKeys {
   Keys<glm::dvec3> position;
   Keys<glm::dvec3> intensity;
+  // Of a spot.
+  Keys<glm::dvec3> direction;
+  Keys<double> inner_angle;
+  Keys<double> outer_angle;
 
   bool operator==(const LightKeys&) const = default;
 };
 
-// An isotropic point light; intensity is radiant intensity, RGB [W/sr], >= 0.
+// The cone of a spot light: full intensity within the inner angle, none beyond the outer one; see
+// core/transport/spot_falloff.h.
+struct SpotCone {
+  glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
+  double inner_angle = 0.0;              // from the axis, >= 0, below outer_angle [degrees]
+  double outer_angle = 45.0;             // at most 180 [degrees]
+
+  bool operator==(const SpotCone&) const = default;
+};
+
+// A point light; intensity is radiant intensity, RGB [W/sr], >= 0: in all directions, or on the
+// axis of a spot.
 struct PointLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{1.0};
+  std::optional<SpotCone> spot{};  // none: isotropic
   LightKeys keys{};
   bool on = true;
   ObjectId id = 0;

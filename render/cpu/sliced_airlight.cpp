@@ -101,8 +101,12 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     const std::size_t size = std::min(light_pack, lights.size() - first);
     for (std::size_t l = 0; l < size; ++l) {
       const SlicedLight& light = lights[first + l];
-      pack[l] = {glm::vec3(light.position - rays.eye), static_cast<float>(light.h_min),
-                 light_extinction, light.table, light.shadows};
+      pack[l] = {glm::vec3(light.position - rays.eye),
+                 static_cast<float>(light.h_min),
+                 light_extinction,
+                 light.table,
+                 light.shadows,
+                 light.spot};
       s.radiance[l].assign(stride, 0.0f);
       radiance[l] = s.radiance[l].data();
     }

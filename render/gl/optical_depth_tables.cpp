@@ -117,6 +117,9 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     u.position = glm::vec3(light.position - origin);
     u.h_min = static_cast<float>(light.h_min);
     u.intensity = glm::vec3(light.intensity);
+    u.spot_axis = glm::vec3(light.spot.axis());
+    u.spot_dark_cosine = static_cast<float>(light.spot.dark_cosine());
+    u.spot_per_cosine = static_cast<float>(light.spot.per_cosine());
     if (l < tables_.size() && !tables_[l].layout.empty()) {
       const OpticalDepthTableLayout& layout = tables_[l].layout;
       u.has_table = 1;

@@ -146,6 +146,9 @@ void add_reflection(Constants& constants) {
 }
 
 void add_slices(Constants& constants) {
+  constants.add("gauss_3_place", gauss_3_place);
+  constants.add("gauss_3_end", gauss_3_end);
+  constants.add("gauss_3_middle", gauss_3_middle);
   constants.add("bin_room", bin_room);
   constants.add("slice_opaque", slice_opaque);
   constants.add("opaque_fog_depth", opaque_fog_depth);

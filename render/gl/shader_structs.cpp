@@ -111,7 +111,8 @@ constexpr std::array light_members{
     BRUME_MEMBER(LightData, first_radius), BRUME_MEMBER(LightData, radii_per_unit),
     BRUME_MEMBER(LightData, curvature),    BRUME_MEMBER(LightData, max_depth),
     BRUME_MEMBER(LightData, radii),        BRUME_MEMBER(LightData, has_table),
-    BRUME_MEMBER(LightData, has_shadows),  BRUME_MEMBER(LightData, unused),
+    BRUME_MEMBER(LightData, has_shadows),  BRUME_MEMBER(LightData, spot_per_cosine),
+    BRUME_MEMBER(LightData, spot_axis),    BRUME_MEMBER(LightData, spot_dark_cosine),
     BRUME_MEMBER(LightData, table),        BRUME_MEMBER(LightData, shadows)};
 static_assert(is_std430(light_members, sizeof(LightData)));
 

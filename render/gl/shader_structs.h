@@ -36,7 +36,9 @@ struct LightData {
   std::int32_t radii = 0;
   std::int32_t has_table = 0;
   std::int32_t has_shadows = 0;
-  std::int32_t unused = 0;
+  float spot_per_cosine = 0.0f;  // see SpotFalloff; 0: isotropic
+  glm::vec3 spot_axis{0.0f};
+  float spot_dark_cosine = 0.0f;
   MapData table;
   MapData shadows;
 };

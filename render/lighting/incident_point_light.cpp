@@ -18,21 +18,22 @@ namespace {
 // Nodes within so many spacings of the light along each axis get means.
 constexpr double near_spacings = 3.0;
 
-// Points along each axis of a mean, over two spacings.
+// Points along each axis of a mean, over two spacings: of light, and of a falloff alone.
 constexpr int mean_points = 8;
+constexpr int falloff_points = 6;
 
 struct WeightedPoint {
   glm::dvec3 offset;  // from the node, in spacings
   double weight;
 };
 
-std::vector<WeightedPoint> mean_rule() {
+std::vector<WeightedPoint> mean_rule(int count) {
   std::vector<WeightedPoint> rule;
-  const auto coordinate = [](int i) { return 2.0 * (i + 0.5) / mean_points - 1.0; };
+  const auto coordinate = [count](int i) { return 2.0 * (i + 0.5) / count - 1.0; };
   double sum = 0.0;
-  for (int z = 0; z < mean_points; ++z) {
-    for (int y = 0; y < mean_points; ++y) {
-      for (int x = 0; x < mean_points; ++x) {
+  for (int z = 0; z < count; ++z) {
+    for (int y = 0; y < count; ++y) {
+      for (int x = 0; x < count; ++x) {
         const glm::dvec3 offset(coordinate(x), coordinate(y), coordinate(z));
         const glm::dvec3 hat = 1.0 - glm::abs(offset);
         rule.push_back({offset, hat.x * hat.y * hat.z});
@@ -49,9 +50,10 @@ class PointsAroundLight {
  public:
   explicit PointsAroundLight(const NodePointLight& light) : light_(light) {}
 
-  // Calls add(k, direction to the light, exp(-T) / r^2) for the points that see the light.
+  // Calls add(k, direction to the light, exp(-T) / r^2) for the points that see the light, times
+  // the mean of the falloff over `spacing` around each.
   template <class Add>
-  void each(std::span<const glm::dvec3> points, Add add) {
+  void each(std::span<const glm::dvec3> points, double spacing, Add add) {
     self_.assign(points.size(), -1);
     paths_.assign(light_.position, points, self_);
     depths_.assign(paths_.padded_size(), 0.0f);
@@ -62,12 +64,37 @@ class PointsAroundLight {
       if (!(r2 > 0.0)) continue;
       const double r = std::sqrt(r2);
       const double depth = light_.extinction * static_cast<double>(depths_[k]) + light_.fog * r;
+      const double falloff = mean_falloff(points[k], r, spacing);
+      if (!(falloff > 0.0)) continue;
       if (light_.surfaces && light_.surfaces->occluded(points[k], light_.position)) continue;
-      add(k, q / r, std::exp(-depth) / r2);
+      add(k, q / r, falloff * std::exp(-depth) / r2);
     }
   }
 
  private:
+  // Over the cells around a point at distance r, weighted as add_point_light() does, of falloff
+  // over r^2, times r^2: so beams that are narrower than cells are not lost.
+  [[nodiscard]] double mean_falloff(const glm::dvec3& point, double r, double spacing) const {
+    static const std::vector<WeightedPoint> rule = mean_rule(falloff_points);
+    const SpotFalloff& spot = light_.spot;
+    if (spot.is_isotropic()) return 1.0;
+    const glm::dvec3 q = point - light_.position;
+    const double cosine = glm::dot(q, spot.axis()) / r;
+    // How much it may change over the cells; farther from the edge it is 0 or 1.
+    const double reach = spacing > 0.0 ? std::min(std::sqrt(3.0) * spacing / r, 2.0) : 0.0;
+    if (cosine + reach < spot.dark_cosine()) return 0.0;
+    if (cosine - reach > spot.dark_cosine() + 1.0 / spot.per_cosine()) return 1.0;
+    if (!(spacing > 0.0)) return spot.at(q / r);
+    double sum = 0.0;
+    for (const WeightedPoint& p : rule) {
+      const glm::dvec3 there = q + spacing * p.offset;
+      const double there2 = glm::dot(there, there);
+      if (!(there2 > 0.0)) continue;
+      sum += p.weight * spot.at(there / std::sqrt(there2)) * r * r / there2;
+    }
+    return sum;
+  }
+
   const NodePointLight& light_;
   std::vector<std::int32_t> self_;
   PathBatch paths_;
@@ -78,7 +105,7 @@ class PointsAroundLight {
 
 void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
                      const GridOcclusion* occlusion, NodeLight& incident, const Job& job) {
-  static const std::vector<WeightedPoint> rule = mean_rule();
+  static const std::vector<WeightedPoint> rule = mean_rule(mean_points);
   const double spacing = static_cast<double>(nodes.spacing);
   const auto width = static_cast<std::size_t>(nodes.count.x);
   const auto height = static_cast<std::size_t>(nodes.count.y);
@@ -118,11 +145,11 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
         weights.push_back(p.weight);
         sum += p.weight;
       }
-      around.each(around_node, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+      around.each(around_node, 0.0, [&](std::size_t k, const glm::dvec3& w, double arriving) {
         add(node, weights[k] / sum * arriving, w);
       });
     }
-    around.each(points, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+    around.each(points, spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
       add(at[k], arriving, w);
     });
   });
@@ -150,7 +177,7 @@ void add_reflected_point_light(const NodePointLight& light, const GridOcclusion&
                          1e-3 * spacing * glm::dvec3(surfel.normal));
       }
     }
-    around.each(points, [&](std::size_t k, const glm::dvec3& w, double arriving) {
+    around.each(points, 0.5 * spacing, [&](std::size_t k, const glm::dvec3& w, double arriving) {
       const GridOcclusion::Surfel& surfel = surfaces.surfels()[first_link + k];
       const double cosine = glm::dot(glm::dvec3(surfel.normal), w);
       if (!(cosine > 0.0)) return;

@@ -73,7 +73,8 @@ UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::
   for (const MultipleScattering::Light& source : input.lights) {
     const glm::vec3 intensity(source.intensity);
     NodePointLight point{source.position, {intensity.x, intensity.y, intensity.z}, source.table,
-                         extinction,      extinction * input.fog_density,          input.surfaces};
+                         extinction,      extinction * input.fog_density,          input.surfaces,
+                         source.spot};
     if (color) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
     add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
     if (!level.surfaces) continue;
@@ -87,29 +88,38 @@ void add(std::span<const float> values, std::span<float> sums) {
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
 }
 
-// Whether a point is in the bounds of a level.
-bool holds(const SourceGrid::Level& level, const glm::dvec3& p) {
+// Whether a point is in the bounds of a level, at least `margin` from its border.
+bool holds(const SourceGrid::Level& level, const glm::dvec3& p, double margin) {
   const glm::dvec3 high =
       level.first + glm::dvec3(level.nodes.count - 1) * static_cast<double>(level.nodes.spacing);
-  return !glm::any(glm::lessThan(p, level.first)) && !glm::any(glm::greaterThan(p, high));
+  return !glm::any(glm::lessThan(p, level.first + margin)) &&
+         !glm::any(glm::greaterThan(p, high - margin));
 }
 
-// Removes what surfaces within the finer level send, and the medium at nodes beside them, which may
-// be on the other side. What other nodes there scatter may stay: of a ray from the border outwards
-// it counts only as far as they are interpolated.
+// Removes what a level sends within the finer one. The medium at the outermost nodes there stays,
+// since what goes in at the border is interpolated between them and nodes outside: without it up to
+// half a cell of fog would be lost all around. But not beside surfaces, which may be between.
 void remove_within(const SourceGrid::Level& finer, const SourceGrid::Level& level,
                    UnscatteredLight& light) {
   const double spacing = static_cast<double>(level.nodes.spacing);
+  const auto position = [&](std::size_t node) {
+    return level.first + spacing * glm::dvec3(node_coordinates(level.nodes, node));
+  };
+  NodeLight& incident = light.incident;
+  const auto darken = [&](std::size_t node) {
+    for (std::size_t row = 0; row < incident.channels * incident.functions(); ++row) {
+      incident.values[row * incident.stride + node] = 0.0f;
+    }
+  };
+  for (std::size_t i = 0; i < level.nodes.size(); ++i) {
+    if (holds(finer, position(i), spacing)) darken(i);
+  }
+  if (!level.surfaces) return;
   const GridOcclusion& surfaces = *level.surfaces;
   const std::size_t links = surfaces.surfels().size();
-  NodeLight& incident = light.incident;
   for (std::size_t i = 0; i < surfaces.nodes().size(); ++i) {
-    const std::size_t at = surfaces.grid_nodes()[i];
-    const glm::dvec3 coordinates(node_coordinates(level.nodes, at));
-    if (!holds(finer, level.first + spacing * coordinates)) continue;
-    for (std::size_t row = 0; row < incident.channels * incident.functions(); ++row) {
-      incident.values[row * incident.stride + at] = 0.0f;
-    }
+    if (!holds(finer, position(surfaces.grid_nodes()[i]), 0.0)) continue;
+    darken(surfaces.grid_nodes()[i]);
     for (std::size_t c = 0; c < incident.channels; ++c) {
       const std::size_t first = c * links + surfaces.nodes()[i].first;
       std::fill_n(light.reflected.begin() + static_cast<std::ptrdiff_t>(first),
@@ -177,7 +187,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
           input.limits};
   for (const Light& light : input.lights) {
     key.lights.push_back(
-        {light.position, light.intensity, light.table ? light.table->revision() : 0});
+        {light.position, light.intensity, light.table ? light.table->revision() : 0, light.spot});
   }
   if (!levels_.empty() && key == key_) return true;
   key_ = std::move(key);
@@ -225,7 +235,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
       add(scattered.values, light.incident.values);
       if (level.surfaces) add(reflected_light(*level.surfaces, scattered), light.reflected);
       const SourceGrid::Level& finer = levels[k - 1];
-      if (level.surfaces) remove_within(finer, level, light);
+      remove_within(finer, level, light);
       outer.insert(outer.begin(), {media[k], std::move(light.incident), std::move(light.reflected),
                                    Resampling(level.first, level.nodes, finer.first, finer.nodes)});
     }

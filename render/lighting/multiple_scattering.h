@@ -23,6 +23,7 @@ class MultipleScattering {
     glm::dvec3 position{0.0};
     glm::dvec3 intensity{0.0};                 // RGB [W/sr]
     const OpticalDepthTable* table = nullptr;  // null: no Gaussians
+    SpotFalloff spot{};
   };
   struct Input {
     // Densities, and the environment's light if any, in the medium of the truncated extinction; see
@@ -56,6 +57,7 @@ class MultipleScattering {
     glm::dvec3 position{0.0};
     glm::dvec3 intensity{0.0};
     Revision table = 0;
+    SpotFalloff spot;
 
     bool operator==(const LightKey&) const = default;
   };

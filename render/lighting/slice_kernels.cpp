@@ -272,6 +272,111 @@ HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
   return sum;
 }
 
+// A spot light as rays see it.
+struct SpotRays {
+  // Cosine from the axis at s from the nearest point: (s along - across) / distance.
+  V along, across;
+  V dark_cosine, per_cosine;
+  V edges[4];  // parameters s, ascending, between which the falloff is smooth
+
+  SpotRays() = default;
+  // `offset`: from the nearest point to the light; h2: its square, clamped.
+  HWY_INLINE SpotRays(const SpotFalloff& spot, const Vector& w, const Vector& offset, V h2) {
+    const D d;
+    const glm::vec3 unit(spot.axis());
+    const Vector axis{set(unit.x), set(unit.y), set(unit.z)};
+    along = dot(w, axis);
+    across = dot(offset, axis);
+    dark_cosine = set(static_cast<float>(spot.dark_cosine()));
+    per_cosine = set(static_cast<float>(spot.per_cosine()));
+    // As SpotFalloff::edges() has them; those that are missing are far away.
+    const V far = set(1e30f);
+    std::size_t count = 0;
+    for (const V cosine : {dark_cosine, hn::Add(dark_cosine, hn::Div(set(1.0f), per_cosine))}) {
+      const V cosine2 = hn::Mul(cosine, cosine);
+      const V a = hn::MulSub(along, along, cosine2);
+      const V b = hn::Neg(hn::Mul(along, across));
+      const V c = hn::MulSub(across, across, hn::Mul(cosine2, h2));
+      const V square = hn::NegMulAdd(a, c, hn::Mul(b, b));
+      const auto meets = hn::Ge(square, hn::Zero(d));
+      const V root = hn::Sqrt(hn::Max(square, hn::Zero(d)));
+      const V sum = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
+      const auto ratio = [&](V x, V y) HWY_ATTR {
+        const auto is_finite = hn::And(meets, hn::Ne(y, hn::Zero(d)));
+        const V value = hn::IfThenElse(is_finite, hn::Div(x, y), far);
+        return hn::Max(hn::Min(value, far), hn::Neg(far));
+      };
+      edges[count++] = ratio(sum, a);
+      edges[count++] = ratio(c, sum);
+    }
+    const auto sort = [&](int i, int j) HWY_ATTR {
+      const V low = hn::Min(edges[i], edges[j]);
+      edges[j] = hn::Max(edges[i], edges[j]);
+      edges[i] = low;
+    };
+    sort(0, 1);
+    sort(2, 3);
+    sort(0, 2);
+    sort(1, 3);
+    sort(1, 2);
+  }
+};
+
+// The mean of the falloff over r^2 over s in [a, b], and the middle of what is lit of it.
+struct SpotMean {
+  V value, center;
+
+  HWY_INLINE SpotMean(const SpotRays& spot, V a, V b, V h2) {
+    const D d;
+    const V zero = hn::Zero(d);
+    V sum = zero;
+    V moment = zero;
+    const auto add = [&](V begin, V end) HWY_ATTR {
+      const V width = hn::Sub(end, begin);
+      const auto is_long = hn::Gt(width, zero);
+      if (hn::AllFalse(d, is_long)) return;
+      constexpr float weights[] = {gauss_3_end, gauss_3_middle, gauss_3_end};
+      const V middle = hn::Mul(set(0.5f), hn::Add(begin, end));
+      const V half = hn::Mul(set(0.5f), width);
+      V falloff = zero;
+      V whole = zero;
+      for (int i = 0; i < 3; ++i) {
+        const V s = hn::MulAdd(set(gauss_3_place * static_cast<float>(i - 1)), half, middle);
+        const V r2 = hn::MulAdd(s, s, h2);
+        const V weight = hn::Div(set(weights[i]), r2);
+        const V cosine = hn::Div(hn::MulSub(s, spot.along, spot.across), hn::Sqrt(r2));
+        V share = hn::Mul(hn::Sub(cosine, spot.dark_cosine), spot.per_cosine);
+        share = hn::Min(hn::Max(share, zero), set(1.0f));
+        falloff = hn::MulAdd(weight, hn::Mul(share, share), falloff);
+        whole = hn::Add(whole, weight);
+      }
+      const V arriving =
+          hn::Mul(hn::Mul(MeanInverseSquare(begin, end, h2), width), hn::Div(falloff, whole));
+      const V counted = hn::IfThenElseZero(is_long, arriving);
+      sum = hn::Add(sum, counted);
+      moment = hn::MulAdd(counted, middle, moment);
+    };
+    auto has_edge = hn::Lt(b, a);
+    for (const V edge : spot.edges) {
+      has_edge = hn::Or(has_edge, hn::And(hn::Gt(edge, a), hn::Lt(edge, b)));
+    }
+    if (hn::AllFalse(d, has_edge)) {
+      add(a, b);
+    } else {
+      V begin = a;
+      for (const V edge : spot.edges) {
+        const V end = hn::Min(hn::Max(edge, begin), b);
+        add(begin, end);
+        begin = end;
+      }
+      add(begin, b);
+    }
+    const auto is_lit = hn::Gt(sum, zero);
+    value = hn::IfThenElseZero(is_lit, hn::Div(sum, hn::Sub(b, a)));
+    center = hn::IfThenElse(is_lit, hn::Div(moment, sum), hn::Mul(set(0.5f), hn::Add(a, b)));
+  }
+};
+
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                const SliceScattering& scattering, float negligible,
                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
@@ -296,6 +401,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
     V ts[light_pack];
     V h2[light_pack];
     V sum[light_pack];
+    SpotRays spots[light_pack];
     for (std::size_t l = 0; l < lights.size(); ++l) {
       const Vector s{set(lights[l].position.x), set(lights[l].position.y),
                      set(lights[l].position.z)};
@@ -304,6 +410,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       h2[l] = hn::Max(dot(offset, offset),
                       set(std::max(lights[l].h_min * lights[l].h_min, coefficient::tiny)));
       sum[l] = zero;
+      if (!lights[l].spot.is_isotropic()) spots[l] = SpotRays(lights[l].spot, w, offset, h2[l]);
     }
     V depth = zero;
     V begin = hn::LoadU(d, slices.at(i, 0));
@@ -330,13 +437,24 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
         weight = hn::Add(weight, counted);
         weighted_distance = hn::MulAdd(counted, center, weighted_distance);
         for (std::size_t l = 0; l < lights.size(); ++l) {
-          const V falloff = MeanInverseSquare(hn::Sub(begin, ts[l]), hn::Sub(end, ts[l]), h2[l]);
-          const V along = hn::Sub(center, ts[l]);
+          const V first = hn::Sub(begin, ts[l]);
+          const V last = hn::Sub(end, ts[l]);
+          V falloff;
+          V middle = center;
+          if (lights[l].spot.is_isotropic()) {
+            falloff = MeanInverseSquare(first, last, h2[l]);
+          } else {
+            const SpotMean mean(spots[l], first, last, h2[l]);
+            if (hn::AllFalse(d, hn::Gt(mean.value, zero))) continue;
+            falloff = mean.value;
+            middle = hn::Add(ts[l], mean.center);
+          }
+          const V along = hn::Sub(middle, ts[l]);
           const V distance = hn::Sqrt(hn::MulAdd(along, along, h2[l]));
           V light_depth = hn::Mul(set(b0), distance);
-          const Vector q{hn::MulSub(center, w.x, set(lights[l].position.x)),
-                         hn::MulSub(center, w.y, set(lights[l].position.y)),
-                         hn::MulSub(center, w.z, set(lights[l].position.z))};
+          const Vector q{hn::MulSub(middle, w.x, set(lights[l].position.x)),
+                         hn::MulSub(middle, w.y, set(lights[l].position.y)),
+                         hn::MulSub(middle, w.z, set(lights[l].position.z))};
           if (tables[l].depths) {
             light_depth = hn::Add(light_depth, Lookup(tables[l], q, distance));
           }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/transport/spot_falloff.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/ray_slices.h"
 #include "render/lighting/shadow_map.h"
@@ -27,12 +28,18 @@ std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBa
 // padded_size() paths; 0 for an empty table.
 void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float* depths);
 
+// Gauss' rule of three points over [-1, 1], its weights adding up to 1.
+constexpr float gauss_3_place = 0.774596669f;
+constexpr float gauss_3_end = 5.0f / 18.0f;
+constexpr float gauss_3_middle = 8.0f / 18.0f;
+
 struct SliceLight {
   glm::vec3 position{0.0f};                  // relative to the rays' origin [u]
   float h_min = 0.0f;                        // see PointLightRay [u]
   float extinction = 1.0f;                   // factor of optical depths towards the light
   const OpticalDepthTable* table = nullptr;  // null: no attenuation by Gaussians
   const ShadowMap* shadows = nullptr;        // null: no surfaces
+  SpotFalloff spot{};
 };
 
 // Neighbouring slices share a look-up of the source function at their mean position: half the work,
@@ -66,6 +73,7 @@ struct SliceWeights {
 // Single scattering summed front to back over the slices (K = slices.count() - 1):
 //   sum_k exp(-T_k) (1 - exp(-dT_k)) * mean of 1/r^2 over the slice * exp(-T(s, x_k)) / (4 pi)
 //   (times henyey_greenstein() at the slice's center x_k)
+// where the mean is of the falloff over r^2 for a spot, x_k then the middle of what it lights, and
 // with a view extinction e below 1 for the truncated phase function
 //   exp(-e T_k) (1 - exp(-e dT_k)) / e, as for look-ups, and for the rest of it the same as
 //   without.

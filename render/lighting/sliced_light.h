@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/transport/spot_falloff.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/shadow_map.h"
 
@@ -13,6 +14,7 @@ struct SlicedLight {
   double h_min = 0.0;                        // see light_limits.h [u]
   const OpticalDepthTable* table = nullptr;  // null without Gaussians
   const ShadowMap* shadows = nullptr;        // null without surfaces
+  SpotFalloff spot{};
 };
 
 }  // namespace brume

@@ -16,8 +16,9 @@ std::vector<PathLight> path_lights(std::span<const PointLight> lights, const Cam
   std::vector<PathLight> result;
   result.reserve(lights.size());
   for (const PointLight& light : lights) {
-    result.push_back(
-        {light.position, light.intensity, min_light_distance(rays, camera, light.position)});
+    result.push_back({light.position, light.intensity,
+                      min_light_distance(rays, camera, light.position), 0.0,
+                      SpotFalloff(light.spot)});
   }
   return result;
 }

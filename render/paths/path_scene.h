@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/transport/spot_falloff.h"
 #include "render/geometry/fog_ball.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"
@@ -20,6 +21,12 @@ struct PathLight {
   // Closer than this, light scattered by the medium around is found by equi-angular samples,
   // farther away by collisions; 0 without medium there. See PathScene::set_lights() [u].
   double near_radius = 0.0;
+  SpotFalloff spot{};
+
+  // RGB in the unit direction w from it [W/sr].
+  [[nodiscard]] glm::dvec3 intensity_along(const glm::dvec3& w) const {
+    return spot.at(w) * intensity;
+  }
 };
 
 // The lights of a view.

@@ -126,7 +126,8 @@ glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom&
                           : relative_to(light, vertex.start, vertex.w).distance2(vertex.t);
     const double factor = weight(light, r) / (probability * r2);
     if (!(factor > 0.0)) return;
-    sum += factor * visibility(vertex.position, light.position, l, r) * value * light.intensity;
+    sum += factor * visibility(vertex.position, light.position, l, r) * value *
+           light.intensity_along(-l);
   });
   return sum;
 }
@@ -174,7 +175,7 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
     const double density = scattered / opacity + path.h / (angular.span * r2);
     const double factor = scattered / (density * r2 * probability);
     sum += factor * visibility(vertex.position, light.position, q / r, r) *
-           scattering(vertex, q / r) * light.intensity;
+           scattering(vertex, q / r) * light.intensity_along(-q / r);
   });
   return sum;
 }
@@ -212,7 +213,7 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
                         (path.h * probability);
   if (!(factor > 0.0)) return none;
   return factor * visibility(vertex.position, light.position, q / r, r) *
-         scattering(vertex, q / r) * light.intensity;
+         scattering(vertex, q / r) * light.intensity_along(-q / r);
 }
 
 PathTracer::AngularSampling::AngularSampling(const PathLight& light, const Vertex& vertex) {

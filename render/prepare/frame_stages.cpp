@@ -140,7 +140,8 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
          work.plan.runs(Stage::light_table)
              ? &prepared_.optical_depth_table(light.position, work.settings.optical_depth_table,
                                               work.frame.statistics.light_pairs)
-             : nullptr});
+             : nullptr,
+         SpotFalloff(light.spot)});
   }
   if (work.plan.runs(Stage::light_table)) clock.finish(Stage::light_table);
   return multiple;
@@ -213,7 +214,8 @@ std::vector<SlicedLight> FrameStages::lights_of(const FrameContext& work) {
   std::vector<SlicedLight> lights;
   for (const PointLight& light : work.plan.lights) {
     lights.push_back({light.position, light.intensity,
-                      min_light_distance(work.rays, work.camera, light.position)});
+                      min_light_distance(work.rays, work.camera, light.position), nullptr, nullptr,
+                      SpotFalloff(light.spot)});
   }
   return lights;
 }

@@ -46,8 +46,10 @@ double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights,
   double sum = environment_radiance;
   for (const PointLight& light : lights) {
     const glm::dvec3 offset = light.position - gaussian.center;
+    const double distance = glm::length(offset);
+    const double falloff = distance > 0.0 ? SpotFalloff(light.spot).at(-offset / distance) : 1.0;
     const double square = std::max(glm::dot(offset, offset), gaussian.radius * gaussian.radius);
-    sum += strength(light) / (4.0 * std::numbers::pi * square);
+    sum += falloff * strength(light) / (4.0 * std::numbers::pi * square);
   }
   return sum;
 }

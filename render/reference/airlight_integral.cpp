@@ -142,6 +142,18 @@ void add_shadow(const GaussianTerm<Real>& g, const ViewRayMedium<Real>& medium,
                       std::numeric_limits<Real>::infinity(), interval_radii<Real> * width});
 }
 
+// Splits the range that holds t.
+template <class Real>
+void split_at(Real t, std::vector<std::pair<Real, Real>>& ranges) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const auto [begin, end] = ranges[i];
+    if (!(begin < t && t < end)) continue;
+    ranges[i].second = t;
+    ranges.insert(ranges.begin() + static_cast<std::ptrdiff_t>(i) + 1, {t, end});
+    return;
+  }
+}
+
 }  // namespace
 
 template <class Real>
@@ -171,10 +183,12 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     if (!(density > 0) || view_depth > opaque<Real>) return Real(0);
     const Vec3<Real> q = medium.eye + t * medium.w - light.position;
     const Real r = glm::length(q);
+    const Real falloff = r > 0 ? static_cast<Real>(light.spot.at(glm::dvec3(q / r))) : Real(1);
+    if (!(falloff > 0)) return Real(0);
     const Real light_depth = r > 0 ? around_light.depth(q / r, r) + medium.b0 * r : Real(0);
     const Real phase =
         light.anisotropy != 0 ? henyey_greenstein(path.cos_theta(t), light.anisotropy) : Real(1);
-    return phase * density * std::exp(-(view_depth + light_depth));
+    return phase * density * falloff * std::exp(-(view_depth + light_depth));
   };
 
   std::vector<AngularFeature<Real>> features;
@@ -197,8 +211,13 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
   }
 
   Integral<Real> sum;
-  const std::vector<std::pair<Real, Real>> full_range{{Real(0), end_t}};
-  for (const auto& [begin_t, stop_t] : light.lit ? *light.lit : full_range) {
+  std::vector<std::pair<Real, Real>> ranges{{Real(0), end_t}};
+  if (light.lit) ranges = *light.lit;
+  for (const double edge :
+       light.spot.edges(glm::dvec3(light.position), glm::dvec3(medium.eye), glm::dvec3(medium.w))) {
+    split_at(static_cast<Real>(edge), ranges);
+  }
+  for (const auto& [begin_t, stop_t] : ranges) {
     const Real begin = angular.angle(begin_t);
     const Real end = std::min(angular.angle(stop_t), angular.span);
     if (!(begin < end)) continue;

@@ -7,6 +7,7 @@
 
 #include "core/scene/ray_noise.h"
 #include "core/transport/light_path.h"
+#include "core/transport/spot_falloff.h"
 #include "render/reference/gaussian_sums.h"
 
 namespace brume {
@@ -57,12 +58,13 @@ struct LightSource {
   Real anisotropy;  // see henyey_greenstein()
   // Intervals [t0, t1] of the ray that are not in shadow; nullopt: all of it.
   std::optional<std::vector<std::pair<Real, Real>>> lit;
+  SpotFalloff spot{};
 };
 
 // Radiance scattered once towards the eye, per unit of radiant intensity [1/u^2]:
-//   1 / (4 pi) * integral over [0, d] of b(t) / r(t)^2 exp(-T(v, x) - T(s, x)) dt,
-// with b restricted to `part` of the medium. `tolerance` is the relative error estimate at which
-// the quadrature stops.
+//   1 / (4 pi) * integral over [0, d] of b(t) F(t) / r(t)^2 exp(-T(v, x) - T(s, x)) dt,
+// with F the light's falloff, and b restricted to `part` of the medium. `tolerance` is the relative
+// error estimate at which the quadrature stops.
 template <class Real>
 Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real>& light,
                        Real tolerance, ScatteredBy scattered_by = ScatteredBy::everything);

@@ -16,6 +16,7 @@ struct ReferenceLight {
   glm::dvec3 position{0.0};
   glm::dvec3 intensity{0.0};  // RGB [W/sr]
   double h_min = 0.0;         // see light_limits.h [u]
+  SpotFalloff spot{};
 };
 
 struct ReferenceRay {

@@ -22,8 +22,8 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_.eye());
   for (const PointLight& light : plan.lights) {
-    lights_.push_back(
-        {light.position, light.intensity, min_light_distance(rays_, camera, light.position)});
+    lights_.push_back({light.position, light.intensity,
+                       min_light_distance(rays_, camera, light.position), SpotFalloff(light.spot)});
   }
   for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
     const Medium extinction = extinction_medium(scene.medium, group.albedo);

@@ -132,8 +132,8 @@ class Sampler {
       return glm::dvec3(0.0);
     }
     const glm::dvec3 wi = q / distance;
-    return reflected(wi) * light.intensity / (distance * distance) *
-           transmittance(ray(point_.position, wi).depth(distance));
+    return SpotFalloff(light.spot).at(-wi) * reflected(wi) * light.intensity /
+           (distance * distance) * transmittance(ray(point_.position, wi).depth(distance));
   }
 
   Sample of_light(const PointLight& light, Uniform& uniform) const {
@@ -159,8 +159,8 @@ class Sampler {
     const double r = path.path_length(t);
     const glm::dvec3 from_light = r > 0.0 ? (x - light.position) / r : -wi;
     const double depth = along.depth(t) + ray(light.position, from_light).depth(r);
-    const double weight =
-        along.density(t) * phase(-glm::dot(from_light, wi)) * angular.span / (path.h * pdf);
+    const double weight = SpotFalloff(light.spot).at(from_light) * along.density(t) *
+                          phase(-glm::dot(from_light, wi)) * angular.span / (path.h * pdf);
     return {{}, weight * reflected(wi) * transmittance(depth) * light.intensity};
   }
 

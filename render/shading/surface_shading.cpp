@@ -146,7 +146,7 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
     const glm::vec3 position(light.light.position - points.origin);
-    point_to_light(points, position, light_at_point);
+    point_to_light(points, position, SpotFalloff(light.light.spot), light_at_point);
     pairs += find_depths(medium, light, points, precision, lighting.extinction, light_at_point);
     ray_caster.trace_shadow_rays(points, position, light_at_point);
     PointLightShading reflected = point_light_shading(material, light.light);

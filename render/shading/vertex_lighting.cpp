@@ -60,7 +60,8 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
                                Settings::Precision precision, Light& light, Light& traced) {
   thread_local LightAtPoints at;
   thread_local std::array<PointArray, sh_max_bands> factors;
-  point_to_light(points, glm::vec3(surface_light.light.position - points.origin), at);
+  point_to_light(points, glm::vec3(surface_light.light.position - points.origin),
+                 SpotFalloff(surface_light.light.spot), at);
   const std::uint64_t pairs =
       find_depths(medium, surface_light, points, precision, lighting.extinction, at);
   if (lighting.point) {

@@ -109,7 +109,8 @@ void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoi
   }
 }
 
-void PointToLight(const SurfacePoints& points, const glm::vec3& position, LightAtPoints& light) {
+void PointToLight(const SurfacePoints& points, const glm::vec3& position, const SpotFalloff& spot,
+                  LightAtPoints& light) {
   const D d;
   light.paths.resize(points.count);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
@@ -123,7 +124,16 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position, LightA
     hn::StoreU(from_light.z, d, light.paths.z.data() + i);
     hn::StoreU(hn::Mul(square, inverse), d, light.paths.length.data() + i);
     store(hn::Neg(dot(from_light, load(points.normal, i))), light.cosine, i);
-    store(hn::Mul(inverse, inverse), light.inverse_square, i);
+    V arriving = hn::Mul(inverse, inverse);
+    if (!spot.is_isotropic()) {
+      const glm::vec3 axis(spot.axis());
+      const V cosine = dot(from_light, Vector{set(axis.x), set(axis.y), set(axis.z)});
+      V share = hn::Mul(hn::Sub(cosine, set(static_cast<float>(spot.dark_cosine()))),
+                        set(static_cast<float>(spot.per_cosine())));
+      share = hn::Min(hn::Max(share, hn::Zero(d)), set(1.0f));
+      arriving = hn::Mul(arriving, hn::Mul(share, share));
+    }
+    store(arriving, light.inverse_square, i);
   }
 }
 
@@ -249,8 +259,9 @@ void interpolate_points(const PointTriangles& triangles, float offset, SurfacePo
   HWY_DYNAMIC_DISPATCH(InterpolatePoints)(triangles, offset, points);
 }
 
-void point_to_light(const SurfacePoints& points, const glm::vec3& position, LightAtPoints& light) {
-  HWY_DYNAMIC_DISPATCH(PointToLight)(points, position, light);
+void point_to_light(const SurfacePoints& points, const glm::vec3& position, const SpotFalloff& spot,
+                    LightAtPoints& light) {
+  HWY_DYNAMIC_DISPATCH(PointToLight)(points, position, spot, light);
 }
 
 void add_direct_light(const SurfacePoints& points, const LightAtPoints& light,

@@ -1,5 +1,6 @@
 // The panels that edit lights, environment, medium and materials, and the outliner.
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDockWidget>
@@ -123,6 +124,82 @@ class PanelsTest : public QObject {
     for (const double x : {0.0, 0.001, 0.2, 0.5, 1.0}) {
       QVERIFY(std::abs(to_linear(to_color(glm::dvec3(x))).g - x) < 1e-3);
     }
+  }
+
+  void spots_are_added_opened_and_turned() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const std::size_t last = before.lights.size();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), last + 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Add light 2"));
+    const auto spot = [&]() -> const SpotCone& { return *document.scene().lights[last].spot; };
+    // Down, at what the view looks at.
+    QVERIFY(spot().direction.y < 0.0);
+    enter(window, "light_outer_angle", "30");
+    QCOMPARE(spot().outer_angle, 30.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set outer angle of light 2"));
+    enter(window, "light_inner_angle", "40");
+    QCOMPARE(spot().inner_angle, 40.0);
+    QVERIFY2(spot().outer_angle > 40.0, "the outer angle makes room");
+    enter(window, "light_outer_angle", "181");
+    QVERIFY(spot().outer_angle < 180.0);
+    enter(window, "light_outer_angle", "5");
+    QVERIFY(spot().inner_angle < 5.0);
+    enter(window, "light_direction_x", "-2");
+    QCOMPARE(spot().direction.x, -2.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    enter(window, "light_direction_x", "0");
+    const glm::dvec3 direction = spot().direction;
+    for (const char* name : {"light_direction_y", "light_direction_z"}) enter(window, name, "0");
+    QVERIFY2(spot().direction != glm::dvec3(0.0), "it shines somewhere");
+    QVERIFY(direction.x == 0.0);
+
+    auto* box = window->findChild<QCheckBox*>("light_is_spot");
+    QVERIFY(box->isChecked());
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    QVERIFY(!document.scene().lights[last].spot);
+    QCOMPARE(document.undo_stack().undoText(), QString("Make light 2 shine all around"));
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    QCOMPARE(spot(), SpotCone());
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void a_spot_is_turned_and_opened_in_the_view() {
+    TestWindow window;
+    Document& document = window->document();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
+    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+    const PointLight before = document.scene().lights[1];
+    const auto film = [&](const glm::dvec3& point) {
+      const glm::dvec3 at = window->viewport().rays().project(point);
+      return QPoint(qRound(at.x), qRound(at.y));
+    };
+    const double length = 0.2 * glm::distance(before.position, window->viewport().rays().eye());
+    const glm::dvec3 axis = glm::normalize(before.spot->direction);
+    const QPoint target = film(before.position + length * axis);
+    window.drag(target, target + QPoint(40, 0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    const glm::dvec3 turned = glm::normalize(document.scene().lights[1].spot->direction);
+    QVERIFY(glm::dot(turned, axis) < 0.99);
+    QCOMPARE(document.scene().lights[1].position, before.position);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene().lights[1], before);
+    // The rim, to the right of the target.
+    const glm::dvec3 right = glm::normalize(glm::cross(axis, glm::dvec3(1, 0, 0)));
+    const double radius = length * std::tan(glm::radians(before.spot->outer_angle));
+    const glm::dvec3 across = glm::cross(right, axis);
+    const QPoint rim = film(before.position + length * axis + radius * across);
+    window.drag(rim, rim + (rim - target));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set outer angle of light 2"));
+    const SpotCone& cone = *document.scene().lights[1].spot;
+    QVERIFY2(cone.outer_angle > 30.0 && cone.outer_angle < 42.0,
+             qPrintable(QString::number(cone.outer_angle)));
+    QVERIFY(std::abs(cone.inner_angle / cone.outer_angle - 0.75) < 1e-9);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene().lights[1], before);
   }
 
   void a_light_is_dragged_in_the_view() {

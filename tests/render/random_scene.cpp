@@ -31,6 +31,9 @@ class RandomScene {
     if (one_in(4)) add_noise();
     // Rarely: its airlight takes longer than all else.
     if (one_in(60)) add_environment();
+    for (PointLight& light : scene_.lights) {
+      if (one_in(3)) light.spot = cone_from(light.position);
+    }
     return std::move(scene_);
   }
 
@@ -83,6 +86,17 @@ class RandomScene {
     g.radius = spread_ * spread(random_.power(-1, 0.5), -9, 8);
     g.density = one_in(10) ? 0.0 : spread(random_.power(-1, 1) / g.radius, -6, 6);
     scene_.medium.append(g);
+  }
+
+  // Towards a place, or none in particular; of any width.
+  SpotCone cone_from(const glm::dvec3& position) {
+    SpotCone cone;
+    if (const glm::dvec3 towards = place() - position; towards != glm::dvec3(0.0)) {
+      cone.direction = glm::clamp(towards, -1e12, 1e12);
+    }
+    cone.outer_angle = one_in(4) ? 180.0 : spread(5.0 * random_.power(0, 1), 0.1, 179);
+    cone.inner_angle = one_in(3) ? 0.0 : 0.6 * cone.outer_angle;
+    return cone;
   }
 
   void add_light() {

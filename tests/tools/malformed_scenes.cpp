@@ -41,6 +41,9 @@ std::string gaussian(const std::string& members) {
   return medium(R"("gaussians": [{"center": [0, 0, 0], "radius": 1, "density": 1}, {)" + members +
                 "}]");
 }
+std::string spot(const std::string& members) {
+  return with(&Parts::lights, R"([{"type": "spot", "position": [1, 1, 1], )" + members + "}]");
+}
 std::string light(const std::string& members) {
   return with(&Parts::lights, "[{" + members + "}]");
 }
@@ -235,6 +238,34 @@ std::vector<MalformedCase> malformed_cases() {
        light(R"("type": "laser", "position": [0, 0, 0])"),
        "lights[0].type",
        {"\"laser\"", "\"point\""}},
+      {"a spot without direction",
+       spot(R"("outer_angle": 20)"),
+       "lights[0].direction",
+       {"missing"}},
+      {"a spot that shines nowhere",
+       spot(R"("direction": [0, 0, 0])"),
+       "lights[0].direction",
+       {"length 0", "allowed"}},
+      {"a spot with an endless direction",
+       spot(R"("direction": [0, 1e13, 0])"),
+       "lights[0].direction[1]",
+       {"allowed"}},
+      {"a spot wider than all directions",
+       spot(R"("direction": [0, -1, 0], "outer_angle": 181)"),
+       "lights[0].outer_angle",
+       {"181", "[0, 180]"}},
+      {"a spot of negative angle",
+       spot(R"("direction": [0, -1, 0], "inner_angle": -1)"),
+       "lights[0].inner_angle",
+       {"-1", "[0, 180]"}},
+      {"a spot whose inner angle is the outer one",
+       spot(R"("direction": [0, -1, 0], "inner_angle": 30, "outer_angle": 30)"),
+       "lights[0].inner_angle",
+       {"30", "less than outer_angle"}},
+      {"a spot with an angle of three numbers",
+       spot(R"("direction": [0, -1, 0], "inner_angle": [1, 2, 3])"),
+       "lights[0].inner_angle",
+       {"allowed"}},
       {"a light nowhere", light(R"("type": "point")"), "lights[0].position", {"missing"}},
       {"negative light",
        light(R"("type": "point", "position": [0, 0, 0], "intensity": [1, -1, 1])"),

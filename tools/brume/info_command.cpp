@@ -53,9 +53,14 @@ Json scene_json(const SceneDocument& document) {
   json["lights"] = Json::array();
   for (const PointLight& light : scene.lights) {
     Json entry;
-    entry["type"] = "point";
+    entry["type"] = light.spot ? "spot" : "point";
     entry["position"] = to_json(light.position);
     entry["intensity"] = to_json(light.intensity);
+    if (light.spot) {
+      entry["direction"] = to_json(light.spot->direction);
+      entry["inner_angle"] = light.spot->inner_angle;
+      entry["outer_angle"] = light.spot->outer_angle;
+    }
     if (!light.on) entry["on"] = false;
     json["lights"].push_back(std::move(entry));
   }

@@ -225,15 +225,32 @@ class SceneLoader {
 
   void load_light(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
-    object.choice("type", {"point"}, {});
+    const bool is_spot = object.choice("type", {"point", "spot"}, {}) == 1;
     PointLight light;
     light.position = object.vector("position", domain::coordinate, {});
     light.intensity = object.vector("intensity", domain::intensity, light.intensity);
+    if (is_spot) light.spot = load_cone(object);
     light.on = object.boolean("on", light.on);
     unknown_keys_.add(light.id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
     unknown_keys_.add(light.id, "", object.unknown_keys());
     scene_.lights.push_back(std::move(light));
+  }
+
+  static SpotCone load_cone(JsonObject& object) {
+    SpotCone cone;
+    cone.direction = object.vector("direction", domain::coordinate, {});
+    if (cone.direction == glm::dvec3(0.0)) {
+      object.fail("direction", "found a vector of length 0; allowed: any other");
+    }
+    cone.inner_angle = object.number("inner_angle", domain::cone_angle, cone.inner_angle);
+    cone.outer_angle = object.number("outer_angle", domain::cone_angle, cone.outer_angle);
+    if (!(cone.inner_angle < cone.outer_angle)) {
+      object.fail("inner_angle", "found " + quoted_text(cone.inner_angle) +
+                                     "; allowed: less than outer_angle, which is " +
+                                     quoted_text(cone.outer_angle));
+    }
+    return cone;
   }
 
   void load_environment(const Json& value, const JsonPath& path) {

@@ -159,9 +159,14 @@ Json to_json(const SceneDocument& document, const fs::path& directory) {
   root["medium"] = medium_to_json(document, directory);
   Json& lights = root["lights"] = Json::array();
   for (const PointLight& light : scene.lights) {
-    Json entry{{"type", "point"},
+    Json entry{{"type", light.spot ? "spot" : "point"},
                {"position", to_json(light.position)},
                {"intensity", to_json(light.intensity)}};
+    if (light.spot) {
+      entry["direction"] = to_json(light.spot->direction);
+      entry["inner_angle"] = light.spot->inner_angle;
+      entry["outer_angle"] = light.spot->outer_angle;
+    }
     if (!light.on) entry["on"] = false;
     add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
              [&light](auto&& visit) { visit_keyed_light(light, visit); });

@@ -42,3 +42,59 @@ float mean_inverse_square(float a, float b, float h2) {
   }
   return atan(crosses, dots) / max(crosses, tiny);
 }
+
+// SpotFalloff::at(), of a cosine.
+float spot_falloff(int l, float cosine) {
+  if (lights[l].spot_per_cosine == 0.0) return 1.0;
+  const float share =
+      clamp((cosine - lights[l].spot_dark_cosine) * lights[l].spot_per_cosine, 0.0, 1.0);
+  return share * share;
+}
+
+// SpotMean of render/lighting/slice_kernels.cpp: the mean of the falloff over r^2 over [a, b] from
+// the point nearest to the light, and the middle of what is lit. `offset`: from there to the light.
+vec2 spot_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {
+  const float along = dot(w, lights[l].spot_axis);
+  const float across = dot(offset, lights[l].spot_axis);
+  float ends[6] = float[](a, b, b, b, b, b);
+  for (int edge = 0; edge < 2; ++edge) {
+    const float cosine =
+        lights[l].spot_dark_cosine + (edge == 0 ? 0.0 : 1.0 / lights[l].spot_per_cosine);
+    const float p = along * along - cosine * cosine;
+    const float q = -along * across;
+    const float r = across * across - cosine * cosine * h2;
+    const float square = q * q - p * r;
+    if (!(square >= 0.0)) continue;
+    const float sum = -(q + (q < 0.0 ? -sqrt(square) : sqrt(square)));
+    if (p != 0.0) ends[1 + 2 * edge] = clamp(sum / p, a, b);
+    if (sum != 0.0) ends[2 + 2 * edge] = clamp(r / sum, a, b);
+  }
+  for (int i = 1; i < 4; ++i) {
+    for (int k = 1; k < 5 - i; ++k) {
+      const float low = min(ends[k], ends[k + 1]);
+      ends[k + 1] = max(ends[k], ends[k + 1]);
+      ends[k] = low;
+    }
+  }
+  float sum = 0.0;
+  float moment = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    const float width = ends[i + 1] - ends[i];
+    if (!(width > 0.0)) continue;
+    const float middle = 0.5 * (ends[i] + ends[i + 1]);
+    float falloff = 0.0;
+    float whole = 0.0;
+    for (int k = -1; k <= 1; ++k) {
+      const float s = middle + 0.5 * width * gauss_3_place * float(k);
+      const float r2 = s * s + h2;
+      const float weight = (k == 0 ? gauss_3_middle : gauss_3_end) / r2;
+      falloff += weight * spot_falloff(l, (s * along - across) * inversesqrt(r2));
+      whole += weight;
+    }
+    const float arriving =
+        mean_inverse_square(ends[i], ends[i + 1], h2) * width * falloff / whole;
+    sum += arriving;
+    moment += arriving * middle;
+  }
+  return sum > 0.0 ? vec2(sum / (b - a), moment / sum) : vec2(0.0, 0.5 * (a + b));
+}

@@ -148,12 +148,22 @@ void main() {
           const float ts = dot(s, w);
           const vec3 offset = s - ts * w;
           const float h2 = max(dot(offset, offset), max(lights[l].h_min * lights[l].h_min, tiny));
-          const float along = center - ts;
+          float falloff;
+          float middle = center;
+          if (lights[l].spot_per_cosine == 0.0) {
+            falloff = mean_inverse_square(t_begin - ts, t_end - ts, h2);
+          } else {
+            const vec2 mean = spot_mean(l, w, offset, t_begin - ts, t_end - ts, h2);
+            if (!(mean.x > 0.0)) continue;
+            falloff = mean.x;
+            middle = ts + mean.y;
+          }
+          const float along = middle - ts;
           const float distance_ = sqrt(along * along + h2);
-          const vec3 q = center * w - s;
+          const vec3 q = middle * w - s;
           float light_depth = b0 * distance_;
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
-          float light = mean_inverse_square(t_begin - ts, t_end - ts, h2) * exp(-light_extinction * light_depth);
+          float light = falloff * exp(-light_extinction * light_depth);
           float fraction = whole_fraction;
           if (anisotropy != 0.0) {
             const float c = cos_theta(along, distance_);

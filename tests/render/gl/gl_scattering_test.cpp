@@ -36,5 +36,25 @@ TEST_F(GlFrames, MultipleScattering) {
   }
 }
 
+// Beams in the medium and on surfaces.
+TEST_F(GlFrames, SpotLights) {
+  for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+    Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
+    scene.film = {24, 18};
+    scene.surfaces.push_back(wall(-0.8, 1.5));
+    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), SpotCone{{-0.9, -1.4, -0.9}, 5.0, 20.0}},
+                    {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), SpotCone{{1.0, -0.3, -1.2}, 9.8, 10.0}},
+                    {{0.0, -1.0, 0.5}, glm::dvec3(1.0), SpotCone{{0.0, 1.0, 0.0}, 60.0, 130.0}},
+                    {{0.5, 0.5, 1.5}, glm::dvec3(1.0), {}}};
+    Settings settings = quick_slices();
+    settings.source_grid = {2000, 24};
+    settings.scattering = scattering;
+    const Frame cpu = on_cpu(scene, settings);
+    const Frame gl = render_on_device(scene, settings, "spots");
+    EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
+    EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
+  }
+}
+
 }  // namespace
 }  // namespace brume::gl

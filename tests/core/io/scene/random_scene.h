@@ -39,7 +39,10 @@ class RandomScene {
                                 .seed = integer(-1000, 1000)});
     }
     for (int i = integer(0, 5); i > 0; --i) {
-      scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, {}, maybe()});
+      scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, {}, {}, maybe()});
+      if (maybe()) {
+        scene.lights.back().spot = SpotCone{point() + 1.0, number(0, 40), number(41, 180)};
+      }
     }
     if (maybe())
       scene.environment = {folder_ / "dawn.exr", nullptr, number(0, 3), number(-720, 720)};
@@ -67,6 +70,9 @@ class RandomScene {
     for (PointLight& light : scene.lights) {
       keys(light.keys.position, 1e6);
       keys(light.keys.intensity, 1e9);
+      if (!light.spot) continue;
+      keys(light.keys.direction, 1e6);
+      keys(light.keys.outer_angle, 180.0);
     }
     if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
     if (maybe()) scene.playback = Playback{integer(0, 9), integer(9, 99), maybe()};

@@ -125,7 +125,7 @@ TEST(SceneFile, HasTheDocumentedDefaults) {
 TEST(SceneFile, WritesWhichLightsAreOff) {
   const TemporaryFolder folder;
   Scene scene;
-  scene.lights = {{{1, 2, 3}, {4, 5, 6}, {}, true}, {{1, 2, 3}, {4, 5, 6}, {}, false}};
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, {}, {}, true}, {{1, 2, 3}, {4, 5, 6}, {}, {}, false}};
   save_document(scene, folder / "a.brume");
   const Scene loaded = load_scene(folder / "a.brume");
   EXPECT_TRUE(loaded.lights[0].on);
@@ -133,6 +133,32 @@ TEST(SceneFile, WritesWhichLightsAreOff) {
   const std::string text = content_of(folder / "a.brume");
   EXPECT_TRUE(contains(text, R"("on": false)"));
   EXPECT_FALSE(contains(text, R"("on": true)"));
+}
+
+TEST(SceneFile, KeepsSpotLights) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, SpotCone{{0, -2, 1}, 12.5, 30}}, {{3, 2, 1}, {1, 1, 1}}};
+  scene.lights[0].keys.outer_angle = {{0.0, 20.0}, {2.0, 40.0}};
+  save_document(scene, folder / "a.brume");
+  const Scene loaded = load_scene(folder / "a.brume");
+  ASSERT_EQ(loaded.lights.size(), 2u);
+  EXPECT_EQ(loaded.lights[0].spot, scene.lights[0].spot);
+  EXPECT_EQ(loaded.lights[0].keys, scene.lights[0].keys);
+  EXPECT_FALSE(loaded.lights[1].spot);
+  const std::string text = content_of(folder / "a.brume");
+  EXPECT_TRUE(contains(text, R"("type": "spot")"));
+  EXPECT_TRUE(contains(text, R"("type": "point")"));
+}
+
+TEST(SceneFile, ConesOpenAsTheContractSays) {
+  const TemporaryFolder folder;
+  folder.write("a.brume", R"({"format": "brume-scene", "version": 1,
+      "lights": [{"type": "spot", "position": [0, 1, 0], "direction": [0, -1, 0]}]})");
+  const Scene scene = load_scene(folder / "a.brume");
+  ASSERT_TRUE(scene.lights.at(0).spot);
+  EXPECT_EQ(scene.lights[0].spot->inner_angle, 0.0);
+  EXPECT_EQ(scene.lights[0].spot->outer_angle, 45.0);
 }
 
 TEST(SceneFile, SavesTheSameSceneInAnyFolder) {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Intensity of a light by direction, relative to its intensity: for a spot that of glTF's
+// KHR_lights_punctual,
+//   clamp((cos t - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2
+// at the angle t from its axis, else 1.
+class SpotFalloff {
+ public:
+  SpotFalloff() = default;  // of a light without cone
+  explicit SpotFalloff(const std::optional<SpotCone>& cone);
+
+  [[nodiscard]] bool is_isotropic() const { return axis_ == glm::dvec3(0.0); }
+  // Unit; 0 if isotropic.
+  [[nodiscard]] const glm::dvec3& axis() const { return axis_; }
+  // The falloff is clamp((cos t - dark_cosine) * per_cosine, 0, 1)^2.
+  [[nodiscard]] double dark_cosine() const { return dark_cosine_; }
+  [[nodiscard]] double per_cosine() const { return per_cosine_; }
+
+  // In the unit direction w from the light. In [0, 1].
+  [[nodiscard]] double at(const glm::dvec3& w) const;
+
+  // Parameters t, ascending, at which the line origin + t w, w unit, may enter or leave what the
+  // cone lights at all, or fully: between two of them the falloff is smooth. NaN-free; +-inf where
+  // there are fewer than four.
+  [[nodiscard]] std::array<double, 4> edges(const glm::dvec3& light, const glm::dvec3& origin,
+                                            const glm::dvec3& w) const;
+
+  bool operator==(const SpotFalloff&) const = default;
+
+ private:
+  glm::dvec3 axis_{0.0};
+  double dark_cosine_ = 0.0;
+  double per_cosine_ = 0.0;
+};
+
+}  // namespace brume

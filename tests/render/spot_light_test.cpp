@@ -1,0 +1,217 @@
+// Spot lights, as every method sees them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+
+#include "core/transport/optical_depth.h"
+#include "render/frame.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+Scene lit_by_spot(const SpotCone& cone, double depth = 1.0) {
+  Scene scene = cloud_scene(30, depth);
+  scene.film = {32, 24};
+  scene.lights = {{{0.9, 1.4, 0.6}, {6.0, 5.0, 4.0}, cone}};
+  return scene;
+}
+
+// Towards the middle of the cloud, across the view.
+const SpotCone smooth{{-0.9, -1.4, -0.6}, 5.0, 20.0};
+const SpotCone sharp{{-0.9, -1.2, -0.7}, 11.8, 12.0};
+const SpotCone wide{{-0.2, 1.0, 0.1}, 60.0, 130.0};
+
+Settings reference_settings() {
+  Settings settings;
+  settings.airlight = AirlightMethod::reference;
+  settings.reference_tolerance = 1e-6;
+  return settings;
+}
+
+Settings sliced(int slices, Scattering scattering = Scattering::single) {
+  Settings settings;
+  settings.airlight = AirlightMethod::sliced;
+  settings.slices = slices;
+  settings.scattering = scattering;
+  return settings;
+}
+
+// The integral of the radiance that a ray of the camera scatters, by small steps.
+double integral(const Scene& scene, const glm::dvec3& w, double begin, double end) {
+  const PointLight& light = scene.lights[0];
+  const SpotCone& cone = *light.spot;
+  const double dark = std::cos(glm::radians(cone.outer_angle));
+  const double slope = std::cos(glm::radians(cone.inner_angle)) - dark;
+  const auto depth = [&](const glm::dvec3& from, const glm::dvec3& to) {
+    const double r = glm::length(to - from);
+    double sum = scene.medium.homogeneous_density() * r;
+    for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+      const GaussianTerm<double> g(scene.medium.gaussian(i));
+      const glm::dvec3 along = (to - from) / r;
+      const double t0 = glm::dot(g.b - from, along);
+      const glm::dvec3 off = g.b - from - t0 * along;
+      sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off)) * std::sqrt(std::numbers::pi) /
+             (2.0 * g.a) * (std::erf(g.a * (r - t0)) + std::erf(g.a * t0));
+    }
+    return sum;
+  };
+  constexpr int steps = 16000;
+  const double step = (end - begin) / steps;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const glm::dvec3 x = scene.camera.eye + (begin + step * (i + 0.5)) * w;
+    const glm::dvec3 q = x - light.position;
+    const double r = glm::length(q);
+    const double cosine = glm::dot(q / r, glm::normalize(cone.direction));
+    const double share = std::clamp((cosine - dark) / std::max(slope, 1e-3), 0.0, 1.0);
+    if (share == 0.0) continue;
+    double density = scene.medium.homogeneous_density();
+    for (std::size_t k = 0; k < scene.medium.size(); ++k) {
+      const GaussianTerm<double> g(scene.medium.gaussian(k));
+      const glm::dvec3 off = x - g.b;
+      density += g.c * std::exp(-g.a * g.a * glm::dot(off, off));
+    }
+    sum += share * share * density / (r * r) *
+           std::exp(-depth(scene.camera.eye, x) - depth(light.position, x));
+  }
+  return light.intensity.x * sum * step / (4.0 * std::numbers::pi);
+}
+
+TEST(SpotLight, ReferenceIsTheIntegral) {
+  for (const SpotCone& cone : {smooth, sharp, wide}) {
+    Scene scene = lit_by_spot(cone);
+    scene.medium.set_homogeneous_density(0.05);
+    const Frame frame = render_frame(scene, reference_settings());
+    const CameraRays rays(scene.camera, scene.film);
+    for (const glm::ivec2 pixel : {glm::ivec2(16, 12), {13, 9}, {18, 6}, {20, 14}}) {
+      const glm::dvec3 w = glm::normalize(rays.direction(pixel.x + 0.5, pixel.y + 0.5));
+      const double expected = integral(scene, w, 0.0, 8.0) + integral(scene, w, 8.0, 100.0);
+      const auto at = static_cast<std::size_t>(3 * (pixel.y * 32 + pixel.x));
+      EXPECT_NEAR(static_cast<double>(frame.airlight[at]), expected, 1e-3 * expected + 1e-7)
+          << cone.outer_angle << " at " << pixel.x << ", " << pixel.y;
+    }
+  }
+}
+
+TEST(SpotLight, SlicedMatchesTheReference) {
+  for (const SpotCone& cone : {smooth, sharp, wide}) {
+    for (const double depth : {0.3, 3.0}) {
+      for (const double b0 : {0.0, 0.05}) {
+        Scene scene = lit_by_spot(cone, depth);
+        scene.medium.set_homogeneous_density(b0);
+        const Frame truth = render_frame(scene, reference_settings());
+        const Frame frame = render_frame(scene, sliced(24));
+        EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.01)
+            << cone.outer_angle << " depth " << depth << " b0 " << b0;
+      }
+    }
+  }
+}
+
+TEST(SpotLight, MarchMatchesTheReference) {
+  const Scene scene = lit_by_spot(smooth);
+  Settings march;
+  march.airlight = AirlightMethod::march;
+  march.march_steps = 400;
+  EXPECT_LT(difference(render_frame(scene, march).airlight,
+                       render_frame(scene, reference_settings()).airlight)
+                .relative_rmse,
+            0.005);
+}
+
+// Wide open it is a point light but for 2.6 degrees behind it, where the cosine is within glTF's
+// least difference of -1.
+TEST(SpotLight, OfAllDirectionsIsAPointLight) {
+  const Scene spot = lit_by_spot({smooth.direction, 179.999, 180.0});
+  Scene point = spot;
+  point.lights[0].spot.reset();
+  for (const Settings& settings :
+       {reference_settings(), sliced(24), sliced(24, Scattering::multiple)}) {
+    EXPECT_LT(
+        difference(render_frame(spot, settings).airlight, render_frame(point, settings).airlight)
+            .relative_rmse,
+        1e-4);
+  }
+}
+
+TEST(SpotLight, AllOrdersMatchPaths) {
+  for (const SpotCone& cone : {smooth, wide}) {
+    Scene scene = lit_by_spot(cone, 3.0);
+    scene.film = {16, 12};
+    scene.surfaces = {wall(-1.2, 1.5)};
+    Settings paths;
+    paths.airlight = AirlightMethod::path;
+    paths.paths = 1024;
+    const Frame truth = render_frame(scene, paths);
+    const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+    const Difference airlight = difference(frame.airlight, truth.airlight);
+    const double noise = relative_noise(truth)->airlight;
+    EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise)) << cone.outer_angle;
+    EXPECT_LT(std::abs(airlight.bias), 0.02) << cone.outer_angle;
+    EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03) << cone.outer_angle;
+  }
+}
+
+// A narrow beam far away keeps its power on a coarse grid.
+TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
+  Scene scene = cloud_scene(5, 2.0);
+  scene.film = {12, 9};
+  scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), SpotCone{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
+  Settings paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = 4096;
+  const auto mean = [](const Frame& frame) {
+    double sum = 0.0;
+    for (const float value : frame.airlight) sum += static_cast<double>(value);
+    return sum / static_cast<double>(frame.airlight.size());
+  };
+  const double expected = mean(render_frame(scene, paths));
+  EXPECT_NEAR(mean(render_frame(scene, sliced(24, Scattering::multiple))), expected,
+              0.05 * expected);
+}
+
+TEST(SpotLight, IsLeftOutByThePaperWithAWord) {
+  Scene scene = lit_by_spot(smooth);
+  scene.lights.push_back({{0.0, 2.0, 0.0}, glm::dvec3(3.0), {}});
+  const Frame both = render_frame(scene, paper_settings);
+  scene.lights.erase(scene.lights.begin());
+  const Frame point = render_frame(scene, paper_settings);
+  EXPECT_EQ(both.airlight, point.airlight);
+  const auto says = [](const Frame& frame) {
+    return std::ranges::any_of(frame.statistics.skipped, [](const SkippedStage& skipped) {
+      return skipped.why.find("no spot lights; left out: 1") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says(both));
+  EXPECT_FALSE(says(point));
+}
+
+// Grazing, pointing away, closed, in the eye, inside a Gaussian, along a ray.
+TEST(SpotLight, HardCasesAreFinite) {
+  Scene scene = lit_by_spot(smooth, 5.0);
+  scene.film = {8, 6};
+  scene.surfaces = {wall(-1.0, 2.0)};
+  Settings small_grid = sliced(8, Scattering::multiple);
+  small_grid.source_grid.nodes = 1000;
+  for (const glm::dvec3& position :
+       {glm::dvec3(0.0), scene.camera.eye, glm::dvec3(0.0, 0.0, 2.0), glm::dvec3(0.0, 1e6, 0.0)}) {
+    for (const glm::dvec3& direction :
+         {glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1e12, 1e-12, 0.0)}) {
+      for (const double outer : {1e-6, 0.5, 90.0, 180.0}) {
+        scene.lights = {{position, glm::dvec3(3.0), SpotCone{direction, 0.0, outer}}};
+        expect_finite(render_frame(scene, sliced(8)));
+        expect_finite(render_frame(scene, small_grid));
+        expect_finite(render_frame(scene, {.airlight = AirlightMethod::reference}));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume
