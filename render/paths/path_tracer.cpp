@@ -111,8 +111,9 @@ glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom&
   glm::dvec3 sum(0.0);
   const auto importance = [&](const PathLight& light) {
     const glm::dvec3 q = light.position - vertex.position;
-    return max_component(light.intensity) /
-           std::max({glm::dot(q, q), light.h_min * light.h_min, 1e-30});
+    const double r = std::max(glm::length(q), 1e-30);
+    return max_component(light.intensity_along(-q / r)) /
+           std::max({r * r, light.h_min * light.h_min, 1e-30});
   };
   choose_lights(importance, random, [&](const PathLight& light, double probability) {
     const glm::dvec3 q = light.position - vertex.position;

@@ -107,6 +107,38 @@ SampleScene evening_mist() {
   return scene;
 }
 
+// Four beams that cross above the bunny and sway, in haze.
+SampleScene stage() {
+  SampleScene scene;
+  scene.camera = {{0.0, 2.3, 11.0}, {0.0, 2.15, 0.0}, {0.0, 1.0, 0.0}, 40.0};
+  scene.surfaces = {{bunny, {0.0, 0.0, 0.2}, 0.2, {0.8, 0.78, 0.75}},
+                    ground(9.0, {0.22, 0.2, 0.2})};
+  struct Beam {
+    double x;
+    glm::dvec3 color;
+    double sways;  // to the side, at the height of the floor [u]
+  };
+  for (const auto& [x, color, sways] :
+       {Beam{-4.2, {0.25, 0.45, 1.0}, 1.6}, Beam{-1.4, {1.0, 0.3, 0.55}, -1.1},
+        Beam{1.4, {1.0, 0.75, 0.35}, 1.1}, Beam{4.2, {0.3, 0.9, 0.75}, -1.6}}) {
+    SampleLight beam{{x, 5.4, -1.2}, 420.0 * color, 5.0, 8.0, {}};
+    const glm::dvec3 aim = glm::dvec3(-0.25 * x, 0.3, 0.4) - beam.position;
+    for (const double time : {0.0, 2.0, 4.0, 6.0, 8.0}) {
+      const double side = time == 2.0 ? sways : time == 6.0 ? -sways : 0.0;
+      beam.directions.push_back({time, aim + glm::dvec3(side, 0.0, 0.3 * side)});
+    }
+    scene.lights.push_back(beam);
+  }
+  HashRandom random(11);
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec3 center(random.uniform(-5.5, 5.5), random.uniform(0.0, 5.5),
+                            random.uniform(-2.8, 1.6));
+    const double radius = random.uniform(0.8, 1.6);
+    scene.gaussians.push_back({center, radius, random.uniform(0.008, 0.03)});
+  }
+  return scene;
+}
+
 }  // namespace
 
 void write_object_scenes(const std::filesystem::path& folder) {
@@ -115,6 +147,7 @@ void write_object_scenes(const std::filesystem::path& folder) {
   write_sample_scene(folder / "light_inside.brume", light_inside());
   write_sample_scene(folder / "camera_inside.brume", camera_inside());
   write_sample_scene(folder / "evening_mist.brume", evening_mist());
+  write_sample_scene(folder / "stage.brume", stage());
 }
 
 }  // namespace brume

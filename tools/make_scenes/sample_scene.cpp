@@ -43,9 +43,29 @@ std::string gaussian_text(const Gaussian& g) {
                 R"(, "density": )", number(g.density), " }");
 }
 
+std::string key_text(const SampleKey& key) {
+  return concat(R"({ "time": )", number(key.time), R"(, "value": )", triple(key.direction), " }");
+}
+
+std::string cone_text(const SampleLight& light) {
+  if (!(light.outer_angle > 0.0)) return "";
+  std::string text =
+      concat(R"(,
+      "direction": )",
+             triple(light.directions.at(0).direction), R"(, "inner_angle": )",
+             number(light.inner_angle), R"(, "outer_angle": )", number(light.outer_angle));
+  if (light.directions.size() < 2) return text;
+  text += R"(, "keys": { "direction": [)";
+  for (const SampleKey& key : light.directions) {
+    text += concat(&key == &light.directions[0] ? "\n      " : ",\n      ", key_text(key));
+  }
+  return text + " ] }";
+}
+
 std::string light_text(const SampleLight& light) {
-  return concat(R"({ "type": "point", "position": )", triple(light.position), R"(, "intensity": )",
-                triple(light.intensity), " }");
+  return concat(R"({ "type": ")", light.outer_angle > 0.0 ? "spot" : "point", R"(", "position": )",
+                triple(light.position), R"(, "intensity": )", triple(light.intensity),
+                cone_text(light), " }");
 }
 
 std::string highlight_text(const SampleSurface& s) {

@@ -10,9 +10,19 @@
 
 namespace brume {
 
+// A spot's direction at a time [s].
+struct SampleKey {
+  double time;
+  glm::dvec3 direction;
+};
+
 struct SampleLight {
   glm::dvec3 position;
   glm::dvec3 intensity;
+  // A spot if its outer angle is above 0 [degrees]. It has keyframes, or shines along the first.
+  double inner_angle = 0.0;
+  double outer_angle = 0.0;
+  std::vector<SampleKey> directions = {};
 };
 
 struct SampleSurface {

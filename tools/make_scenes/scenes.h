@@ -7,7 +7,7 @@ namespace brume {
 // Each writes scene files, and the generated files they refer to, into a folder. Bunny and teapot
 // are expected in ../meshes, environments in ../environments, seen from there.
 
-// bunny_fog, teapot_steam, light_inside, camera_inside, evening_mist.
+// bunny_fog, teapot_steam, light_inside, camera_inside, evening_mist, stage.
 void write_object_scenes(const std::filesystem::path& folder);
 
 // box_3008 and dense_cloud.
