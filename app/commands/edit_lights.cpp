@@ -1,6 +1,7 @@
 #include "app/commands/edit_lights.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
@@ -41,7 +42,9 @@ void add_spot(Document& document, const glm::dvec3& position, const glm::dvec3& 
   PointLight light;
   light.position = position;
   light.spot = SpotCone{.inner_angle = 15.0, .outer_angle = 20.0};
-  if (target != position) light.spot->direction = target - position;
+  if (target != position) {
+    light.spot->direction = glm::clamp(target - position, -limits::coordinate, limits::coordinate);
+  }
   add(document, std::move(light));
 }
 

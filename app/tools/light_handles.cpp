@@ -112,8 +112,9 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
   if (handle.part == Part::target || handle.part == Part::rim) {
     const DrawnCone cone(before, rays);
     if (handle.part == Part::target) {
-      const glm::dvec3 direction =
-          cone.target + dragged_across(cone.target, rays, start, position) - before.position;
+      const glm::dvec3 direction = glm::clamp(
+          cone.target + dragged_across(cone.target, rays, start, position) - before.position,
+          -limits::coordinate, limits::coordinate);
       if (!(glm::length(direction) > 0.0)) return;
       change_light(document_, handle.light, undo_text("Turn %1"), merge_id,
                    [&](PointLight& l) { l.spot->direction = direction; });

@@ -233,23 +233,31 @@ class SceneLoader {
     light.on = object.boolean("on", light.on);
     unknown_keys_.add(light.id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
+    if (light.spot) check_cone(object, light);
     unknown_keys_.add(light.id, "", object.unknown_keys());
     scene_.lights.push_back(std::move(light));
+  }
+
+  // Values with keyframes count for nothing: they are those of the moment at which a scene was
+  // saved.
+  static void check_cone(const JsonObject& object, const PointLight& light) {
+    const SpotCone& cone = *light.spot;
+    if (light.keys.direction.empty() && cone.direction == glm::dvec3(0.0)) {
+      object.fail("direction", "found a vector of length 0; allowed: any other");
+    }
+    const bool is_keyed = !light.keys.inner_angle.empty() || !light.keys.outer_angle.empty();
+    if (!is_keyed && !(cone.inner_angle < cone.outer_angle)) {
+      object.fail("inner_angle", "found " + quoted_text(cone.inner_angle) +
+                                     "; allowed: less than outer_angle, which is " +
+                                     quoted_text(cone.outer_angle));
+    }
   }
 
   static SpotCone load_cone(JsonObject& object) {
     SpotCone cone;
     cone.direction = object.vector("direction", domain::coordinate, {});
-    if (cone.direction == glm::dvec3(0.0)) {
-      object.fail("direction", "found a vector of length 0; allowed: any other");
-    }
     cone.inner_angle = object.number("inner_angle", domain::cone_angle, cone.inner_angle);
     cone.outer_angle = object.number("outer_angle", domain::cone_angle, cone.outer_angle);
-    if (!(cone.inner_angle < cone.outer_angle)) {
-      object.fail("inner_angle", "found " + quoted_text(cone.inner_angle) +
-                                     "; allowed: less than outer_angle, which is " +
-                                     quoted_text(cone.outer_angle));
-    }
     return cone;
   }
 

@@ -151,6 +151,21 @@ TEST(SceneFile, KeepsSpotLights) {
   EXPECT_TRUE(contains(text, R"("type": "point")"));
 }
 
+// Saved where keyframes have closed the cone: what they are at a moment refuses no file.
+TEST(SceneFile, KeyedConesLoadAtAnyMoment) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, SpotCone{{0, 0, 0}, 30, 20}}};
+  LightKeys& keys = scene.lights[0].keys;
+  keys.outer_angle = {{0.0, 20.0}, {2.0, 40.0}};
+  keys.direction = {{0.0, {0, 1, 0}}, {1.0, {0, -1, 0}}};
+  save_document(scene, folder / "a.brume");
+  EXPECT_EQ(load_scene(folder / "a.brume").lights[0].spot, scene.lights[0].spot);
+  keys.direction = {};
+  save_document(scene, folder / "a.brume");
+  EXPECT_THROW(load_scene(folder / "a.brume"), InputError);
+}
+
 TEST(SceneFile, ConesOpenAsTheContractSays) {
   const TemporaryFolder folder;
   folder.write("a.brume", R"({"format": "brume-scene", "version": 1,
