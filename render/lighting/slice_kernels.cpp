@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 // Highway includes this file once per instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/lighting/slice_kernels.cpp"
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
+#include "render/lighting/slice_falloff-inl.h"
 #include "render/simd/gaussian-inl.h"
 #include "render/simd/noise-inl.h"
 
@@ -204,27 +204,6 @@ HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
   });
 }
 
-// The mean of 1 / r^2 over t in [ts + a, ts + b], b > a, for a light at distance h from the ray:
-// the angle that the slice spans at the light, divided by h (b - a).
-HWY_INLINE V MeanInverseSquare(V a, V b, V h2) {
-  const D d;
-  const V width = hn::Sub(b, a);
-  const V dots = hn::MulAdd(a, b, h2);
-  const V h = hn::Sqrt(h2);
-  const V crosses = hn::Mul(h, width);
-  const V ratio = hn::Div(crosses, dots);
-  const auto small =
-      hn::And(hn::Gt(dots, hn::Zero(d)), hn::Lt(ratio, set(coefficient::atan_small_end)));
-  const V near_one = Horner(d, hn::Mul(ratio, ratio), coefficient::atan_small);
-  const V direct = hn::Div(near_one, hn::Max(dots, set(coefficient::tiny)));
-  if (hn::AllTrue(d, small)) return direct;
-  const V acute = hn::Atan(d, hn::Div(crosses, hn::Max(hn::Abs(dots), set(coefficient::tiny))));
-  const V angle = hn::IfThenElse(hn::Ge(dots, hn::Zero(d)), acute,
-                                 hn::Sub(set(std::numbers::pi_v<float>), acute));
-  const V wide = hn::Div(angle, hn::Max(crosses, set(coefficient::tiny)));
-  return hn::IfThenElse(small, direct, wide);
-}
-
 // SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
 // (G' + b0) exp(-(1 -+ e) G - b0 t) dt, + for light from the eye, e its extinction. The exponent
 // grows evenly within a slice.
@@ -271,111 +250,6 @@ HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
   for (std::size_t i = 3; i-- > 0;) sum = hn::MulAdd(sum, cosine, set(power[i]));
   return sum;
 }
-
-// A spot light as rays see it.
-struct SpotRays {
-  // Cosine from the axis at s from the nearest point: (s along - across) / distance.
-  V along, across;
-  V dark_cosine, per_cosine;
-  V edges[4];  // parameters s, ascending, between which the falloff is smooth
-
-  SpotRays() = default;
-  // `offset`: from the nearest point to the light; h2: its square, clamped.
-  HWY_INLINE SpotRays(const SpotFalloff& spot, const Vector& w, const Vector& offset, V h2) {
-    const D d;
-    const glm::vec3 unit(spot.axis());
-    const Vector axis{set(unit.x), set(unit.y), set(unit.z)};
-    along = dot(w, axis);
-    across = dot(offset, axis);
-    dark_cosine = set(static_cast<float>(spot.dark_cosine()));
-    per_cosine = set(static_cast<float>(spot.per_cosine()));
-    // As SpotFalloff::edges() has them; those that are missing are far away.
-    const V far = set(1e30f);
-    std::size_t count = 0;
-    for (const V cosine : {dark_cosine, hn::Add(dark_cosine, hn::Div(set(1.0f), per_cosine))}) {
-      const V cosine2 = hn::Mul(cosine, cosine);
-      const V a = hn::MulSub(along, along, cosine2);
-      const V b = hn::Neg(hn::Mul(along, across));
-      const V c = hn::MulSub(across, across, hn::Mul(cosine2, h2));
-      const V square = hn::NegMulAdd(a, c, hn::Mul(b, b));
-      const auto meets = hn::Ge(square, hn::Zero(d));
-      const V root = hn::Sqrt(hn::Max(square, hn::Zero(d)));
-      const V sum = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
-      const auto ratio = [&](V x, V y) HWY_ATTR {
-        const auto is_finite = hn::And(meets, hn::Ne(y, hn::Zero(d)));
-        const V value = hn::IfThenElse(is_finite, hn::Div(x, y), far);
-        return hn::Max(hn::Min(value, far), hn::Neg(far));
-      };
-      edges[count++] = ratio(sum, a);
-      edges[count++] = ratio(c, sum);
-    }
-    const auto sort = [&](int i, int j) HWY_ATTR {
-      const V low = hn::Min(edges[i], edges[j]);
-      edges[j] = hn::Max(edges[i], edges[j]);
-      edges[i] = low;
-    };
-    sort(0, 1);
-    sort(2, 3);
-    sort(0, 2);
-    sort(1, 3);
-    sort(1, 2);
-  }
-};
-
-// The mean of the falloff over r^2 over s in [a, b], and the middle of what is lit of it.
-struct SpotMean {
-  V value, center;
-
-  HWY_INLINE SpotMean(const SpotRays& spot, V a, V b, V h2) {
-    const D d;
-    const V zero = hn::Zero(d);
-    V sum = zero;
-    V moment = zero;
-    const auto add = [&](V begin, V end) HWY_ATTR {
-      const V width = hn::Sub(end, begin);
-      const auto is_long = hn::Gt(width, zero);
-      if (hn::AllFalse(d, is_long)) return;
-      constexpr float weights[] = {gauss_3_end, gauss_3_middle, gauss_3_end};
-      const V middle = hn::Mul(set(0.5f), hn::Add(begin, end));
-      const V half = hn::Mul(set(0.5f), width);
-      V falloff = zero;
-      V whole = zero;
-      for (int i = 0; i < 3; ++i) {
-        const V s = hn::MulAdd(set(gauss_3_place * static_cast<float>(i - 1)), half, middle);
-        const V r2 = hn::MulAdd(s, s, h2);
-        const V weight = hn::Div(set(weights[i]), r2);
-        const V cosine = hn::Div(hn::MulSub(s, spot.along, spot.across), hn::Sqrt(r2));
-        V share = hn::Mul(hn::Sub(cosine, spot.dark_cosine), spot.per_cosine);
-        share = hn::Min(hn::Max(share, zero), set(1.0f));
-        falloff = hn::MulAdd(weight, hn::Mul(share, share), falloff);
-        whole = hn::Add(whole, weight);
-      }
-      const V arriving =
-          hn::Mul(hn::Mul(MeanInverseSquare(begin, end, h2), width), hn::Div(falloff, whole));
-      const V counted = hn::IfThenElseZero(is_long, arriving);
-      sum = hn::Add(sum, counted);
-      moment = hn::MulAdd(counted, middle, moment);
-    };
-    auto has_edge = hn::Lt(b, a);
-    for (const V edge : spot.edges) {
-      has_edge = hn::Or(has_edge, hn::And(hn::Gt(edge, a), hn::Lt(edge, b)));
-    }
-    if (hn::AllFalse(d, has_edge)) {
-      add(a, b);
-    } else {
-      V begin = a;
-      for (const V edge : spot.edges) {
-        const V end = hn::Min(hn::Max(edge, begin), b);
-        add(begin, end);
-        begin = end;
-      }
-      add(begin, b);
-    }
-    const auto is_lit = hn::Gt(sum, zero);
-    value = hn::IfThenElseZero(is_lit, hn::Div(sum, hn::Sub(b, a)));
-    center = hn::IfThenElse(is_lit, hn::Div(moment, sum), hn::Mul(set(0.5f), hn::Add(a, b)));
-  }
-};
 
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                const SliceScattering& scattering, float negligible,

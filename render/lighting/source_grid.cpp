@@ -145,8 +145,8 @@ std::vector<float> fog_shares(const SourceGrid::Level& level, const FogBall& bal
 }
 
 // Times what fog transmits from each node on along w, relative to its radius.
-void add_fog(const SourceGrid::Level& level, const SourceGrid::Content& content,
-             const glm::dvec3& w, std::span<float> transmittance) {
+void attenuate_by_fog(const SourceGrid::Level& level, const SourceGrid::Content& content,
+                      const glm::dvec3& w, std::span<float> transmittance) {
   constexpr double opaque = 80.0;  // the inverse is a float
   const FogBall& ball = content.fog_ball;
   if (ball.is_endless()) return;
@@ -185,7 +185,7 @@ Transmitted transmitted_light(const SourceGrid::Level& level, const SourceGrid::
       }
       const std::span<float> passes = std::span(transmittances).subspan(k * stride, nodes);
       sweep_transmittance(level.nodes, level.density, w, occlusion_of(level), inflow, passes);
-      add_fog(level, content, current[k].light.direction, passes);
+      attenuate_by_fog(level, content, current[k].light.direction, passes);
     });
     for (std::size_t k = 0; surfaces && k < current.size(); ++k) {
       add_reflected(*surfaces, current[k].light,
@@ -398,7 +398,7 @@ std::uint32_t SourceGrid::occlusion_bits(const glm::dvec3& eye) const {
 std::size_t SourceGrid::bytes() const {
   std::size_t floats = 0;
   for (const Level& level : levels_) {
-    floats += level.density.size() + level.values.size() + level.distant.size() +
+    floats += level.density.size() + level.fog.size() + level.values.size() + level.distant.size() +
               level.incident.size() + level.transmitted.values.size() + level.reflected.size();
   }
   return sizeof(float) * floats;

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
 #include "render/simd/gaussian-inl.h"
+#include "render/simd/spot-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -126,12 +127,8 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position, const 
     store(hn::Neg(dot(from_light, load(points.normal, i))), light.cosine, i);
     V arriving = hn::Mul(inverse, inverse);
     if (!spot.is_isotropic()) {
-      const glm::vec3 axis(spot.axis());
-      const V cosine = dot(from_light, Vector{set(axis.x), set(axis.y), set(axis.z)});
-      V share = hn::Mul(hn::Sub(cosine, set(static_cast<float>(spot.dark_cosine()))),
-                        set(static_cast<float>(spot.per_cosine())));
-      share = hn::Min(hn::Max(share, hn::Zero(d)), set(1.0f));
-      arriving = hn::Mul(arriving, hn::Mul(share, share));
+      const SpotFloats falloff(spot);
+      arriving = hn::Mul(arriving, falloff.At(dot(from_light, falloff.axis)));
     }
     store(arriving, light.inverse_square, i);
   }

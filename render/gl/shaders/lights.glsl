@@ -51,7 +51,7 @@ float spot_falloff(int l, float cosine) {
   return share * share;
 }
 
-// SpotMean of render/lighting/slice_kernels.cpp: the mean of the falloff over r^2 over [a, b] from
+// SpotMean of render/lighting/slice_falloff-inl.h: the mean of the falloff over r^2 over [a, b] from
 // the point nearest to the light, and the middle of what is lit. `offset`: from there to the light.
 vec2 spot_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {
   const float along = dot(w, lights[l].spot_axis);

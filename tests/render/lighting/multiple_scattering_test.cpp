@@ -156,6 +156,15 @@ double mean_airlight(const Frame& frame) {
   return sum / static_cast<double>(frame.airlight.size());
 }
 
+// The mean airlight within a share of that of so many paths per pixel.
+void expect_mean_of_paths(const Scene& scene, int paths_per_pixel, double share) {
+  Settings paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = paths_per_pixel;
+  const double expected = mean_airlight(render_frame(scene, paths));
+  EXPECT_NEAR(mean_airlight(render_frame(scene, multiple_settings())), expected, share * expected);
+}
+
 // A cloud in a hollow ball under a sky.
 TEST(MultipleScattering, ClosedWallsKeepTheSkyOut) {
   Scene scene = cloud_scene(5, 1.0);
@@ -203,11 +212,7 @@ TEST(MultipleScattering, ThinFogGoesOnBeyondTheScene) {
   scene.camera.eye = {0, 0, 6};
   scene.film = {12, 9};
   scene.lights = {{{2.0, 2.0, 0.0}, glm::dvec3(10.0), {}}};
-  Settings paths;
-  paths.airlight = AirlightMethod::path;
-  paths.paths = 2048;
-  const double expected = mean_airlight(render_frame(scene, paths));
-  EXPECT_NEAR(mean_airlight(render_frame(scene, multiple_settings())), expected, 0.02 * expected);
+  expect_mean_of_paths(scene, 2048, 0.02);
 }
 
 // Fog under a sky is a ball, brighter towards its border.
@@ -217,11 +222,7 @@ TEST(MultipleScattering, FogUnderASkyMatchesPaths) {
   scene.film = {12, 9};
   scene.lights.clear();
   scene.environment.emplace().map = gradient_sky();
-  Settings paths;
-  paths.airlight = AirlightMethod::path;
-  paths.paths = 1024;
-  const double expected = mean_airlight(render_frame(scene, paths));
-  EXPECT_NEAR(mean_airlight(render_frame(scene, multiple_settings())), expected, 0.04 * expected);
+  expect_mean_of_paths(scene, 1024, 0.04);
 }
 
 TEST(MultipleScattering, ClosedWallsKeepTheSkyOutOfFog) {

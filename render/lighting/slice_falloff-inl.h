@@ -1,0 +1,151 @@
+// Falloff of lights over the slices of rays, in SIMD. Included once per instruction set by the
+// files that Highway compiles for each.
+
+#if defined(BRUME_SLICE_FALLOFF_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BRUME_SLICE_FALLOFF_INL_H
+#undef BRUME_SLICE_FALLOFF_INL_H
+#else
+#define BRUME_SLICE_FALLOFF_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <numbers>
+
+#include "render/lighting/slice_kernels.h"
+#include "render/simd/spot-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace brume::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The mean of 1 / r^2 over t in [ts + a, ts + b], b > a, for a light at distance h from the ray:
+// the angle that the slice spans at the light, divided by h (b - a).
+HWY_INLINE FloatVec MeanInverseSquare(FloatVec a, FloatVec b, FloatVec h2) {
+  const FloatTag d;
+  const FloatVec width = hn::Sub(b, a);
+  const FloatVec dots = hn::MulAdd(a, b, h2);
+  const FloatVec h = hn::Sqrt(h2);
+  const FloatVec crosses = hn::Mul(h, width);
+  const FloatVec ratio = hn::Div(crosses, dots);
+  const auto small =
+      hn::And(hn::Gt(dots, hn::Zero(d)), hn::Lt(ratio, Floats(coefficient::atan_small_end)));
+  const FloatVec near_one = Horner(d, hn::Mul(ratio, ratio), coefficient::atan_small);
+  const FloatVec direct = hn::Div(near_one, hn::Max(dots, Floats(coefficient::tiny)));
+  if (hn::AllTrue(d, small)) return direct;
+  const FloatVec acute =
+      hn::Atan(d, hn::Div(crosses, hn::Max(hn::Abs(dots), Floats(coefficient::tiny))));
+  const FloatVec angle = hn::IfThenElse(hn::Ge(dots, hn::Zero(d)), acute,
+                                        hn::Sub(Floats(std::numbers::pi_v<float>), acute));
+  const FloatVec wide = hn::Div(angle, hn::Max(crosses, Floats(coefficient::tiny)));
+  return hn::IfThenElse(small, direct, wide);
+}
+
+// A spot light as rays see it.
+struct SpotRays {
+  // Cosine from the axis at s from the nearest point: (s along - across) / distance.
+  FloatVec along, across;
+  SpotFloats falloff;
+  FloatVec edges[4];  // parameters s, ascending, between which the falloff is smooth
+
+  SpotRays() = default;
+  // `offset`: from the nearest point to the light; h2: its square, clamped.
+  HWY_INLINE SpotRays(const SpotFalloff& spot, const V3<FloatVec>& w, const V3<FloatVec>& offset,
+                      FloatVec h2)
+      : falloff(spot) {
+    const FloatTag d;
+    along = dot(w, falloff.axis);
+    across = dot(offset, falloff.axis);
+    // As SpotFalloff::edges() has them; those that are missing are far away.
+    const FloatVec far = Floats(1e30f);
+    std::size_t count = 0;
+    const FloatVec slope = hn::Div(Floats(1.0f), falloff.per_cosine);
+    for (const FloatVec cosine : {falloff.dark_cosine, hn::Add(falloff.dark_cosine, slope)}) {
+      const FloatVec cosine2 = hn::Mul(cosine, cosine);
+      const FloatVec a = hn::MulSub(along, along, cosine2);
+      const FloatVec b = hn::Neg(hn::Mul(along, across));
+      const FloatVec c = hn::MulSub(across, across, hn::Mul(cosine2, h2));
+      const FloatVec square = hn::NegMulAdd(a, c, hn::Mul(b, b));
+      const auto meets = hn::Ge(square, hn::Zero(d));
+      const FloatVec root = hn::Sqrt(hn::Max(square, hn::Zero(d)));
+      const FloatVec sum = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
+      const auto ratio = [&](FloatVec x, FloatVec y) HWY_ATTR {
+        const auto is_finite = hn::And(meets, hn::Ne(y, hn::Zero(d)));
+        const FloatVec value = hn::IfThenElse(is_finite, hn::Div(x, y), far);
+        return hn::Max(hn::Min(value, far), hn::Neg(far));
+      };
+      edges[count++] = ratio(sum, a);
+      edges[count++] = ratio(c, sum);
+    }
+    const auto sort = [&](int i, int j) HWY_ATTR {
+      const FloatVec low = hn::Min(edges[i], edges[j]);
+      edges[j] = hn::Max(edges[i], edges[j]);
+      edges[i] = low;
+    };
+    sort(0, 1);
+    sort(2, 3);
+    sort(0, 2);
+    sort(1, 3);
+    sort(1, 2);
+  }
+};
+
+// The mean of the falloff over r^2 over s in [a, b], and the middle of what is lit of it.
+struct SpotMean {
+  FloatVec value, center;
+
+  HWY_INLINE SpotMean(const SpotRays& spot, FloatVec a, FloatVec b, FloatVec h2) {
+    const FloatTag d;
+    const FloatVec zero = hn::Zero(d);
+    FloatVec sum = zero;
+    FloatVec moment = zero;
+    const auto add = [&](FloatVec begin, FloatVec end) HWY_ATTR {
+      const FloatVec width = hn::Sub(end, begin);
+      const auto is_long = hn::Gt(width, zero);
+      if (hn::AllFalse(d, is_long)) return;
+      constexpr float weights[] = {gauss_3_end, gauss_3_middle, gauss_3_end};
+      const FloatVec middle = hn::Mul(Floats(0.5f), hn::Add(begin, end));
+      const FloatVec half = hn::Mul(Floats(0.5f), width);
+      FloatVec falloff = zero;
+      FloatVec whole = zero;
+      for (int i = 0; i < 3; ++i) {
+        const FloatVec s =
+            hn::MulAdd(Floats(gauss_3_place * static_cast<float>(i - 1)), half, middle);
+        const FloatVec r2 = hn::MulAdd(s, s, h2);
+        const FloatVec weight = hn::Div(Floats(weights[i]), r2);
+        const FloatVec cosine = hn::Div(hn::MulSub(s, spot.along, spot.across), hn::Sqrt(r2));
+        falloff = hn::MulAdd(weight, spot.falloff.At(cosine), falloff);
+        whole = hn::Add(whole, weight);
+      }
+      const FloatVec arriving =
+          hn::Mul(hn::Mul(MeanInverseSquare(begin, end, h2), width), hn::Div(falloff, whole));
+      const FloatVec counted = hn::IfThenElseZero(is_long, arriving);
+      sum = hn::Add(sum, counted);
+      moment = hn::MulAdd(counted, middle, moment);
+    };
+    auto has_edge = hn::Lt(b, a);
+    for (const FloatVec edge : spot.edges) {
+      has_edge = hn::Or(has_edge, hn::And(hn::Gt(edge, a), hn::Lt(edge, b)));
+    }
+    if (hn::AllFalse(d, has_edge)) {
+      add(a, b);
+    } else {
+      FloatVec begin = a;
+      for (const FloatVec edge : spot.edges) {
+        const FloatVec end = hn::Min(hn::Max(edge, begin), b);
+        add(begin, end);
+        begin = end;
+      }
+      add(begin, b);
+    }
+    const auto is_lit = hn::Gt(sum, zero);
+    value = hn::IfThenElseZero(is_lit, hn::Div(sum, hn::Sub(b, a)));
+    center = hn::IfThenElse(is_lit, hn::Div(moment, sum), hn::Mul(Floats(0.5f), hn::Add(a, b)));
+  }
+};
+
+}  // namespace brume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
