@@ -36,6 +36,8 @@ inline constexpr NumberDomain albedo{1e-6, 1.0, "a number in (0, 1] (from 1e-6)"
 inline constexpr NumberDomain anisotropy{-0.95, 0.95, "a number in [-0.95, 0.95]"};
 inline constexpr NumberDomain field_of_view{0.0, 180.0, "a number in (0, 180) degrees", true};
 inline constexpr NumberDomain cone_angle{0.0, 180.0, "a number in [0, 180] degrees"};
+inline constexpr NumberDomain angular_diameter{0.0, 89.99999999999999,
+                                               "a number in [0, 90) degrees"};
 inline constexpr NumberDomain not_negative{0.0, 1e12, "a number >= 0 (up to 1e12)"};
 inline constexpr NumberDomain seconds{-1e9, 1e9, "a number of seconds from -1e9 to 1e9"};
 inline constexpr NumberDomain rate{1e-3, 1e6, "a number from 1e-3 to 1e6"};

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/scene/far_lights.h"
 #include "core/scene/mesh.h"
 
 namespace brume {
@@ -12,10 +13,11 @@ namespace {
 
 // What there is to render in a scene.
 struct Content {
-  std::vector<PointLight> lights;  // that are on and not black
+  std::vector<Light> lights;  // that are on and not black
   std::size_t lights_off = 0;
   std::size_t black_lights = 0;
-  std::size_t spots_of_paper = 0;
+  std::size_t lights_beyond_paper = 0;
+  bool far_light = false;
   bool surfaces, environment, gaussians, homogeneous, noise;
 
   Content(const Scene& scene, AirlightMethod method)
@@ -24,15 +26,18 @@ struct Content {
         gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
         homogeneous(scene.medium.homogeneous_density() > 0.0),
         noise(gaussians && scene.optics.noise.amplitude > 0.0) {
-    for (const PointLight& light : scene.lights) {
+    // Points on the disc of a directional light.
+    const bool is_truth = method == AirlightMethod::reference || method == AirlightMethod::path;
+    for (const Light& light : as_point_lights(scene, is_truth ? 64 : 8)) {
       if (!light.on) {
         ++lights_off;
       } else if (light.intensity == glm::dvec3(0.0)) {
         ++black_lights;
-      } else if (light.spot && method == AirlightMethod::paper) {
-        ++spots_of_paper;  // its closed form is that of isotropic lights
+      } else if ((light.spot || light.directional) && method == AirlightMethod::paper) {
+        ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
       } else {
         lights.push_back(light);
+        far_light |= light.directional.has_value();
       }
     }
   }
@@ -95,7 +100,8 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   if (!content.light()) return Reason::no_light;
   if (!content.medium()) return Reason::no_medium;
   // Nothing says where fog under an open sky ends: on any grid there would be too much of it.
-  if (!content.gaussians && !content.surfaces && content.environment) return Reason::no_gaussians;
+  const bool is_lit_from_afar = content.environment || content.far_light;
+  if (!content.gaussians && !content.surfaces && is_lit_from_afar) return Reason::no_gaussians;
   // Surfaces light each other, however thin the medium is.
   if (!content.surfaces && max_multiple_share(scene) < negligible * settings.max_error) {
     return Reason::thin_medium;
@@ -203,8 +209,8 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   }
   if (content.lights_off > 0) skip(Stage::lights, Reason::lights_off, content.lights_off);
   if (content.black_lights > 0) skip(Stage::lights, Reason::black_lights, content.black_lights);
-  if (content.spots_of_paper > 0) {
-    skip(Stage::lights, Reason::spots_of_paper, content.spots_of_paper);
+  if (content.lights_beyond_paper > 0) {
+    skip(Stage::lights, Reason::lights_beyond_paper, content.lights_beyond_paper);
   }
   if (!plan.transfers.empty() && !plan.runs(Stage::transfer)) {
     skip(Stage::transfer, Reason::transfer_pending);

@@ -23,7 +23,8 @@ struct RenderPlan {
              const TransferStore* shared = nullptr);
 
   Settings settings;  // as requested, without `auto_`, with light maps limited to memory
-  std::vector<PointLight> lights;          // that are on and not black
+  // Those that are on and not black, as point lights: see core/scene/far_lights.h.
+  std::vector<Light> lights;
   std::vector<TransferRequest> transfers;  // without duplicates
 
   StageSet stages;  // whose times are in the statistics

@@ -168,12 +168,7 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
 }
 
 AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {
-  std::vector<MarchedLight> lights;
-  for (const PointLight& light : work.plan.lights) {
-    lights.push_back({light.position, light.intensity,
-                      min_light_distance(work.rays, work.camera, light.position),
-                      SpotFalloff(light.spot)});
-  }
+  std::vector<PointSource> lights = work.sources();
   return {[this, &work, lights = std::move(lights)](auto gaussians, const TileRays& rays,
                                                     const TileAirlight& out) {
             return marched_airlight(
@@ -184,12 +179,7 @@ AirlightIntegrator Renderer::Impl::march(const FrameContext& work) const {
 }
 
 AirlightIntegrator Renderer::Impl::reference(FrameContext& work) const {
-  std::vector<ReferenceLight> lights;
-  for (const PointLight& light : work.plan.lights) {
-    lights.push_back({light.position, light.intensity,
-                      min_light_distance(work.rays, work.camera, light.position),
-                      SpotFalloff(light.spot)});
-  }
+  std::vector<PointSource> lights = work.sources();
   std::optional<ReferenceEnvironment> environment;
   if (work.plan.has_environment) {
     environment.emplace(*work.scene.environment, work.scene.optics.anisotropy,

@@ -105,8 +105,9 @@ std::string to_string(Reason reason, std::size_t count) {
       return "switched off: " + std::to_string(count);
     case Reason::black_lights:
       return std::to_string(count) + " lights of intensity 0";
-    case Reason::spots_of_paper:
-      return "the paper's method has no spot lights; left out: " + std::to_string(count);
+    case Reason::lights_beyond_paper:
+      return "the paper's method has isotropic point lights only; left out: " +
+             std::to_string(count);
     case Reason::part_of_paths:
       return "paths carry its light";
     case Reason::part_of_all_orders:

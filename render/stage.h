@@ -85,7 +85,7 @@ enum class Reason {
   transfer_pending,
   lights_off,
   black_lights,
-  spots_of_paper,
+  lights_beyond_paper,
   part_of_paths,
   part_of_all_orders,
   // On the CPU.

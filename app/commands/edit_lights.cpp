@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
@@ -15,37 +16,107 @@ QString light_name(std::size_t index) {
   return undo_text("light %1").arg(index + 1);
 }
 
+QString light_title(const Light& light, std::size_t index) {
+  const QString title = light.directional ? undo_text("Sun %1")
+                        : light.spot      ? undo_text("Spot %1")
+                                          : undo_text("Light %1");
+  return title.arg(index + 1);
+}
+
+QString light_unit(const Light& light) {
+  return light.directional ? QStringLiteral("W/u²") : QStringLiteral("W/sr");
+}
+
+LightType type_of(const Light& light) {
+  return light.directional ? LightType::directional
+         : light.spot      ? LightType::spot
+                           : LightType::point;
+}
+
+void set_type(Light& light, LightType type, const LitRegion& region) {
+  const glm::dvec3 place = handle_position(light, region);
+  const glm::dvec3 inward = region.center - place;
+  const double square = std::max(glm::dot(inward, inward), 1e-12);
+  const glm::dvec3 direction =
+      light_direction(light).value_or(glm::length(inward) > 0.0 ? inward : glm::dvec3(0, -1, 0));
+  const bool was_directional = light.directional.has_value();
+  light.spot.reset();
+  light.directional.reset();
+  light.position = place;
+  light.keys = {};  // they are of the other type
+  if (type == LightType::directional) {
+    light.position = {};
+    light.directional = Directional{direction};
+  } else if (type == LightType::spot) {
+    light.spot = SpotCone{direction};
+  }
+  if (was_directional) light.intensity *= square;
+  if (type == LightType::directional) light.intensity /= square;
+  light.intensity = glm::min(light.intensity, limits::intensity);
+}
+
+std::optional<glm::dvec3> light_direction(const Light& light) {
+  if (light.directional) return light.directional->direction;
+  return light.spot ? std::optional(light.spot->direction) : std::nullopt;
+}
+
+void turn(Light& light, const glm::dvec3& direction) {
+  if (light.directional) light.directional->direction = direction;
+  if (light.spot) light.spot->direction = direction;
+}
+
 namespace {
 
 // Between the angles of a cone that the interface makes [degrees].
 constexpr double min_angle_difference = 0.01;
 
-void add(Document& document, PointLight light) {
+void add(Document& document, Light light) {
   Lights lights = document.scene().lights;
   if (lights.size() >= limits::lights) return;
-  // As bright as those that are there, so that it is seen.
-  light.intensity = glm::dvec3(lights.empty() ? 20.0 : light_strength(lights.back()));
-  lights.push_back(light);
+  lights.push_back(std::move(light));
   const std::size_t index = lights.size() - 1;
   set_scene_part(document, std::move(lights), undo_text("Add %1").arg(light_name(index)));
+}
+
+// As bright as those that are there, so that it is seen.
+glm::dvec3 new_intensity(const Scene& scene) {
+  const auto last = std::find_if(scene.lights.rbegin(), scene.lights.rend(),
+                                 [](const Light& light) { return !light.directional; });
+  return glm::dvec3(last == scene.lights.rend() ? 20.0 : light_strength(*last));
 }
 
 }  // namespace
 
 void add_light(Document& document, const glm::dvec3& position) {
-  PointLight light;
+  Light light;
   light.position = position;
+  light.intensity = new_intensity(document.scene());
   add(document, std::move(light));
 }
 
 void add_spot(Document& document, const glm::dvec3& position, const glm::dvec3& target) {
-  PointLight light;
+  Light light;
   light.position = position;
+  light.intensity = new_intensity(document.scene());
   light.spot = SpotCone{.inner_angle = 15.0, .outer_angle = 20.0};
   if (target != position) {
     light.spot->direction = glm::clamp(target - position, -limits::coordinate, limits::coordinate);
   }
   add(document, std::move(light));
+}
+
+void add_directional(Document& document, const glm::dvec3& view) {
+  Light light;
+  light.intensity = glm::dvec3(3.0);
+  const glm::dvec3 ahead = glm::length(view) > 0.0 ? glm::normalize(view) : glm::dvec3(0, 0, -1);
+  const glm::dvec3 right = glm::cross(ahead, glm::dvec3(0, 1, 0));
+  light.directional = Directional{ahead + 0.7 * right - glm::dvec3(0.0, 1.2, 0.0)};
+  add(document, std::move(light));
+}
+
+glm::dvec3 handle_position(const Light& light, const LitRegion& region) {
+  if (!light.directional) return light.position;
+  return region.center - 0.5 * region.diameter * glm::normalize(light.directional->direction);
 }
 
 SpotCone with_inner_angle(SpotCone cone, double angle) {
@@ -68,18 +139,18 @@ void delete_light(Document& document, std::size_t index) {
 }
 
 void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
-                  const std::function<void(PointLight&)>& change) {
+                  const std::function<void(Light&)>& change) {
   Lights lights = document.scene().lights;
   if (index >= lights.size()) return;
   change(lights[index]);
   set_scene_part(document, std::move(lights), verb.arg(light_name(index)), merge_id);
 }
 
-double light_strength(const PointLight& light) {
+double light_strength(const Light& light) {
   return std::max({light.intensity.r, light.intensity.g, light.intensity.b});
 }
 
-glm::dvec3 light_color(const PointLight& light) {
+glm::dvec3 light_color(const Light& light) {
   const double strength = light_strength(light);
   return strength > 0.0 ? light.intensity / strength : glm::dvec3(1.0);
 }

@@ -60,6 +60,12 @@ std::vector<Track> tracks(const Scene& scene) {
     const auto add = [&](const QString& title) {
       rows.push_back({title.arg(k + 1), index_of<Lights>(), of_lights++, 1});
     };
+    if (scene.lights[k].directional) {
+      add(track_text("Light %1 irradiance"));
+      add(track_text("Light %1 direction"));
+      add(track_text("Light %1 angular diameter"));
+      continue;
+    }
     add(track_text("Light %1 position"));
     add(track_text("Light %1 intensity"));
     if (!scene.lights[k].spot) continue;

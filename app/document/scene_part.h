@@ -7,7 +7,7 @@
 namespace brume {
 
 // Parts of a scene that are edited as a whole, unlike Gaussians.
-using Lights = std::vector<PointLight>;
+using Lights = std::vector<Light>;
 using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
 using Sequences = std::vector<MediumSequence>;

@@ -15,6 +15,9 @@
 #include "app/view/view.h"
 #include "app/widgets/application.h"
 #include "app/widgets/color_button.h"
+#include "core/math/infinity.h"
+#include "core/scene/far_lights.h"
+#include "render/prepare/fog_extent.h"
 
 namespace brume {
 namespace {
@@ -78,18 +81,24 @@ void ContributionPanel::compute() {
     facts.met.emplace_back(id(met[k]), met[k].fraction);
   }
   const glm::dvec3 place = rays.eye() + facts.contribution.distance * direction;
+  const LitRegion region = LitRegion::of(*scene);
+  const FogBall fog = FogExtent(*scene).ball();
   for (std::size_t k = 0; k < scene->lights.size(); ++k) {
-    const PointLight& light = scene->lights[k];
+    const Light light = as_point_light(scene->lights[k], region);
     if (!light.on) continue;
     const double distance = glm::distance(light.position, place);
     const auto between = distance > 0.0
                              ? view_->surfaces().hit(place, (light.position - place) / distance)
                              : std::nullopt;
+    const double fog_length = light.directional
+                                  ? fog.length(place, -glm::normalize(light.directional->direction))
+                                  : infinity;
     const bool shadowed = between && glm::distance(between->position, place) < distance;
-    facts.lights.push_back(
-        {tr("Light %1").arg(k + 1), to_color(light_color(light)),
-         shadowed ? glm::dvec3(0.0)
-                  : scattered_radiance(*scene, facts.contribution, rays.eye(), direction, light)});
+    facts.lights.push_back({light_title(scene->lights[k], k),
+                            to_color(light_color(scene->lights[k])),
+                            shadowed ? glm::dvec3(0.0)
+                                     : scattered_radiance(*scene, facts.contribution, rays.eye(),
+                                                          direction, light, fog_length)});
   }
   facts_ = std::move(facts);
 }

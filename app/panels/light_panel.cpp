@@ -1,6 +1,6 @@
 #include "app/panels/light_panel.h"
 
-#include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -45,7 +45,7 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
   refresh();
 }
 
-const PointLight* LightPanel::light() const {
+const Light* LightPanel::light() const {
   const Lights& lights = document_.scene().lights;
   return document_.active_light() < lights.size() ? &lights[document_.active_light()] : nullptr;
 }
@@ -59,11 +59,15 @@ void LightPanel::add_light_list(QFormLayout& form) {
   auto* add_cone = new QPushButton(tr("Add spot"), this);
   add_cone->setObjectName("add_spot");
   add_cone->setToolTip(tr("Adds a light that shines in a cone, at what the view looks at"));
+  auto* add_sun = new QPushButton(tr("Add sun"), this);
+  add_sun->setObjectName("add_directional");
+  add_sun->setToolTip(tr("Adds a directional light: its rays are parallel"));
   auto* remove = new QPushButton(tr("Delete"), this);
   remove->setObjectName("delete_light");
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(add);
   buttons->addWidget(add_cone);
+  buttons->addWidget(add_sun);
   buttons->addWidget(remove);
   form.addRow(buttons);
   // Above what the view looks at.
@@ -82,6 +86,11 @@ void LightPanel::add_light_list(QFormLayout& form) {
     add_spot(document_, place(), active_view_().pivot());
     show_last();
   });
+  connect(add_sun, &QPushButton::clicked, this, [this, show_last] {
+    const View& view = active_view_();
+    add_directional(document_, view.pivot() - view.rays().eye());
+    show_last();
+  });
   connect(remove, &QPushButton::clicked, this,
           [this] { delete_light(document_, document_.active_light()); });
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
@@ -92,7 +101,7 @@ void LightPanel::add_light_list(QFormLayout& form) {
     const bool on = item->checkState() == Qt::Checked;
     change_light(document_, static_cast<std::size_t>(list_->row(item)),
                  on ? tr("Turn %1 on") : tr("Turn %1 off"), no_merge,
-                 [on](PointLight& l) { l.on = on; });
+                 [on](Light& l) { l.on = on; });
   });
   on_refresh([this, remove] {
     show_lights();
@@ -108,10 +117,9 @@ void LightPanel::show_lights() {
   for (int row = 0; row < list_->count(); ++row) {
     const auto k = static_cast<std::size_t>(row);
     QListWidgetItem* item = list_->item(row);
-    item->setText(
-        QString("%1 · %2 W/sr")
-            .arg(lights[k].spot ? tr("Spot %1").arg(row + 1) : tr("Light %1").arg(row + 1),
-                 number_text(light_strength(lights[k]))));
+    item->setText(QString("%1 · %2 %3")
+                      .arg(light_title(lights[k], k), number_text(light_strength(lights[k])),
+                           light_unit(lights[k])));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(lights[k].on ? Qt::Checked : Qt::Unchecked);
     QPixmap swatch(12, 12);
@@ -124,18 +132,26 @@ void LightPanel::show_lights() {
 
 void LightPanel::add_light_fields(QFormLayout& form) {
   const auto change = [this](const QString& verb, MergeId gesture,
-                             const std::function<void(PointLight&)>& how) {
+                             const std::function<void(Light&)>& how) {
     change_light(document_, document_.active_light(), verb, gesture, how);
   };
-  add_number(form, tr("Intensity, W/sr"),
-             {"light_intensity", domain::intensity, ValueField::Scale::logarithmic, 0.01,
-              [this]() -> std::optional<double> {
-                return light() ? std::optional(light_strength(*light())) : std::nullopt;
-              },
-              [change](double value, MergeId gesture) {
-                change(tr("Set intensity of %1"), gesture,
-                       [value](PointLight& l) { l.intensity = value * light_color(l); });
-              }});
+  add_type_field(form);
+  QLabel* title =
+      add_number(form, tr("Intensity"),
+                 {"light_intensity", domain::intensity, ValueField::Scale::logarithmic, 0.01,
+                  [this]() -> std::optional<double> {
+                    return light() ? std::optional(light_strength(*light())) : std::nullopt;
+                  },
+                  [change](double value, MergeId gesture) {
+                    change(tr("Set intensity of %1"), gesture,
+                           [value](Light& l) { l.intensity = value * light_color(l); });
+                  }});
+  // The unit is the type's.
+  on_refresh([this, title] {
+    const Light shown = light() ? *light() : Light();
+    title->setText(
+        (shown.directional ? tr("Irradiance, %1") : tr("Intensity, %1")).arg(light_unit(shown)));
+  });
   add_color(form, tr("Colour"),
             {"light_color",
              [this]() -> std::optional<glm::dvec3> {
@@ -143,54 +159,68 @@ void LightPanel::add_light_fields(QFormLayout& form) {
              },
              [change](const glm::dvec3& color, MergeId gesture) {
                change(tr("Set colour of %1"), gesture,
-                      [color](PointLight& l) { l.intensity = light_strength(l) * color; });
+                      [color](Light& l) { l.intensity = light_strength(l) * color; });
              }});
   add_vector(form, tr("Position"),
              {"light_position", domain::coordinate, 0.01,
               [this]() -> std::optional<glm::dvec3> {
-                return light() ? std::optional(light()->position) : std::nullopt;
+                return light() && !light()->directional ? std::optional(light()->position)
+                                                        : std::nullopt;
               },
               [change](const glm::dvec3& position, MergeId gesture) {
-                change(tr("Move %1"), gesture,
-                       [position](PointLight& l) { l.position = position; });
+                change(tr("Move %1"), gesture, [position](Light& l) { l.position = position; });
               }});
-  add_cone_fields(form);
+  add_direction_fields(form);
 }
 
-void LightPanel::add_cone_fields(QFormLayout& form) {
-  auto* is_spot = new QCheckBox(tr("Spot: shines in a cone"), this);
-  is_spot->setObjectName("light_is_spot");
-  form.addRow({}, is_spot);
-  connect(is_spot, &QCheckBox::clicked, this, [this](bool on) {
-    change_light(document_, document_.active_light(),
-                 on ? tr("Make %1 a spot") : tr("Make %1 shine all around"), no_merge,
-                 [on](PointLight& l) {
-                   l.spot = on ? std::optional(SpotCone{}) : std::nullopt;
-                   if (!on) l.keys.direction = {};
-                   if (!on) l.keys.inner_angle = l.keys.outer_angle = {};
-                 });
+void LightPanel::add_type_field(QFormLayout& form) {
+  auto* type = new QComboBox(this);
+  type->setObjectName("light_type");
+  type->addItems({tr("Point"), tr("Spot"), tr("Directional")});
+  type->setItemData(0, tr("Shines in all directions"), Qt::ToolTipRole);
+  type->setItemData(1, tr("Shines in a cone"), Qt::ToolTipRole);
+  type->setItemData(2, tr("The sun: far away, its rays are parallel"), Qt::ToolTipRole);
+  form.addRow(tr("Type"), type);
+  connect(type, &QComboBox::activated, this, [this](int index) {
+    if (!light() || index == static_cast<int>(type_of(*light()))) return;
+    const LitRegion region = LitRegion::of(document_.scene());
+    change_light(document_, document_.active_light(), tr("Change type of %1"), no_merge,
+                 [&](Light& l) { set_type(l, static_cast<LightType>(index), region); });
   });
-  on_refresh([this, is_spot] {
-    is_spot->setEnabled(light() != nullptr);
-    is_spot->setChecked(cone() != nullptr);
+  on_refresh([this, type] {
+    type->setEnabled(light() != nullptr);
+    type->setCurrentIndex(light() ? static_cast<int>(type_of(*light())) : -1);
   });
-  const auto change = [this](const QString& verb, MergeId gesture,
-                             const std::function<SpotCone(const SpotCone&)>& how) {
-    change_light(document_, document_.active_light(), verb, gesture,
-                 [&how](PointLight& l) { l.spot = how(*l.spot); });
-  };
+}
+
+void LightPanel::add_direction_fields(QFormLayout& form) {
   add_vector(form, tr("Direction"),
              {"light_direction", domain::coordinate, 0.01,
               [this]() -> std::optional<glm::dvec3> {
-                return cone() ? std::optional(cone()->direction) : std::nullopt;
+                return light() ? light_direction(*light()) : std::nullopt;
               },
-              [change](const glm::dvec3& direction, MergeId gesture) {
+              [this](const glm::dvec3& direction, MergeId gesture) {
                 if (direction == glm::dvec3(0.0)) return;
-                change(tr("Turn %1"), gesture, [direction](SpotCone c) {
-                  c.direction = direction;
-                  return c;
-                });
+                change_light(document_, document_.active_light(), tr("Turn %1"), gesture,
+                             [&](Light& l) { turn(l, direction); });
               }});
+  add_number(form, tr("Angular diameter, degrees"),
+             {"light_angular_diameter", domain::angular_diameter, ValueField::Scale::linear, 0.01,
+              [this]() -> std::optional<double> {
+                return light() && light()->directional
+                           ? std::optional(light()->directional->angular_diameter)
+                           : std::nullopt;
+              },
+              [this](double value, MergeId gesture) {
+                change_light(document_, document_.active_light(), tr("Set angular diameter of %1"),
+                             gesture,
+                             [value](Light& l) { l.directional->angular_diameter = value; });
+              }});
+  const auto change = [this](const QString& verb, MergeId gesture,
+                             const std::function<SpotCone(const SpotCone&)>& how) {
+    change_light(document_, document_.active_light(), verb, gesture,
+                 [&how](Light& l) { l.spot = how(*l.spot); });
+  };
   const auto add_angle = [&](const QString& title, const char* name, double SpotCone::*angle,
                              SpotCone (*with)(SpotCone, double), const QString& verb) {
     add_number(form, title,

@@ -24,12 +24,13 @@ class LightPanel : public SceneForm {
  private:
   void add_light_list(QFormLayout& form);
   void add_light_fields(QFormLayout& form);
-  void add_cone_fields(QFormLayout& form);
+  void add_type_field(QFormLayout& form);
+  void add_direction_fields(QFormLayout& form);
   void add_environment_fields(QFormLayout& form);
   void show_lights();
   void choose_environment();
   void show_environment();
-  [[nodiscard]] const PointLight* light() const;  // the active one; may be null
+  [[nodiscard]] const Light* light() const;  // the active one; may be null
 
   [[nodiscard]] const SpotCone* cone() const;  // of the active spot; may be null
 

@@ -54,7 +54,7 @@ void Outliner::rebuild() {
   addTopLevelItem(medium);
   auto* lights = new_item(tr("Lights"), Kind::light);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    auto* item = new_item(tr("Light %1").arg(k + 1), Kind::light, k);
+    auto* item = new_item(light_title(scene.lights[k], k), Kind::light, k);
     item->setForeground(0,
                         palette().brush(scene.lights[k].on ? QPalette::Active : QPalette::Disabled,
                                         QPalette::Text));

@@ -31,11 +31,12 @@ ValueField* SceneForm::new_field(const Number& number, const QString& title) {
   return field;
 }
 
-void SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number) {
+QLabel* SceneForm::add_number(QFormLayout& form, const QString& title, const Number& number) {
   ValueField* field = new_field(number, title);
   QLabel* label = field->detach_title();
   label->setObjectName(QString(number.name) + "_title");
   form.addRow(label, field);
+  return label;
 }
 
 void SceneForm::add_vector(QFormLayout& form, const QString& title, const Vector& vector) {

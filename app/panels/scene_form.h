@@ -9,6 +9,7 @@
 #include "app/widgets/value_field.h"
 
 class QFormLayout;
+class QLabel;
 class QHBoxLayout;
 
 namespace brume {
@@ -48,7 +49,8 @@ class SceneForm : public QWidget {
     std::function<std::optional<glm::dvec3>()> get;
     std::function<void(const glm::dvec3&, MergeId)> set;
   };
-  void add_number(QFormLayout& form, const QString& title, const Number& number);
+  // Returns its title.
+  QLabel* add_number(QFormLayout& form, const QString& title, const Number& number);
   void add_vector(QFormLayout& form, const QString& title, const Vector& vector);  // three fields
   void add_color(QFormLayout& form, const QString& title, const Color& color);
 

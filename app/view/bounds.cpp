@@ -47,7 +47,7 @@ std::optional<Sphere> bounding_sphere(const Scene& scene) {
     for (const glm::dvec3& p : world_points(surface)) box.include(p);
   }
   if (!box.sphere()) {
-    for (const PointLight& light : scene.lights) box.include(light.position, 1.0);
+    for (const Light& light : scene.lights) box.include(light.position, 1.0);
   }
   return box.sphere();
 }

@@ -43,14 +43,15 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
 
 glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contribution,
                               const glm::dvec3& eye, const glm::dvec3& direction,
-                              const PointLight& light) {
+                              const Light& light, double fog_length) {
   const Medium& medium = scene.medium;
   const glm::dvec3 point = eye + contribution.distance * direction;
   const glm::dvec3 from_light = point - light.position;
   const double distance = glm::length(from_light);
   if (!(distance > 0.0)) return glm::dvec3(0.0);
-  double depth = contribution.depth_in_front +
-                 medium.homogeneous_density() * (contribution.distance + distance);
+  double depth =
+      contribution.depth_in_front +
+      medium.homogeneous_density() * (contribution.distance + std::min(distance, fog_length));
   for (std::size_t i = 0; i < medium.size(); ++i) {
     depth += optical_depth(GaussianTerm<double>(medium.gaussian(i)), light.position, point);
   }

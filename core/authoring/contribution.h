@@ -24,10 +24,12 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
                                         double distance = std::numeric_limits<double>::infinity(),
                                         double min_optical_depth = 1e-3);
 
-// RGB radiance that the Gaussian scatters towards the eye from one light, evaluated at its mean on
-// the ray and attenuated by the whole medium including b0 on both segments; surfaces are ignored.
+// RGB radiance that the Gaussian scatters towards the eye from one point light, evaluated at its
+// mean on the ray and attenuated by the whole medium including b0 on both segments; surfaces are
+// ignored. Of the way to the light, at most `fog_length` [u] passes homogeneous fog.
 glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contribution,
                               const glm::dvec3& eye, const glm::dvec3& direction,
-                              const PointLight& light);
+                              const Light& light,
+                              double fog_length = std::numeric_limits<double>::infinity());
 
 }  // namespace brume

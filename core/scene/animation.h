@@ -10,6 +10,14 @@ namespace brume {
 
 template <class L>
 void visit_keyed_light(L& light, auto&& visit) {
+  if (light.directional) {
+    auto& sun = *light.directional;
+    visit("irradiance", light.intensity, light.keys.intensity, domain::intensity);
+    visit("direction", sun.direction, light.keys.direction, domain::coordinate);
+    visit("angular_diameter", sun.angular_diameter, light.keys.angular_diameter,
+          domain::angular_diameter);
+    return;
+  }
   visit("position", light.position, light.keys.position, domain::coordinate);
   visit("intensity", light.intensity, light.keys.intensity, domain::intensity);
   if (!light.spot) return;

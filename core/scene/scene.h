@@ -24,10 +24,11 @@ struct TriangleMesh;
 struct LightKeys {
   Keys<glm::dvec3> position;
   Keys<glm::dvec3> intensity;
+  Keys<glm::dvec3> direction;  // of a spot or directional light
   // Of a spot.
-  Keys<glm::dvec3> direction;
   Keys<double> inner_angle;
   Keys<double> outer_angle;
+  Keys<double> angular_diameter;  // of a directional light
 
   bool operator==(const LightKeys&) const = default;
 };
@@ -42,17 +43,28 @@ struct SpotCone {
   bool operator==(const SpotCone&) const = default;
 };
 
-// A point light; intensity is radiant intensity, RGB [W/sr], >= 0: in all directions, or on the
-// axis of a spot.
-struct PointLight {
-  glm::dvec3 position{0.0};
+// How a directional light shines: the sun, or anything as far away. Methods evaluate it as
+// core/scene/far_lights.h has it.
+struct Directional {
+  glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
+  double angular_diameter = 0.0;         // of its disc, in [0, 90) [degrees]
+
+  bool operator==(const Directional&) const = default;
+};
+
+// A point light, a spot (a point light with a cone) or a directional light. Intensity, RGB, >= 0:
+// of a point light radiant intensity [W/sr], of a spot that on its axis, of a directional light
+// irradiance on what faces it, without any medium [W/u^2].
+struct Light {
+  glm::dvec3 position{0.0};  // of no meaning for a directional light
   glm::dvec3 intensity{1.0};
-  std::optional<SpotCone> spot{};  // none: isotropic
+  std::optional<SpotCone> spot{};  // at most one of these
+  std::optional<Directional> directional{};
   LightKeys keys{};
   bool on = true;
   ObjectId id = 0;
 
-  bool operator==(const PointLight&) const = default;
+  bool operator==(const Light&) const = default;
 };
 
 struct EnvironmentKeys {
@@ -166,7 +178,7 @@ struct Scene {
   MediumOptics optics;
   std::vector<Emitter> emitters;          // their particles are not in `medium`, see evaluate_at()
   std::vector<MediumSequence> sequences;  // not in `medium` either
-  std::vector<PointLight> lights;
+  std::vector<Light> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
   std::optional<Playback> playback;  // absent: all that moves, again and again

@@ -60,7 +60,7 @@ std::uint64_t SampleMedium(const GaussianBatch& g, const PathBatch& rays, const 
 }
 
 void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,
-                  float h_min, float b0, float anisotropy, float* radiance) {
+                  float h_min, float anisotropy, float* radiance) {
   const D d;
   const Vector s{set(light.x), set(light.y), set(light.z)};
   const V least2 = set(h_min * h_min);
@@ -78,8 +78,7 @@ void AddScattered(const PathBatch& rays, const LitSamples& samples, const glm::v
     const V distance2 = hn::Max(hn::MulAdd(along, along, hn::Max(offset2, least2)), tiny);
     const V true_distance = hn::Sqrt(hn::Max(hn::MulAdd(along, along, offset2), tiny));
     const V depth =
-        hn::Add(hn::LoadU(d, samples.depths + k),
-                hn::MulAdd(set(b0), true_distance, hn::LoadU(d, samples.light_depths + k)));
+        hn::Add(hn::LoadU(d, samples.depths + k), hn::LoadU(d, samples.light_depths + k));
     V value = hn::Div(hn::Mul(weight, hn::Exp(d, hn::Neg(depth))), distance2);
     if (anisotropy != 0.0f) {
       value = hn::Mul(value, HenyeyGreenstein(d, CosTheta(d, along, true_distance), anisotropy));
@@ -106,8 +105,8 @@ std::uint64_t sample_medium(const GaussianBatch& gaussians, const PathBatch& ray
 }
 
 void add_scattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,
-                   float h_min, float b0, float anisotropy, float* radiance) {
-  HWY_DYNAMIC_DISPATCH(AddScattered)(rays, samples, light, h_min, b0, anisotropy, radiance);
+                   float h_min, float anisotropy, float* radiance) {
+  HWY_DYNAMIC_DISPATCH(AddScattered)(rays, samples, light, h_min, anisotropy, radiance);
 }
 
 }  // namespace brume

@@ -24,6 +24,6 @@ struct LitSamples {
 // radiance[k] += weight exp(-T(eye, x) - T(light, x)) / (4 pi r^2) times henyey_greenstein(), per
 // unit of radiant intensity [1/u^2]. `light` is relative to the eye; h_min: see PointLightRay.
 void add_scattered(const PathBatch& rays, const LitSamples& samples, const glm::vec3& light,
-                   float h_min, float b0, float anisotropy, float* radiance);
+                   float h_min, float anisotropy, float* radiance);
 
 }  // namespace brume

@@ -97,7 +97,7 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
 
 // Adds what the samples scatter of one light.
 std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
-                        const MarchedLight& light, const glm::dvec3& eye, MarchScratch& s,
+                        const PointSource& light, const glm::dvec3& eye, MarchScratch& s,
                         std::vector<float>& radiance) {
   s.no_self.assign(s.relevant.size(), -1);
   s.exact.resize(s.relevant.size());
@@ -106,7 +106,8 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
   std::fill(s.lit_weights.begin(), s.lit_weights.end(), 0.0f);
   for (std::size_t i = 0; i < s.relevant.size(); ++i) {
     const std::size_t k = s.relevant[i];
-    s.light_depths[k] = static_cast<float>(s.exact[i]);
+    s.light_depths[k] = static_cast<float>(s.exact[i] + medium.homogeneous_density() *
+                                                            light.fog_length(s.points[i]));
     if (ray_caster.occluded(s.points[i], light.position)) continue;
     const glm::dvec3 q = s.points[i] - light.position;
     const double r = glm::length(q);
@@ -115,7 +116,6 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
   }
   add_scattered(s.rays, {s.t.data(), s.lit_weights.data(), s.depths.data(), s.light_depths.data()},
                 glm::vec3(light.position - eye), static_cast<float>(light.h_min),
-                static_cast<float>(medium.homogeneous_density()),
                 static_cast<float>(medium.anisotropy()), radiance.data());
   return pairs;
 }
@@ -151,7 +151,7 @@ void add_forward_lobe(const SourceFunction& environment, const SourceLookup& sou
 }  // namespace
 
 std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                               const RayCaster& ray_caster, std::span<const MarchedLight> lights,
+                               const RayCaster& ray_caster, std::span<const PointSource> lights,
                                const SourceFunction* environment, const TileRays& rays, int steps,
                                const TileAirlight& out) {
   thread_local MarchScratch s;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/geometry/medium_index.h"
+#include "render/geometry/point_source.h"
 #include "render/geometry/tile_rays.h"
 #include "render/lighting/source_function.h"
 #include "render/visibility/ray_caster.h"
@@ -12,18 +13,11 @@ namespace brume {
 // and lights are exact, with a shadow ray per sample. Only environment light is approximated, as in
 // the sliced airlight.
 
-struct MarchedLight {
-  glm::dvec3 position{0.0};
-  glm::dvec3 intensity{0.0};  // RGB [W/sr]
-  double h_min = 0.0;         // see light_limits.h [u]
-  SpotFalloff spot{};
-};
-
 // Overwrites `out`. `gaussians`: indices of those that may contribute; `environment`: may be null;
 // `steps` >= 1 per ray. Returns the Gaussian x ray pairs evaluated, including those towards lights.
 // Thread-safe.
 std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
-                               const RayCaster& ray_caster, std::span<const MarchedLight> lights,
+                               const RayCaster& ray_caster, std::span<const PointSource> lights,
                                const SourceFunction* environment, const TileRays& rays, int steps,
                                const TileAirlight& out);
 

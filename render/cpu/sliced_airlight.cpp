@@ -107,6 +107,10 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
                  light.table,
                  light.shadows,
                  light.spot};
+      if (!light.is_near()) {
+        pack[l].fog_center = glm::vec3(light.fog.center - rays.eye);
+        pack[l].fog_radius = static_cast<float>(light.fog.radius);
+      }
       s.radiance[l].assign(stride, 0.0f);
       radiance[l] = s.radiance[l].data();
     }

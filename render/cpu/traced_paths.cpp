@@ -36,10 +36,10 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
   prepare(stages, work);
 
   const RayCaster& ray_caster = stages.prepared().ray_caster();
-  const PathScene scene = PathScene::of_view(*medium_, work.albedo, ray_caster, work.scene.surfaces,
-                                             environment_ ? &*environment_ : nullptr,
-                                             path_lights(work.plan.lights, work.rays, work.camera),
-                                             work.rays.eye(), work.fog_extent.ball());
+  const PathScene scene =
+      PathScene::of_view(*medium_, work.albedo, ray_caster, work.scene.surfaces,
+                         environment_ ? &*environment_ : nullptr, work.sources(), work.rays.eye(),
+                         work.fog_extent.ball());
 
   PathKey key;
   key.medium = medium_revision_;

@@ -120,6 +120,10 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     u.spot_axis = glm::vec3(light.spot.axis());
     u.spot_dark_cosine = static_cast<float>(light.spot.dark_cosine());
     u.spot_per_cosine = static_cast<float>(light.spot.per_cosine());
+    if (!light.is_near()) {
+      u.fog_center = glm::vec3(light.fog.center - origin);
+      u.fog_radius = static_cast<float>(light.fog.radius);
+    }
     if (l < tables_.size() && !tables_[l].layout.empty()) {
       const OpticalDepthTableLayout& layout = tables_[l].layout;
       u.has_table = 1;

@@ -39,6 +39,9 @@ struct LightData {
   float spot_per_cosine = 0.0f;  // see SpotFalloff; 0: isotropic
   glm::vec3 spot_axis{0.0f};
   float spot_dark_cosine = 0.0f;
+  // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
+  glm::vec3 fog_center{0.0f};
+  float fog_radius = 0.0f;
   MapData table;
   MapData shadows;
 };

@@ -28,7 +28,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
     work.frame.statistics.light_pairs += device.clock.time(
         Stage::light_table, [&] { return lights_.build(device.programs, device.medium); });
   }
-  make_shadows(work, lights, maps, device);
+  make_shadows(stages, work, lights, maps, device);
   lights_.upload(lights, &shadows_, eye);
 
   slices_.choose(device.programs, device.clock, lights_, lights.size(), work.settings.slices,
@@ -56,15 +56,16 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
       device.lists, device.view, device.textures);
 }
 
-void SlicedStage::make_shadows(const FrameContext& work, std::span<const SlicedLight> lights,
+void SlicedStage::make_shadows(const FrameStages& stages, const FrameContext& work,
+                               std::span<const SlicedLight> lights,
                                std::span<const DirectionMap> tables, DeviceFrame& device) {
   if (!work.plan.runs(Stage::shadow_map)) {
     shadows_.clear();
     return;
   }
   std::vector<DirectionMap> directions;
-  for (const DirectionMap& table : tables) {
-    directions.push_back(FrameStages::shadow_directions(work, table));
+  for (std::size_t l = 0; l < tables.size(); ++l) {
+    directions.push_back(stages.shadow_directions(work, lights[l], tables[l]));
   }
   device.clock.time(Stage::shadow_map,
                     [&] { shadows_.make(device.programs, device.mesh, lights, directions); });

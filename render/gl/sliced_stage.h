@@ -33,8 +33,9 @@ class SlicedStage {
   OpticalDepthTables& tables() { return lights_; }
 
  private:
-  void make_shadows(const FrameContext& work, std::span<const SlicedLight> lights,
-                    std::span<const DirectionMap> tables, DeviceFrame& device);
+  void make_shadows(const FrameStages& stages, const FrameContext& work,
+                    std::span<const SlicedLight> lights, std::span<const DirectionMap> tables,
+                    DeviceFrame& device);
   void upload_source(const SourceFunction* source, const glm::dvec3& eye, const Program& program);
 
   OpticalDepthTables lights_;

@@ -116,7 +116,7 @@ std::uint64_t SurfaceStage::sum_depths(const SurfaceLighting& lighting, DeviceFr
   program.set("count", static_cast<unsigned>(device.medium.count()));
   program.set("film", glm::ivec2(film.width, film.height));
   for (std::size_t l = 0; l < lighting.lights.size(); ++l) {
-    const glm::dvec3& light = lighting.lights[l].light.position;
+    const glm::dvec3& light = lighting.lights[l].source.position;
     program.set("light", light);
     program.set("light_at", glm::vec3(light - device.mesh.center()));
     program.set("first", static_cast<int>(l * pixels));

@@ -12,16 +12,16 @@ namespace {
 using std::numbers::pi;
 
 // The light of a part of the map. `moment` is the sum of the channels' irradiance, times direction.
-struct Light {
+struct MapLight {
   glm::dvec3 irradiance{0.0};
   glm::dvec3 moment{0.0};
 
-  Light& operator+=(const Light& other) {
+  MapLight& operator+=(const MapLight& other) {
     irradiance += other.irradiance;
     moment += other.moment;
     return *this;
   }
-  Light& operator-=(const Light& other) {
+  MapLight& operator-=(const MapLight& other) {
     irradiance -= other.irradiance;
     moment -= other.moment;
     return *this;
@@ -62,8 +62,8 @@ class Raster {
 
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
-  Light& at(int column, int row) { return cells_[index(column, row)]; }
-  [[nodiscard]] const Light& at(int column, int row) const { return cells_[index(column, row)]; }
+  MapLight& at(int column, int row) { return cells_[index(column, row)]; }
+  [[nodiscard]] const MapLight& at(int column, int row) const { return cells_[index(column, row)]; }
 
  private:
   [[nodiscard]] std::size_t size() const {
@@ -76,13 +76,13 @@ class Raster {
 
   int rows_;
   int columns_;
-  std::vector<Light> cells_;
+  std::vector<MapLight> cells_;
 };
 
 // A box of a raster: cells [x0, x1) x [y0, y1).
 struct RasterBox {
   int x0, y0, x1, y1;
-  Light light;
+  MapLight light;
   double spread;
   int cluster = 0;
 
@@ -103,8 +103,8 @@ std::optional<std::pair<RasterBox, RasterBox>> halves(const Raster& raster, cons
   double max_reduction = -1.0;
   int cut_x = 0;
   int cut_y = 0;
-  const auto try_cut = [&](const Light& before, int x, int y) {
-    Light after = box.light;
+  const auto try_cut = [&](const MapLight& before, int x, int y) {
+    MapLight after = box.light;
     after -= before;
     const double reduction = before.reduction() + after.reduction();
     if (!(reduction > max_reduction)) return;
@@ -112,7 +112,7 @@ std::optional<std::pair<RasterBox, RasterBox>> halves(const Raster& raster, cons
     cut_x = x;
     cut_y = y;
   };
-  Light before;
+  MapLight before;
   for (int x = box.x0; x + 1 < box.x1; ++x) {
     for (int y = box.y0; y < box.y1; ++y) before += raster.at(x, y);
     try_cut(before, x + 1, 0);
@@ -129,14 +129,14 @@ std::optional<std::pair<RasterBox, RasterBox>> halves(const Raster& raster, cons
                                box_of(raster, box.x0, cut_y, box.x1, box.y1)};
 }
 
-std::optional<DistantLight> distant(const Light& light) {
+std::optional<DistantLight> distant(const MapLight& light) {
   if (!(light.power() > 0.0)) return std::nullopt;
   const double length = glm::length(light.moment);
   // A uniform map has no mean direction: any will do.
   return DistantLight{length > 0.0 ? light.moment / length : glm::dvec3(0, 1, 0), light.irradiance};
 }
 
-void append(const Light& light, std::vector<DistantLight>& lights) {
+void append(const MapLight& light, std::vector<DistantLight>& lights) {
   if (const auto one = distant(light)) lights.push_back(*one);
 }
 

@@ -55,18 +55,19 @@ class PointsAroundLight {
   template <class Add>
   void each(std::span<const glm::dvec3> points, double spacing, Add add) {
     self_.assign(points.size(), -1);
-    paths_.assign(light_.position, points, self_);
+    paths_.assign(light_.source.position, points, self_);
     depths_.assign(paths_.padded_size(), 0.0f);
     if (light_.table) lookup_depths(*light_.table, paths_, depths_.data());
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const glm::dvec3 q = light_.position - points[k];
+      const glm::dvec3 q = light_.source.position - points[k];
       const double r2 = glm::dot(q, q);
       if (!(r2 > 0.0)) continue;
       const double r = std::sqrt(r2);
-      const double depth = light_.extinction * static_cast<double>(depths_[k]) + light_.fog * r;
+      const double depth = light_.extinction * static_cast<double>(depths_[k]) +
+                           light_.fog * light_.source.fog_length(points[k]);
       const double falloff = mean_falloff(points[k], r, spacing);
       if (!(falloff > 0.0)) continue;
-      if (light_.surfaces && light_.surfaces->occluded(points[k], light_.position)) continue;
+      if (light_.surfaces && light_.surfaces->occluded(points[k], light_.source.position)) continue;
       add(k, q / r, falloff * std::exp(-depth) / r2);
     }
   }
@@ -76,9 +77,9 @@ class PointsAroundLight {
   // over r^2, times r^2: so beams that are narrower than cells are not lost.
   [[nodiscard]] double mean_falloff(const glm::dvec3& point, double r, double spacing) const {
     static const std::vector<WeightedPoint> rule = mean_rule(falloff_points);
-    const SpotFalloff& spot = light_.spot;
+    const SpotFalloff& spot = light_.source.spot;
     if (spot.is_isotropic()) return 1.0;
-    const glm::dvec3 q = point - light_.position;
+    const glm::dvec3 q = point - light_.source.position;
     const double cosine = glm::dot(q, spot.axis()) / r;
     // How much it may change over the cells; farther from the edge it is 0 or 1.
     const double reach = spacing > 0.0 ? std::min(std::sqrt(3.0) * spacing / r, 2.0) : 0.0;
@@ -126,7 +127,7 @@ void add_point_light(const NodePointLight& light, const glm::dvec3& first, const
     std::vector<std::size_t> at;
     for (std::size_t x = 0; x < width; ++x) {
       const glm::dvec3 point = begin + glm::dvec3(spacing * static_cast<double>(x), 0.0, 0.0);
-      const glm::dvec3 distance = glm::abs(point - light.position) / spacing;
+      const glm::dvec3 distance = glm::abs(point - light.source.position) / spacing;
       if (std::max({distance.x, distance.y, distance.z}) > near_spacings) {
         points.push_back(point);
         at.push_back(row * width + x);

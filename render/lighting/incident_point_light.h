@@ -3,7 +3,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
-#include "core/transport/spot_falloff.h"
+#include "render/geometry/point_source.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/ordinates.h"
 #include "render/util/job.h"
@@ -13,13 +13,12 @@ namespace brume {
 
 // A point light and what attenuates it on its way to the nodes of a grid.
 struct NodePointLight {
-  glm::dvec3 position{0.0};
-  std::array<float, 3> intensity{};          // per channel [W/sr]
+  const PointSource& source;
+  std::array<float, 3> intensity{};          // per channel of the nodes [W/sr]
   const OpticalDepthTable* table = nullptr;  // null: no Gaussians
   double extinction = 1.0;                   // factor of the table's optical depths
   double fog = 0.0;                          // homogeneous extinction [1/u]
   const RayCaster* surfaces = nullptr;       // that occlude it; null: none
-  SpotFalloff spot{};
 };
 
 // Adds its unscattered light I exp(-T) / r^2 to `incident`, at nodes of which the first lies at

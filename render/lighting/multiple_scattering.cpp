@@ -72,9 +72,8 @@ UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::
   }
   for (const MultipleScattering::Light& source : input.lights) {
     const glm::vec3 intensity(source.intensity);
-    NodePointLight point{source.position, {intensity.x, intensity.y, intensity.z}, source.table,
-                         extinction,      extinction * input.fog_density,          input.surfaces,
-                         source.spot};
+    NodePointLight point{source,     {intensity.x, intensity.y, intensity.z}, source.table,
+                         extinction, extinction * input.fog_density,          input.surfaces};
     if (color) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
     add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
     if (!level.surfaces) continue;
@@ -186,8 +185,8 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
           input.surfaces_revision,
           input.limits};
   for (const Light& light : input.lights) {
-    key.lights.push_back(
-        {light.position, light.intensity, light.table ? light.table->revision() : 0, light.spot});
+    key.lights.push_back({light.position, light.intensity,
+                          light.table ? light.table->revision() : 0, light.spot, light.fog});
   }
   if (!levels_.empty() && key == key_) return true;
   key_ = std::move(key);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/revision.h"
+#include "render/geometry/point_source.h"
 #include "render/lighting/incident_point_light.h"
 #include "render/lighting/scattering_solver.h"
 #include "render/lighting/source_grid.h"
@@ -19,11 +20,8 @@ namespace brume {
 // last solution on.
 class MultipleScattering {
  public:
-  struct Light {
-    glm::dvec3 position{0.0};
-    glm::dvec3 intensity{0.0};                 // RGB [W/sr]
+  struct Light : PointSource {
     const OpticalDepthTable* table = nullptr;  // null: no Gaussians
-    SpotFalloff spot{};
   };
   struct Input {
     // Densities, and the environment's light if any, in the medium of the truncated extinction; see
@@ -58,6 +56,7 @@ class MultipleScattering {
     glm::dvec3 intensity{0.0};
     Revision table = 0;
     SpotFalloff spot;
+    FogBall fog;
 
     bool operator==(const LightKey&) const = default;
   };

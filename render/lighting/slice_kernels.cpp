@@ -244,6 +244,19 @@ HWY_INLINE V ScatteredFraction(V depth, V increment) {
                                 hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
 }
 
+// FogBall::length() from a point on a ray, `q` from a light.
+HWY_INLINE V FogLength(const SliceLight& light, V t, const Vector& w, const Vector& q, V distance) {
+  const D d;
+  const Vector p{hn::MulSub(t, w.x, set(light.fog_center.x)),
+                 hn::MulSub(t, w.y, set(light.fog_center.y)),
+                 hn::MulSub(t, w.z, set(light.fog_center.z))};
+  const V along = hn::Neg(hn::Div(dot(p, q), distance));
+  const V square =
+      hn::Add(hn::MulSub(along, along, dot(p, p)), set(light.fog_radius * light.fog_radius));
+  const V half = hn::Sqrt(hn::Max(square, hn::Zero(d)));
+  return hn::Min(hn::Max(hn::Sub(half, along), hn::Zero(d)), hn::Add(half, half));
+}
+
 HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
   const auto& power = scattering.truncated_phase;
   V sum = set(power[3]);
@@ -325,10 +338,12 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           }
           const V along = hn::Sub(middle, ts[l]);
           const V distance = hn::Sqrt(hn::MulAdd(along, along, h2[l]));
-          V light_depth = hn::Mul(set(b0), distance);
           const Vector q{hn::MulSub(middle, w.x, set(lights[l].position.x)),
                          hn::MulSub(middle, w.y, set(lights[l].position.y)),
                          hn::MulSub(middle, w.z, set(lights[l].position.z))};
+          V light_depth = hn::Mul(set(b0), lights[l].fog_radius > 0.0f
+                                               ? FogLength(lights[l], middle, w, q, distance)
+                                               : distance);
           if (tables[l].depths) {
             light_depth = hn::Add(light_depth, Lookup(tables[l], q, distance));
           }

@@ -40,6 +40,9 @@ struct SliceLight {
   const OpticalDepthTable* table = nullptr;  // null: no attenuation by Gaussians
   const ShadowMap* shadows = nullptr;        // null: no surfaces
   SpotFalloff spot{};
+  // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
+  glm::vec3 fog_center{0.0f};
+  float fog_radius = 0.0f;
 };
 
 // Neighbouring slices share a look-up of the source function at their mean position: half the work,

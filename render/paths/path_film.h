@@ -23,7 +23,7 @@ struct PathKey {
   Revision medium = 0;  // of the MediumIndex
   RayNoise noise;
   double albedo = 1.0;
-  std::vector<PointLight> lights;
+  std::vector<Light> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
   FogBall fog;

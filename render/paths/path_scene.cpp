@@ -5,26 +5,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <utility>
-
-#include "render/prepare/light_limits.h"
 
 namespace brume {
 
-std::vector<PathLight> path_lights(std::span<const PointLight> lights, const CameraRays& rays,
-                                   const Camera& camera) {
-  std::vector<PathLight> result;
-  result.reserve(lights.size());
-  for (const PointLight& light : lights) {
-    result.push_back({light.position, light.intensity,
-                      min_light_distance(rays, camera, light.position), 0.0,
-                      SpotFalloff(light.spot)});
-  }
-  return result;
-}
-
 PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
-                        std::span<const PathLight> lights, const glm::dvec3& eye,
+                        std::span<const PointSource> lights, const glm::dvec3& eye,
                         const FogBall& extent) {
   PathFog fog;
   const double density = medium.homogeneous_density();
@@ -45,7 +30,9 @@ PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
     add(ray_caster.bounds().low, 0.0);
     add(ray_caster.bounds().high, 0.0);
   }
-  for (const PathLight& light : lights) add(light.position, 0.0);
+  for (const PointSource& light : lights) {
+    if (light.is_near()) add(light.position, 0.0);
+  }
   if (!(low.x <= high.x)) low = high = eye;
   fog.ball.center = 0.5 * (low + high);
   const double eye_distance = glm::length(eye - fog.ball.center);
@@ -63,8 +50,9 @@ double PathFog::importance(const glm::dvec3& x) const {
   return scene_radius / std::max(glm::length(x - ball.center), scene_radius);
 }
 
-void PathScene::set_lights(std::vector<PathLight> all) {
-  lights = std::move(all);
+void PathScene::set_lights(std::span<const PointSource> all) {
+  lights.clear();
+  for (const PointSource& light : all) lights.push_back({light, 0.0});
   const MajorantGrid& grid = medium.grid();
   double max_density = fog.density;
   for (const GaussianTerm<double>& g : medium.index().gaussians()) {
@@ -73,6 +61,7 @@ void PathScene::set_lights(std::vector<PathLight> all) {
   const double extent =
       grid.empty() ? 0.0 : 0.5 * glm::length(grid.bounds().high - grid.bounds().low);
   for (PathLight& light : lights) {
+    if (!light.is_near()) continue;
     const double density = fog.density + medium.density(light.position);
     if (!(density > 0.0)) continue;
     // A mean free path; less where the bulk of the medium is denser, since the light's surroundings
@@ -84,8 +73,9 @@ void PathScene::set_lights(std::vector<PathLight> all) {
 
 PathScene PathScene::of_view(const PathMedium& medium, double albedo, const RayCaster& ray_caster,
                              std::span<const Surface> surfaces,
-                             const EnvironmentSampler* environment, std::vector<PathLight> lights,
-                             const glm::dvec3& eye, const FogBall& fog) {
+                             const EnvironmentSampler* environment,
+                             std::span<const PointSource> lights, const glm::dvec3& eye,
+                             const FogBall& fog) {
   PathScene scene{.medium = medium,
                   .albedo = albedo,
                   .fog = PathFog::around(medium.index(), ray_caster, lights, eye, fog),
@@ -93,7 +83,7 @@ PathScene PathScene::of_view(const PathMedium& medium, double albedo, const RayC
                   .surfaces = surfaces};
   if (environment && !environment->empty()) scene.environment = environment;
   for (const Surface& surface : surfaces) scene.materials.emplace_back(surface.material);
-  scene.set_lights(std::move(lights));
+  scene.set_lights(lights);
   return scene;
 }
 

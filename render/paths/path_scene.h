@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "core/transport/spot_falloff.h"
 #include "render/geometry/fog_ball.h"
+#include "render/geometry/point_source.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"
 #include "render/paths/path_medium.h"
@@ -14,24 +14,16 @@
 
 namespace brume {
 
-struct PathLight {
-  glm::dvec3 position{0.0};
-  glm::dvec3 intensity{0.0};  // RGB [W/sr]
-  double h_min = 0.0;         // see min_light_distance() [u]
+struct PathLight : PointSource {
   // Closer than this, light scattered by the medium around is found by equi-angular samples,
   // farther away by collisions; 0 without medium there. See PathScene::set_lights() [u].
   double near_radius = 0.0;
-  SpotFalloff spot{};
 
   // RGB in the unit direction w from it [W/sr].
   [[nodiscard]] glm::dvec3 intensity_along(const glm::dvec3& w) const {
     return spot.at(w) * intensity;
   }
 };
-
-// The lights of a view.
-std::vector<PathLight> path_lights(std::span<const PointLight> lights, const CameraRays& rays,
-                                   const Camera& camera);
 
 // Where homogeneous fog is.
 struct PathFog {
@@ -48,7 +40,7 @@ struct PathFog {
   // `extent`: see FogExtent::ball(); what is endless there ends far around all that sends or
   // scatters light.
   static PathFog around(const MediumIndex& medium, const RayCaster& ray_caster,
-                        std::span<const PathLight> lights, const glm::dvec3& eye,
+                        std::span<const PointSource> lights, const glm::dvec3& eye,
                         const FogBall& extent);
 
   // Whether no environment limits it.
@@ -74,12 +66,12 @@ struct PathScene {
   std::vector<MaterialSampler> materials{};  // of the surfaces
 
   // Sets the lights and their near_radius.
-  void set_lights(std::vector<PathLight> all);
+  void set_lights(std::span<const PointSource> all);
 
   // The scene of a view. `environment` may be null; `fog` as of FogExtent::ball().
   static PathScene of_view(const PathMedium& medium, double albedo, const RayCaster& ray_caster,
                            std::span<const Surface> surfaces, const EnvironmentSampler* environment,
-                           std::vector<PathLight> lights, const glm::dvec3& eye,
+                           std::span<const PointSource> lights, const glm::dvec3& eye,
                            const FogBall& fog);
 
   [[nodiscard]] double anisotropy() const { return medium.index().anisotropy(); }

@@ -97,12 +97,13 @@ void PathTracer::choose_lights(Importance importance, PathRandom& random, Visit 
   if (chosen) visit(*chosen, probability);
 }
 
-double PathTracer::visibility(const glm::dvec3& x, const glm::dvec3& light, const glm::dvec3& l,
+double PathTracer::visibility(const glm::dvec3& x, const PathLight& light, const glm::dvec3& l,
                               double r) const {
-  const double depth = scene_.medium.depth(x, l, r) + scene_.fog.density * r;
+  const double depth = scene_.medium.depth(x, l, r) +
+                       scene_.fog.density * (light.is_near() ? r : light.fog.length(x, l));
   const double transmittance = std::exp(-depth);
   if (!(transmittance > 0.0)) return 0.0;
-  if (!scene_.ray_caster.empty() && scene_.ray_caster.occluded(x, light)) return 0.0;
+  if (!scene_.ray_caster.empty() && scene_.ray_caster.occluded(x, light.position)) return 0.0;
   return transmittance;
 }
 
@@ -127,8 +128,7 @@ glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom&
                           : relative_to(light, vertex.start, vertex.w).distance2(vertex.t);
     const double factor = weight(light, r) / (probability * r2);
     if (!(factor > 0.0)) return;
-    sum += factor * visibility(vertex.position, light.position, l, r) * value *
-           light.intensity_along(-l);
+    sum += factor * visibility(vertex.position, light, l, r) * value * light.intensity_along(-l);
   });
   return sum;
 }
@@ -157,7 +157,10 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
                                             PathRandom& random) const {
   glm::dvec3 sum(0.0);
   const auto importance = [&](const PathLight& light) {
-    return max_component(light.intensity) / relative_to(light, ray.eye(), ray.w()).h;
+    const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
+    // Of a light nearby, the ray passes most of pi.
+    const double span = light.is_near() ? pi : EquiAngular<double>(path, ray.visible_length()).span;
+    return max_component(light.intensity) * span / path.h;
   };
   choose_lights(importance, random, [&](const PathLight& light, double probability) {
     const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
@@ -175,8 +178,8 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
     const double r2 = path.distance2(t);
     const double density = scattered / opacity + path.h / (angular.span * r2);
     const double factor = scattered / (density * r2 * probability);
-    sum += factor * visibility(vertex.position, light.position, q / r, r) *
-           scattering(vertex, q / r) * light.intensity_along(-q / r);
+    sum += factor * visibility(vertex.position, light, q / r, r) * scattering(vertex, q / r) *
+           light.intensity_along(-q / r);
   });
   return sum;
 }
@@ -213,8 +216,8 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
   const double factor = density * std::exp(-depth) * equi_angular_weight(light, r) * angular.span /
                         (path.h * probability);
   if (!(factor > 0.0)) return none;
-  return factor * visibility(vertex.position, light.position, q / r, r) *
-         scattering(vertex, q / r) * light.intensity_along(-q / r);
+  return factor * visibility(vertex.position, light, q / r, r) * scattering(vertex, q / r) *
+         light.intensity_along(-q / r);
 }
 
 PathTracer::AngularSampling::AngularSampling(const PathLight& light, const Vertex& vertex) {

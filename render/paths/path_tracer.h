@@ -88,7 +88,7 @@ class PathTracer {
   // The same of all, on a random walk.
   [[nodiscard]] glm::dvec3 direct_light(const Vertex& vertex, PathRandom& random) const;
   // Transmittance and visibility of a light from x, in the direction l at a distance r.
-  [[nodiscard]] double visibility(const glm::dvec3& x, const glm::dvec3& light, const glm::dvec3& l,
+  [[nodiscard]] double visibility(const glm::dvec3& x, const PathLight& light, const glm::dvec3& l,
                                   double r) const;
 
   // The weight of equi-angular samples on the segments of walks, by the distance from the light;

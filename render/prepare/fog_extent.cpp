@@ -13,7 +13,11 @@ namespace brume {
 
 FogExtent::FogExtent(const Scene& scene) {
   const double b0 = scene.medium.homogeneous_density();
-  if (!scene.environment || !(b0 > 0.0)) return;
+  const bool is_lit_from_afar =
+      scene.environment || std::ranges::any_of(scene.lights, [](const Light& light) {
+        return light.on && light.directional.has_value();
+      });
+  if (!is_lit_from_afar || !(b0 > 0.0)) return;
   glm::dvec3 low(infinity);
   glm::dvec3 high(-infinity);
   const auto add = [&](const glm::dvec3& p, double radius) {
@@ -35,14 +39,15 @@ FogExtent::FogExtent(const Scene& scene) {
   }
 }
 
-Box fog_bounds(double b0, std::span<const PointLight> lights) {
+Box fog_bounds(double b0, std::span<const Light> lights) {
   const glm::dvec3 reach(std::min(2.0 / b0, limits::max_length));
-  if (lights.empty()) return {-reach, reach};
   Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
-  for (const PointLight& light : lights) {
+  for (const Light& light : lights) {
+    if (light.directional) continue;
     box.low = glm::min(box.low, light.position - reach);
     box.high = glm::max(box.high, light.position + reach);
   }
+  if (!(box.low.x <= box.high.x)) return {-reach, reach};
   const glm::dvec3 extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   const double step = std::exp2(std::floor(std::log2(longest)) - 3.0);

@@ -9,14 +9,14 @@
 
 namespace brume {
 
-// Extent of the homogeneous fog. It is infinite without an environment, which infinite fog would
-// hide; with one it ends at the distance D of eq. 26: the diagonal of the bounding box of surfaces
-// and Gaussians (3 radii each), or 1 / b0 without any.
+// Extent of the homogeneous fog. It is infinite without an environment or a directional light,
+// which infinite fog would hide; with one it ends at the distance D of eq. 26: the diagonal of the
+// bounding box of surfaces and Gaussians (3 radii each), or 1 / b0 without any.
 class FogExtent {
  public:
   explicit FogExtent(const Scene& scene);
 
-  // D for points on surfaces [u]; +inf without environment or fog.
+  // D for points on surfaces [u]; +inf where it is infinite, or without fog.
   [[nodiscard]] double surface_distance() const { return ball_.radius; }
   // Optical depth of fog of density b0 [1/u] over D; 0 without fog.
   [[nodiscard]] double surface_optical_depth(double b0) const {
@@ -32,8 +32,8 @@ class FogExtent {
 };
 
 // Where fog of density b0 > 0 [1/u] without surfaces scatters light more than once: two mean free
-// paths around these lights, or around the origin. In steps of at least a sixteenth of its size, so
-// that it mostly stays while a light is dragged.
-Box fog_bounds(double b0, std::span<const PointLight> lights);
+// paths around these lights but directional ones, or around the origin. In steps of at least a
+// sixteenth of its size, so that it mostly stays while a light is dragged.
+Box fog_bounds(double b0, std::span<const Light> lights);
 
 }  // namespace brume

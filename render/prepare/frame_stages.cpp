@@ -134,14 +134,13 @@ SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, St
       work.plan.runs(Stage::visibility) ? &prepared_.ray_caster() : nullptr,
       work.scene.surfaces,
       work.settings.scattering_limits};
-  for (const PointLight& light : work.plan.lights) {
-    multiple.lights.push_back(
-        {light.position, light.intensity,
-         work.plan.runs(Stage::light_table)
-             ? &prepared_.optical_depth_table(light.position, work.settings.optical_depth_table,
-                                              work.frame.statistics.light_pairs)
-             : nullptr,
-         SpotFalloff(light.spot)});
+  for (PointSource& source : work.sources()) {
+    const OpticalDepthTable* const table =
+        work.plan.runs(Stage::light_table)
+            ? &prepared_.optical_depth_table(source.position, work.settings.optical_depth_table,
+                                             work.frame.statistics.light_pairs)
+            : nullptr;
+    multiple.lights.push_back({std::move(source), table});
   }
   if (work.plan.runs(Stage::light_table)) clock.finish(Stage::light_table);
   return multiple;
@@ -171,7 +170,7 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
   const glm::dvec3& eye = work.rays.eye();
   PaperLights paper;
   paper.at_mean = work.settings.paper.at_mean;
-  for (const PointLight& light : work.plan.lights) {
+  for (const Light& light : work.plan.lights) {
     PaperLight& l = paper.lights.emplace_back();
     l.position = light.position;
     l.intensity = light.intensity;
@@ -212,10 +211,8 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
 
 std::vector<SlicedLight> FrameStages::lights_of(const FrameContext& work) {
   std::vector<SlicedLight> lights;
-  for (const PointLight& light : work.plan.lights) {
-    lights.push_back({light.position, light.intensity,
-                      min_light_distance(work.rays, work.camera, light.position), nullptr, nullptr,
-                      SpotFalloff(light.spot)});
+  for (PointSource& source : work.sources()) {
+    lights.push_back({std::move(source), nullptr, nullptr});
   }
   return lights;
 }
@@ -234,7 +231,7 @@ std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClo
   if (work.plan.runs(Stage::shadow_map)) {
     for (std::size_t l = 0; l < lights.size(); ++l) {
       lights[l].shadows =
-          &prepared_.shadow_map(lights[l].position, shadow_directions(work, maps[l]));
+          &prepared_.shadow_map(lights[l].position, shadow_directions(work, lights[l], maps[l]));
     }
     clock.finish(Stage::shadow_map);
   }
@@ -242,10 +239,16 @@ std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClo
 }
 
 // Fog scatters in every direction, Gaussians only where they are.
-DirectionMap FrameStages::shadow_directions(const FrameContext& work, const DirectionMap& table) {
+DirectionMap FrameStages::shadow_directions(const FrameContext& work, const PointSource& light,
+                                            const DirectionMap& table) const {
   const int cells = work.settings.shadow_cells;
-  return work.plan.runs(Stage::homogeneous) ? DirectionMap::full_sphere(cells)
-                                            : table.resized(cells);
+  if (!work.plan.runs(Stage::homogeneous)) return table.resized(cells);
+  if (light.is_near()) return DirectionMap::full_sphere(cells);
+  // Only surfaces keep light of far lights from fog; beside them nothing does.
+  const Box& bounds = prepared_.ray_caster().bounds();
+  const Ball surfaces{0.5 * (bounds.low + bounds.high),
+                      0.5 * glm::length(bounds.high - bounds.low)};
+  return DirectionMap::towards(light.position, std::span(&surfaces, 1), cells);
 }
 
 SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
@@ -269,8 +272,9 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
     lighting.point = paper ? &ScatterTable::paper() : &ScatterTable::point();
     lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();
   }
-  for (const PointLight& light : work.plan.lights) {
-    lighting.lights.push_back({light, prepared_.medium().density(light.position)});
+  for (PointSource& source : work.sources()) {
+    const double density = source.is_near() ? prepared_.medium().density(source.position) : 0.0;
+    lighting.lights.push_back({std::move(source), density});
   }
   return lighting;
 }
@@ -280,7 +284,7 @@ SurfaceLighting FrameStages::tabled_lighting(FrameContext& work) {
   if (work.plan.surface_depths == RenderPlan::SurfaceDepths::tables) {
     for (SurfaceLight& light : lighting.lights) {
       light.table =
-          &prepared_.optical_depth_table(light.light.position, work.settings.optical_depth_table,
+          &prepared_.optical_depth_table(light.source.position, work.settings.optical_depth_table,
                                          work.frame.statistics.light_pairs);
     }
   }

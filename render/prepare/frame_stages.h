@@ -11,6 +11,7 @@
 #include "render/lighting/sliced_light.h"
 #include "render/lighting/source_function.h"
 #include "render/prepare/fog_extent.h"
+#include "render/prepare/point_sources.h"
 #include "render/prepare/prepared_scene.h"
 #include "render/prepare/ray_ends.h"
 #include "render/render_plan.h"
@@ -72,6 +73,10 @@ struct FrameContext {
   }
   // Allocates all layers of the frame.
   void make_layers();
+  // The plan's lights.
+  [[nodiscard]] std::vector<PointSource> sources() const {
+    return point_sources(plan.lights, rays, camera, fog_extent.ball());
+  }
 };
 
 // The stages before and after the airlight, shared by both backends, and their caches. Each does
@@ -109,7 +114,8 @@ class FrameStages {
   // Parts of sliced_lights(): the lights without tables, and the directions of a light's shadow
   // map; `table` is the map of its table.
   static std::vector<SlicedLight> lights_of(const FrameContext& work);
-  static DirectionMap shadow_directions(const FrameContext& work, const DirectionMap& table);
+  [[nodiscard]] DirectionMap shadow_directions(const FrameContext& work, const PointSource& light,
+                                               const DirectionMap& table) const;
 
   // Lighting of surfaces, without optical depth tables.
   [[nodiscard]] SurfaceLighting surface_lighting(const FrameContext& work) const;

@@ -6,6 +6,7 @@
 #include "render/paths/path_tracer.h"
 #include "render/prepare/albedo.h"
 #include "render/prepare/fog_extent.h"
+#include "render/prepare/point_sources.h"
 #include "render/render_plan.h"
 
 namespace brume {
@@ -31,7 +32,8 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_.eye());
   if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
-  const std::vector<PathLight> lights = path_lights(plan.lights, rays_, camera);
+  const std::vector<PointSource> lights =
+      point_sources(plan.lights, rays_, camera, fog_extent.ball());
   for (const AlbedoGroup& each : albedo_groups(scene.optics.albedo)) {
     Group& group = groups_.emplace_back();
     group.albedo = each.albedo;

@@ -23,7 +23,7 @@ QualityControl::Measures measures_of(const Scene& scene) {
     depth += scene.medium.densities()[i] * scene.medium.radii()[i];
   }
   const auto lights =
-      std::ranges::count(scene.lights, true, &PointLight::on) + (scene.environment ? 1 : 0);
+      std::ranges::count(scene.lights, true, &Light::on) + (scene.environment ? 1 : 0);
   return {static_cast<double>(lights), static_cast<double>(scene.medium.size()), depth,
           scene.medium.homogeneous_density(), scene.optics.noise.amplitude};
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/scene/far_lights.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/optical_depth.h"
 
@@ -21,13 +22,13 @@ constexpr double hidden_radii = 5.0;
 // Number of strongest lights that estimate the brightness of Gaussians.
 constexpr std::size_t max_lights = 16;
 
-double strength(const PointLight& light) {
+double strength(const Light& light) {
   return std::max({light.intensity.x, light.intensity.y, light.intensity.z});
 }
 
-std::vector<PointLight> strongest(std::vector<PointLight> lights) {
-  std::erase_if(lights, [](const PointLight& light) { return !light.on; });
-  std::ranges::sort(lights, std::greater(), strength);
+std::vector<Light> strongest(std::vector<Light> lights) {
+  std::erase_if(lights, [](const Light& light) { return !light.on; });
+  std::ranges::sort(lights, std::greater(), strength);  // that of far lights is huge
   lights.resize(std::min(lights.size(), max_lights));
   return lights;
 }
@@ -41,10 +42,10 @@ double mean_radiance(const Environment& environment) {
 }
 
 // Unattenuated light at a Gaussian's center.
-double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights,
+double incident(const Gaussian& gaussian, const std::vector<Light>& lights,
                 double environment_radiance) {
   double sum = environment_radiance;
-  for (const PointLight& light : lights) {
+  for (const Light& light : lights) {
     const glm::dvec3 offset = light.position - gaussian.center;
     const double distance = glm::length(offset);
     const double falloff = distance > 0.0 ? SpotFalloff(light.spot).at(-offset / distance) : 1.0;
@@ -59,7 +60,7 @@ double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights,
 std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays& rays,
                                            const Frame& guide, double min_change,
                                            std::size_t max_count) {
-  const std::vector<PointLight> lights = strongest(scene.lights);
+  const std::vector<Light> lights = strongest(as_point_lights(scene));
   const double environment_radiance = scene.environment ? mean_radiance(*scene.environment) : 0.0;
   const double per_radius = 0.5 / std::tan(rays.pixel_half_angle());  // pixels, at distance 1
   const int width = guide.film.width;

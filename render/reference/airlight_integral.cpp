@@ -185,7 +185,13 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     const Real r = glm::length(q);
     const Real falloff = r > 0 ? static_cast<Real>(light.spot.at(glm::dvec3(q / r))) : Real(1);
     if (!(falloff > 0)) return Real(0);
-    const Real light_depth = r > 0 ? around_light.depth(q / r, r) + medium.b0 * r : Real(0);
+    Real fog_length = r;
+    if (!light.fog.is_endless() && r > 0) {
+      const glm::dvec3 x(medium.eye + t * medium.w);
+      fog_length = static_cast<Real>(light.fog.length(x, -glm::dvec3(q / r)));
+    }
+    const Real light_depth =
+        r > 0 ? around_light.depth(q / r, r) + medium.b0 * fog_length : Real(0);
     const Real phase =
         light.anisotropy != 0 ? henyey_greenstein(path.cos_theta(t), light.anisotropy) : Real(1);
     return phase * density * falloff * std::exp(-(view_depth + light_depth));

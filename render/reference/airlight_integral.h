@@ -8,6 +8,7 @@
 #include "core/scene/ray_noise.h"
 #include "core/transport/light_path.h"
 #include "core/transport/spot_falloff.h"
+#include "render/geometry/fog_ball.h"
 #include "render/reference/gaussian_sums.h"
 
 namespace brume {
@@ -59,6 +60,7 @@ struct LightSource {
   // Intervals [t0, t1] of the ray that are not in shadow; nullopt: all of it.
   std::optional<std::vector<std::pair<Real, Real>>> lit;
   SpotFalloff spot{};
+  FogBall fog{};  // see PointSource
 };
 
 // Radiance scattered once towards the eye, per unit of radiant intensity [1/u^2]:

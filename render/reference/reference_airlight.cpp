@@ -9,7 +9,7 @@
 namespace brume {
 
 ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion& exact_occlusion,
-                                std::span<const ReferenceLight> lights,
+                                std::span<const PointSource> lights,
                                 const ReferenceEnvironment* environment, const glm::dvec3& eye,
                                 const glm::dvec3& w, double length, double tolerance) {
   ReferenceRay result;
@@ -30,9 +30,9 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion&
   if (!(b0 > 0.0)) end = std::min(end, last);
   const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise());
   if (environment) result.airlight = environment->airlight(medium, lit, tolerance);
-  for (const ReferenceLight& light : lights) {
-    LightSource<double> source{light.position,      light.h_min,  {},
-                               medium.anisotropy(), std::nullopt, light.spot};
+  for (const PointSource& light : lights) {
+    LightSource<double> source{light.position, light.h_min, {},       medium.anisotropy(),
+                               std::nullopt,   light.spot,  light.fog};
     std::vector<GaussianTerm<double>> toward_light;
     // An endless ray in fog is cut at 1e15 u, beyond which nothing contributes.
     const glm::dvec3 far = eye + std::min(end, 1e15) * w;

@@ -4,6 +4,7 @@
 
 #include "core/scene/scene.h"
 #include "render/geometry/medium_index.h"
+#include "render/geometry/point_source.h"
 #include "render/reference/environment_integral.h"
 #include "render/visibility/exact_occlusion.h"
 
@@ -11,13 +12,6 @@ namespace brume {
 
 // The converged airlight of one view ray: all lights with shadows of surfaces, b0 and Gaussians,
 // and the environment, which surfaces do not occlude.
-
-struct ReferenceLight {
-  glm::dvec3 position{0.0};
-  glm::dvec3 intensity{0.0};  // RGB [W/sr]
-  double h_min = 0.0;         // see light_limits.h [u]
-  SpotFalloff spot{};
-};
 
 struct ReferenceRay {
   glm::dvec3 airlight{0.0};  // RGB radiance
@@ -29,7 +23,7 @@ struct ReferenceRay {
 // `length`: distance to the first surface or +inf; `environment`: may be null; `tolerance`:
 // relative, see airlight_integral(). Thread-safe.
 ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion& exact_occlusion,
-                                std::span<const ReferenceLight> lights,
+                                std::span<const PointSource> lights,
                                 const ReferenceEnvironment* environment, const glm::dvec3& eye,
                                 const glm::dvec3& w, double length, double tolerance);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "render/prepare/albedo.h"
-#include "render/prepare/light_limits.h"
+#include "render/prepare/point_sources.h"
 #include "render/render_plan.h"
 #include "render/util/job.h"
 
@@ -21,10 +21,7 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   const RenderPlan plan(scene, film, settings);
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_.eye());
-  for (const PointLight& light : plan.lights) {
-    lights_.push_back({light.position, light.intensity,
-                       min_light_distance(rays_, camera, light.position), SpotFalloff(light.spot)});
-  }
+  lights_ = point_sources(plan.lights, rays_, camera, fog_extent.ball());
   for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
     const Medium extinction = extinction_medium(scene.medium, group.albedo);
     MediumIndex medium(extinction, culling_tolerance(extinction, plan.depth_error),

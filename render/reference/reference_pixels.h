@@ -41,7 +41,7 @@ class ReferencePixels {
   RayCaster ray_caster_;
   ExactOcclusion exact_occlusion_;
   double ray_end_;
-  std::vector<ReferenceLight> lights_;
+  std::vector<PointSource> lights_;
   std::vector<Group> groups_;
 };
 

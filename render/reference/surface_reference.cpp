@@ -10,6 +10,7 @@
 
 #include "core/scene/brdf.h"
 #include "core/scene/environment.h"
+#include "core/scene/far_lights.h"
 #include "core/transport/light_path.h"
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
@@ -125,7 +126,7 @@ class Sampler {
   }
 
   // Light of a point light that comes straight, without sampling.
-  [[nodiscard]] glm::dvec3 unscattered(const PointLight& light) const {
+  [[nodiscard]] glm::dvec3 unscattered(const Light& light) const {
     const glm::dvec3 q = light.position - point_.position;
     const double distance = glm::length(q);
     if (!(distance > 0.0) || ray_caster_.occluded(point_.shadow_origin, light.position)) {
@@ -133,10 +134,10 @@ class Sampler {
     }
     const glm::dvec3 wi = q / distance;
     return SpotFalloff(light.spot).at(-wi) * reflected(wi) * light.intensity /
-           (distance * distance) * transmittance(ray(point_.position, wi).depth(distance));
+           (distance * distance) * transmittance(depth_to(light, point_.position, wi, distance));
   }
 
-  Sample of_light(const PointLight& light, Uniform& uniform) const {
+  Sample of_light(const Light& light, Uniform& uniform) const {
     // Scattered light is bright around the light like 1 / angle: half of the directions are as
     // dense there, the other half follow the cosine.
     const glm::dvec3 q = light.position - point_.position;
@@ -158,7 +159,7 @@ class Sampler {
     if (ray_caster_.occluded(x, light.position)) return {};
     const double r = path.path_length(t);
     const glm::dvec3 from_light = r > 0.0 ? (x - light.position) / r : -wi;
-    const double depth = along.depth(t) + ray(light.position, from_light).depth(r);
+    const double depth = along.depth(t) + depth_to(light, x, -from_light, r);
     const double weight = SpotFalloff(light.spot).at(from_light) * along.density(t) *
                           phase(-glm::dot(from_light, wi)) * angular.span / (path.h * pdf);
     return {{}, weight * reflected(wi) * transmittance(depth) * light.intensity};
@@ -196,6 +197,15 @@ class Sampler {
  private:
   [[nodiscard]] Ray ray(const glm::dvec3& origin, const glm::dvec3& w) const {
     return {gaussians_, scene_.medium.homogeneous_density(), origin, w};
+  }
+  // From x to a light in the direction w at a distance. Of a far light, fog ends where the medium
+  // does.
+  [[nodiscard]] double depth_to(const Light& light, const glm::dvec3& x, const glm::dvec3& w,
+                                double distance) const {
+    const double depth = ray(x, w).depth(distance);
+    if (!light.directional) return depth;
+    const double fog = scene_.medium.homogeneous_density();
+    return depth - fog * (distance - std::min(distance, distance_out(x, w)));
   }
   // f cos(theta_i).
   [[nodiscard]] glm::dvec3 reflected(const glm::dvec3& wi) const {
@@ -251,7 +261,7 @@ ReflectedLight reflected_light(const Scene& scene, const RayCaster& ray_caster,
     result.scattered += scattered.value();
     variance += sum.variance();
   };
-  for (const PointLight& light : scene.lights) {
+  for (const Light& light : as_point_lights(scene)) {
     if (!light.on) continue;
     result.attenuated += sampler.unscattered(light);
     average([&] { return sampler.of_light(light, uniform); });

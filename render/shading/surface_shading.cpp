@@ -88,7 +88,7 @@ void add_reflected(const SurfacePoints& points, const ReflectionTable& table,
 
 }  // namespace
 
-PointLightShading point_light_shading(const Material& material, const PointLight& light) {
+PointLightShading point_light_shading(const Material& material, const PointSource& light) {
   PointLightShading shading;
   shading.intensity = glm::vec3(light.intensity);
   shading.diffuse = glm::vec3(material.reflectance * std::numbers::inv_pi);
@@ -113,7 +113,7 @@ std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
     std::array<std::int32_t, Tiles::pixels> none;
     none.fill(-1);
     for (std::size_t k = 0; k < points.count; ++k) ends[k] = points.origin + points.position[k];
-    pairs = bundle_depths(medium, light.light.position, std::span(ends).first(points.count),
+    pairs = bundle_depths(medium, light.source.position, std::span(ends).first(points.count),
                           std::span(none).first(points.count), precision,
                           std::span(depths).first(points.count));
     for (std::size_t k = 0; k < points.padded_size(); ++k) {
@@ -122,7 +122,12 @@ std::uint64_t find_depths(const MediumIndex& medium, const SurfaceLight& light,
   }
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   for (std::size_t k = 0; b0 > 0.0f && k < points.padded_size(); ++k) {
-    light_at_point.depths[k] += b0 * light_at_point.paths.length[k];
+    const std::size_t at = std::min(k, points.count - 1);
+    light_at_point.depths[k] +=
+        b0 *
+        (light.source.is_near()
+             ? light_at_point.paths.length[k]
+             : static_cast<float>(light.source.fog_length(points.origin + points.position[at])));
   }
   const auto factor = static_cast<float>(extinction);
   for (std::size_t k = 0; factor != 1.0f && k < points.padded_size(); ++k) {
@@ -145,11 +150,11 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
   if (reflects_indirect) indirect.clear();
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
-    const glm::vec3 position(light.light.position - points.origin);
-    point_to_light(points, position, SpotFalloff(light.light.spot), light_at_point);
+    const glm::vec3 position(light.source.position - points.origin);
+    point_to_light(points, position, light.source.spot, light_at_point);
     pairs += find_depths(medium, light, points, precision, lighting.extinction, light_at_point);
     ray_caster.trace_shadow_rays(points, position, light_at_point);
-    PointLightShading reflected = point_light_shading(material, light.light);
+    PointLightShading reflected = point_light_shading(material, light.source);
     if (material.type == Material::Type::measured) {
       add_measured_light(points, light_at_point, reflected.intensity, radiance);
     } else {

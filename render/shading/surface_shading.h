@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/geometry/medium_index.h"
+#include "render/geometry/point_source.h"
 #include "render/lighting/environment_light.h"
 #include "render/lighting/incident_lookup.h"
 #include "render/lighting/optical_depth_table.h"
@@ -20,8 +21,8 @@ namespace brume {
 // surface and eye is part of compositing (eq. 29).
 
 struct SurfaceLight {
-  PointLight light;
-  double density = 0.0;                      // b(s) of the medium [1/u]
+  PointSource source;
+  double density = 0.0;                      // b(s) of the medium, 0 of far lights [1/u]
   const OpticalDepthTable* table = nullptr;  // source of T(s, p); null: exact sum
 };
 
@@ -89,7 +90,7 @@ void for_each_incident(const SurfaceLighting& lighting, const AverageDepthGrid* 
 }
 
 // Shading parameters of a light for an analytic material.
-PointLightShading point_light_shading(const Material& material, const PointLight& light);
+PointLightShading point_light_shading(const Material& material, const PointSource& light);
 
 // Sets at.depths from at.paths, times `extinction`. Returns the Gaussian x path pairs evaluated.
 // Thread-safe.

@@ -17,7 +17,7 @@
 namespace brume {
 namespace {
 
-using Light = std::vector<ShVector<glm::dvec3>>;  // at some points
+using IncidentBlock = std::vector<ShVector<glm::dvec3>>;  // at some points
 
 constexpr auto lighting_block = static_cast<std::size_t>(Tiles::pixels);  // vertices taken together
 
@@ -57,11 +57,12 @@ void add_direction(const ShVector<double>& direction, const glm::dvec3& irradian
 // light += light of a point light scattered by the medium; traced += its direct light.
 std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting& lighting,
                                const SurfaceLight& surface_light, const SurfacePoints& points,
-                               Settings::Precision precision, Light& light, Light& traced) {
+                               Settings::Precision precision, IncidentBlock& light,
+                               IncidentBlock& traced) {
   thread_local LightAtPoints at;
   thread_local std::array<PointArray, sh_max_bands> factors;
-  point_to_light(points, glm::vec3(surface_light.light.position - points.origin),
-                 SpotFalloff(surface_light.light.spot), at);
+  point_to_light(points, glm::vec3(surface_light.source.position - points.origin),
+                 surface_light.source.spot, at);
   const std::uint64_t pairs =
       find_depths(medium, surface_light, points, precision, lighting.extinction, at);
   if (lighting.point) {
@@ -73,7 +74,7 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
     const glm::dvec3 wi(-at.paths.x[k], -at.paths.y[k], -at.paths.z[k]);
     const ShVector<double> direction = sh_basis(light[k].order(), wi);
     const glm::dvec3 irradiance =
-        static_cast<double>(at.inverse_square[k]) * surface_light.light.intensity;
+        static_cast<double>(at.inverse_square[k]) * surface_light.source.intensity;
     const float unscattered = std::exp(-at.depths[k]);
     add_direction(
         direction, irradiance, [&](int) { return unscattered; }, traced[k]);
@@ -86,7 +87,7 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
 }
 
 void add_environment(const SurfaceLighting& lighting, const AverageDepthGrid* average_depth,
-                     const SurfacePoints& points, Light& light) {
+                     const SurfacePoints& points, IncidentBlock& light) {
   for_each_incident(lighting, average_depth, points, [&](std::size_t k, const auto& incident) {
     const ShVector<glm::dvec3> sky = incident_light(lighting, incident);
     for (std::size_t i = 0; i < light[k].size(); ++i) light[k][i] += sky[i];
@@ -107,8 +108,8 @@ VertexLightingInputs::VertexLightingInputs(const MediumIndex& index,
       albedo(lighting.albedo),
       precision(arithmetic) {
   for (const SurfaceLight& at : lighting.lights) {
-    lights.push_back(
-        {at.light.position, at.light.intensity, at.density, at.table ? at.table->revision() : 0});
+    lights.push_back({at.source.position, at.source.intensity, at.source.spot, at.source.fog,
+                      at.density, at.table ? at.table->revision() : 0});
   }
 }
 
@@ -129,8 +130,8 @@ VertexLighting::VertexLighting(const MediumIndex& medium, const SurfaceLighting&
   std::atomic<std::uint64_t> pair_count = 0;
   job.parallel_for((transfer.vertices + lighting_block - 1) / lighting_block, [&](std::size_t b) {
     const SurfacePoints points = places(surface, mesh.points, b * lighting_block);
-    Light light(points.count, ShVector<glm::dvec3>(order_));
-    Light traced = light;
+    IncidentBlock light(points.count, ShVector<glm::dvec3>(order_));
+    IncidentBlock traced = light;
     for (const SurfaceLight& surface_light : lighting.lights) {
       pair_count +=
           add_light_sphere(medium, lighting, surface_light, points, precision, light, traced);

@@ -10,6 +10,7 @@
 #include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/geometry/medium_index.h"
+#include "render/geometry/point_source.h"
 #include "render/settings.h"
 #include "render/simd/surface_points.h"
 #include "render/transfer/radiance_transfer.h"
@@ -28,6 +29,8 @@ struct VertexLightingInputs {
   struct Light {
     glm::dvec3 position{0.0};
     glm::dvec3 intensity{0.0};
+    SpotFalloff spot{};
+    FogBall fog{};
     double density = 0.0;
     Revision table = 0;  // 0: exact sums
 

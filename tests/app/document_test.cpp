@@ -176,7 +176,7 @@ class DocumentTest : public QObject {
     const QTemporaryDir folder;
     const auto file = std::filesystem::path(folder.path().toStdString()) / "scene.brume";
     SceneDocument loaded = small_scene();
-    loaded.scene.lights.assign(3, PointLight{});
+    loaded.scene.lights.assign(3, Light{});
     for (const int k : {0, 2}) {
       const std::string name = "{\"name\": \"light " + std::to_string(k) + "\"}";
       loaded.extras.unknown_keys.add(loaded.scene.lights[static_cast<std::size_t>(k)].id, "", name);

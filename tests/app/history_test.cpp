@@ -131,7 +131,7 @@ class RandomHands {
       default:
         const MergeId merge_id = new_merge_id();
         for (int step = 0; step < 2; ++step) {
-          change_light(document_, index, "Change %1", merge_id, [this](PointLight& light) {
+          change_light(document_, index, "Change %1", merge_id, [this](Light& light) {
             light.intensity = point();
             light.on = below(2) == 0;
           });
@@ -228,7 +228,7 @@ SceneDocument starting_document() {
   SceneExtras extras;
   int count = 0;
   const auto text = [&count] { return "{\"later\": " + std::to_string(++count) + "}"; };
-  for (PointLight& light : scene.lights) extras.unknown_keys.add(light.id, "", text());
+  for (Light& light : scene.lights) extras.unknown_keys.add(light.id, "", text());
   extras.unknown_keys.add(scene.surfaces[0].id, "", text());
   extras.unknown_keys.add(scene.surfaces[0].id, "material", text());
   extras.unknown_keys.add(scene.emitters[0].id, "", text());

@@ -41,10 +41,10 @@ void set_key_at(TestWindow& window, int number) {
 
 void move_light(TestWindow& window, const glm::dvec3& to) {
   change_light(window->document(), 0, "Move %1", no_merge,
-               [&to](PointLight& light) { light.position = to; });
+               [&to](Light& light) { light.position = to; });
 }
 
-const PointLight& light(TestWindow& window) {
+const Light& light(TestWindow& window) {
   return window->document().scene().lights.at(0);
 }
 
@@ -263,7 +263,7 @@ class KeysTest : public QObject {
     choose(window, "Light 2 position");
     set_key_at(window, 0);
     window->timeline().set_frame(60);
-    change_light(document, 1, "Move %1", no_merge, [](PointLight& light) {
+    change_light(document, 1, "Move %1", no_merge, [](Light& light) {
       light.position = {0, 9, 0};
     });
     const Scene both = document.scene();

@@ -99,7 +99,7 @@ class PanelsTest : public QObject {
     Document& document = window->document();
     drag_title(window, "light_intensity", 80);
     QCOMPARE(document.undo_stack().count(), 1);
-    const PointLight& light = document.scene().lights[0];
+    const Light& light = document.scene().lights[0];
     QVERIFY(light_strength(light) > 20.0);
     // The colour stays.
     QVERIFY(glm::distance(light_color(light), glm::dvec3(12, 10, 8) / 12.0) < 1e-12);
@@ -156,13 +156,54 @@ class PanelsTest : public QObject {
     QVERIFY2(spot().direction != glm::dvec3(0.0), "it shines somewhere");
     QVERIFY(direction.x == 0.0);
 
-    auto* box = window->findChild<QCheckBox*>("light_is_spot");
-    QVERIFY(box->isChecked());
-    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    auto* type = window->findChild<QComboBox*>("light_type");
+    QCOMPARE(type->currentText(), QString("Spot"));
+    const SpotCone cone = spot();
+    type->setFocus();
+    QTest::keyClick(type, Qt::Key_Up);
     QVERIFY(!document.scene().lights[last].spot);
-    QCOMPARE(document.undo_stack().undoText(), QString("Make light 2 shine all around"));
-    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
-    QCOMPARE(spot(), SpotCone());
+    QCOMPARE(document.undo_stack().undoText(), QString("Change type of light 2"));
+    QTest::keyClick(type, Qt::Key_Down);
+    QVERIFY(document.scene().lights[last].spot);
+    QVERIFY(cone != spot());
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void a_sun_is_added_changed_and_turned() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_directional"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), before.lights.size() + 1);
+    const auto sun = [&]() -> const Light& { return document.scene().lights.back(); };
+    QVERIFY(sun().directional);
+    QVERIFY(sun().directional->direction.y < 0.0);
+    QCOMPARE(window->findChild<QComboBox*>("light_type")->currentText(), QString("Directional"));
+    QVERIFY(!window->findChild<ValueField*>("light_position_x")->isEnabled());
+    enter(window, "light_intensity", "4.5");
+    QCOMPARE(sun().intensity, glm::dvec3(4.5));
+    enter(window, "light_angular_diameter", "0.53");
+    QCOMPARE(sun().directional->angular_diameter, 0.53);
+    enter(window, "light_angular_diameter", "90");
+    QVERIFY(sun().directional->angular_diameter < 90.0);
+    enter(window, "light_direction_y", "-2");
+    QCOMPARE(sun().directional->direction.y, -2.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+
+    // Its icon beside the scene turns it.
+    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+    const glm::dvec3 direction = glm::normalize(sun().directional->direction);
+    const auto film = [&] {
+      const glm::dvec3 at = window->viewport().rays().project(
+          handle_position(sun(), LitRegion::of(document.scene())));
+      return QPoint(qRound(at.x), qRound(at.y));
+    };
+    const QPoint at = film();
+    window.drag(at, at + QPoint(50, 0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    QVERIFY(glm::dot(glm::normalize(sun().directional->direction), direction) < 0.999);
+    QVERIFY2((film() - at).x() > 10, "it follows the pointer");
     while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);
   }
@@ -172,7 +213,7 @@ class PanelsTest : public QObject {
     Document& document = window->document();
     QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
     enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
-    const PointLight before = document.scene().lights[1];
+    const Light before = document.scene().lights[1];
     const auto film = [&](const glm::dvec3& point) {
       const glm::dvec3 at = window->viewport().rays().project(point);
       return QPoint(qRound(at.x), qRound(at.y));

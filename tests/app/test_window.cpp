@@ -19,7 +19,7 @@ Scene small_scene() {
         glm::dvec3(-1.1, -0.9, -0.5), glm::dvec3(0.1, 0.5, 0.25)}) {
     scene.medium.append({center, 0.4 + 0.1 * center.x, 0.8});
   }
-  PointLight light;
+  Light light;
   light.position = {1.0, 2.0, 2.0};
   light.intensity = glm::dvec3(12.0, 10.0, 8.0);
   scene.lights.push_back(light);

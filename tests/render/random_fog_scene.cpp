@@ -59,7 +59,7 @@ class RandomFogScene {
   }
 
   void add_light() {
-    PointLight light;
+    Light light;
     // In the fog, where it may be seen; in a Gaussian; or around all of it.
     light.position = one_in(2) ? random_.point(1.2) : random_.uniform(2.0, 5.0) * direction();
     if (one_in(6)) {

@@ -31,7 +31,7 @@ class RandomScene {
     if (one_in(4)) add_noise();
     // Rarely: its airlight takes longer than all else.
     if (one_in(60)) add_environment();
-    for (PointLight& light : scene_.lights) {
+    for (Light& light : scene_.lights) {
       if (one_in(3)) light.spot = cone_from(light.position);
     }
     return std::move(scene_);
@@ -100,13 +100,20 @@ class RandomScene {
   }
 
   void add_light() {
-    PointLight light;
+    Light light;
     light.position = place();
     const auto channel = [&] { return one_in(5) ? 0.0 : spread(random_.power(0, 2), -20, 20); };
     light.intensity.x = channel();
     light.intensity.y = channel();
     light.intensity.z = channel();
     light.on = !one_in(10);
+    if (one_in(6)) {
+      Directional& sun = light.directional.emplace();
+      if (const glm::dvec3 towards = place(); towards != glm::dvec3(0.0)) {
+        sun.direction = glm::clamp(towards, -1e12, 1e12);
+      }
+      if (one_in(3)) sun.angular_diameter = spread(random_.power(0, 1), 0.0, 89.0);
+    }
     scene_.lights.push_back(light);
   }
 

@@ -272,7 +272,7 @@ TEST(RenderPlan, LimitsTheMemoryOfLightMaps) {
   scene.lights.resize(1000, scene.lights[0]);
   EXPECT_EQ(RenderPlan(scene, {4, 4}, settings).settings,
             limit_light_map_memory(settings, 1000, true));
-  for (PointLight& light : scene.lights) light.on = false;
+  for (Light& light : scene.lights) light.on = false;
   EXPECT_EQ(RenderPlan(scene, {4, 4}, settings).settings, settings) << "none is on";
 }
 

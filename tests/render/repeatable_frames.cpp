@@ -22,7 +22,7 @@ Scene scene_at(int frame) {
   scene.camera.eye += glm::dvec3(0.3 * frame, 0.1 * frame, -0.05 * frame);
   scene.medium.set_homogeneous_density(0.02);
   scene.environment.emplace().map = constant_sky(0.3f);
-  PointLight light;
+  Light light;
   light.position = {-1.5 + 0.2 * (frame / 2), 1.2, 1.4};
   light.intensity = {3.0, 4.0, 5.0};
   scene.lights.push_back(light);

@@ -27,24 +27,9 @@ const SpotCone smooth{{-0.9, -1.4, -0.6}, 5.0, 20.0};
 const SpotCone sharp{{-0.9, -1.2, -0.7}, 11.8, 12.0};
 const SpotCone wide{{-0.2, 1.0, 0.1}, 60.0, 130.0};
 
-Settings reference_settings() {
-  Settings settings;
-  settings.airlight = AirlightMethod::reference;
-  settings.reference_tolerance = 1e-6;
-  return settings;
-}
-
-Settings sliced(int slices, Scattering scattering = Scattering::single) {
-  Settings settings;
-  settings.airlight = AirlightMethod::sliced;
-  settings.slices = slices;
-  settings.scattering = scattering;
-  return settings;
-}
-
 // The integral of the radiance that a ray of the camera scatters, by small steps.
 double integral(const Scene& scene, const glm::dvec3& w, double begin, double end) {
-  const PointLight& light = scene.lights[0];
+  const Light& light = scene.lights[0];
   const SpotCone& cone = *light.spot;
   const double dark = std::cos(glm::radians(cone.outer_angle));
   const double slope = std::cos(glm::radians(cone.inner_angle)) - dark;
@@ -185,7 +170,7 @@ TEST(SpotLight, IsLeftOutByThePaperWithAWord) {
   EXPECT_EQ(both.airlight, point.airlight);
   const auto says = [](const Frame& frame) {
     return std::ranges::any_of(frame.statistics.skipped, [](const SkippedStage& skipped) {
-      return skipped.why.find("no spot lights; left out: 1") != std::string::npos;
+      return skipped.why.find("isotropic point lights only; left out: 1") != std::string::npos;
     });
   };
   EXPECT_TRUE(says(both));

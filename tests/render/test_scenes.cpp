@@ -123,4 +123,19 @@ void expect_finite(const Frame& frame) {
   for (const float x : frame.depth) ASSERT_TRUE(x > 0.0f) << x;
 }
 
+Settings reference_settings(double tolerance) {
+  Settings settings;
+  settings.airlight = AirlightMethod::reference;
+  settings.reference_tolerance = tolerance;
+  return settings;
+}
+
+Settings sliced(int slices, Scattering scattering) {
+  Settings settings;
+  settings.airlight = AirlightMethod::sliced;
+  settings.slices = slices;
+  settings.scattering = scattering;
+  return settings;
+}
+
 }  // namespace brume

@@ -31,6 +31,8 @@ std::shared_ptr<const RadianceMap> constant_sky(float radiance);
 
 Frame render_frame(const Scene& scene, const Settings& settings);
 inline const Settings paper_settings{.airlight = AirlightMethod::paper};
+Settings reference_settings(double tolerance = 1e-6);
+Settings sliced(int slices, Scattering scattering = Scattering::single);
 
 // Largest and root-mean-square difference of two frames' beauty (RGB), relative to b's rms.
 struct Difference {

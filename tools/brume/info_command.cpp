@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
+#include "core/io/scene/light_json.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
@@ -18,10 +19,6 @@ namespace brume {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const glm::dvec3& v) {
-  return Json::array({v.x, v.y, v.z});
-}
 
 Json bounds(const glm::dvec3& min_corner, const glm::dvec3& max_corner) {
   return Json::array({to_json(min_corner), to_json(max_corner)});
@@ -51,16 +48,8 @@ Json scene_json(const SceneDocument& document) {
   }
   json["film"] = Json::array({scene.film.width, scene.film.height});
   json["lights"] = Json::array();
-  for (const PointLight& light : scene.lights) {
-    Json entry;
-    entry["type"] = light.spot ? "spot" : "point";
-    entry["position"] = to_json(light.position);
-    entry["intensity"] = to_json(light.intensity);
-    if (light.spot) {
-      entry["direction"] = to_json(light.spot->direction);
-      entry["inner_angle"] = light.spot->inner_angle;
-      entry["outer_angle"] = light.spot->outer_angle;
-    }
+  for (const Light& light : scene.lights) {
+    Json entry = light_to_json(light);
     if (!light.on) entry["on"] = false;
     json["lights"].push_back(std::move(entry));
   }

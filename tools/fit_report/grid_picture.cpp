@@ -100,7 +100,7 @@ double depth_between(const DenseGrid& grid, const glm::dvec3& start, const glm::
 }  // namespace
 
 std::vector<float> grid_picture(const DensityGrid& grid, const Camera& camera, const Film& film,
-                                const PointLight& light) {
+                                const Light& light) {
   std::vector<float> picture(static_cast<std::size_t>(film.width) *
                              static_cast<std::size_t>(film.height));
   if (grid.blocks.empty()) return picture;

@@ -13,6 +13,6 @@ namespace brume {
 // midpoint rule along rays with steps of half a voxel; red only, rows from the top. The density is
 // linear between voxels.
 std::vector<float> grid_picture(const DensityGrid& grid, const Camera& camera, const Film& film,
-                                const PointLight& light);
+                                const Light& light);
 
 }  // namespace brume

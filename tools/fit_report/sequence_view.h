@@ -22,7 +22,7 @@ class SequenceView {
  private:
   Camera camera_;
   Film film_;
-  PointLight light_;
+  Light light_;
 };
 
 // The sum of the squares of a - b, which are equally long.

@@ -4,6 +4,10 @@
 #include "core/limits.h"
 
 namespace brume {
+Json to_json(const glm::dvec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
 namespace {
 
 void read_value(JsonObject& object, const NumberDomain& domain, double& value) {
@@ -48,7 +52,7 @@ Json value_to_json(double value) {
   return value;
 }
 Json value_to_json(const glm::dvec3& value) {
-  return Json::array({value.x, value.y, value.z});
+  return to_json(value);
 }
 
 template <class T>

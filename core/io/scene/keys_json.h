@@ -13,6 +13,7 @@ void read_keys(JsonContext& context, JsonObject& object, const char* name,
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
                const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys);
 
+Json to_json(const glm::dvec3& v);
 Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys);
 Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys);
 

@@ -225,32 +225,51 @@ class SceneLoader {
 
   void load_light(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
-    const bool is_spot = object.choice("type", {"point", "spot"}, {}) == 1;
-    PointLight light;
-    light.position = object.vector("position", domain::coordinate, {});
-    light.intensity = object.vector("intensity", domain::intensity, light.intensity);
-    if (is_spot) light.spot = load_cone(object);
+    const std::size_t type = object.choice("type", {"point", "spot", "directional"}, {});
+    Light light;
+    if (type == 2) {
+      light.intensity = object.vector("irradiance", domain::intensity, {});
+      light.directional = load_directional(object);
+    } else {
+      light.position = object.vector("position", domain::coordinate, {});
+      light.intensity = object.vector("intensity", domain::intensity, light.intensity);
+    }
+    if (type == 1) light.spot = load_cone(object);
     light.on = object.boolean("on", light.on);
     unknown_keys_.add(light.id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
     if (light.spot) check_cone(object, light);
+    if (light.directional) check_direction(object, light, light.directional->direction);
     unknown_keys_.add(light.id, "", object.unknown_keys());
     scene_.lights.push_back(std::move(light));
   }
 
   // Values with keyframes count for nothing: they are those of the moment at which a scene was
   // saved.
-  static void check_cone(const JsonObject& object, const PointLight& light) {
-    const SpotCone& cone = *light.spot;
-    if (light.keys.direction.empty() && cone.direction == glm::dvec3(0.0)) {
+  static void check_direction(const JsonObject& object, const Light& light,
+                              const glm::dvec3& direction) {
+    if (light.keys.direction.empty() && direction == glm::dvec3(0.0)) {
       object.fail("direction", "found a vector of length 0; allowed: any other");
     }
+  }
+
+  static void check_cone(const JsonObject& object, const Light& light) {
+    const SpotCone& cone = *light.spot;
+    check_direction(object, light, cone.direction);
     const bool is_keyed = !light.keys.inner_angle.empty() || !light.keys.outer_angle.empty();
     if (!is_keyed && !(cone.inner_angle < cone.outer_angle)) {
       object.fail("inner_angle", "found " + quoted_text(cone.inner_angle) +
                                      "; allowed: less than outer_angle, which is " +
                                      quoted_text(cone.outer_angle));
     }
+  }
+
+  static Directional load_directional(JsonObject& object) {
+    Directional light;
+    light.direction = object.vector("direction", domain::coordinate, {});
+    light.angular_diameter =
+        object.number("angular_diameter", domain::angular_diameter, light.angular_diameter);
+    return light;
   }
 
   static SpotCone load_cone(JsonObject& object) {

@@ -5,6 +5,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
+#include "core/io/scene/light_json.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
@@ -13,10 +14,6 @@
 namespace brume {
 namespace fs = std::filesystem;
 namespace {
-
-Json to_json(const glm::dvec3& v) {
-  return Json::array({v.x, v.y, v.z});
-}
 
 // Adds the member `keys` with the keys of the values that visit_all(visit) goes through, and with
 // `unknown` ones, if any.
@@ -142,7 +139,7 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
   return object;
 }
 
-Json to_json(const SceneDocument& document, const fs::path& directory) {
+Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   const Scene& scene = document.scene;
   const UnknownKeys& unknown_keys = document.extras.unknown_keys;
   Json root{{"format", scene_names::format}, {"version", scene_names::version}};
@@ -158,15 +155,8 @@ Json to_json(const SceneDocument& document, const fs::path& directory) {
   add_unknown_keys(root["film"], unknown_keys.of("film"));
   root["medium"] = medium_to_json(document, directory);
   Json& lights = root["lights"] = Json::array();
-  for (const PointLight& light : scene.lights) {
-    Json entry{{"type", light.spot ? "spot" : "point"},
-               {"position", to_json(light.position)},
-               {"intensity", to_json(light.intensity)}};
-    if (light.spot) {
-      entry["direction"] = to_json(light.spot->direction);
-      entry["inner_angle"] = light.spot->inner_angle;
-      entry["outer_angle"] = light.spot->outer_angle;
-    }
+  for (const Light& light : scene.lights) {
+    Json entry = light_to_json(light);
     if (!light.on) entry["on"] = false;
     add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
              [&light](auto&& visit) { visit_keyed_light(light, visit); });
@@ -275,7 +265,7 @@ bool refers_to_medium_file(const SceneDocument& document) {
 
 std::string document_to_json(const SceneDocument& document, const fs::path& directory) {
   try {
-    return Layout(directory).text(to_json(document, directory));
+    return Layout(directory).text(scene_to_json(document, directory));
   } catch (const InputError&) {
     throw;
   } catch (const std::bad_alloc&) {

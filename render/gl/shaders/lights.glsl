@@ -43,6 +43,16 @@ float mean_inverse_square(float a, float b, float h2) {
   return atan(crosses, dots) / max(crosses, tiny);
 }
 
+// PointSource::fog_length() from a point `distance_` from the light; `from_light`: unit.
+float fog_length(int l, vec3 point, vec3 from_light, float distance_) {
+  if (lights[l].fog_radius == 0.0) return distance_;
+  const vec3 p = point - lights[l].fog_center;
+  const float along = -dot(p, from_light);
+  const float square = along * along + lights[l].fog_radius * lights[l].fog_radius - dot(p, p);
+  const float half_chord = sqrt(max(square, 0.0));
+  return clamp(half_chord - along, 0.0, 2.0 * half_chord);
+}
+
 // SpotFalloff::at(), of a cosine.
 float spot_falloff(int l, float cosine) {
   if (lights[l].spot_per_cosine == 0.0) return 1.0;

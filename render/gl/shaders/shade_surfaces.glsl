@@ -73,7 +73,8 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   light_at_point.cosine = -dot(light_at_point.w, point.normal);
   light_at_point.inverse_square =
       inverse * inverse * spot_falloff(l, dot(light_at_point.w, lights[l].spot_axis));
-  light_at_point.depth = b0 * light_at_point.length_;
+  light_at_point.depth =
+      b0 * fog_length(l, point.position, light_at_point.w, light_at_point.length_);
   if (has_depths != 0) {
     light_at_point.depth += uintBitsToFloat(tables[l * pixels + pixel]);
   } else if (lights[l].has_table != 0) {

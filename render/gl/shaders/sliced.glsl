@@ -161,7 +161,7 @@ void main() {
           const float along = middle - ts;
           const float distance_ = sqrt(along * along + h2);
           const vec3 q = middle * w - s;
-          float light_depth = b0 * distance_;
+          float light_depth = b0 * fog_length(l, middle * w, q / distance_, distance_);
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
           float light = falloff * exp(-light_extinction * light_depth);
           float fraction = whole_fraction;

@@ -151,7 +151,7 @@ TEST(Paper, CullingKeepsTheDepthOfEveryRay) {
 TEST(Paper, ThinMediaAreNotCulledAway) {
   Scene thin = cloud_scene(100, 1e-3);
   Scene thinner = cloud_scene(100, 1e-9);
-  for (PointLight& light : thinner.lights) light.intensity *= 1e6;
+  for (Light& light : thinner.lights) light.intensity *= 1e6;
   const Frame a = render_frame(thin, paper_settings);
   const Frame b = render_frame(thinner, paper_settings);
   EXPECT_LT(difference(a.airlight, b.airlight).relative_rmse, 3e-3);

@@ -51,7 +51,7 @@ Scene rounded(Scene scene) {
   const auto move = [&](glm::dvec3& p) {
     p += rounding * glm::length(p - scene.camera.eye) * glm::dvec3(0.6, -0.48, 0.64);
   };
-  for (PointLight& light : scene.lights) move(light.position);
+  for (Light& light : scene.lights) move(light.position);
   move(scene.camera.target);
   return scene;
 }

@@ -56,5 +56,28 @@ TEST_F(GlFrames, SpotLights) {
   }
 }
 
+TEST_F(GlFrames, DirectionalLights) {
+  for (const double b0 : {0.0, 0.05}) {
+    for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+      Scene scene = in_fog(cloud_scene(10, 2.0), b0);
+      scene.film = {24, 18};
+      // One shades the medium and the other.
+      scene.surfaces = {wall(-0.8, 1.5), wall(0.0, 0.4)};
+      scene.surfaces[1].translate = {0.5, 1.0, 0.3};
+      scene.lights = {
+          {.intensity = {3.0, 2.0, 1.0}, .directional = Directional{{-0.9, -1.4, -0.9}}},
+          {.intensity = glm::dvec3(0.5), .directional = Directional{{1.0, 0.2, -0.4}, 3.0}},
+          {{0.5, 0.5, 1.5}, glm::dvec3(1.0)}};
+      Settings settings = quick_slices();
+      settings.source_grid = {2000, 24};
+      settings.scattering = scattering;
+      const Frame cpu = on_cpu(scene, settings);
+      const Frame gl = render_on_device(scene, settings, "directional");
+      EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
+      EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brume::gl

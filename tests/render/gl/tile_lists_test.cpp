@@ -24,7 +24,7 @@ Scene crowded_scene(int gaussians) {
     const glm::dvec3 center = random.point(0.5);
     scene.medium.append({center, random.uniform(1.0, 2.0), 1.0 / gaussians});
   }
-  PointLight light;
+  Light light;
   light.position = {3.0, 2.0, 1.0};
   light.intensity = glm::dvec3(30.0, 20.0, 10.0);
   scene.lights.push_back(light);

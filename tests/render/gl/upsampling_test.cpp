@@ -29,7 +29,7 @@ struct Given {
   double tolerance = 0.01;
   std::vector<glm::vec4> values;
   std::vector<float> distances;
-  std::vector<PointLight> lights;
+  std::vector<Light> lights;
 
   [[nodiscard]] std::size_t pixels() const { return values.size(); }
 };
@@ -421,7 +421,7 @@ TEST_P(Upsampling, EvaluatesPixelsNearLights) {
   given.tolerance = 1.0;  // nothing else is worth it
   Random random(3);
   for (int i = 0; i < 20; ++i) {
-    PointLight light;
+    Light light;
     light.position = random.point(2.0);
     given.lights.push_back(light);
   }

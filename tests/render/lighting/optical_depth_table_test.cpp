@@ -119,7 +119,7 @@ TEST(Renderer, ManyLightsTakeBoundedMemory) {
   scene.film = {8, 6};
   scene.medium.append({{0, 0, 0}, 1.0, 1.0});
   for (int i = 0; i < 200; ++i) {
-    PointLight light;
+    Light light;
     light.position = {2.0 + 0.01 * i, 2.0, 2.0};
     scene.lights.push_back(light);
   }

@@ -40,12 +40,12 @@ double TracedScene::length(const glm::dvec3& eye, const glm::dvec3& w) const {
 }
 
 PathScene TracedScene::scene_from(const glm::dvec3& eye) const {
-  std::vector<PathLight> lights;
-  for (const PointLight& light : scene_.lights) {
+  std::vector<PointSource> lights;
+  for (const Light& light : scene_.lights) {
     lights.push_back({light.position, light.intensity, 0.0});
   }
   return PathScene::of_view(medium_, albedo_, ray_caster_, scene_.surfaces,
-                            environment_ ? &*environment_ : nullptr, std::move(lights), eye, fog_);
+                            environment_ ? &*environment_ : nullptr, lights, eye, fog_);
 }
 
 // `sample(block, k, sample index)`; sums over blocks are independent of each other.
@@ -122,8 +122,8 @@ TracedScene::Estimate TracedScene::surface(const glm::dvec3& eye, const glm::dve
 
 glm::dvec3 TracedScene::single_scattering(const glm::dvec3& eye, const glm::dvec3& target) const {
   constexpr double tolerance = 1e-5;
-  std::vector<ReferenceLight> lights;
-  for (const PointLight& light : scene_.lights) {
+  std::vector<PointSource> lights;
+  for (const Light& light : scene_.lights) {
     lights.push_back({light.position, light.intensity, 0.0});
   }
   std::optional<ReferenceEnvironment> environment;

@@ -19,13 +19,13 @@ Camera camera() {
 }
 
 // A light that is seen at a film position.
-PointLight light_at(double x, double y) {
-  PointLight light;
+Light light_at(double x, double y) {
+  Light light;
   light.position = {x - 4.0, 3.0 - y, 0.0};
   return light;
 }
 
-std::vector<glm::ivec2> pixels_of(const std::vector<PointLight>& lights, int width) {
+std::vector<glm::ivec2> pixels_of(const std::vector<Light>& lights, int width) {
   return light_pixels(lights, CameraRays(camera(), film), film, width);
 }
 
@@ -53,15 +53,15 @@ TEST(LightPixels, EachPixelIsListedOnce) {
 }
 
 TEST(LightPixels, LightsThatAreNotSeenHaveNone) {
-  PointLight off = light_at(3.5, 2.5);
+  Light off = light_at(3.5, 2.5);
   off.on = false;
-  PointLight black = light_at(3.5, 2.5);
+  Light black = light_at(3.5, 2.5);
   black.intensity = glm::dvec3(0.0);
-  PointLight behind;
+  Light behind;
   behind.position = {0.0, 0.0, 2.0};
-  PointLight eye;
+  Light eye;
   eye.position = camera().eye;
-  PointLight beside;
+  Light beside;
   beside.position = camera().eye + glm::dvec3(1e300, 0.0, -1e-10);
   EXPECT_EQ(pixels_of({off, black, behind, eye, beside}, 4), Pixels());
 }

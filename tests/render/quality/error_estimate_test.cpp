@@ -121,8 +121,8 @@ Scene thin_cloud(glm::dvec3& center) {
   return scene;
 }
 
-PointLight light_at(const glm::dvec3& position, double intensity) {
-  PointLight light;
+Light light_at(const glm::dvec3& position, double intensity) {
+  Light light;
   light.position = position;
   light.intensity = glm::dvec3(intensity);
   return light;

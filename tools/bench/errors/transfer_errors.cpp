@@ -45,7 +45,7 @@ Scene floor_under_a_sky(Material::Type type) {
 }
 
 // Direct light of a point light reflected at a point, diffuse, 0.5.
-double unscattered(const PointLight& light, const RayCaster& ray_caster, const SurfacePoint& p) {
+double unscattered(const Light& light, const RayCaster& ray_caster, const SurfacePoint& p) {
   const glm::dvec3 q = light.position - p.position;
   const double cosine = glm::dot(p.normal, q);
   if (!(cosine > 0.0) || ray_caster.occluded(p.shadow_origin, light.position)) return 0.0;

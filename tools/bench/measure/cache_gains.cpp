@@ -197,7 +197,7 @@ FrameCache center_depths_from_lights() {
       .is_used = [](const RenderPlan& plan, const Scene&) { return plan.runs(Stage::light_depth); },
       .displace =
           [](Scene& scene, Settings&) {
-            for (PointLight& light : scene.lights) light.position.x += 1e-3;
+            for (Light& light : scene.lights) light.position.x += 1e-3;
           },
   };
 }

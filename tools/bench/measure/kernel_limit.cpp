@@ -61,7 +61,8 @@ void add_tile(View& view, const Scene& scene, const CameraRays& rays, int slices
   lengths.reserve(hits.size());
   for (const SurfaceHit& hit : hits) lengths.push_back(hit.distance);
   std::vector<SlicedLight> lights;
-  for (const PointLight& light : scene.lights) lights.push_back({light.position, light.intensity});
+  for (const Light& light : scene.lights)
+    lights.push_back({PointSource{light.position, light.intensity}});
 
   std::vector<double> boundaries;
   const glm::dvec3 center = glm::normalize(directions.front() + directions.back());

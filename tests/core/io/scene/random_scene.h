@@ -39,9 +39,13 @@ class RandomScene {
                                 .seed = integer(-1000, 1000)});
     }
     for (int i = integer(0, 5); i > 0; --i) {
-      scene.lights.push_back({point(), {number(0, 90), 0.0, number(0, 1e9)}, {}, {}, maybe()});
+      scene.lights.push_back(
+          {.position = point(), .intensity = {number(0, 90), 0.0, number(0, 1e9)}, .on = maybe()});
       if (maybe()) {
         scene.lights.back().spot = SpotCone{point() + 1.0, number(0, 40), number(41, 180)};
+      } else if (maybe()) {
+        scene.lights.back().position = {};
+        scene.lights.back().directional = Directional{point() + 1.0, number(0, 89)};
       }
     }
     if (maybe())
@@ -67,11 +71,12 @@ class RandomScene {
     keys(scene.density_keys, 9.0);
     keys(scene.optics.keys.albedo, 1.0);
     keys(scene.optics.noise.keys.amplitude, 2.0);
-    for (PointLight& light : scene.lights) {
-      keys(light.keys.position, 1e6);
+    for (Light& light : scene.lights) {
       keys(light.keys.intensity, 1e9);
+      if (!light.directional) keys(light.keys.position, 1e6);
+      if (light.directional) keys(light.keys.angular_diameter, 80.0);
+      if (light.spot || light.directional) keys(light.keys.direction, 1e6);
       if (!light.spot) continue;
-      keys(light.keys.direction, 1e6);
       keys(light.keys.outer_angle, 180.0);
     }
     if (scene.environment) keys(scene.environment->keys.rotation, 720.0);

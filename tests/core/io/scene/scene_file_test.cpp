@@ -125,7 +125,7 @@ TEST(SceneFile, HasTheDocumentedDefaults) {
 TEST(SceneFile, WritesWhichLightsAreOff) {
   const TemporaryFolder folder;
   Scene scene;
-  scene.lights = {{{1, 2, 3}, {4, 5, 6}, {}, {}, true}, {{1, 2, 3}, {4, 5, 6}, {}, {}, false}};
+  scene.lights = {{.position = {1, 2, 3}, .on = true}, {.position = {1, 2, 3}, .on = false}};
   save_document(scene, folder / "a.brume");
   const Scene loaded = load_scene(folder / "a.brume");
   EXPECT_TRUE(loaded.lights[0].on);
@@ -164,6 +164,26 @@ TEST(SceneFile, KeyedConesLoadAtAnyMoment) {
   keys.direction = {};
   save_document(scene, folder / "a.brume");
   EXPECT_THROW(load_scene(folder / "a.brume"), InputError);
+}
+
+TEST(SceneFile, KeepsDirectionalLights) {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.lights = {{.intensity = {4, 5, 6}, .directional = Directional{{1, -2, 0}, 0.53}}};
+  LightKeys& keys = scene.lights[0].keys;
+  keys.intensity = {{0.0, {1, 2, 3}}};
+  keys.direction = {{0.0, {0, 1, 0}}};
+  keys.angular_diameter = {{0.0, 20.0}, {2.0, 40.0}};
+  save_document(scene, folder / "a.brume");
+  const Scene loaded = load_scene(folder / "a.brume");
+  ASSERT_EQ(loaded.lights.size(), 1u);
+  EXPECT_EQ(loaded.lights[0].directional, scene.lights[0].directional);
+  EXPECT_EQ(loaded.lights[0].intensity, scene.lights[0].intensity);
+  EXPECT_EQ(loaded.lights[0].keys, keys);
+  const std::string text = content_of(folder / "a.brume");
+  EXPECT_TRUE(contains(text, R"("type": "directional")"));
+  EXPECT_TRUE(contains(text, R"("irradiance": [4.0, 5.0, 6.0])"));
+  EXPECT_FALSE(contains(text, "position"));
 }
 
 TEST(SceneFile, ConesOpenAsTheContractSays) {

@@ -121,11 +121,11 @@ TEST(UnknownKeys, FollowTheirObject) {
   const SceneDocument untouched = document;
   const auto name = [](const Json& object) { return object.value("name", ""); };
 
-  std::vector<PointLight>& lights = document.scene.lights;
+  std::vector<Light>& lights = document.scene.lights;
   lights.erase(lights.begin());
   std::swap(lights[0], lights[1]);
   lights.push_back(lights[0]);
-  lights.insert(lights.begin(), PointLight{});
+  lights.insert(lights.begin(), Light{});
   lights[1].keys.intensity[2].time = 0.5;
   std::rotate(lights[1].keys.intensity.begin() + 1, lights[1].keys.intensity.begin() + 2,
               lights[1].keys.intensity.end());

@@ -1,0 +1,98 @@
+#include "core/scene/far_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+
+#include "core/math/infinity.h"
+#include "core/scene/mesh_arrays.h"
+
+namespace brume {
+namespace {
+
+// Of the light's irradiance, from the direction `to_light`, unit.
+Light far_light(const Light& light, double share, const glm::dvec3& to_light,
+                const LitRegion& region) {
+  const double distance = far_light_distance * region.diameter;
+  Light far = light;
+  far.position = region.center + distance * to_light;
+  // Single precision ends.
+  far.intensity = glm::min(share * distance * distance * light.intensity, glm::dvec3(1e35));
+  return far;
+}
+
+glm::dvec3 to_center(const Directional& light) {
+  return -glm::normalize(light.direction);
+}
+
+// Directions of equal irradiance on what faces the disc: evenly over the disc of their sines
+// (Vogel's spiral).
+void add_disc(const Light& light, int count, const LitRegion& region, std::vector<Light>& lights) {
+  const glm::dvec3 axis = to_center(*light.directional);
+  const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
+  const glm::dvec3 up = glm::cross(right, axis);
+  const double edge = std::sin(glm::radians(0.5 * light.directional->angular_diameter));
+  constexpr double golden_angle = std::numbers::pi * (3.0 - 2.2360679774997896964);
+  for (int k = 0; k < count; ++k) {
+    const double sine = edge * std::sqrt((k + 0.5) / count);
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const double turn = golden_angle * k;
+    const glm::dvec3 to_light =
+        cosine * axis + sine * (std::cos(turn) * right + std::sin(turn) * up);
+    lights.push_back(far_light(light, 1.0 / (count * cosine), to_light, region));
+  }
+}
+
+}  // namespace
+
+LitRegion LitRegion::of(const Scene& scene) {
+  glm::dvec3 low(infinity);
+  glm::dvec3 high(-infinity);
+  const auto add = [&](const glm::dvec3& p, double radius) {
+    low = glm::min(low, p - radius);
+    high = glm::max(high, p + radius);
+  };
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    const Gaussian g = scene.medium.gaussian(i);
+    add(g.center, 3.0 * g.radius);
+  }
+  for (const Surface& surface : scene.surfaces) {
+    for (const glm::dvec3& p : world_points(surface)) add(p, 0.0);
+  }
+  const double b0 = scene.medium.homogeneous_density();
+  LitRegion region;
+  double length = b0 > 0.0 ? 2.0 / b0 : region.diameter;
+  if (low.x <= high.x) {
+    region.center = 0.5 * (low + high);
+    if (const double diagonal = glm::length(high - low); diagonal > 0.0) length = diagonal;
+  }
+  region.diameter = std::exp2(std::ceil(std::log2(length)));
+  const double step = region.diameter / 16.0;
+  region.center = step * glm::round(region.center / step);
+  return region;
+}
+
+Light as_point_light(const Light& light, const LitRegion& region) {
+  return light.directional ? far_light(light, 1.0, to_center(*light.directional), region) : light;
+}
+
+std::vector<Light> as_point_lights(const Scene& scene, int disc_points) {
+  const auto is_directional = [](const Light& light) { return light.directional.has_value(); };
+  if (std::ranges::none_of(scene.lights, is_directional)) return scene.lights;
+  const LitRegion region = LitRegion::of(scene);
+  std::vector<Light> lights;
+  for (const Light& light : scene.lights) {
+    if (light.directional && light.directional->angular_diameter > 0.0 && disc_points > 1) {
+      add_disc(light, disc_points, region, lights);
+    } else {
+      lights.push_back(as_point_light(light, region));
+    }
+  }
+  return lights;
+}
+
+}  // namespace brume

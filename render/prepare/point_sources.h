@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "render/geometry/point_source.h"
+
+namespace brume {
+
+// The lights of a view as methods evaluate them. `lights` are point lights already, as of
+// RenderPlan::lights; `fog`: see FogExtent::ball().
+std::vector<PointSource> point_sources(std::span<const Light> lights, const CameraRays& rays,
+                                       const Camera& camera, const FogBall& fog);
+
+}  // namespace brume
