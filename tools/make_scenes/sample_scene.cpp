@@ -63,6 +63,11 @@ std::string cone_text(const SampleLight& light) {
 }
 
 std::string light_text(const SampleLight& light) {
+  if (light.is_directional) {
+    return concat(R"({ "type": "directional", "direction": )",
+                  triple(light.directions.at(0).direction), R"(, "irradiance": )",
+                  triple(light.intensity), " }");
+  }
   return concat(R"({ "type": ")", light.outer_angle > 0.0 ? "spot" : "point", R"(", "position": )",
                 triple(light.position), R"(, "intensity": )", triple(light.intensity),
                 cone_text(light), " }");
@@ -76,7 +81,11 @@ std::string highlight_text(const SampleSurface& s) {
 
 std::string environment_text(const SampleScene& scene) {
   if (scene.environment.empty()) return "";
-  return concat("  \"environment\": { \"file\": \"", scene.environment, "\" },\n");
+  std::string text = concat("  \"environment\": { \"file\": \"", scene.environment, "\"");
+  if (scene.environment_intensity != 1.0) {
+    text += concat(", \"intensity\": ", number(scene.environment_intensity));
+  }
+  return text + " },\n";
 }
 
 std::string transfer_text(const SampleSurface& s) {
@@ -99,6 +108,9 @@ std::string medium_text(const SampleScene& scene) {
   }
   if (scene.albedo != 1.0) {
     text += concat(R"(, "albedo": )", triple(glm::dvec3(scene.albedo)));
+  }
+  if (scene.anisotropy != 0.0) {
+    text += concat(R"(, "anisotropy": )", number(scene.anisotropy));
   }
   return text + " }";
 }

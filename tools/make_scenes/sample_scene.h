@@ -23,6 +23,8 @@ struct SampleLight {
   double inner_angle = 0.0;
   double outer_angle = 0.0;
   std::vector<SampleKey> directions = {};
+  // Its intensity is an irradiance, it shines along the first direction, and has no position.
+  bool is_directional = false;
 };
 
 struct SampleSurface {
@@ -40,10 +42,12 @@ struct SampleScene {
   Camera camera;
   double homogeneous_density = 0.0;
   double albedo = 1.0;
+  double anisotropy = 0.0;
   std::vector<Gaussian> gaussians;
   std::string medium_file;  // relative to the scene file; "" for none
   std::vector<SampleLight> lights;
   std::string environment;  // relative to the scene file; "" for none
+  double environment_intensity = 1.0;
   std::vector<SampleSurface> surfaces;
 };
 

@@ -19,6 +19,9 @@ void write_terrain_scene(const std::filesystem::path& folder);
 // courtyard.
 void write_courtyard_scene(const std::filesystem::path& folder);
 
+// forest.
+void write_forest_scene(const std::filesystem::path& folder);
+
 // room and tunnel.
 void write_interior_scenes(const std::filesystem::path& folder);
 
