@@ -38,6 +38,7 @@ inline constexpr NumberDomain field_of_view{0.0, 180.0, "a number in (0, 180) de
 inline constexpr NumberDomain cone_angle{0.0, 180.0, "a number in [0, 180] degrees"};
 inline constexpr NumberDomain angular_diameter{0.0, 89.99999999999999,
                                                "a number in [0, 90) degrees"};
+inline constexpr NumberDomain temperature{800.0, 40000.0, "a number from 800 to 40000 K"};
 inline constexpr NumberDomain not_negative{0.0, 1e12, "a number >= 0 (up to 1e12)"};
 inline constexpr NumberDomain seconds{-1e9, 1e9, "a number of seconds from -1e9 to 1e9"};
 inline constexpr NumberDomain rate{1e-3, 1e6, "a number from 1e-3 to 1e6"};

@@ -1,6 +1,8 @@
 #include "app/commands/edit_lights.h"
 
+#include <QtGlobal>
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -9,6 +11,7 @@
 #include "app/document/document.h"
 #include "core/limits.h"
 #include "core/number_domain.h"
+#include "core/scene/photometry.h"
 
 namespace brume {
 
@@ -34,7 +37,10 @@ LightType type_of(const Light& light) {
 }
 
 void set_type(Light& light, LightType type, const LitRegion& region) {
-  const glm::dvec3 place = handle_position(light, region);
+  const glm::dvec3 place =
+      light.directional
+          ? region.center - 0.5 * region.diameter * glm::normalize(light.directional->direction)
+          : light.position;
   const glm::dvec3 inward = region.center - place;
   const double square = std::max(glm::dot(inward, inward), 1e-12);
   const glm::dvec3 direction =
@@ -85,6 +91,18 @@ glm::dvec3 new_intensity(const Scene& scene) {
   return glm::dvec3(last == scene.lights.rend() ? 20.0 : light_strength(*last));
 }
 
+// From above, behind the left shoulder.
+glm::dvec3 sun_direction(const glm::dvec3& view) {
+  const glm::dvec3 ahead = glm::length(view) > 0.0 ? glm::normalize(view) : glm::dvec3(0, 0, -1);
+  const glm::dvec3 right = glm::cross(ahead, glm::dvec3(0, 1, 0));
+  return ahead + 0.7 * right - glm::dvec3(0.0, 1.2, 0.0);
+}
+
+glm::dvec3 direction_to(const glm::dvec3& target, const glm::dvec3& position) {
+  if (target == position) return SpotCone{}.direction;
+  return glm::clamp(target - position, -limits::coordinate, limits::coordinate);
+}
+
 }  // namespace
 
 void add_light(Document& document, const glm::dvec3& position) {
@@ -98,25 +116,58 @@ void add_spot(Document& document, const glm::dvec3& position, const glm::dvec3& 
   Light light;
   light.position = position;
   light.intensity = new_intensity(document.scene());
-  light.spot = SpotCone{.inner_angle = 15.0, .outer_angle = 20.0};
-  if (target != position) {
-    light.spot->direction = glm::clamp(target - position, -limits::coordinate, limits::coordinate);
-  }
+  light.spot = SpotCone{direction_to(target, position), 15.0, 20.0};
   add(document, std::move(light));
 }
 
 void add_directional(Document& document, const glm::dvec3& view) {
   Light light;
   light.intensity = glm::dvec3(3.0);
-  const glm::dvec3 ahead = glm::length(view) > 0.0 ? glm::normalize(view) : glm::dvec3(0, 0, -1);
-  const glm::dvec3 right = glm::cross(ahead, glm::dvec3(0, 1, 0));
-  light.directional = Directional{ahead + 0.7 * right - glm::dvec3(0.0, 1.2, 0.0)};
+  light.directional = Directional{sun_direction(view)};
   add(document, std::move(light));
 }
 
-glm::dvec3 handle_position(const Light& light, const LitRegion& region) {
+namespace {
+
+constexpr std::array<LightPreset, 6> presets{{
+    {"preset_sun", QT_TRANSLATE_NOOP("undo", "Sun"), LightType::directional, 5500.0, 3.0, 0, 0,
+     0.53},
+    {"preset_moon", QT_TRANSLATE_NOOP("undo", "Moon"), LightType::directional, 7500.0, 0.15, 0, 0,
+     0.52},
+    {"preset_headlight", QT_TRANSLATE_NOOP("undo", "Headlight"), LightType::spot, 4300.0, 60.0, 8.0,
+     24.0},
+    {"preset_stage", QT_TRANSLATE_NOOP("undo", "Stage spot"), LightType::spot, 3200.0, 80.0, 9.0,
+     10.0},
+    {"preset_street", QT_TRANSLATE_NOOP("undo", "Street lamp"), LightType::spot, 2000.0, 20.0, 40.0,
+     75.0},
+    {"preset_candle", QT_TRANSLATE_NOOP("undo", "Candle"), LightType::point, 1850.0, 2.0},
+}};
+
+}  // namespace
+
+std::span<const LightPreset> light_presets() {
+  return presets;
+}
+
+void add_preset(Document& document, const LightPreset& preset, const glm::dvec3& position,
+                const glm::dvec3& target, const glm::dvec3& eye) {
+  Light light;
+  light.intensity = preset.strength * black_body_color(preset.temperature);
+  if (preset.type == LightType::directional) {
+    light.directional = Directional{sun_direction(target - eye), preset.angular_diameter};
+  } else {
+    light.position = position;
+  }
+  if (preset.type == LightType::spot) {
+    light.spot = SpotCone{direction_to(target, position), preset.inner_angle, preset.outer_angle};
+  }
+  add(document, std::move(light));
+}
+
+glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye) {
   if (!light.directional) return light.position;
-  return region.center - 0.5 * region.diameter * glm::normalize(light.directional->direction);
+  const glm::dvec3& target = scene.camera.target;
+  return target - 0.2 * glm::distance(eye, target) * glm::normalize(light.directional->direction);
 }
 
 SpotCone with_inner_angle(SpotCone cone, double angle) {

@@ -17,6 +17,7 @@
 #include "app/widgets/color_button.h"
 #include "core/math/infinity.h"
 #include "core/scene/far_lights.h"
+#include "core/scene/photometry.h"
 #include "render/prepare/fog_extent.h"
 
 namespace brume {
@@ -27,10 +28,6 @@ constexpr std::size_t max_met = 100;  // Gaussians in the list
 constexpr double deepest = 4.0;       // optical depth of a full bar
 constexpr int title_width = 104;
 constexpr int number_width = 64;
-
-double luminance(const glm::dvec3& rgb) {
-  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
-}
 
 QString name_of(GaussianId id) {
   return ContributionPanel::tr("Gaussian %1").arg(id);

@@ -5,10 +5,15 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
+#include <QToolButton>
+#include <cmath>
+#include <glm/common.hpp>
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/scene_part_command.h"
+#include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/paths.h"
@@ -18,6 +23,8 @@
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/image/radiance_map_file.h"
+#include "core/limits.h"
+#include "core/scene/photometry.h"
 
 namespace brume {
 namespace {
@@ -64,12 +71,23 @@ void LightPanel::add_light_list(QFormLayout& form) {
   add_sun->setToolTip(tr("Adds a directional light: its rays are parallel"));
   auto* remove = new QPushButton(tr("Delete"), this);
   remove->setObjectName("delete_light");
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(add);
-  buttons->addWidget(add_cone);
-  buttons->addWidget(add_sun);
-  buttons->addWidget(remove);
-  form.addRow(buttons);
+  auto* more = new QToolButton(this);
+  more->setObjectName("light_presets");
+  more->setText(tr("Presets"));
+  more->setToolTip(tr("Adds a light with the colour and shape of one in the world"));
+  more->setPopupMode(QToolButton::InstantPopup);
+  auto* presets = new QMenu(more);
+  more->setMenu(presets);
+  const auto add_row = [&form](std::initializer_list<QWidget*> widgets) {
+    auto* row = new QHBoxLayout;
+    for (QWidget* widget : widgets) {
+      widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+      row->addWidget(widget);
+    }
+    form.addRow(row);
+  };
+  add_row({add, add_cone, add_sun});
+  add_row({more, remove});
   // Above what the view looks at.
   const auto place = [this] {
     const View& view = active_view_();
@@ -91,6 +109,15 @@ void LightPanel::add_light_list(QFormLayout& form) {
     add_directional(document_, view.pivot() - view.rays().eye());
     show_last();
   });
+  for (const LightPreset& preset : light_presets()) {
+    QAction* action = presets->addAction(undo_text(preset.title));
+    action->setObjectName(preset.name);
+    connect(action, &QAction::triggered, this, [this, &preset, place, show_last] {
+      const View& view = active_view_();
+      add_preset(document_, preset, place(), view.pivot(), view.rays().eye());
+      show_last();
+    });
+  }
   connect(remove, &QPushButton::clicked, this,
           [this] { delete_light(document_, document_.active_light()); });
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
@@ -152,6 +179,7 @@ void LightPanel::add_light_fields(QFormLayout& form) {
     title->setText(
         (shown.directional ? tr("Irradiance, %1") : tr("Intensity, %1")).arg(light_unit(shown)));
   });
+  add_photometric_fields(form);
   add_color(form, tr("Colour"),
             {"light_color",
              [this]() -> std::optional<glm::dvec3> {
@@ -171,6 +199,47 @@ void LightPanel::add_light_fields(QFormLayout& form) {
                 change(tr("Move %1"), gesture, [position](Light& l) { l.position = position; });
               }});
   add_direction_fields(form);
+}
+
+void LightPanel::add_photometric_fields(QFormLayout& form) {
+  const auto add = [&](const QString& text, const char* name, double (*value_of)(const Light&)) {
+    return add_number(form, text,
+                      {name, domain::not_negative, ValueField::Scale::logarithmic, 0.01,
+                       [this, value_of]() -> std::optional<double> {
+                         if (!light() || (light()->directional && value_of == luminous_flux))
+                           return {};
+                         return value_of(*light());
+                       },
+                       [this, value_of](double value, MergeId gesture) {
+                         change_light(document_, document_.active_light(),
+                                      tr("Set intensity of %1"), gesture, [&](Light& l) {
+                                        if (l.intensity == glm::dvec3(0.0))
+                                          l.intensity = glm::dvec3(1.0);
+                                        l.intensity *= value / value_of(l);
+                                        l.intensity = glm::min(l.intensity, limits::intensity);
+                                      });
+                       }});
+  };
+  QLabel* title = add(tr("Intensity, cd"), "light_candela", photometric_strength);
+  on_refresh([this, title] {
+    title->setText(light() && light()->directional ? tr("Illuminance, lx") : tr("Intensity, cd"));
+  });
+  title->setToolTip(tr("The same in photometric units: 1 W of white light is 683 lm"));
+  add(tr("Luminous flux, lm"), "light_lumen", luminous_flux);
+  add_number(form, tr("Temperature, K"),
+             {"light_temperature", domain::temperature, ValueField::Scale::logarithmic, 0.01,
+              [this]() -> std::optional<double> {
+                if (!light()) return {};
+                return std::round(nearest_temperature(light_color(*light())));
+              },
+              [this](double value, MergeId gesture) {
+                change_light(document_, document_.active_light(), tr("Set temperature of %1"),
+                             gesture, [value](Light& l) {
+                               l.intensity = light_strength(l) * black_body_color(value);
+                             });
+              }})
+      ->setToolTip(tr("Makes the colour that of a black body: a candle 1850 K, a lamp 2700 K, "
+                      "the sun 5500 K, a blue sky 10000 K"));
 }
 
 void LightPanel::add_type_field(QFormLayout& form) {
@@ -204,7 +273,7 @@ void LightPanel::add_direction_fields(QFormLayout& form) {
                 change_light(document_, document_.active_light(), tr("Turn %1"), gesture,
                              [&](Light& l) { turn(l, direction); });
               }});
-  add_number(form, tr("Angular diameter, degrees"),
+  add_number(form, tr("Disc, degrees"),
              {"light_angular_diameter", domain::angular_diameter, ValueField::Scale::linear, 0.01,
               [this]() -> std::optional<double> {
                 return light() && light()->directional
@@ -215,7 +284,9 @@ void LightPanel::add_direction_fields(QFormLayout& form) {
                 change_light(document_, document_.active_light(), tr("Set angular diameter of %1"),
                              gesture,
                              [value](Light& l) { l.directional->angular_diameter = value; });
-              }});
+              }})
+      ->setToolTip(tr("Angular diameter: the wider, the softer the shadows, at the cost of eight "
+                      "lights; the sun's is 0.53"));
   const auto change = [this](const QString& verb, MergeId gesture,
                              const std::function<SpotCone(const SpotCone&)>& how) {
     change_light(document_, document_.active_light(), verb, gesture,

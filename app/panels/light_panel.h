@@ -24,6 +24,7 @@ class LightPanel : public SceneForm {
  private:
   void add_light_list(QFormLayout& form);
   void add_light_fields(QFormLayout& form);
+  void add_photometric_fields(QFormLayout& form);
   void add_type_field(QFormLayout& form);
   void add_direction_fields(QFormLayout& form);
   void add_environment_fields(QFormLayout& form);

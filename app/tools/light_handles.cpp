@@ -61,13 +61,6 @@ struct DrawnCone {
   static constexpr int segments = 48;
 };
 
-// Reads all vertices: not for scenes without directional lights.
-LitRegion region_of_handles(const Scene& scene) {
-  const bool is_needed = std::ranges::any_of(
-      scene.lights, [](const Light& light) { return light.directional.has_value(); });
-  return is_needed ? LitRegion::of(scene) : LitRegion();
-}
-
 double film_distance(const CameraRays& rays, const glm::dvec3& point, QPointF position) {
   const glm::dvec3 at = rays.project(point);
   return at.z > 0.0 ? QLineF(QPointF(at.x, at.y), position).length() : infinity;
@@ -78,9 +71,8 @@ double film_distance(const CameraRays& rays, const glm::dvec3& point, QPointF po
 std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
                                                        QPointF position) const {
   const auto& lights = document_.scene().lights;
-  const LitRegion region = region_of_handles(document_.scene());
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    const glm::dvec3 at = rays.project(handle_position(lights[k], region));
+    const glm::dvec3 at = rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
     if (at.z <= 0.0) continue;
     const double distance = QLineF(QPointF(at.x, at.y), position).length();
     if (distance <= sun_radius + 3.0) return Handle{k, Part::light};
@@ -111,13 +103,12 @@ bool LightHandles::press(const CameraRays& rays, QPointF position) {
   const auto handle = pick(rays, position);
   if (!handle) return false;
   document_.set_active_light(handle->light);
-  gesture_ = {*handle, position, document_.scene().lights[handle->light],
-              region_of_handles(document_.scene()), new_merge_id()};
+  gesture_ = {*handle, position, document_.scene().lights[handle->light], new_merge_id()};
   return true;
 }
 
 void LightHandles::move(const CameraRays& rays, QPointF position) {
-  const auto [handle, start, before, region, merge_id] = *gesture_;
+  const auto [handle, start, before, merge_id] = *gesture_;
   if (handle.part == Part::target || handle.part == Part::rim) {
     const DrawnCone cone(before, rays);
     if (handle.part == Part::target) {
@@ -143,14 +134,15 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
                    });
     }
   } else if (handle.part == Part::ring) {
-    const glm::dvec3 at = rays.project(handle_position(before, region));
+    const glm::dvec3 at = rays.project(handle_position(before, document_.scene(), rays.eye()));
     const double strength = strength_of(QLineF(QPointF(at.x, at.y), position).length());
     change_light(document_, handle.light, undo_text("Set intensity of %1"), merge_id,
                  [&](Light& l) { l.intensity = strength * light_color(before); });
   } else if (before.directional) {
-    const glm::dvec3 sun = handle_position(before, region);
-    const glm::dvec3 direction = region.center - sun - dragged_across(sun, rays, start, position);
-    if (!(glm::length(direction) > 1e-6 * region.diameter)) return;
+    const glm::dvec3 sun = handle_position(before, document_.scene(), rays.eye());
+    const glm::dvec3& target = document_.scene().camera.target;
+    const glm::dvec3 direction = target - sun - dragged_across(sun, rays, start, position);
+    if (!(glm::length(direction) > 1e-6 * glm::distance(sun, target))) return;
     change_light(document_, handle.light, undo_text("Turn %1"), merge_id,
                  [&](Light& l) { turn(l, glm::normalize(direction)); });
   } else {
@@ -162,7 +154,7 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
 }
 
 void LightHandles::cancel() {
-  const auto [handle, start, before, region, merge_id] = *gesture_;
+  const auto [handle, start, before, merge_id] = *gesture_;
   change_light(document_, handle.light, undo_text("Move %1"), merge_id,
                [&](Light& l) { l = before; });
   gesture_.reset();
@@ -170,9 +162,8 @@ void LightHandles::cancel() {
 
 void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
   const auto& lights = document_.scene().lights;
-  const LitRegion region = region_of_handles(document_.scene());
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    const glm::dvec3 at = rays.project(handle_position(lights[k], region));
+    const glm::dvec3 at = rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
     if (at.z <= 0.0) continue;
     const QColor color = to_color(light_color(lights[k]));
     const int alpha = lights[k].on ? 230 : 90;
@@ -189,8 +180,8 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
       overlay.lines.push_back(point(sun_radius + (hovered ? 7.0 : 5.0)));
     }
     if (lights[k].directional) {
-      const glm::dvec3 sun = handle_position(lights[k], region);
-      overlay.add_line(rays, sun, 0.5 * (sun + region.center), rgba);
+      const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays.eye());
+      overlay.add_line(rays, sun, 0.5 * (sun + document_.scene().camera.target), rgba);
     }
     if (lights[k].spot) {
       const DrawnCone cone(lights[k], rays);

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "app/commands/merge_id.h"
-#include "core/scene/far_lights.h"
 #include "core/scene/scene.h"
 
 namespace brume {
@@ -13,8 +12,8 @@ class Document;
 struct Overlay;
 
 // Light handles in the view: a sun icon to move a light in the view plane, and a ring to change its
-// strength; a directional light's icon stands beside the scene and turns it; of a spot the end of
-// its axis to turn it, and the rim of its cone to open it.
+// strength; a directional light's icon stands beside what is looked at and turns it; of a spot the
+// end of its axis to turn it, and the rim of its cone to open it.
 class LightHandles {
  public:
   explicit LightHandles(Document& document) : document_(document) {}
@@ -43,7 +42,6 @@ class LightHandles {
     Handle handle;
     QPointF start;
     Light before;
-    LitRegion region;  // at its beginning
     MergeId merge_id = no_merge;
   };
   [[nodiscard]] std::optional<Handle> pick(const CameraRays& rays, QPointF position) const;

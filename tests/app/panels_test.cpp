@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -20,6 +21,7 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/photometry.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -196,7 +198,7 @@ class PanelsTest : public QObject {
     const glm::dvec3 direction = glm::normalize(sun().directional->direction);
     const auto film = [&] {
       const glm::dvec3 at = window->viewport().rays().project(
-          handle_position(sun(), LitRegion::of(document.scene())));
+          handle_position(sun(), document.scene(), window->viewport().rays().eye()));
       return QPoint(qRound(at.x), qRound(at.y));
     };
     const QPoint at = film();
@@ -204,6 +206,52 @@ class PanelsTest : public QObject {
     QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
     QVERIFY(glm::dot(glm::normalize(sun().directional->direction), direction) < 0.999);
     QVERIFY2((film() - at).x() > 10, "it follows the pointer");
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void lights_have_presets_temperatures_and_photometric_units() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    auto* menu = window->findChild<QToolButton*>("light_presets")->menu();
+    QCOMPARE(menu->actions().size(), 6);
+    for (QAction* preset : menu->actions()) {
+      menu->popup(QPoint(40, 40));
+      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(preset).center());
+    }
+    QCOMPARE(document.scene().lights.size(), before.lights.size() + 6);
+    QVERIFY(document.scene().lights[before.lights.size()].directional);
+    QVERIFY(document.scene().lights[before.lights.size() + 3].spot);
+    // The candle.
+    const auto candle = [&]() -> const Light& { return document.scene().lights.back(); };
+    const auto shown = [&](const char* name) {
+      return window->findChild<ValueField*>(name)->findChild<NumberField*>()->text().toDouble();
+    };
+    QVERIFY(!candle().spot && !candle().directional);
+    QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
+    enter(window, "light_candela", "1");
+    QVERIFY(std::abs(photometric_strength(candle()) - 1.0) < 1e-9);
+    QVERIFY(std::abs(shown("light_lumen") - 12.566) < 0.01);
+    enter(window, "light_lumen", "800");
+    QVERIFY(std::abs(luminous_flux(candle()) - 800.0) < 1e-6);
+    QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
+    const double strength = light_strength(candle());
+    enter(window, "light_temperature", "5500");
+    QCOMPARE(document.undo_stack().undoText(),
+             QString("Set temperature of light %1").arg(document.scene().lights.size()));
+    QVERIFY(std::abs(light_strength(candle()) - strength) < 1e-9);
+    QVERIFY(candle().intensity.b > 0.7 * candle().intensity.r);
+    enter(window, "light_temperature", "50000");
+    QVERIFY(nearest_temperature(light_color(candle())) < 40001.0);
+    // A light that is black is made white.
+    enter(window, "light_candela", "0");
+    QCOMPARE(candle().intensity, glm::dvec3(0.0));
+    enter(window, "light_candela", "683");
+    QVERIFY(std::abs(candle().intensity.g - 1.0) < 1e-9);
+    // The sun has no flux.
+    document.set_active_light(before.lights.size());
+    QVERIFY(!window->findChild<ValueField*>("light_lumen")->isEnabled());
     while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document.scene(), before);
   }

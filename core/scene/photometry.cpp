@@ -1,0 +1,114 @@
+#include "core/scene/photometry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+
+#include "core/number_domain.h"
+
+namespace brume {
+namespace {
+
+constexpr double min_temperature = domain::temperature.min_value;
+constexpr double max_temperature = domain::temperature.max_value;
+
+// A lobe that falls off differently to both sides of its peak [nm].
+double lobe(double wavelength, double peak, double below, double above) {
+  const double x = (wavelength - peak) * (wavelength < peak ? below : above);
+  return std::exp(-0.5 * x * x);
+}
+
+glm::dvec3 observer(double nm) {
+  return {1.056 * lobe(nm, 599.8, 0.0264, 0.0323) + 0.362 * lobe(nm, 442.0, 0.0624, 0.0374) -
+              0.065 * lobe(nm, 501.1, 0.0490, 0.0382),
+          0.821 * lobe(nm, 568.8, 0.0213, 0.0247) + 0.286 * lobe(nm, 530.9, 0.0613, 0.0322),
+          1.217 * lobe(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe(nm, 459.0, 0.0385, 0.0725)};
+}
+
+// Planck's law relative to its value at 560 nm: at low temperatures the rest is all that remains.
+double black_body(double nm, double temperature) {
+  constexpr double second_constant = 1.438776877e7;  // hc / k [nm K]
+  const auto exponent = [&](double x) { return second_constant / (x * temperature); };
+  return std::pow(560.0 / nm, 5) * std::expm1(exponent(560.0)) / std::expm1(exponent(nm));
+}
+
+// The solid angle of a cone, weighted by its falloff: clamp(x, 0, 1)^2, x linear in the cosine.
+double solid_angle(const SpotCone& cone) {
+  const double dark = std::cos(glm::radians(cone.outer_angle));
+  const double full = std::max(std::cos(glm::radians(cone.inner_angle)), dark + 1e-3);
+  const double at_axis = std::min((1.0 - dark) / (full - dark), 1.0);
+  const double edge = (full - dark) / 3.0 * at_axis * at_axis * at_axis;
+  return 2.0 * std::numbers::pi * (std::max(1.0 - full, 0.0) + edge);
+}
+
+}  // namespace
+
+double luminance(const glm::dvec3& rgb) {
+  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+double photometric_strength(const Light& light) {
+  return lumens_per_watt * luminance(light.intensity);
+}
+
+double luminous_flux(const Light& light) {
+  if (light.directional) return 0.0;
+  return photometric_strength(light) *
+         (light.spot ? solid_angle(*light.spot) : 4.0 * std::numbers::pi);
+}
+
+glm::dvec3 black_body_color(double temperature) {
+  temperature = std::clamp(temperature, min_temperature, max_temperature);
+  glm::dvec3 xyz(0.0);
+  for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
+    xyz += black_body(nm, temperature) * observer(nm);
+  }
+  // To Rec. 709; columns.
+  constexpr double m[3][3] = {{3.2404542, -0.9692660, 0.0556434},
+                              {-1.5371385, 1.8760108, -0.2040259},
+                              {-0.4985314, 0.0415560, 1.0572252}};
+  glm::dvec3 rgb(0.0);
+  for (int k = 0; k < 3; ++k) rgb += xyz[k] * glm::dvec3(m[k][0], m[k][1], m[k][2]);
+  rgb = glm::max(rgb, 0.0);
+  return rgb / std::max({rgb.x, rgb.y, rgb.z});
+}
+
+double nearest_temperature(const glm::dvec3& color) {
+  // Evenly in mireds, as the eye tells temperatures apart; then between the neighbours.
+  constexpr int count = 128;
+  const auto temperature = [](double share) {
+    return 1.0 / (1.0 / max_temperature + share * (1.0 / min_temperature - 1.0 / max_temperature));
+  };
+  static const auto colors = [&] {
+    std::array<glm::dvec3, count + 1> all;
+    for (int i = 0; i <= count; ++i) {
+      all[static_cast<std::size_t>(i)] = black_body_color(temperature(1.0 * i / count));
+    }
+    return all;
+  }();
+  const auto nearest = std::ranges::min_element(
+      colors, {}, [&](const glm::dvec3& c) { return glm::distance(c, color); });
+  const auto i = static_cast<int>(nearest - colors.begin());
+  double low = std::max(i - 1, 0) / static_cast<double>(count);
+  double high = std::min(i + 1, count) / static_cast<double>(count);
+  const auto error = [&](double share) {
+    return glm::distance(black_body_color(temperature(share)), color);
+  };
+  for (int k = 0; k < 30; ++k) {
+    const double a = low + (high - low) / 3.0;
+    const double b = high - (high - low) / 3.0;
+    if (error(a) < error(b)) {
+      high = b;
+    } else {
+      low = a;
+    }
+  }
+  return temperature(0.5 * (low + high));
+}
+
+}  // namespace brume

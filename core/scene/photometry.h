@@ -1,0 +1,33 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Photometric units beside the scene's radiometric ones: the one place that converts.
+
+// One watt of RGB light is 683 lumens times its relative luminance (Rec. 709): what renderers that
+// know no spectra take, among them Blender's glTF exporter.
+inline constexpr double lumens_per_watt = 683.0;
+
+// Relative luminance of linear Rec. 709 RGB.
+double luminance(const glm::dvec3& rgb);
+
+// Of a point light or spot, on its axis [cd]; of a directional light, illuminance [lx].
+double photometric_strength(const Light& light);
+
+// Of a point light or spot, in all directions [lm]; 0 of a directional light, which has none.
+double luminous_flux(const Light& light);
+
+// Colour of a black body, linear Rec. 709, its greatest channel 1; channels outside that gamut are
+// 0. The temperature is clamped to
+// domain::temperature [K]. Planck's law, with the CIE 1931 observer as fitted
+// by Wyman, Sloan and Shirley (2013): chromaticities are within 0.003.
+glm::dvec3 black_body_color(double temperature);
+
+// The temperature whose colour is nearest to a colour whose greatest channel is 1 [K].
+double nearest_temperature(const glm::dvec3& color);
+
+}  // namespace brume
