@@ -107,7 +107,16 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
                  light.table,
                  light.shadows,
                  light.spot};
-      if (!light.is_near()) {
+      pack[l].map_origin = pack[l].position;
+      if (light.is_far) {
+        const glm::dvec3 from_light = rays.eye - light.position;
+        pack[l].map_origin = glm::vec3(0.0f);
+        if (light.table) pack[l].in_table = glm::vec3(light.table->map().components(from_light));
+        if (light.shadows) {
+          pack[l].in_shadows = glm::vec3(light.shadows->map().components(from_light));
+        }
+      }
+      if (!light.fog.is_endless()) {
         pack[l].fog_center = glm::vec3(light.fog.center - rays.eye);
         pack[l].fog_radius = static_cast<float>(light.fog.radius);
       }

@@ -115,6 +115,11 @@ glm::dvec3 DirectionMap::direction(int x, int y) const {
   return glm::normalize(d);
 }
 
+glm::dvec3 DirectionMap::components(const glm::dvec3& q) const {
+  return {glm::dot(q, glm::dvec3(right)), glm::dot(q, glm::dvec3(up)),
+          glm::dot(q, glm::dvec3(axis))};
+}
+
 double DirectionMap::cell_angle() const {
   // Cells of the octahedral map are widest in the middle of its faces' edges.
   if (octahedral) return 2.0 / columns;

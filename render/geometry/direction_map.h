@@ -42,6 +42,9 @@ struct DirectionMap {
   // Unit direction of the center of a cell; -1, `columns` and `rows` are the border.
   [[nodiscard]] glm::dvec3 direction(int x, int y) const;
 
+  // Components of `q` along right, up and axis, in double precision.
+  [[nodiscard]] glm::dvec3 components(const glm::dvec3& q) const;
+
   // Approximate maximum angle between neighbouring cells [radians].
   [[nodiscard]] double cell_angle() const;
 

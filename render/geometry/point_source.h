@@ -16,16 +16,14 @@ struct PointSource {
   glm::dvec3 intensity{0.0};  // RGB [W/sr]
   double h_min = 0.0;         // see light_limits.h [u]
   SpotFalloff spot{};
-  FogBall fog{};  // that its light passes; endless: all the way
-
-  // Not far away.
-  [[nodiscard]] bool is_near() const { return fog.is_endless(); }
+  FogBall fog{};  // that its light passes, of a far light; else endless: all the way
+  bool is_far = false;
 
   // Length of homogeneous fog from it to x [u].
   [[nodiscard]] double fog_length(const glm::dvec3& x) const {
     const glm::dvec3 q = position - x;
     const double r = glm::length(q);
-    return is_near() || !(r > 0.0) ? r : fog.length(x, q / r);
+    return r > 0.0 ? std::min(r, fog.length(x, q / r)) : 0.0;
   }
 };
 

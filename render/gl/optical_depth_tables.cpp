@@ -120,13 +120,16 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     u.spot_axis = glm::vec3(light.spot.axis());
     u.spot_dark_cosine = static_cast<float>(light.spot.dark_cosine());
     u.spot_per_cosine = static_cast<float>(light.spot.per_cosine());
-    if (!light.is_near()) {
+    if (!light.fog.is_endless()) {
       u.fog_center = glm::vec3(light.fog.center - origin);
       u.fog_radius = static_cast<float>(light.fog.radius);
     }
+    const glm::dvec3 from_light = origin - light.position;
+    if (!light.is_far) u.map_origin = glm::vec4(u.position, 0.0f);
     if (l < tables_.size() && !tables_[l].layout.empty()) {
       const OpticalDepthTableLayout& layout = tables_[l].layout;
       u.has_table = 1;
+      if (light.is_far) u.in_table = glm::vec4(layout.map.components(from_light), 0.0);
       u.table = map_data(layout.map, l * max_words(size_));
       u.first_radius = static_cast<float>(layout.radii.first);
       u.radii_per_unit = static_cast<float>(layout.radii.per_unit);
@@ -136,6 +139,7 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     }
     if (shadows && !shadows->empty()) {
       u.has_shadows = 1;
+      if (light.is_far) u.in_shadows = glm::vec4(shadows->map(l).components(from_light), 0.0);
       u.shadows = map_data(shadows->map(l), shadows->first(l));
       u.shadow_share = brume::shadow_share(shadows->map(l));
     }

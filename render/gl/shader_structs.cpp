@@ -114,7 +114,9 @@ constexpr std::array light_members{
     BRUME_MEMBER(LightData, has_shadows),  BRUME_MEMBER(LightData, spot_per_cosine),
     BRUME_MEMBER(LightData, spot_axis),    BRUME_MEMBER(LightData, spot_dark_cosine),
     BRUME_MEMBER(LightData, fog_center),   BRUME_MEMBER(LightData, fog_radius),
-    BRUME_MEMBER(LightData, table),        BRUME_MEMBER(LightData, shadows)};
+    BRUME_MEMBER(LightData, map_origin),   BRUME_MEMBER(LightData, in_table),
+    BRUME_MEMBER(LightData, in_shadows),   BRUME_MEMBER(LightData, table),
+    BRUME_MEMBER(LightData, shadows)};
 static_assert(is_std430(light_members, sizeof(LightData)));
 
 constexpr std::array paper_light_members{

@@ -42,6 +42,10 @@ struct LightData {
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;
+  // See SliceLight.
+  glm::vec4 map_origin{0.0f};
+  glm::vec4 in_table{0.0f};
+  glm::vec4 in_shadows{0.0f};
   MapData table;
   MapData shadows;
 };

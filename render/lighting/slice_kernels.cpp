@@ -98,8 +98,10 @@ struct MapPosition {
   hn::Vec<hn::RebindToSigned<D>> cell;  // row by row, border included
   V fx, fy;
 
-  // `q` need not be unit; `distance` is its length.
-  HWY_INLINE MapPosition(const DirectionMap& map, const Vector& q, V distance) {
+  // Of q from a point whose components in a perspective map are `origin`; `distance`: from the
+  // light.
+  HWY_INLINE MapPosition(const DirectionMap& map, const Vector& q, const glm::vec3& origin,
+                         V distance) {
     const D d;
     const hn::RebindToSigned<D> di;
     const V one = set(1.0f);
@@ -114,14 +116,17 @@ struct MapPosition {
       u = hn::IfThenElse(below, hn::CopySign(hn::Sub(one, hn::Abs(y)), x), x);
       v = hn::IfThenElse(below, hn::CopySign(hn::Sub(one, hn::Abs(x)), y), y);
     } else {
-      const auto along = [&](const glm::vec3& axis) HWY_ATTR {
-        return dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)});
+      const auto along = [&](const glm::vec3& axis, float start) HWY_ATTR {
+        return hn::Add(dot(q, Vector{set(axis.x), set(axis.y), set(axis.z)}), set(start));
       };
       // Behind the light there is nothing of interest; clamped to the map's border texel.
-      const V depth = hn::Max(along(map.axis), hn::Mul(set(DirectionMap::min_cosine), distance));
+      const V depth =
+          hn::Max(along(map.axis, origin.z), hn::Mul(set(DirectionMap::min_cosine), distance));
       const V inverse = hn::Div(one, hn::Max(depth, set(coefficient::tiny)));
-      u = hn::MulAdd(hn::Mul(along(map.right), inverse), set(map.scale.x), set(map.offset.x));
-      v = hn::MulAdd(hn::Mul(along(map.up), inverse), set(map.scale.y), set(map.offset.y));
+      u = hn::MulAdd(hn::Mul(along(map.right, origin.x), inverse), set(map.scale.x),
+                     set(map.offset.x));
+      v = hn::MulAdd(hn::Mul(along(map.up, origin.y), inverse), set(map.scale.y),
+                     set(map.offset.y));
     }
     // In cells, counted from the middle of the border cell.
     const auto in_cells = [&](V along, int count) HWY_ATTR {
@@ -147,11 +152,12 @@ struct MapPosition {
   }
 };
 
-// The depth of a table at a point relative to its light, `distance` from it.
-HWY_INLINE V Lookup(const OpticalDepthTable::View& table, const Vector& q, V distance) {
+// The depth of a table at q from `origin`, see MapPosition.
+HWY_INLINE V Lookup(const OpticalDepthTable::View& table, const Vector& q, const glm::vec3& origin,
+                    V distance) {
   const D d;
   const hn::RebindToSigned<D> di;
-  const MapPosition position(table.map, q, distance);
+  const MapPosition position(table.map, q, origin, distance);
   const V beyond = hn::Max(hn::Sub(distance, set(table.first_radius)), hn::Zero(d));
   V r = hn::Mul(beyond, set(table.radii_per_unit));
   if (table.curvature > 0.0f) r = hn::Div(r, hn::MulAdd(set(table.curvature), beyond, set(1.0f)));
@@ -179,15 +185,15 @@ void LookupDepths(const OpticalDepthTable::View& table, const PathBatch& paths, 
     const Vector q{hn::Mul(distance, hn::LoadU(d, paths.x.data() + i)),
                    hn::Mul(distance, hn::LoadU(d, paths.y.data() + i)),
                    hn::Mul(distance, hn::LoadU(d, paths.z.data() + i))};
-    hn::StoreU(Lookup(table, q, distance), d, depths + i);
+    hn::StoreU(Lookup(table, q, glm::vec3(0.0f), distance), d, depths + i);
   }
 }
 
 // Visibility, bilinear over four cells (percentage-closer filtering).
-HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, V distance) {
+HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, const glm::vec3& origin, V distance) {
   const D d;
   const hn::RebindToSigned<D> di;
-  const MapPosition position(shadows.map(), q, distance);
+  const MapPosition position(shadows.map(), q, origin, distance);
   // Slope bias of the shadow map: avoids self-shadowing.
   const V near = hn::Mul(distance, set(shadow_share(shadows.map())));
   // Mostly all four cells agree.
@@ -244,9 +250,12 @@ HWY_INLINE V ScatteredFraction(V depth, V increment) {
                                 hn::Sub(set(1.0f), hn::Exp(d, hn::Neg(increment)))));
 }
 
-// FogBall::length() from a point on a ray, `q` from a light.
-HWY_INLINE V FogLength(const SliceLight& light, V t, const Vector& w, const Vector& q, V distance) {
+// FogBall::length() from a point on a ray.
+HWY_INLINE V FogLength(const SliceLight& light, V t, const Vector& w, V distance) {
   const D d;
+  const Vector q{hn::MulSub(t, w.x, set(light.position.x)),
+                 hn::MulSub(t, w.y, set(light.position.y)),
+                 hn::MulSub(t, w.z, set(light.position.z))};
   const Vector p{hn::MulSub(t, w.x, set(light.fog_center.x)),
                  hn::MulSub(t, w.y, set(light.fog_center.y)),
                  hn::MulSub(t, w.z, set(light.fog_center.z))};
@@ -338,18 +347,19 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           }
           const V along = hn::Sub(middle, ts[l]);
           const V distance = hn::Sqrt(hn::MulAdd(along, along, h2[l]));
-          const Vector q{hn::MulSub(middle, w.x, set(lights[l].position.x)),
-                         hn::MulSub(middle, w.y, set(lights[l].position.y)),
-                         hn::MulSub(middle, w.z, set(lights[l].position.z))};
+          const Vector q{hn::MulSub(middle, w.x, set(lights[l].map_origin.x)),
+                         hn::MulSub(middle, w.y, set(lights[l].map_origin.y)),
+                         hn::MulSub(middle, w.z, set(lights[l].map_origin.z))};
           V light_depth = hn::Mul(set(b0), lights[l].fog_radius > 0.0f
-                                               ? FogLength(lights[l], middle, w, q, distance)
+                                               ? FogLength(lights[l], middle, w, distance)
                                                : distance);
           if (tables[l].depths) {
-            light_depth = hn::Add(light_depth, Lookup(tables[l], q, distance));
+            light_depth = hn::Add(light_depth, Lookup(tables[l], q, lights[l].in_table, distance));
           }
           light_depth = hn::Mul(light_depth, set(-lights[l].extinction));
           V light = hn::Mul(falloff, hn::Exp(d, light_depth));
-          if (lights[l].shadows) light = hn::Mul(light, Lit(*lights[l].shadows, q, distance));
+          if (lights[l].shadows)
+            light = hn::Mul(light, Lit(*lights[l].shadows, q, lights[l].in_shadows, distance));
           V fraction = scattered_fraction;
           if (scattering.anisotropy != 0.0f) {
             const V cosine = CosTheta(d, along, distance);

@@ -43,6 +43,10 @@ struct SliceLight {
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;
+  // Points are looked up relative to this: the position, or of a far light the rays' origin, whose
+  // place in the maps of table and shadows follows. Far from their origin floats are too coarse.
+  glm::vec3 map_origin{0.0f};
+  glm::vec3 in_table{0.0f}, in_shadows{0.0f};
 };
 
 // Neighbouring slices share a look-up of the source function at their mean position: half the work,

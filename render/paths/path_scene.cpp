@@ -31,7 +31,7 @@ PathFog PathFog::around(const MediumIndex& medium, const RayCaster& ray_caster,
     add(ray_caster.bounds().high, 0.0);
   }
   for (const PointSource& light : lights) {
-    if (light.is_near()) add(light.position, 0.0);
+    if (!light.is_far) add(light.position, 0.0);
   }
   if (!(low.x <= high.x)) low = high = eye;
   fog.ball.center = 0.5 * (low + high);
@@ -61,7 +61,7 @@ void PathScene::set_lights(std::span<const PointSource> all) {
   const double extent =
       grid.empty() ? 0.0 : 0.5 * glm::length(grid.bounds().high - grid.bounds().low);
   for (PathLight& light : lights) {
-    if (!light.is_near()) continue;
+    if (light.is_far) continue;
     const double density = fog.density + medium.density(light.position);
     if (!(density > 0.0)) continue;
     // A mean free path; less where the bulk of the medium is denser, since the light's surroundings

@@ -99,8 +99,8 @@ void PathTracer::choose_lights(Importance importance, PathRandom& random, Visit 
 
 double PathTracer::visibility(const glm::dvec3& x, const PathLight& light, const glm::dvec3& l,
                               double r) const {
-  const double depth = scene_.medium.depth(x, l, r) +
-                       scene_.fog.density * (light.is_near() ? r : light.fog.length(x, l));
+  const double depth =
+      scene_.medium.depth(x, l, r) + scene_.fog.density * std::min(r, light.fog.length(x, l));
   const double transmittance = std::exp(-depth);
   if (!(transmittance > 0.0)) return 0.0;
   if (!scene_.ray_caster.empty() && scene_.ray_caster.occluded(x, light.position)) return 0.0;
@@ -159,7 +159,7 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
   const auto importance = [&](const PathLight& light) {
     const PointLightRay<double> path = relative_to(light, ray.eye(), ray.w());
     // Of a light nearby, the ray passes most of pi.
-    const double span = light.is_near() ? pi : EquiAngular<double>(path, ray.visible_length()).span;
+    const double span = !light.is_far ? pi : EquiAngular<double>(path, ray.visible_length()).span;
     return max_component(light.intensity) * span / path.h;
   };
   choose_lights(importance, random, [&](const PathLight& light, double probability) {

@@ -243,7 +243,7 @@ DirectionMap FrameStages::shadow_directions(const FrameContext& work, const Poin
                                             const DirectionMap& table) const {
   const int cells = work.settings.shadow_cells;
   if (!work.plan.runs(Stage::homogeneous)) return table.resized(cells);
-  if (light.is_near()) return DirectionMap::full_sphere(cells);
+  if (!light.is_far) return DirectionMap::full_sphere(cells);
   // Only surfaces keep light of far lights from fog; beside them nothing does.
   const Box& bounds = prepared_.ray_caster().bounds();
   const Ball surfaces{0.5 * (bounds.low + bounds.high),
@@ -273,7 +273,7 @@ SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
     lighting.distant = paper ? &ScatterTable::paper() : &ScatterTable::distant();
   }
   for (PointSource& source : work.sources()) {
-    const double density = source.is_near() ? prepared_.medium().density(source.position) : 0.0;
+    const double density = !source.is_far ? prepared_.medium().density(source.position) : 0.0;
     lighting.lights.push_back({std::move(source), density});
   }
   return lighting;

@@ -11,7 +11,7 @@ std::vector<PointSource> point_sources(std::span<const Light> lights, const Came
   for (const Light& light : lights) {
     sources.push_back({light.position, light.intensity,
                        min_light_distance(rays, camera, light.position), SpotFalloff(light.spot),
-                       light.directional ? fog : FogBall{}});
+                       light.directional ? fog : FogBall{}, light.directional.has_value()});
   }
   return sources;
 }

@@ -120,6 +120,14 @@ TEST(SampleScenes, CourtShadowsAndLightsItself) {
   EXPECT_LT(fs::file_size(scenes / "courtyard.ply"), 500'000u);
 }
 
+TEST(SampleScenes, SunbeamsBetweenTrees) {
+  const Scene scene = load("forest.brume");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_TRUE(scene.lights[0].directional);
+  ASSERT_EQ(scene.surfaces.size(), 3u);
+  EXPECT_LT(fs::file_size(scenes / "forest_leaves.ply"), 1'000'000u);
+}
+
 // Lines through every centre in 500 directions of a spiral: other lines than the generator's.
 TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
   const Medium medium = load("dense_cloud.brume").medium;

@@ -176,6 +176,7 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
   report.scales.push_back({"statue", 4, 0.0964, 0.00704});
   report.all_orders.push_back(
       {"room", 2.9, 0.039, 0.044, 8, 950.0, 210.0, {1.02, 0.99, 1.1}, 61.0});
+  report.light_kinds.push_back({"sun", 0.0042, {1.1, 0.9, 1.2}, {1.3, 1.2, 1.4}});
   report.noise_depths.push_back({2.0, {-0.0031, -0.0168, 0.0171}, {0.0, -0.02, 0.029}});
   report.noise.push_back({"torn fog", small, large});
   report.point_light.push_back({"lit ball", small, large});
@@ -189,7 +190,7 @@ TEST(BenchTables, AppearInMarkdownAndHtml) {
   report.table_one.push_back({"statue", 101.0, measured(20, 0.01), {}, {1.08, 1.01, 1.2}});
   report.caches = {cached("shadow maps", "statue", 0.3), cached("shadow maps", "box", 0.1)};
   const std::vector<ReportTable> tables = bench_tables(report);
-  EXPECT_EQ(tables.size(), 18u);
+  EXPECT_EQ(tables.size(), 19u);
   const std::string page = to_markdown(report);
   const std::string html = to_html(report);
   for (const ReportTable& table : tables) {

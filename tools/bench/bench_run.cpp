@@ -146,6 +146,8 @@ BenchReport run_bench(const BenchOptions& options,
   report.thickness = measure_thickness(options.quick ? 100 : 400);
   log("all orders of scattering");
   report.all_orders = measure_all_orders(options.quick);
+  log("kinds of lights");
+  report.light_kinds = measure_light_kinds(options.quick);
   if (!options.quick) measure_errors(report, log);
   report.curves = measure_cost_curves(options, log);
   log("threads");

@@ -12,16 +12,16 @@ struct MapPosition {
 
 vec2 sign_of(vec2 p) { return vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0); }
 
-// `q` need not be unit; `distance_` is its length.
-MapPosition map_position(DirectionMap map, vec3 q, float distance_) {
+// Of q from a point whose components in a perspective map are `origin`; `distance_`: from the light.
+MapPosition map_position(DirectionMap map, vec3 q, vec3 origin, float distance_) {
   vec2 uv;
   if (map.axis.w > 0.5) {
     const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), tiny);
     uv = q.z < 0.0 ? (1.0 - abs(p.yx)) * sign_of(p.xy) : p.xy;
   } else {
     // Behind the light there is nothing of interest; clamped to the map's border texel.
-    const float depth = max(max(dot(q, map.axis.xyz), min_map_cosine * distance_), tiny);
-    uv = vec2(dot(q, map.right.xyz), dot(q, map.up.xyz)) / depth *
+    const float depth = max(max(dot(q, map.axis.xyz) + origin.z, min_map_cosine * distance_), tiny);
+    uv = vec2(dot(q, map.right.xyz) + origin.x, dot(q, map.up.xyz) + origin.y) / depth *
              vec2(map.right.w, map.up.w) +
          map.offset.xy;
   }
@@ -33,16 +33,18 @@ MapPosition map_position(DirectionMap map, vec3 q, float distance_) {
 }
 
 // The unit direction of the middle of a cell; -1, columns and rows are the border.
-vec3 map_direction(DirectionMap map, ivec2 cell) {
+dvec3 map_direction(DirectionMap map, ivec2 cell) {
   vec2 uv = (2.0 * vec2(cell) + 1.0) / vec2(map.cells.xy) - 1.0;
   if (map.axis.w < 0.5) {
     uv = (uv - map.offset.xy) / vec2(map.right.w, map.up.w);
-    return normalize(map.axis.xyz + uv.x * map.right.xyz + uv.y * map.up.xyz);
+    // Of far lights, floats are too coarse.
+    return normalize(dvec3(map.axis.xyz) + double(uv.x) * dvec3(map.right.xyz) +
+                     double(uv.y) * dvec3(map.up.xyz));
   }
   // Over the border of the map the octahedron folds back.
   if (abs(uv.x) > 1.0) uv = vec2((uv.x < 0.0 ? -2.0 : 2.0) - uv.x, -uv.y);
   if (abs(uv.y) > 1.0) uv = vec2(-uv.x, (uv.y < 0.0 ? -2.0 : 2.0) - uv.y);
   vec3 d = vec3(uv, 1.0 - abs(uv.x) - abs(uv.y));
   if (d.z < 0.0) d.xy = (1.0 - abs(uv.yx)) * sign_of(uv);
-  return normalize(d);
+  return dvec3(normalize(d));
 }

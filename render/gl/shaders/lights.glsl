@@ -7,9 +7,9 @@ layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
 
 uniform int light_count;
 
-// The depth of a light's table at a point relative to it, `distance_` from it.
+// The depth of a light's table at a point relative to its map_origin, `distance_` from the light.
 float table_depth(int l, vec3 q, float distance_) {
-  const MapPosition position = map_position(lights[l].table, q, distance_);
+  const MapPosition position = map_position(lights[l].table, q, lights[l].in_table.xyz, distance_);
   const int size = lights[l].radii;
   const float distance_past_first = max(distance_ - lights[l].first_radius, 0.0);
   const float r = min(distance_past_first * lights[l].radii_per_unit /

@@ -39,7 +39,7 @@ void main() {
   const ivec2 wanted = place_in_bundle();
   const bool live = all(lessThan(wanted, cells));
   const ivec2 cell = min(wanted, cells - 1);
-  const vec3 w = map_direction(map, cell - 1);
+  const vec3 w = vec3(map_direction(map, cell - 1));
   directions[id] = w;
   for (int k = int(id); k < radii; k += bundle_size) {
     nearest[k] = first_radius + float(k) / (radii_per_unit - curvature * float(k));

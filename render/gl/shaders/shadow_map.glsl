@@ -16,7 +16,7 @@ void main() {
   const ivec2 cells = map.cells.xy + 2;
   if (any(greaterThanEqual(cell, cells))) return;
   float skip;
-  const Hit hit = first_hit(light, dvec3(map_direction(map, cell - 1)), nearest, skip);
+  const Hit hit = first_hit(light, map_direction(map, cell - 1), nearest, skip);
   // Nothing is farther than this; shaders know no infinity.
   shadows[map.cells.z + cell.y * cells.x + cell.x] =
       hit.triangle < 0 ? endless : min(skip + hit.t, endless);

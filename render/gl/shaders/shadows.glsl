@@ -3,7 +3,7 @@ layout(std430, binding = 6) readonly buffer Shadows { float shadows[]; };
 
 // Visibility, bilinear over four cells (percentage-closer filtering).
 float lit(int l, vec3 q, float distance_) {
-  const MapPosition position = map_position(lights[l].shadows, q, distance_);
+  const MapPosition position = map_position(lights[l].shadows, q, lights[l].in_shadows.xyz, distance_);
   const float biased_distance = distance_ * lights[l].shadow_share;
   const int row = map_stride(lights[l].shadows);
   const int first = lights[l].shadows.cells.z + position.cell;

@@ -160,8 +160,8 @@ void main() {
           }
           const float along = middle - ts;
           const float distance_ = sqrt(along * along + h2);
-          const vec3 q = middle * w - s;
-          float light_depth = b0 * fog_length(l, middle * w, q / distance_, distance_);
+          const vec3 q = middle * w - lights[l].map_origin.xyz;
+          float light_depth = b0 * fog_length(l, middle * w, (middle * w - s) / distance_, distance_);
           if (lights[l].has_table != 0) light_depth += table_depth(l, q, distance_);
           float light = falloff * exp(-light_extinction * light_depth);
           float fraction = whole_fraction;

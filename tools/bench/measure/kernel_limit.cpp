@@ -45,6 +45,7 @@ Lights slice_lights(PreparedScene& prepared, const Scene& scene, const OpticalDe
     const OpticalDepthTable& table = prepared.optical_depth_table(position, size, pairs);
     lights[l] = {glm::vec3(position - scene.camera.eye), 1e-3f, 1.0f, &table,
                  &prepared.shadow_map(position, table.map().resized(shadow_cells))};
+    lights[l].map_origin = lights[l].position;
   }
   return lights;
 }

@@ -189,6 +189,14 @@ std::string to_json(const BenchReport& report) {
                           {"megabytes", row.megabytes}});
   }
   json["all_orders"] = std::move(all_orders);
+  OrderedJson light_kinds = OrderedJson::array();
+  for (const LightKindRow& row : report.light_kinds) {
+    light_kinds.push_back({{"name", row.kind},
+                           {"error", row.error},
+                           {"camera_ratio", to_json(row.camera_ratio)},
+                           {"edit_ratio", to_json(row.edit_ratio)}});
+  }
+  json["light_kinds"] = std::move(light_kinds);
   OrderedJson noise_depths = OrderedJson::array();
   for (const NoiseDepthRow& row : report.noise_depths) {
     noise_depths.push_back(

@@ -7,6 +7,7 @@
 #include "tools/bench/errors/all_orders_errors.h"
 #include "tools/bench/errors/compared_error.h"
 #include "tools/bench/errors/fog_errors.h"
+#include "tools/bench/errors/light_kinds.h"
 #include "tools/bench/errors/noise_errors.h"
 #include "tools/bench/measure/cache_gains.h"
 #include "tools/bench/measure/frontier.h"
@@ -80,6 +81,7 @@ struct BenchReport {
   std::vector<InscatteringRow> glow;
   std::vector<ScaleRow> scales;
   std::vector<AllOrdersRow> all_orders;
+  std::vector<LightKindRow> light_kinds;
   std::vector<ComparedError> point_light;     // on surfaces, as the next two
   std::vector<ComparedError> incident_light;  // of an environment
   std::vector<ComparedError> transfer;

@@ -27,6 +27,7 @@ std::vector<ReportTable> bench_tables(const BenchReport& report) {
                                      inscattering_table(report.glow),
                                      scale_table(report.scales),
                                      all_orders_table(report.all_orders),
+                                     light_kind_table(report.light_kinds),
                                      noise_depth_table(report.noise_depths),
                                      noise_table(report.noise),
                                      surface_light_table(report.point_light),
