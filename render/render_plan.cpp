@@ -11,6 +11,10 @@
 namespace brume {
 namespace {
 
+// Points on the disc of a directional light.
+constexpr int disc_points = 8;
+constexpr int disc_points_of_truth = 64;  // for what others are held against
+
 // What there is to render in a scene.
 struct Content {
   std::vector<Light> lights;  // that are on and not black
@@ -26,19 +30,22 @@ struct Content {
         gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
         homogeneous(scene.medium.homogeneous_density() > 0.0),
         noise(gaussians && scene.optics.noise.amplitude > 0.0) {
-    // Points on the disc of a directional light.
-    const bool is_truth = method == AirlightMethod::reference || method == AirlightMethod::path;
-    for (const Light& light : as_point_lights(scene, is_truth ? 64 : 8)) {
+    const bool is_paper = method == AirlightMethod::paper;
+    for (const Light& light : scene.lights) {
       if (!light.on) {
         ++lights_off;
       } else if (light.intensity == glm::dvec3(0.0)) {
         ++black_lights;
-      } else if ((light.spot || light.directional) && method == AirlightMethod::paper) {
+      } else if (is_paper && (light.spot || light.directional)) {
         ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
       } else {
-        lights.push_back(light);
         far_light |= light.directional.has_value();
       }
+    }
+    const bool is_truth = method == AirlightMethod::reference || method == AirlightMethod::path;
+    lights = as_point_lights(scene, is_truth ? disc_points_of_truth : disc_points);
+    if (is_paper) {
+      std::erase_if(lights, [](const Light& light) { return light.spot || light.directional; });
     }
   }
 

@@ -38,9 +38,8 @@ LightType type_of(const Light& light) {
 
 void set_type(Light& light, LightType type, const LitRegion& region) {
   const glm::dvec3 place =
-      light.directional
-          ? region.center - 0.5 * region.diameter * glm::normalize(light.directional->direction)
-          : light.position;
+      light.directional ? region.center + 0.5 * region.diameter * to_light(*light.directional)
+                        : light.position;
   const glm::dvec3 inward = region.center - place;
   const double square = std::max(glm::dot(inward, inward), 1e-12);
   const glm::dvec3 direction =
@@ -49,7 +48,13 @@ void set_type(Light& light, LightType type, const LitRegion& region) {
   light.spot.reset();
   light.directional.reset();
   light.position = place;
-  light.keys = {};  // they are of the other type
+  // Keyframes stay of what the types have in common.
+  if (was_directional != (type == LightType::directional)) {
+    light.keys.position = light.keys.intensity = {};
+  }
+  if (type == LightType::point) light.keys.direction = {};
+  if (type != LightType::spot) light.keys.inner_angle = light.keys.outer_angle = {};
+  if (type != LightType::directional) light.keys.angular_diameter = {};
   if (type == LightType::directional) {
     light.position = {};
     light.directional = Directional{direction};
@@ -167,7 +172,7 @@ void add_preset(Document& document, const LightPreset& preset, const glm::dvec3&
 glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye) {
   if (!light.directional) return light.position;
   const glm::dvec3& target = scene.camera.target;
-  return target - 0.2 * glm::distance(eye, target) * glm::normalize(light.directional->direction);
+  return target + 0.2 * glm::distance(eye, target) * to_light(*light.directional);
 }
 
 SpotCone with_inner_angle(SpotCone cone, double angle) {

@@ -78,8 +78,11 @@ void ContributionPanel::compute() {
     facts.met.emplace_back(id(met[k]), met[k].fraction);
   }
   const glm::dvec3 place = rays.eye() + facts.contribution.distance * direction;
-  const LitRegion region = LitRegion::of(*scene);
-  const FogBall fog = FogExtent(*scene).ball();
+  // Both read all vertices.
+  const bool has_far_light = std::ranges::any_of(
+      scene->lights, [](const Light& light) { return light.directional.has_value(); });
+  const LitRegion region = has_far_light ? LitRegion::of(*scene) : LitRegion();
+  const FogBall fog = has_far_light ? FogExtent(*scene).ball() : FogBall();
   for (std::size_t k = 0; k < scene->lights.size(); ++k) {
     const Light light = as_point_light(scene->lights[k], region);
     if (!light.on) continue;
@@ -87,9 +90,8 @@ void ContributionPanel::compute() {
     const auto between = distance > 0.0
                              ? view_->surfaces().hit(place, (light.position - place) / distance)
                              : std::nullopt;
-    const double fog_length = light.directional
-                                  ? fog.length(place, -glm::normalize(light.directional->direction))
-                                  : infinity;
+    const double fog_length =
+        light.directional ? fog.length(place, to_light(*light.directional)) : infinity;
     const bool shadowed = between && glm::distance(between->position, place) < distance;
     facts.lights.push_back({light_title(scene->lights[k], k),
                             to_color(light_color(scene->lights[k])),

@@ -202,23 +202,23 @@ void LightPanel::add_light_fields(QFormLayout& form) {
 }
 
 void LightPanel::add_photometric_fields(QFormLayout& form) {
-  const auto add = [&](const QString& text, const char* name, double (*value_of)(const Light&)) {
+  using Value = std::function<std::optional<double>(const Light&)>;
+  const auto add = [&](const QString& text, const char* name, const Value& value_of) {
+    const auto get = [this, value_of]() -> std::optional<double> {
+      return light() ? value_of(*light()) : std::nullopt;
+    };
+    const auto set = [this, value_of](double value, MergeId gesture) {
+      change_light(document_, document_.active_light(), tr("Set intensity of %1"), gesture,
+                   [&](Light& l) {
+                     if (l.intensity == glm::dvec3(0.0)) l.intensity = glm::dvec3(1.0);
+                     // A cone of no width has no flux.
+                     const double factor = value / value_of(l).value_or(0.0);
+                     if (!std::isfinite(factor)) return;
+                     l.intensity = glm::min(factor * l.intensity, limits::intensity);
+                   });
+    };
     return add_number(form, text,
-                      {name, domain::not_negative, ValueField::Scale::logarithmic, 0.01,
-                       [this, value_of]() -> std::optional<double> {
-                         if (!light() || (light()->directional && value_of == luminous_flux))
-                           return {};
-                         return value_of(*light());
-                       },
-                       [this, value_of](double value, MergeId gesture) {
-                         change_light(document_, document_.active_light(),
-                                      tr("Set intensity of %1"), gesture, [&](Light& l) {
-                                        if (l.intensity == glm::dvec3(0.0))
-                                          l.intensity = glm::dvec3(1.0);
-                                        l.intensity *= value / value_of(l);
-                                        l.intensity = glm::min(l.intensity, limits::intensity);
-                                      });
-                       }});
+                      {name, domain::not_negative, ValueField::Scale::logarithmic, 0.01, get, set});
   };
   QLabel* title = add(tr("Intensity, cd"), "light_candela", photometric_strength);
   on_refresh([this, title] {
@@ -238,8 +238,9 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
                                l.intensity = light_strength(l) * black_body_color(value);
                              });
               }})
-      ->setToolTip(tr("Makes the colour that of a black body: a candle 1850 K, a lamp 2700 K, "
-                      "the sun 5500 K, a blue sky 10000 K"));
+      ->setToolTip(
+          tr("Makes the colour that of a black body: a candle 1850 K, a light bulb 2700 K, "
+             "the sun 5500 K, a blue sky 10000 K"));
 }
 
 void LightPanel::add_type_field(QFormLayout& form) {

@@ -6,32 +6,30 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <optional>
 
 #include "core/math/infinity.h"
+#include "core/math/unit_direction.h"
 #include "core/scene/mesh_arrays.h"
 
 namespace brume {
 namespace {
 
-// Of the light's irradiance, from the direction `to_light`, unit.
-Light far_light(const Light& light, double share, const glm::dvec3& to_light,
+// For a share of the light's irradiance, in the unit direction.
+Light far_light(const Light& light, double share, const glm::dvec3& direction,
                 const LitRegion& region) {
   const double distance = far_light_distance * region.diameter;
   Light far = light;
-  far.position = region.center + distance * to_light;
+  far.position = region.center + distance * direction;
   // Single precision ends.
   far.intensity = glm::min(share * distance * distance * light.intensity, glm::dvec3(1e35));
   return far;
 }
 
-glm::dvec3 to_center(const Directional& light) {
-  return -glm::normalize(light.direction);
-}
-
 // Directions of equal irradiance on what faces the disc: evenly over the disc of their sines
 // (Vogel's spiral).
 void add_disc(const Light& light, int count, const LitRegion& region, std::vector<Light>& lights) {
-  const glm::dvec3 axis = to_center(*light.directional);
+  const glm::dvec3 axis = to_light(*light.directional);
   const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
   const glm::dvec3 up = glm::cross(right, axis);
@@ -41,9 +39,9 @@ void add_disc(const Light& light, int count, const LitRegion& region, std::vecto
     const double sine = edge * std::sqrt((k + 0.5) / count);
     const double cosine = std::sqrt(1.0 - sine * sine);
     const double turn = golden_angle * k;
-    const glm::dvec3 to_light =
+    const glm::dvec3 direction =
         cosine * axis + sine * (std::cos(turn) * right + std::sin(turn) * up);
-    lights.push_back(far_light(light, 1.0 / (count * cosine), to_light, region));
+    lights.push_back(far_light(light, 1.0 / (count * cosine), direction, region));
   }
 }
 
@@ -76,20 +74,28 @@ LitRegion LitRegion::of(const Scene& scene) {
   return region;
 }
 
+glm::dvec3 to_light(const Directional& light) {
+  return -unit_direction(light.direction, {0.0, -1.0, 0.0});
+}
+
 Light as_point_light(const Light& light, const LitRegion& region) {
-  return light.directional ? far_light(light, 1.0, to_center(*light.directional), region) : light;
+  return light.directional ? far_light(light, 1.0, to_light(*light.directional), region) : light;
 }
 
 std::vector<Light> as_point_lights(const Scene& scene, int disc_points) {
-  const auto is_directional = [](const Light& light) { return light.directional.has_value(); };
-  if (std::ranges::none_of(scene.lights, is_directional)) return scene.lights;
-  const LitRegion region = LitRegion::of(scene);
   std::vector<Light> lights;
+  std::optional<LitRegion> region;  // reads all vertices: not for scenes without directional lights
   for (const Light& light : scene.lights) {
-    if (light.directional && light.directional->angular_diameter > 0.0 && disc_points > 1) {
-      add_disc(light, disc_points, region, lights);
+    if (!light.on || light.intensity == glm::dvec3(0.0)) continue;
+    if (!light.directional) {
+      lights.push_back(light);
+      continue;
+    }
+    if (!region) region = LitRegion::of(scene);
+    if (light.directional->angular_diameter > 0.0 && disc_points > 1) {
+      add_disc(light, disc_points, *region, lights);
     } else {
-      lights.push_back(as_point_light(light, region));
+      lights.push_back(as_point_light(light, *region));
     }
   }
   return lights;

@@ -19,16 +19,19 @@ struct LitRegion {
 };
 
 // A far light is this many diameters of the region away. Over the region its irradiance differs by
-// at most 0.05%, its direction by 0.014 degrees; single precision still tells points in the region
-// apart at a 4000th of it.
+// at most 0.06%, its direction by 0.016 degrees, in fog around it by twice as much; single
+// precision still tells points in the region apart at a 4000th of it.
 inline constexpr double far_light_distance = 2048.0;
+
+// The unit direction towards it; straight up where keyframes pass length 0.
+glm::dvec3 to_light(const Directional& light);
 
 // The light, or for a directional one the point light that stands for its center. `directional`
 // remains, and tells that it is far away.
 Light as_point_light(const Light& light, const LitRegion& region);
 
-// All lights, in their order; of a directional light with an angular diameter `disc_points` >= 1
-// lights spread evenly over its disc.
+// Those that are on and not black, in their order; of a directional light with an angular diameter
+// `disc_points` >= 1 lights spread evenly over its disc.
 std::vector<Light> as_point_lights(const Scene& scene, int disc_points = 1);
 
 }  // namespace brume

@@ -56,8 +56,8 @@ double photometric_strength(const Light& light) {
   return lumens_per_watt * luminance(light.intensity);
 }
 
-double luminous_flux(const Light& light) {
-  if (light.directional) return 0.0;
+std::optional<double> luminous_flux(const Light& light) {
+  if (light.directional) return std::nullopt;
   return photometric_strength(light) *
          (light.spot ? solid_angle(*light.spot) : 4.0 * std::numbers::pi);
 }

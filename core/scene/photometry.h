@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "core/scene/scene.h"
 
@@ -18,8 +19,8 @@ double luminance(const glm::dvec3& rgb);
 // Of a point light or spot, on its axis [cd]; of a directional light, illuminance [lx].
 double photometric_strength(const Light& light);
 
-// Of a point light or spot, in all directions [lm]; 0 of a directional light, which has none.
-double luminous_flux(const Light& light);
+// Of a point light or spot, in all directions [lm]; a directional light has none.
+std::optional<double> luminous_flux(const Light& light);
 
 // Colour of a black body, linear Rec. 709, its greatest channel 1; channels outside that gamut are
 // 0. The temperature is clamped to

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/math/infinity.h"
+#include "core/math/unit_direction.h"
 
 namespace brume {
 namespace {
@@ -17,11 +18,7 @@ constexpr double min_cosine_difference = 1e-3;
 
 SpotFalloff::SpotFalloff(const std::optional<SpotCone>& cone) {
   if (!cone) return;
-  const glm::dvec3& direction = cone->direction;
-  // Of any length, so that no square overflows; keyframes may pass through zero.
-  const double size =
-      std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-  axis_ = size > 0.0 ? glm::normalize(direction / size) : glm::dvec3(0.0, -1.0, 0.0);
+  axis_ = unit_direction(cone->direction, {0.0, -1.0, 0.0});
   dark_cosine_ = std::cos(glm::radians(cone->outer_angle));
   const double difference = std::cos(glm::radians(cone->inner_angle)) - dark_cosine_;
   per_cosine_ = 1.0 / std::max(difference, min_cosine_difference);

@@ -27,7 +27,6 @@ double strength(const Light& light) {
 }
 
 std::vector<Light> strongest(std::vector<Light> lights) {
-  std::erase_if(lights, [](const Light& light) { return !light.on; });
   std::ranges::sort(lights, std::greater(), strength);  // that of far lights is huge
   lights.resize(std::min(lights.size(), max_lights));
   return lights;

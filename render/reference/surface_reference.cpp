@@ -262,7 +262,6 @@ ReflectedLight reflected_light(const Scene& scene, const RayCaster& ray_caster,
     variance += sum.variance();
   };
   for (const Light& light : as_point_lights(scene)) {
-    if (!light.on) continue;
     result.attenuated += sampler.unscattered(light);
     average([&] { return sampler.of_light(light, uniform); });
   }

@@ -172,6 +172,23 @@ class PanelsTest : public QObject {
     QCOMPARE(document.scene(), before);
   }
 
+  void a_light_of_another_type_keeps_the_keyframes_that_it_can() {
+    Light light;
+    light.spot.emplace();
+    light.keys.position = {{0.0, {1, 2, 3}}};
+    light.keys.intensity = {{0.0, {4, 5, 6}}};
+    light.keys.direction = {{0.0, {0, 0, 1}}};
+    light.keys.inner_angle = {{0.0, 5.0}};
+    const LightKeys before = light.keys;
+    set_type(light, LightType::point, {});
+    QCOMPARE(light.keys.position, before.position);
+    QCOMPARE(light.keys.intensity, before.intensity);
+    QVERIFY(light.keys.direction.empty() && light.keys.inner_angle.empty());
+    set_type(light, LightType::directional, {});
+    QVERIFY2(light.keys.intensity.empty(), "in other units");
+    QVERIFY(light.keys.position.empty());
+  }
+
   void a_sun_is_added_changed_and_turned() {
     TestWindow window;
     Document& document = window->document();
@@ -234,7 +251,7 @@ class PanelsTest : public QObject {
     QVERIFY(std::abs(photometric_strength(candle()) - 1.0) < 1e-9);
     QVERIFY(std::abs(shown("light_lumen") - 12.566) < 0.01);
     enter(window, "light_lumen", "800");
-    QVERIFY(std::abs(luminous_flux(candle()) - 800.0) < 1e-6);
+    QVERIFY(std::abs(*luminous_flux(candle()) - 800.0) < 1e-6);
     QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
     const double strength = light_strength(candle());
     enter(window, "light_temperature", "5500");

@@ -239,6 +239,25 @@ TEST(DirectionalLight, IsLeftOutByThePaperWithAWord) {
   }));
 }
 
+// Of a disc, eight lights are one that is off.
+TEST(DirectionalLight, IsCountedOnce) {
+  Scene scene = lit_by_sun(1.0, 3.0);
+  scene.lights[0].on = false;
+  const Frame frame = render_frame(scene, sliced(8));
+  EXPECT_TRUE(std::ranges::any_of(frame.statistics.skipped, [](const SkippedStage& skipped) {
+    return skipped.why == "switched off: 1";
+  }));
+}
+
+// Keyframes may pass a direction of no length; what is tiny is a direction.
+TEST(DirectionalLight, AlwaysShinesSomewhere) {
+  EXPECT_EQ(to_light({{0.0, 0.0, 0.0}}), glm::dvec3(0.0, 1.0, 0.0));
+  EXPECT_EQ(to_light({{0.0, 0.0, 1e-300}}), glm::dvec3(0.0, 0.0, -1.0));
+  Scene scene = lit_by_sun();
+  scene.lights[0].directional->direction = {};
+  expect_finite(render_frame(scene, sliced(8)));
+}
+
 // Grazing, in empty and in endless scenes, of all sizes.
 TEST(DirectionalLight, HardCasesAreFinite) {
   Settings small_grid = sliced(8, Scattering::multiple);

@@ -11,7 +11,7 @@
 namespace brume {
 namespace {
 
-// A clearing of this radius around the camera's line of sight holds no trees [u].
+// Of an aisle along the view, without trees [u].
 constexpr double path_half_width = 0.75;
 
 double ground(double x, double z) {

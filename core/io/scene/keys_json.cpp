@@ -4,6 +4,7 @@
 #include "core/limits.h"
 
 namespace brume {
+
 Json to_json(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }

@@ -1,6 +1,7 @@
 #include "core/io/scene/light_json.h"
 
 namespace brume {
+
 Json light_to_json(const Light& light) {
   if (const auto& directional = light.directional) {
     return {{"type", "directional"},

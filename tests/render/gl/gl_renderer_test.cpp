@@ -78,7 +78,9 @@ TEST_F(GlFrames, SampleScenes) {
       // that decides which of a few rays of sunbeams are lit (measured: 0.7%).
       const bool is_far = std::ranges::any_of(
           scene.lights, [](const Light& light) { return light.directional.has_value(); });
-      expect_within({gl, cpu}, is_far ? 0.01 : bound, name);
+      const LayerErrors error(gl, cpu);
+      EXPECT_LE(std::max(error.transmittance, error.depth), bound) << name;
+      EXPECT_LE(std::max(error.airlight, error.beauty), is_far ? 0.01 : bound) << name;
       // The same pixels are upsampled, but where a sample is at the limit, which is decisive for
       // four cells of 16 pixels: in one of these frames two such cells differ.
       EXPECT_NEAR(static_cast<double>(gl.statistics.exact_pixels),
