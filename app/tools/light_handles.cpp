@@ -14,6 +14,7 @@
 #include "app/view/overlay.h"
 #include "app/widgets/color_button.h"
 #include "core/limits.h"
+#include "core/math/basis.h"
 #include "core/math/infinity.h"
 #include "core/transport/spot_falloff.h"
 
@@ -52,10 +53,8 @@ struct DrawnCone {
     if (angle < max_drawn_angle) radius = length * std::tan(glm::radians(angle));
   }
   [[nodiscard]] glm::dvec3 rim(double angle) const {
-    const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
-    const glm::dvec3 up = glm::cross(right, axis);
-    return target + radius * (std::cos(angle) * right + std::sin(angle) * up);
+    const auto [u, v] = make_basis(axis);
+    return target + radius * (std::cos(angle) * u + std::sin(angle) * v);
   }
   static constexpr double max_drawn_angle = 80.0;  // degrees
   static constexpr int segments = 48;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/math/basis.h"
 #include "core/math/infinity.h"
 #include "core/math/unit_direction.h"
 #include "core/scene/mesh_arrays.h"
@@ -30,29 +31,25 @@ Light far_light(const Light& light, double share, const glm::dvec3& direction,
 // (Vogel's spiral).
 void add_disc(const Light& light, int count, const LitRegion& region, std::vector<Light>& lights) {
   const glm::dvec3 axis = to_light(*light.directional);
-  const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-  const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
-  const glm::dvec3 up = glm::cross(right, axis);
+  const auto [u, v] = make_basis(axis);
   const double edge = std::sin(glm::radians(0.5 * light.directional->angular_diameter));
   constexpr double golden_angle = std::numbers::pi * (3.0 - 2.2360679774997896964);
   for (int k = 0; k < count; ++k) {
     const double sine = edge * std::sqrt((k + 0.5) / count);
     const double cosine = std::sqrt(1.0 - sine * sine);
     const double turn = golden_angle * k;
-    const glm::dvec3 direction =
-        cosine * axis + sine * (std::cos(turn) * right + std::sin(turn) * up);
+    const glm::dvec3 direction = cosine * axis + sine * (std::cos(turn) * u + std::sin(turn) * v);
     lights.push_back(far_light(light, 1.0 / (count * cosine), direction, region));
   }
 }
 
 }  // namespace
 
-LitRegion LitRegion::of(const Scene& scene) {
-  glm::dvec3 low(infinity);
-  glm::dvec3 high(-infinity);
+std::optional<LitBounds> lit_bounds(const Scene& scene) {
+  LitBounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
   const auto add = [&](const glm::dvec3& p, double radius) {
-    low = glm::min(low, p - radius);
-    high = glm::max(high, p + radius);
+    bounds.low = glm::min(bounds.low, p - radius);
+    bounds.high = glm::max(bounds.high, p + radius);
   };
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian g = scene.medium.gaussian(i);
@@ -61,12 +58,17 @@ LitRegion LitRegion::of(const Scene& scene) {
   for (const Surface& surface : scene.surfaces) {
     for (const glm::dvec3& p : world_points(surface)) add(p, 0.0);
   }
+  return bounds.low.x <= bounds.high.x ? std::optional(bounds) : std::nullopt;
+}
+
+LitRegion LitRegion::of(const Scene& scene) {
   const double b0 = scene.medium.homogeneous_density();
   LitRegion region;
   double length = b0 > 0.0 ? 2.0 / b0 : region.diameter;
-  if (low.x <= high.x) {
-    region.center = 0.5 * (low + high);
-    if (const double diagonal = glm::length(high - low); diagonal > 0.0) length = diagonal;
+  if (const auto bounds = lit_bounds(scene)) {
+    region.center = 0.5 * (bounds->low + bounds->high);
+    const double diagonal = glm::length(bounds->high - bounds->low);
+    if (diagonal > 0.0) length = diagonal;
   }
   region.diameter = std::exp2(std::ceil(std::log2(length)));
   const double step = region.diameter / 16.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -8,6 +9,13 @@
 namespace brume {
 
 // Directional lights as point lights that are far away: what evaluates point lights evaluates them.
+
+// Bounds of surfaces and Gaussians (3 radii each); nullopt without any. Reads all vertices.
+struct LitBounds {
+  glm::dvec3 low{0.0};
+  glm::dvec3 high{0.0};
+};
+std::optional<LitBounds> lit_bounds(const Scene& scene);
 
 // What far lights shine on: surfaces and Gaussians (3 radii each), or else the fog within a mean
 // free path of the origin. In coarse steps, so that it mostly stays while a medium is painted.

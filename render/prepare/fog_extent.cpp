@@ -7,7 +7,7 @@
 
 #include "core/limits.h"
 #include "core/math/infinity.h"
-#include "core/scene/mesh_arrays.h"
+#include "core/scene/far_lights.h"
 
 namespace brume {
 
@@ -18,22 +18,10 @@ FogExtent::FogExtent(const Scene& scene) {
         return light.on && light.directional.has_value();
       });
   if (!is_lit_from_afar || !(b0 > 0.0)) return;
-  glm::dvec3 low(infinity);
-  glm::dvec3 high(-infinity);
-  const auto add = [&](const glm::dvec3& p, double radius) {
-    low = glm::min(low, p - radius);
-    high = glm::max(high, p + radius);
-  };
-  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
-    const Gaussian g = scene.medium.gaussian(i);
-    add(g.center, 3.0 * g.radius);
-  }
-  for (const Surface& surface : scene.surfaces) {
-    for (const glm::dvec3& p : world_points(surface)) add(p, 0.0);
-  }
-  const double diameter = glm::length(high - low);
-  if (low.x <= high.x && diameter > 0.0) {
-    ball_ = {0.5 * (low + high), diameter};
+  const auto bounds = lit_bounds(scene);
+  const double diameter = bounds ? glm::length(bounds->high - bounds->low) : 0.0;
+  if (diameter > 0.0) {
+    ball_ = {0.5 * (bounds->low + bounds->high), diameter};
   } else {
     ball_.radius = 1.0 / b0;
   }
