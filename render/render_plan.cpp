@@ -5,19 +5,15 @@
 #include <numbers>
 #include <optional>
 
-#include "core/scene/far_lights.h"
 #include "core/scene/mesh.h"
+#include "core/scene/point_lights.h"
 
 namespace brume {
 namespace {
 
-// Points on the disc of a directional light.
-constexpr int disc_points = 8;
-constexpr int disc_points_of_truth = 64;  // for what others are held against
-
 // What there is to render in a scene.
 struct Content {
-  std::vector<Light> lights;  // that are on and not black
+  std::vector<PointLight> lights;  // that are on and not black
   std::size_t lights_off = 0;
   std::size_t black_lights = 0;
   std::size_t lights_beyond_paper = 0;
@@ -36,16 +32,19 @@ struct Content {
         ++lights_off;
       } else if (light.intensity == glm::dvec3(0.0)) {
         ++black_lights;
-      } else if (is_paper && (light.spot || light.directional)) {
+      } else if (is_paper && (light.spot || light.directional || light.area)) {
         ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
       } else {
         far_light |= light.directional.has_value();
       }
     }
     const bool is_truth = method == AirlightMethod::reference || method == AirlightMethod::path;
-    lights = as_point_lights(scene, is_truth ? disc_points_of_truth : disc_points);
+    // A sphere far away is one isotropic light, which is not `paper`'s either.
+    lights = point_lights(scene, is_truth ? LightPoints::many : LightPoints::few);
     if (is_paper) {
-      std::erase_if(lights, [](const Light& light) { return light.spot || light.directional; });
+      std::erase_if(lights, [](const PointLight& light) {
+        return !light.falloff.is_isotropic() || light.is_far || light.radius > 0.0;
+      });
     }
   }
 

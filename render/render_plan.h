@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/scene/point_lights.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/settings.h"
@@ -23,8 +24,8 @@ struct RenderPlan {
              const TransferStore* shared = nullptr);
 
   Settings settings;  // as requested, without `auto_`, with light maps limited to memory
-  // Those that are on and not black, as point lights: see core/scene/far_lights.h.
-  std::vector<Light> lights;
+  // Those that are on and not black, as point lights: see core/scene/point_lights.h.
+  std::vector<PointLight> lights;
   std::vector<TransferRequest> transfers;  // without duplicates
 
   StageSet stages;  // whose times are in the statistics

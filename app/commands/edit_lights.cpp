@@ -5,11 +5,13 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "core/limits.h"
+#include "core/math/unit_direction.h"
 #include "core/number_domain.h"
 #include "core/scene/photometry.h"
 
@@ -20,17 +22,45 @@ QString light_name(std::size_t index) {
 }
 
 QString light_title(const Light& light, std::size_t index) {
-  const QString title = light.directional ? undo_text("Sun %1")
-                        : light.spot      ? undo_text("Spot %1")
-                                          : undo_text("Light %1");
-  return title.arg(index + 1);
+  static constexpr std::array titles{
+      QT_TRANSLATE_NOOP("undo", "Light %1"),      QT_TRANSLATE_NOOP("undo", "Spot %1"),
+      QT_TRANSLATE_NOOP("undo", "Sun %1"),        QT_TRANSLATE_NOOP("undo", "Rectangle %1"),
+      QT_TRANSLATE_NOOP("undo", "Disk light %1"), QT_TRANSLATE_NOOP("undo", "Sphere %1")};
+  return undo_text(titles[static_cast<std::size_t>(type_of(light))]).arg(index + 1);
 }
 
 QString light_unit(const Light& light) {
-  return light.directional ? QStringLiteral("W/u²") : QStringLiteral("W/sr");
+  return light.directional ? QStringLiteral("W/u²")
+         : light.area      ? QStringLiteral("W/(sr u²)")
+                           : QStringLiteral("W/sr");
 }
 
+namespace {
+
+constexpr auto first_area = static_cast<int>(LightType::rectangle);
+
+std::optional<AreaLight::Shape> shape_of(LightType type) {
+  const int shape = static_cast<int>(type) - first_area;
+  return shape >= 0 ? std::optional(static_cast<AreaLight::Shape>(shape)) : std::nullopt;
+}
+
+// What a light's intensity is times to be radiant intensity, `square` u^2 away [u^2].
+double to_radiant_intensity(const Light& light, double square) {
+  return light.directional ? square : light.area ? facing_area(*light.area) : 1.0;
+}
+
+// As large as a tenth of the distance.
+AreaLight new_area(AreaLight::Shape shape, const glm::dvec3& direction) {
+  AreaLight area{shape, direction};
+  area.width = area.height = std::clamp(0.1 * glm::length(direction), 1e-6, 1e6);
+  area.radius = 0.5 * area.width;
+  return area;
+}
+
+}  // namespace
+
 LightType type_of(const Light& light) {
+  if (light.area) return static_cast<LightType>(first_area + static_cast<int>(light.area->shape));
   return light.directional ? LightType::directional
          : light.spot      ? LightType::spot
                            : LightType::point;
@@ -44,36 +74,50 @@ void set_type(Light& light, LightType type, const LitRegion& region) {
   const double square = std::max(glm::dot(inward, inward), 1e-12);
   const glm::dvec3 direction =
       light_direction(light).value_or(glm::length(inward) > 0.0 ? inward : glm::dvec3(0, -1, 0));
-  const bool was_directional = light.directional.has_value();
+  const LightType before = type_of(light);
+  const double radiant = to_radiant_intensity(light, square);
+  const std::optional<AreaLight> old_area = light.area;
   light.spot.reset();
   light.directional.reset();
+  light.area.reset();
   light.position = place;
-  // Keyframes stay of what the types have in common.
-  if (was_directional != (type == LightType::directional)) {
-    light.keys.position = light.keys.intensity = {};
-  }
-  if (type == LightType::point) light.keys.direction = {};
-  if (type != LightType::spot) light.keys.inner_angle = light.keys.outer_angle = {};
-  if (type != LightType::directional) light.keys.angular_diameter = {};
   if (type == LightType::directional) {
     light.position = {};
     light.directional = Directional{direction};
   } else if (type == LightType::spot) {
     light.spot = SpotCone{direction};
+  } else if (const auto shape = shape_of(type)) {
+    light.area = old_area.value_or(new_area(*shape, glm::dvec3(0.0)));
+    if (!old_area) *light.area = new_area(*shape, std::sqrt(square) * glm::normalize(direction));
+    light.area->shape = *shape;
+    light.area->direction = direction;
   }
-  if (was_directional) light.intensity *= square;
-  if (type == LightType::directional) light.intensity /= square;
+  // Keyframes stay of what the types have in common.
+  const LightKeys keys = std::exchange(light.keys, {});
+  const auto is_alike = [](LightType a, LightType b) {
+    const auto kind = [](LightType t) { return std::min(static_cast<int>(t), first_area); };
+    return kind(a) == kind(b) || std::max(kind(a), kind(b)) == static_cast<int>(LightType::spot);
+  };
+  if (type != LightType::directional && before != LightType::directional) {
+    light.keys.position = keys.position;
+  }
+  if (is_alike(before, type)) light.keys.intensity = keys.intensity;
+  if (light_direction(light)) light.keys.direction = keys.direction;
+  if (type == before) light.keys = keys;
+  light.intensity *= radiant / to_radiant_intensity(light, square);
   light.intensity = glm::min(light.intensity, limits::intensity);
 }
 
 std::optional<glm::dvec3> light_direction(const Light& light) {
   if (light.directional) return light.directional->direction;
+  if (light.area && light.area->shape != AreaLight::Shape::sphere) return light.area->direction;
   return light.spot ? std::optional(light.spot->direction) : std::nullopt;
 }
 
 void turn(Light& light, const glm::dvec3& direction) {
   if (light.directional) light.directional->direction = direction;
   if (light.spot) light.spot->direction = direction;
+  if (light.area) light.area->direction = direction;
 }
 
 namespace {
@@ -91,8 +135,9 @@ void add(Document& document, Light light) {
 
 // As bright as those that are there, so that it is seen.
 glm::dvec3 new_intensity(const Scene& scene) {
-  const auto last = std::find_if(scene.lights.rbegin(), scene.lights.rend(),
-                                 [](const Light& light) { return !light.directional; });
+  const auto last =
+      std::find_if(scene.lights.rbegin(), scene.lights.rend(),
+                   [](const Light& light) { return !light.directional && !light.area; });
   return glm::dvec3(last == scene.lights.rend() ? 20.0 : light_strength(*last));
 }
 
@@ -110,31 +155,28 @@ glm::dvec3 direction_to(const glm::dvec3& target, const glm::dvec3& position) {
 
 }  // namespace
 
-void add_light(Document& document, const glm::dvec3& position) {
+void add_light(Document& document, LightType type, const LightPlace& place) {
   Light light;
-  light.position = position;
+  light.position = place.position;
   light.intensity = new_intensity(document.scene());
-  add(document, std::move(light));
-}
-
-void add_spot(Document& document, const glm::dvec3& position, const glm::dvec3& target) {
-  Light light;
-  light.position = position;
-  light.intensity = new_intensity(document.scene());
-  light.spot = SpotCone{direction_to(target, position), 15.0, 20.0};
-  add(document, std::move(light));
-}
-
-void add_directional(Document& document, const glm::dvec3& view) {
-  Light light;
-  light.intensity = glm::dvec3(3.0);
-  light.directional = Directional{sun_direction(view)};
+  const glm::dvec3 direction = direction_to(place.target, place.position);
+  if (type == LightType::spot) {
+    light.spot = SpotCone{direction, 15.0, 20.0};
+  } else if (type == LightType::directional) {
+    light.position = {};
+    light.intensity = glm::dvec3(3.0);
+    light.directional = Directional{sun_direction(place.target - place.eye)};
+  } else if (const auto shape = shape_of(type)) {
+    light.area = new_area(*shape, direction);
+    light.intensity =
+        glm::min(light.intensity / facing_area(*light.area), glm::dvec3(limits::intensity));
+  }
   add(document, std::move(light));
 }
 
 namespace {
 
-constexpr std::array<LightPreset, 6> presets{{
+constexpr std::array<LightPreset, 7> presets{{
     {"preset_sun", QT_TRANSLATE_NOOP("undo", "Sun"), LightType::directional, 5500.0, 3.0, 0, 0,
      0.53},
     {"preset_moon", QT_TRANSLATE_NOOP("undo", "Moon"), LightType::directional, 7500.0, 0.15, 0, 0,
@@ -145,6 +187,8 @@ constexpr std::array<LightPreset, 6> presets{{
      10.0},
     {"preset_street", QT_TRANSLATE_NOOP("undo", "Street lamp"), LightType::spot, 2000.0, 20.0, 40.0,
      75.0},
+    {"preset_window", QT_TRANSLATE_NOOP("undo", "Window"), LightType::rectangle, 6500.0, 15.0, 0, 0,
+     0, 1.0, 1.4},
     {"preset_candle", QT_TRANSLATE_NOOP("undo", "Candle"), LightType::point, 1850.0, 2.0},
 }};
 
@@ -154,19 +198,44 @@ std::span<const LightPreset> light_presets() {
   return presets;
 }
 
-void add_preset(Document& document, const LightPreset& preset, const glm::dvec3& position,
-                const glm::dvec3& target, const glm::dvec3& eye) {
+void add_preset(Document& document, const LightPreset& preset, const LightPlace& place) {
   Light light;
   light.intensity = preset.strength * black_body_color(preset.temperature);
+  light.position = place.position;
+  const glm::dvec3 direction = direction_to(place.target, place.position);
   if (preset.type == LightType::directional) {
-    light.directional = Directional{sun_direction(target - eye), preset.angular_diameter};
-  } else {
-    light.position = position;
-  }
-  if (preset.type == LightType::spot) {
-    light.spot = SpotCone{direction_to(target, position), preset.inner_angle, preset.outer_angle};
+    light.position = {};
+    light.directional =
+        Directional{sun_direction(place.target - place.eye), preset.angular_diameter};
+  } else if (preset.type == LightType::spot) {
+    light.spot = SpotCone{direction, preset.inner_angle, preset.outer_angle};
+  } else if (preset.type == LightType::rectangle) {
+    light.area = AreaLight{.direction = direction, .width = preset.width, .height = preset.height};
   }
   add(document, std::move(light));
+}
+
+Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& target) {
+  constexpr double widest = 150.0;  // degrees
+  Camera camera;
+  camera.vertical_fov = 90.0;
+  camera.eye = light.position;
+  if (light.directional) {
+    camera.eye = region.center + region.diameter * to_light(*light.directional);
+    camera.vertical_fov = 60.0;
+  }
+  if (light.spot) camera.vertical_fov = std::min(2.0 * light.spot->outer_angle, widest);
+  const glm::dvec3 towards = light_direction(light).value_or(target - camera.eye);
+  const glm::dvec3 axis = unit_direction(towards, {0.0, 0.0, -1.0});
+  // As far as the target, so that orbits go around what is lit there.
+  const double distance = std::max(glm::dot(target - camera.eye, axis), 0.1 * region.diameter);
+  camera.target = camera.eye + distance * axis;
+  if (light.area && light.area->shape == AreaLight::Shape::rectangle) {
+    camera.up = rectangle_axes(*light.area).second;
+  } else if (std::abs(axis.y) > 0.999) {
+    camera.up = {0.0, 0.0, -1.0};
+  }
+  return camera;
 }
 
 glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye) {

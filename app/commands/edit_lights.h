@@ -7,21 +7,26 @@
 #include <span>
 
 #include "app/commands/merge_id.h"
-#include "core/scene/far_lights.h"
+#include "core/scene/point_lights.h"
 #include "core/scene/scene.h"
 
 namespace brume {
 
 class Document;
 
-enum class LightType { point, spot, directional };
+enum class LightType { point, spot, directional, rectangle, disk, sphere };
+
+// Where a light is added: at `position`, shining towards `target`, seen from `eye`.
+struct LightPlace {
+  glm::dvec3 position{0.0};
+  glm::dvec3 target{0.0};
+  glm::dvec3 eye{0.0};
+};
 
 // Edits of lights, each one undo step. `index`: of the scene's lights.
-void add_light(Document& document, const glm::dvec3& position);
-// Shines towards `target`.
-void add_spot(Document& document, const glm::dvec3& position, const glm::dvec3& target);
-// A sun: from above, behind the left shoulder of who looks along `view`.
-void add_directional(Document& document, const glm::dvec3& view);
+// Directional: a sun from above, behind the left shoulder of who looks at the target. An area light
+// is a tenth as large as the target is far.
+void add_light(Document& document, LightType type, const LightPlace& place);
 
 // Lights of everyday, as bright as suits a scene lit by 20 W/sr.
 struct LightPreset {
@@ -29,15 +34,13 @@ struct LightPreset {
   const char* title;
   LightType type;
   double temperature;                           // of its colour [K]
-  double strength;                              // [W/sr or W/u^2]
+  double strength;                              // [W/sr or W/u^2], of an area light [W/(sr u^2)]
   double inner_angle = 0.0, outer_angle = 0.0;  // of a spot [degrees]
   double angular_diameter = 0.0;                // of a directional light [degrees]
+  double width = 0.0, height = 0.0;             // of a rectangle [u]
 };
 std::span<const LightPreset> light_presets();
-// A spot or point light at `position`, a spot shining at `target`; a directional light from above
-// who looks from `eye` to `target`.
-void add_preset(Document& document, const LightPreset& preset, const glm::dvec3& position,
-                const glm::dvec3& target, const glm::dvec3& eye);
+void add_preset(Document& document, const LightPreset& preset, const LightPlace& place);
 void delete_light(Document& document, std::size_t index);
 // `verb` is the text of the step, with %1 for the light's name.
 void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
@@ -54,6 +57,9 @@ void set_type(Light& light, LightType type, const LitRegion& region);
 std::optional<glm::dvec3> light_direction(const Light& light);
 void turn(Light& light, const glm::dvec3& direction);
 
+// The view from where a light is, along where it shines, or else at `target`; as wide as its cone.
+Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& target);
+
 // Cones with an angle from the axis changed [degrees]; the other one makes room.
 SpotCone with_inner_angle(SpotCone cone, double angle);
 SpotCone with_outer_angle(SpotCone cone, double angle);
@@ -62,7 +68,7 @@ SpotCone with_outer_angle(SpotCone cone, double angle);
 // looks at, as near as an eye that looks there sees it.
 glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye);
 
-// Intensity = strength [W/sr or W/u^2] * colour, whose maximum channel is 1; white if zero.
+// Intensity = strength (see light_unit) * colour, whose maximum channel is 1; white if zero.
 double light_strength(const Light& light);
 glm::dvec3 light_color(const Light& light);
 

@@ -67,6 +67,18 @@ std::vector<Track> tracks(const Scene& scene) {
       continue;
     }
     add(track_text("Light %1 position"));
+    if (const auto& area = scene.lights[k].area) {
+      add(track_text("Light %1 radiance"));
+      if (area->shape != AreaLight::Shape::sphere) add(track_text("Light %1 direction"));
+      if (area->shape != AreaLight::Shape::rectangle) {
+        add(track_text("Light %1 radius"));
+        continue;
+      }
+      add(track_text("Light %1 up"));
+      add(track_text("Light %1 width"));
+      add(track_text("Light %1 height"));
+      continue;
+    }
     add(track_text("Light %1 intensity"));
     if (!scene.lights[k].spot) continue;
     add(track_text("Light %1 direction"));

@@ -16,8 +16,8 @@
 #include "app/widgets/application.h"
 #include "app/widgets/color_button.h"
 #include "core/math/infinity.h"
-#include "core/scene/far_lights.h"
 #include "core/scene/photometry.h"
+#include "core/scene/point_lights.h"
 #include "render/prepare/fog_extent.h"
 
 namespace brume {
@@ -84,20 +84,20 @@ void ContributionPanel::compute() {
   const LitRegion region = has_far_light ? LitRegion::of(*scene) : LitRegion();
   const FogBall fog = has_far_light ? FogExtent(*scene).ball() : FogBall();
   for (std::size_t k = 0; k < scene->lights.size(); ++k) {
-    const Light light = as_point_light(scene->lights[k], region);
-    if (!light.on) continue;
-    const double distance = glm::distance(light.position, place);
-    const auto between = distance > 0.0
-                             ? view_->surfaces().hit(place, (light.position - place) / distance)
-                             : std::nullopt;
-    const double fog_length =
-        light.directional ? fog.length(place, to_light(*light.directional)) : infinity;
-    const bool shadowed = between && glm::distance(between->position, place) < distance;
-    facts.lights.push_back({light_title(scene->lights[k], k),
-                            to_color(light_color(scene->lights[k])),
-                            shadowed ? glm::dvec3(0.0)
-                                     : scattered_radiance(*scene, facts.contribution, rays.eye(),
-                                                          direction, light, fog_length)});
+    if (!scene->lights[k].on) continue;
+    glm::dvec3 radiance(0.0);
+    for (const PointLight& light : point_lights(scene->lights[k], region, LightPoints::few)) {
+      const double distance = glm::distance(light.position, place);
+      if (!(distance > 0.0)) continue;
+      const glm::dvec3 to_light = (light.position - place) / distance;
+      const auto between = view_->surfaces().hit(place, to_light);
+      if (between && glm::distance(between->position, place) < distance) continue;
+      const double fog_length = light.is_far ? fog.length(place, to_light) : infinity;
+      radiance +=
+          scattered_radiance(*scene, facts.contribution, rays.eye(), direction, light, fog_length);
+    }
+    facts.lights.push_back(
+        {light_title(scene->lights[k], k), to_color(light_color(scene->lights[k])), radiance});
   }
   facts_ = std::move(facts);
 }

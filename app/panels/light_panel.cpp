@@ -1,5 +1,6 @@
 #include "app/panels/light_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -52,6 +53,22 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
   refresh();
 }
 
+// Above what the view looks at.
+LightPlace LightPanel::place() const {
+  const View& view = active_view_();
+  const glm::dvec3 above = view.shift_on_film({0.0, -0.3 * view.film().height});
+  return {view.pivot() + above, view.pivot(), view.rays().eye()};
+}
+
+void LightPanel::show_last() {
+  document_.set_active_light(document_.scene().lights.size() - 1);
+}
+
+void LightPanel::add(LightType type) {
+  add_light(document_, type, place());
+  show_last();
+}
+
 const Light* LightPanel::light() const {
   const Lights& lights = document_.scene().lights;
   return document_.active_light() < lights.size() ? &lights[document_.active_light()] : nullptr;
@@ -86,35 +103,34 @@ void LightPanel::add_light_list(QFormLayout& form) {
     }
     form.addRow(row);
   };
-  add_row({add, add_cone, add_sun});
+  auto* add_surface = new QToolButton(this);
+  add_surface->setObjectName("add_area");
+  add_surface->setText(tr("Add area"));
+  add_surface->setToolTip(tr("Adds a light that is a surface: its shadows are soft"));
+  add_surface->setPopupMode(QToolButton::InstantPopup);
+  auto* shapes = new QMenu(add_surface);
+  add_surface->setMenu(shapes);
+  add_row({add, add_cone, add_sun, add_surface});
   add_row({more, remove});
-  // Above what the view looks at.
-  const auto place = [this] {
-    const View& view = active_view_();
-    return view.pivot() + view.shift_on_film({0.0, -0.3 * view.film().height});
+  const auto add_on_click = [this](QAbstractButton* button, LightType type) {
+    connect(button, &QAbstractButton::clicked, this, [this, type] { LightPanel::add(type); });
   };
-  const auto show_last = [this] {
-    document_.set_active_light(document_.scene().lights.size() - 1);
+  add_on_click(add, LightType::point);
+  add_on_click(add_cone, LightType::spot);
+  add_on_click(add_sun, LightType::directional);
+  const auto add_shape = [&](const QString& title, const char* name, LightType type) {
+    QAction* action = shapes->addAction(title);
+    action->setObjectName(name);
+    connect(action, &QAction::triggered, this, [this, type] { LightPanel::add(type); });
   };
-  connect(add, &QPushButton::clicked, this, [this, place, show_last] {
-    add_light(document_, place());
-    show_last();
-  });
-  connect(add_cone, &QPushButton::clicked, this, [this, place, show_last] {
-    add_spot(document_, place(), active_view_().pivot());
-    show_last();
-  });
-  connect(add_sun, &QPushButton::clicked, this, [this, show_last] {
-    const View& view = active_view_();
-    add_directional(document_, view.pivot() - view.rays().eye());
-    show_last();
-  });
+  add_shape(tr("Rectangle"), "add_rectangle", LightType::rectangle);
+  add_shape(tr("Disk"), "add_disk", LightType::disk);
+  add_shape(tr("Sphere"), "add_sphere", LightType::sphere);
   for (const LightPreset& preset : light_presets()) {
     QAction* action = presets->addAction(undo_text(preset.title));
     action->setObjectName(preset.name);
-    connect(action, &QAction::triggered, this, [this, &preset, place, show_last] {
-      const View& view = active_view_();
-      add_preset(document_, preset, place(), view.pivot(), view.rays().eye());
+    connect(action, &QAction::triggered, this, [this, &preset] {
+      add_preset(document_, preset, place());
       show_last();
     });
   }
@@ -176,8 +192,10 @@ void LightPanel::add_light_fields(QFormLayout& form) {
   // The unit is the type's.
   on_refresh([this, title] {
     const Light shown = light() ? *light() : Light();
-    title->setText(
-        (shown.directional ? tr("Irradiance, %1") : tr("Intensity, %1")).arg(light_unit(shown)));
+    title->setText((shown.directional ? tr("Irradiance, %1")
+                    : shown.area      ? tr("Radiance, %1")
+                                      : tr("Intensity, %1"))
+                       .arg(light_unit(shown)));
   });
   add_photometric_fields(form);
   add_color(form, tr("Colour"),
@@ -199,6 +217,56 @@ void LightPanel::add_light_fields(QFormLayout& form) {
                 change(tr("Move %1"), gesture, [position](Light& l) { l.position = position; });
               }});
   add_direction_fields(form);
+  add_area_fields(form);
+}
+
+void LightPanel::add_area_fields(QFormLayout& form) {
+  const auto change = [this](const QString& verb, MergeId gesture,
+                             const std::function<void(AreaLight&)>& how) {
+    change_light(document_, document_.active_light(), verb, gesture,
+                 [&how](Light& l) { how(*l.area); });
+  };
+  const auto is_rectangle = [this] {
+    return area() && area()->shape == AreaLight::Shape::rectangle;
+  };
+  const auto add = [&](const QString& title, const char* name, double AreaLight::*number,
+                       bool of_rectangle, const QString& verb) {
+    add_number(form, title,
+               {name, domain::length, ValueField::Scale::logarithmic, 0.01,
+                [this, number, of_rectangle, is_rectangle]() -> std::optional<double> {
+                  const bool has = area() && is_rectangle() == of_rectangle;
+                  return has ? std::optional(area()->*number) : std::nullopt;
+                },
+                [change, number, verb](double value, MergeId gesture) {
+                  change(verb, gesture, [=](AreaLight& a) { a.*number = value; });
+                }});
+  };
+  add(tr("Width"), "light_width", &AreaLight::width, true, tr("Set width of %1"));
+  add(tr("Height"), "light_height", &AreaLight::height, true, tr("Set height of %1"));
+  add(tr("Radius"), "light_radius", &AreaLight::radius, false, tr("Set radius of %1"));
+  add_vector(form, tr("Up"),
+             {"light_up", domain::coordinate, 0.01,
+              [this, is_rectangle]() -> std::optional<glm::dvec3> {
+                return is_rectangle() ? std::optional(area()->up) : std::nullopt;
+              },
+              [change](const glm::dvec3& up, MergeId gesture) {
+                change(tr("Turn %1"), gesture, [up](AreaLight& a) { a.up = up; });
+              }});
+  auto* two_sided = new QCheckBox(tr("Two-sided"), this);
+  two_sided->setObjectName("light_two_sided");
+  two_sided->setToolTip(tr("Shines to both sides; a sphere then lights what is inside it, too"));
+  form.addRow({}, two_sided);
+  connect(two_sided, &QCheckBox::clicked, this, [change](bool both) {
+    change(tr("Set sides of %1"), no_merge, [both](AreaLight& a) { a.two_sided = both; });
+  });
+  on_refresh([this, two_sided] {
+    two_sided->setEnabled(area() != nullptr);
+    two_sided->setChecked(area() && area()->two_sided);
+  });
+}
+
+const AreaLight* LightPanel::area() const {
+  return light() && light()->area ? &*light()->area : nullptr;
 }
 
 void LightPanel::add_photometric_fields(QFormLayout& form) {
@@ -222,7 +290,9 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
   };
   QLabel* title = add(tr("Intensity, cd"), "light_candela", photometric_strength);
   on_refresh([this, title] {
-    title->setText(light() && light()->directional ? tr("Illuminance, lx") : tr("Intensity, cd"));
+    title->setText(light() && light()->directional ? tr("Illuminance, lx")
+                   : area()                        ? tr("Luminance, cd/u²")
+                                                   : tr("Intensity, cd"));
   });
   title->setToolTip(tr("The same in photometric units: 1 W of white light is 683 lm"));
   add(tr("Luminous flux, lm"), "light_lumen", luminous_flux);
@@ -246,9 +316,13 @@ void LightPanel::add_photometric_fields(QFormLayout& form) {
 void LightPanel::add_type_field(QFormLayout& form) {
   auto* type = new QComboBox(this);
   type->setObjectName("light_type");
-  type->addItems({tr("Point"), tr("Spot"), tr("Directional")});
+  type->addItems(
+      {tr("Point"), tr("Spot"), tr("Directional"), tr("Rectangle"), tr("Disk"), tr("Sphere")});
   type->setItemData(0, tr("Shines in all directions"), Qt::ToolTipRole);
   type->setItemData(1, tr("Shines in a cone"), Qt::ToolTipRole);
+  for (const int shape : {3, 4, 5}) {
+    type->setItemData(shape, tr("A surface that shines"), Qt::ToolTipRole);
+  }
   type->setItemData(2, tr("The sun: far away, its rays are parallel"), Qt::ToolTipRole);
   form.addRow(tr("Type"), type);
   connect(type, &QComboBox::activated, this, [this](int index) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commands/edit_lights.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
 #include "core/scene/scene.h"
@@ -18,6 +19,9 @@ class LightPanel : public SceneForm {
   // `active_view`: where lights are added.
   LightPanel(Document& document, std::function<const View&()> active_view, QWidget* parent);
 
+  // Adds a light above what the active view looks at.
+  void add(LightType type);
+
   // Loads an environment map in the background.
   void load_environment(const QString& file);
 
@@ -27,13 +31,17 @@ class LightPanel : public SceneForm {
   void add_photometric_fields(QFormLayout& form);
   void add_type_field(QFormLayout& form);
   void add_direction_fields(QFormLayout& form);
+  void add_area_fields(QFormLayout& form);
   void add_environment_fields(QFormLayout& form);
   void show_lights();
   void choose_environment();
   void show_environment();
+  [[nodiscard]] LightPlace place() const;
+  void show_last();
   [[nodiscard]] const Light* light() const;  // the active one; may be null
 
-  [[nodiscard]] const SpotCone* cone() const;  // of the active spot; may be null
+  [[nodiscard]] const SpotCone* cone() const;   // of the active spot; may be null
+  [[nodiscard]] const AreaLight* area() const;  // of the active area light; may be null
 
   std::function<const View&()> active_view_;
   QListWidget* list_;

@@ -2,10 +2,13 @@
 
 #include <QLineF>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
+#include <vector>
 
 #include "app/commands/edit_lights.h"
 #include "app/commands/undo_text.h"
@@ -16,7 +19,8 @@
 #include "core/limits.h"
 #include "core/math/basis.h"
 #include "core/math/infinity.h"
-#include "core/transport/spot_falloff.h"
+#include "core/math/unit_direction.h"
+#include "core/scene/point_lights.h"
 
 namespace brume {
 namespace {
@@ -37,28 +41,64 @@ double strength_of(double radius) {
 
 using Part = LightHandles::Handle::Part;
 
-// A cone as it is drawn: its axis as long as a share of the distance from the eye.
-struct DrawnCone {
-  glm::dvec3 target{0.0};  // end of the axis
-  glm::dvec3 axis{0.0};    // unit
-  double length = 0.0;     // [u]
-  double radius = 0.0;     // of the rim at the target; none of a cone that is too wide
+// Whether it has an end of its axis to drag: a directional light is turned by its icon.
+bool has_target(const Light& light) {
+  return !light.directional && light_direction(light).has_value();
+}
 
-  DrawnCone(const Light& light, const CameraRays& rays) {
+}  // namespace
+
+// What is drawn of a light besides its icon: the axis, as long as a share of the distance from the
+// eye, and the rim of its cone or the edge of its surface.
+struct LightHandles::DrawnShape {
+  glm::dvec3 axis{0.0};    // unit
+  double length = 0.0;     // of the axis [u]
+  glm::dvec3 target{0.0};  // end of the axis
+  double radius = 0.0;     // of a cone's rim, around the target; none of a cone that is too wide
+  std::vector<glm::dvec3> outline;  // closed
+
+  DrawnShape(const Light& light, const CameraRays& rays) {
     constexpr double share = 0.2;
-    axis = SpotFalloff(light.spot).axis();
     length = share * glm::length(light.position - rays.eye());
+    axis = unit_direction(light_direction(light).value_or(rays.eye() - light.position),
+                          {0.0, -1.0, 0.0});
     target = light.position + length * axis;
-    const double angle = light.spot->outer_angle;
-    if (angle < max_drawn_angle) radius = length * std::tan(glm::radians(angle));
+    if (light.spot && light.spot->outer_angle < max_drawn_angle) {
+      radius = length * std::tan(glm::radians(light.spot->outer_angle));
+      add_circle(target, radius);
+    } else if (light.area && light.area->shape == AreaLight::Shape::rectangle) {
+      add_rectangle(light.position, *light.area);
+    } else if (light.area) {
+      add_circle(light.position, light.area->radius);
+    }
   }
-  [[nodiscard]] glm::dvec3 rim(double angle) const {
-    const auto [u, v] = make_basis(axis);
-    return target + radius * (std::cos(angle) * u + std::sin(angle) * v);
-  }
+
   static constexpr double max_drawn_angle = 80.0;  // degrees
-  static constexpr int segments = 48;
+  static constexpr std::size_t segments = 48;
+
+ private:
+  void add_circle(const glm::dvec3& center, double circle_radius) {
+    const auto [u, v] = make_basis(axis);
+    for (std::size_t i = 0; i < segments; ++i) {
+      const double angle = glm::two_pi<double>() * static_cast<double>(i) / segments;
+      outline.push_back(center + circle_radius * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+  }
+  void add_rectangle(const glm::dvec3& center, const AreaLight& area) {
+    const auto [right, up] = rectangle_axes(area);
+    const glm::dvec3 x = 0.5 * area.width * right;
+    const glm::dvec3 y = 0.5 * area.height * up;
+    const std::array corners{center + x + y, center - x + y, center - x - y, center + x - y};
+    constexpr std::size_t per_side = segments / 4;
+    for (std::size_t i = 0; i < segments; ++i) {
+      const std::size_t side = i / per_side;
+      const double along = static_cast<double>(i % per_side) / per_side;
+      outline.push_back(glm::mix(corners[side], corners[(side + 1) % 4], along));
+    }
+  }
 };
+
+namespace {
 
 double film_distance(const CameraRays& rays, const glm::dvec3& point, QPointF position) {
   const glm::dvec3 at = rays.project(point);
@@ -76,15 +116,12 @@ std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
     const double distance = QLineF(QPointF(at.x, at.y), position).length();
     if (distance <= sun_radius + 3.0) return Handle{k, Part::light};
     if (k != document_.active_light()) continue;
-    if (lights[k].spot) {
-      const DrawnCone cone(lights[k], rays);
-      if (film_distance(rays, cone.target, position) <= sun_radius) return Handle{k, Part::target};
-      for (int i = 0; cone.radius > 0.0 && i < DrawnCone::segments; ++i) {
-        const double angle = glm::two_pi<double>() * i / DrawnCone::segments;
-        if (film_distance(rays, cone.rim(angle), position) <= 1.5 * pick_distance) {
-          return Handle{k, Part::rim};
-        }
-      }
+    const DrawnShape shape(lights[k], rays);
+    if (has_target(lights[k]) && film_distance(rays, shape.target, position) <= sun_radius) {
+      return Handle{k, Part::target};
+    }
+    for (const glm::dvec3& point : shape.outline) {
+      if (film_distance(rays, point, position) <= 1.5 * pick_distance) return Handle{k, Part::rim};
     }
     if (std::abs(distance - ring_radius(light_strength(lights[k]))) <= pick_distance) {
       return Handle{k, Part::ring};
@@ -109,28 +146,19 @@ bool LightHandles::press(const CameraRays& rays, QPointF position) {
 void LightHandles::move(const CameraRays& rays, QPointF position) {
   const auto [handle, start, before, merge_id] = *gesture_;
   if (handle.part == Part::target || handle.part == Part::rim) {
-    const DrawnCone cone(before, rays);
+    const DrawnShape shape(before, rays);
     if (handle.part == Part::target) {
       const glm::dvec3 direction = glm::clamp(
-          cone.target + dragged_across(cone.target, rays, start, position) - before.position,
+          shape.target + dragged_across(shape.target, rays, start, position) - before.position,
           -limits::coordinate, limits::coordinate);
       if (!(glm::length(direction) > 0.0)) return;
       change_light(document_, handle.light, undo_text("Turn %1"), merge_id,
-                   [&](Light& l) { l.spot->direction = direction; });
+                   [&](Light& l) { turn(l, direction); });
     } else {
-      const glm::dvec3 at = rays.project(cone.target);
+      const glm::dvec3 at = rays.project(before.spot ? shape.target : before.position);
       const double begin = QLineF(QPointF(at.x, at.y), start).length();
       const double now = QLineF(QPointF(at.x, at.y), position).length();
-      const double radius = cone.radius * now / std::max(begin, 1.0);
-      const double angle = std::clamp(glm::degrees(std::atan(radius / cone.length)), 0.1,
-                                      DrawnCone::max_drawn_angle - 0.1);
-      // The soft edge keeps its share.
-      const double inner = before.spot->inner_angle * angle / before.spot->outer_angle;
-      change_light(document_, handle.light, undo_text("Set outer angle of %1"), merge_id,
-                   [&](Light& l) {
-                     l.spot->inner_angle = inner;
-                     l.spot = with_outer_angle(*l.spot, angle);
-                   });
+      open_or_scale(shape, now / std::max(begin, 1.0));
     }
   } else if (handle.part == Part::ring) {
     const glm::dvec3 at = rays.project(handle_position(before, document_.scene(), rays.eye()));
@@ -150,6 +178,31 @@ void LightHandles::move(const CameraRays& rays, QPointF position) {
     change_light(document_, handle.light, undo_text("Move %1"), merge_id,
                  [&](Light& l) { l.position = place; });
   }
+}
+
+void LightHandles::open_or_scale(const DrawnShape& shape, double factor) {
+  const Light& before = gesture_->before;
+  if (before.area) {
+    const auto scaled = [factor](double size) {
+      return std::clamp(factor * size, limits::min_length, limits::max_length);
+    };
+    change_light(document_, gesture_->handle.light, undo_text("Set size of %1"), gesture_->merge_id,
+                 [&](Light& l) {
+                   l.area->width = scaled(before.area->width);
+                   l.area->height = scaled(before.area->height);
+                   l.area->radius = scaled(before.area->radius);
+                 });
+    return;
+  }
+  const double angle = std::clamp(glm::degrees(std::atan(factor * shape.radius / shape.length)),
+                                  0.1, DrawnShape::max_drawn_angle - 0.1);
+  // The soft edge keeps its share.
+  const double inner = before.spot->inner_angle * angle / before.spot->outer_angle;
+  change_light(document_, gesture_->handle.light, undo_text("Set outer angle of %1"),
+               gesture_->merge_id, [&](Light& l) {
+                 l.spot->inner_angle = inner;
+                 l.spot = with_outer_angle(*l.spot, angle);
+               });
 }
 
 void LightHandles::cancel() {
@@ -182,27 +235,25 @@ void LightHandles::draw(Overlay& overlay, const CameraRays& rays) const {
       const glm::dvec3 sun = handle_position(lights[k], document_.scene(), rays.eye());
       overlay.add_line(rays, sun, 0.5 * (sun + document_.scene().camera.target), rgba);
     }
-    if (lights[k].spot) {
-      const DrawnCone cone(lights[k], rays);
-      const bool active = k == document_.active_light();
-      const auto line = [&](const glm::dvec3& start, const glm::dvec3& end, bool bright) {
-        overlay.add_line(rays, start, end,
-                         qRgba(color.red(), color.green(), color.blue(),
-                               bright   ? 255
-                               : active ? 150
-                                        : 70));
-      };
-      const bool bright_target = hovered && hovered_->part == Part::target;
-      const bool bright_rim = hovered && hovered_->part == Part::rim;
-      line(lights[k].position, cone.target, bright_target);
-      const glm::dvec3 end = rays.project(cone.target);
+    const DrawnShape shape(lights[k], rays);
+    const bool active = k == document_.active_light();
+    const auto line = [&](const glm::dvec3& start, const glm::dvec3& end, bool bright) {
+      overlay.add_line(rays, start, end,
+                       qRgba(color.red(), color.green(), color.blue(),
+                             bright   ? 255
+                             : active ? 150
+                                      : 70));
+    };
+    if (has_target(lights[k])) {
+      line(lights[k].position, shape.target, hovered && hovered_->part == Part::target);
+      const glm::dvec3 end = rays.project(shape.target);
       if (active && end.z > 0.0) overlay.add_circle(end.x, end.y, 0.6 * sun_radius, rgba);
-      for (int i = 0; cone.radius > 0.0 && i < DrawnCone::segments; ++i) {
-        const auto rim = [&](int j) {
-          return cone.rim(glm::two_pi<double>() * j / DrawnCone::segments);
-        };
-        line(rim(i), rim(i + 1), bright_rim);
-        if (i % (DrawnCone::segments / 4) == 0) line(lights[k].position, rim(i), bright_rim);
+    }
+    const bool bright_rim = hovered && hovered_->part == Part::rim;
+    for (std::size_t i = 0; i < shape.outline.size(); ++i) {
+      line(shape.outline[i], shape.outline[(i + 1) % shape.outline.size()], bright_rim);
+      if (lights[k].spot && i % (DrawnShape::segments / 4) == 0) {
+        line(lights[k].position, shape.outline[i], bright_rim);
       }
     }
     if (k == document_.active_light()) {

@@ -12,8 +12,9 @@ class Document;
 struct Overlay;
 
 // Light handles in the view: a sun icon to move a light in the view plane, and a ring to change its
-// strength; a directional light's icon stands beside what is looked at and turns it; of a spot the
-// end of its axis to turn it, and the rim of its cone to open it.
+// strength; a directional light's icon stands beside what is looked at and turns it; of a spot
+// or area light the end of its axis to turn it; the rim of a cone to open it, that of a surface to
+// scale it.
 class LightHandles {
  public:
   explicit LightHandles(Document& document) : document_(document) {}
@@ -44,6 +45,9 @@ class LightHandles {
     Light before;
     MergeId merge_id = no_merge;
   };
+  struct DrawnShape;
+  // Opens a cone or scales a surface by dragging its rim.
+  void open_or_scale(const DrawnShape& shape, double factor);
   [[nodiscard]] std::optional<Handle> pick(const CameraRays& rays, QPointF position) const;
 
   Document& document_;

@@ -65,6 +65,7 @@ class MainWindow : public QMainWindow {
   void create_docks();       // main_window_docks.cpp
   void create_status_bar();  // main_window_status.cpp
   void create_actions();     // main_window_actions.cpp
+  void look_through_light();
   void fill_airlight_menu(QMenu* menu);
   void fill_backend_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);

@@ -18,6 +18,7 @@
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
+#include "app/panels/light_panel.h"
 #include "app/panels/timeline_bar.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
@@ -43,6 +44,14 @@ std::vector<GaussianId> joined(std::vector<GaussianId> a, const std::vector<Gaus
 }
 
 }  // namespace
+
+void MainWindow::look_through_light() {
+  const Scene& scene = document_.scene();
+  if (document_.active_light() >= scene.lights.size()) return;
+  const Light& light = scene.lights[document_.active_light()];
+  viewport_->camera_controller().set_camera(
+      camera_at(light, LitRegion::of(scene), viewport_->camera().target));
+}
 
 void MainWindow::create_actions() {
   // `name` is that of the action in the table of keys.
@@ -130,6 +139,19 @@ void MainWindow::create_actions() {
   add(tool, tr("&Thinner"), "tool.weaker",
       [this] { tools_->tool().change_strength(1.0 / tool_step); });
   add(tool, tr("&Denser"), "tool.stronger", [this] { tools_->tool().change_strength(tool_step); });
+
+  QMenu* light = menuBar()->addMenu(tr("&Light"));
+  const auto add_light_action = [&](const QString& text, const char* name, LightType type) {
+    add(light, text, name, [this, type] { findChild<LightPanel*>()->add(type); });
+  };
+  add_light_action(tr("Add &Point Light"), "light.point", LightType::point);
+  add_light_action(tr("Add &Spot"), "light.spot", LightType::spot);
+  add_light_action(tr("Add S&un"), "light.directional", LightType::directional);
+  add_light_action(tr("Add &Rectangle"), "light.rectangle", LightType::rectangle);
+  add_light_action(tr("Add &Disk"), "light.disk", LightType::disk);
+  add_light_action(tr("Add Sp&here"), "light.sphere", LightType::sphere);
+  light->addSeparator();
+  add(light, tr("&Look Through Light"), "light.look_through", [this] { look_through_light(); });
 
   QMenu* time = menuBar()->addMenu(tr("T&ime"));
   add(time, tr("&Play or Pause"), "time.play",

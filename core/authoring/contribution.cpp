@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "core/transport/light_falloff.h"
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
-#include "core/transport/spot_falloff.h"
 
 namespace brume {
 
@@ -43,7 +43,7 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
 
 glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contribution,
                               const glm::dvec3& eye, const glm::dvec3& direction,
-                              const Light& light, double fog_length) {
+                              const PointLight& light, double fog_length) {
   const Medium& medium = scene.medium;
   const glm::dvec3 point = eye + contribution.distance * direction;
   const glm::dvec3 from_light = point - light.position;
@@ -56,7 +56,7 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
     depth += optical_depth(GaussianTerm<double>(medium.gaussian(i)), light.position, point);
   }
   const double cosine = -glm::dot(from_light, direction) / distance;
-  const double falloff = SpotFalloff(light.spot).at(from_light / distance);
+  const double falloff = light.falloff.at(from_light / distance);
   const double phase =
       henyey_greenstein(cosine, scene.optics.anisotropy) / (4.0 * glm::pi<double>());
   glm::dvec3 radiance(0.0);

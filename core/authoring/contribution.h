@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/scene/point_lights.h"
 #include "core/scene/scene.h"
 
 namespace brume {
@@ -29,7 +30,7 @@ std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& 
 // ignored. Of the way to the light, at most `fog_length` [u] passes homogeneous fog.
 glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contribution,
                               const glm::dvec3& eye, const glm::dvec3& direction,
-                              const Light& light,
+                              const PointLight& light,
                               double fog_length = std::numeric_limits<double>::infinity());
 
 }  // namespace brume

@@ -9,6 +9,23 @@ namespace brume {
 // keys, domain) for every animatable value of an object; `name` is its key in the scene file.
 
 template <class L>
+void visit_keyed_area(L& light, auto&& visit) {
+  auto& area = *light.area;
+  auto& keys = light.keys;
+  visit("radiance", light.intensity, keys.intensity, domain::intensity);
+  if (area.shape != AreaLight::Shape::sphere) {
+    visit("direction", area.direction, keys.direction, domain::coordinate);
+  }
+  if (area.shape != AreaLight::Shape::rectangle) {
+    visit("radius", area.radius, keys.radius, domain::length);
+    return;
+  }
+  visit("up", area.up, keys.up, domain::coordinate);
+  visit("width", area.width, keys.width, domain::length);
+  visit("height", area.height, keys.height, domain::length);
+}
+
+template <class L>
 void visit_keyed_light(L& light, auto&& visit) {
   if (light.directional) {
     auto& sun = *light.directional;
@@ -19,6 +36,10 @@ void visit_keyed_light(L& light, auto&& visit) {
     return;
   }
   visit("position", light.position, light.keys.position, domain::coordinate);
+  if (light.area) {
+    visit_keyed_area(light, visit);
+    return;
+  }
   visit("intensity", light.intensity, light.keys.intensity, domain::intensity);
   if (!light.spot) return;
   auto& spot = *light.spot;

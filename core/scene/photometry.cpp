@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "core/number_domain.h"
+#include "core/scene/point_lights.h"
 
 namespace brume {
 namespace {
@@ -58,6 +59,10 @@ double photometric_strength(const Light& light) {
 
 std::optional<double> luminous_flux(const Light& light) {
   if (light.directional) return std::nullopt;
+  if (const auto& area = light.area) {
+    const double sides = area->two_sided ? 2.0 : 1.0;
+    return photometric_strength(light) * sides * std::numbers::pi * surface_area(*area);
+  }
   return photometric_strength(light) *
          (light.spot ? solid_angle(*light.spot) : 4.0 * std::numbers::pi);
 }

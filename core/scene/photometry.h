@@ -16,7 +16,8 @@ inline constexpr double lumens_per_watt = 683.0;
 // Relative luminance of linear Rec. 709 RGB.
 double luminance(const glm::dvec3& rgb);
 
-// Of a point light or spot, on its axis [cd]; of a directional light, illuminance [lx].
+// Of a point light or spot, on its axis [cd]; of a directional light, illuminance [lx];
+// of an area light, luminance [cd/u^2].
 double photometric_strength(const Light& light);
 
 // Of a point light or spot, in all directions [lm]; a directional light has none.

@@ -151,7 +151,7 @@ TileCone FilmTiles::cone(std::size_t tile) const {
   return cone;
 }
 
-FilmAirlight film_airlight(const MediumIndex& medium, std::span<const Light> lights,
+FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight> lights,
                            const CameraRays& rays, const Settings& settings,
                            const AirlightIntegrator& method, const RayEnds& ends, const Job& job,
                            Frame& frame) {

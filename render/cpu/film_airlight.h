@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "core/scene/point_lights.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
 #include "render/geometry/medium_index.h"
@@ -56,7 +57,7 @@ struct FilmAirlight {
 // and column; the others are upsampled to a tolerance of settings.upsampling_tolerance, relative to
 // the film's rms airlight and to a transmittance of 1. Pixels that upsample() cannot resolve and
 // those nearest to `lights` are evaluated exactly.
-FilmAirlight film_airlight(const MediumIndex& medium, std::span<const Light> lights,
+FilmAirlight film_airlight(const MediumIndex& medium, std::span<const PointLight> lights,
                            const CameraRays& rays, const Settings& settings,
                            const AirlightIntegrator& method, const RayEnds& ends, const Job& job,
                            Frame& frame);

@@ -111,7 +111,7 @@ std::uint64_t add_light(const MediumIndex& medium, const RayCaster& ray_caster,
     if (ray_caster.occluded(s.points[i], light.position)) continue;
     const glm::dvec3 q = s.points[i] - light.position;
     const double r = glm::length(q);
-    const double falloff = r > 0.0 ? light.spot.at(q / r) : 1.0;
+    const double falloff = r > 0.0 ? light.falloff.at(q / r) : 1.0;
     s.lit_weights[k] = static_cast<float>(falloff) * s.weights[k];
   }
   add_scattered(s.rays, {s.t.data(), s.lit_weights.data(), s.depths.data(), s.light_depths.data()},

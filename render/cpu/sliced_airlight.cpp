@@ -106,7 +106,7 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
                  light_extinction,
                  light.table,
                  light.shadows,
-                 light.spot};
+                 light.falloff};
       pack[l].map_origin = pack[l].position;
       if (light.is_far) {
         const glm::dvec3 from_light = rays.eye - light.position;

@@ -4,20 +4,21 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/transport/spot_falloff.h"
+#include "core/scene/point_lights.h"
 #include "render/geometry/fog_ball.h"
 
 namespace brume {
 
-// A light as methods evaluate it: a point, for a directional light far away
-// (core/scene/far_lights).
-struct PointSource {
-  glm::dvec3 position{0.0};
-  glm::dvec3 intensity{0.0};  // RGB [W/sr]
-  double h_min = 0.0;         // see light_limits.h [u]
-  SpotFalloff spot{};
-  FogBall fog{};  // that its light passes, of a far light; else endless: all the way
-  bool is_far = false;
+// A light as methods evaluate it.
+struct PointSource : PointLight {
+  double h_min = 0.0;  // see light_limits.h [u]
+  FogBall fog{};       // that its light passes, of a far light; else endless: all the way
+
+  // Squared, for light at surfaces, which next to an area light are lit as by all of its radiance.
+  [[nodiscard]] double distance2(const glm::dvec3& x) const {
+    const glm::dvec3 q = x - position;
+    return std::max(glm::dot(q, q), radius * radius);
+  }
 
   // Length of homogeneous fog from it to x [u].
   [[nodiscard]] double fog_length(const glm::dvec3& x) const {

@@ -117,9 +117,11 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     u.position = glm::vec3(light.position - origin);
     u.h_min = static_cast<float>(light.h_min);
     u.intensity = glm::vec3(light.intensity);
-    u.spot_axis = glm::vec3(light.spot.axis());
-    u.spot_dark_cosine = static_cast<float>(light.spot.dark_cosine());
-    u.spot_per_cosine = static_cast<float>(light.spot.per_cosine());
+    u.falloff_shape = static_cast<std::int32_t>(light.falloff.shape());
+    u.falloff_axis = glm::vec3(light.falloff.axis());
+    u.dark_cosine = static_cast<float>(light.falloff.dark_cosine());
+    u.per_cosine = static_cast<float>(light.falloff.per_cosine());
+    u.radius2 = static_cast<float>(light.radius * light.radius);
     if (!light.fog.is_endless()) {
       u.fog_center = glm::vec3(light.fog.center - origin);
       u.fog_radius = static_cast<float>(light.fog.radius);

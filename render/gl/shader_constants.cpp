@@ -147,6 +147,13 @@ void add_reflection(Constants& constants) {
 
 void add_slices(Constants& constants) {
   constants.add("gauss_3_place", gauss_3_place);
+  const auto add_shape = [&](const char* name, LightFalloff::Shape shape) {
+    constants.add(name, static_cast<int>(shape));
+  };
+  add_shape("falloff_isotropic", LightFalloff::Shape::isotropic);
+  add_shape("falloff_cone", LightFalloff::Shape::cone);
+  add_shape("falloff_cosine", LightFalloff::Shape::cosine);
+  add_shape("falloff_two_cosines", LightFalloff::Shape::two_cosines);
   constants.add("gauss_3_end", gauss_3_end);
   constants.add("gauss_3_middle", gauss_3_middle);
   constants.add("bin_room", bin_room);

@@ -111,12 +111,13 @@ constexpr std::array light_members{
     BRUME_MEMBER(LightData, first_radius), BRUME_MEMBER(LightData, radii_per_unit),
     BRUME_MEMBER(LightData, curvature),    BRUME_MEMBER(LightData, max_depth),
     BRUME_MEMBER(LightData, radii),        BRUME_MEMBER(LightData, has_table),
-    BRUME_MEMBER(LightData, has_shadows),  BRUME_MEMBER(LightData, spot_per_cosine),
-    BRUME_MEMBER(LightData, spot_axis),    BRUME_MEMBER(LightData, spot_dark_cosine),
-    BRUME_MEMBER(LightData, fog_center),   BRUME_MEMBER(LightData, fog_radius),
-    BRUME_MEMBER(LightData, map_origin),   BRUME_MEMBER(LightData, in_table),
-    BRUME_MEMBER(LightData, in_shadows),   BRUME_MEMBER(LightData, table),
-    BRUME_MEMBER(LightData, shadows)};
+    BRUME_MEMBER(LightData, has_shadows),  BRUME_MEMBER(LightData, falloff_shape),
+    BRUME_MEMBER(LightData, falloff_axis), BRUME_MEMBER(LightData, dark_cosine),
+    BRUME_MEMBER(LightData, per_cosine),   BRUME_MEMBER(LightData, radius2),
+    BRUME_MEMBER(LightData, unused),       BRUME_MEMBER(LightData, fog_center),
+    BRUME_MEMBER(LightData, fog_radius),   BRUME_MEMBER(LightData, map_origin),
+    BRUME_MEMBER(LightData, in_table),     BRUME_MEMBER(LightData, in_shadows),
+    BRUME_MEMBER(LightData, table),        BRUME_MEMBER(LightData, shadows)};
 static_assert(is_std430(light_members, sizeof(LightData)));
 
 constexpr std::array paper_light_members{

@@ -36,9 +36,12 @@ struct LightData {
   std::int32_t radii = 0;
   std::int32_t has_table = 0;
   std::int32_t has_shadows = 0;
-  float spot_per_cosine = 0.0f;  // see SpotFalloff; 0: isotropic
-  glm::vec3 spot_axis{0.0f};
-  float spot_dark_cosine = 0.0f;
+  std::int32_t falloff_shape = 0;  // LightFalloff::Shape
+  glm::vec3 falloff_axis{0.0f};
+  float dark_cosine = 0.0f;
+  float per_cosine = 0.0f;
+  float radius2 = 0.0f;  // see PointSource::distance2()
+  float unused[2] = {};
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;

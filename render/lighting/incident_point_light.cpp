@@ -77,21 +77,25 @@ class PointsAroundLight {
   // over r^2, times r^2: so beams that are narrower than cells are not lost.
   [[nodiscard]] double mean_falloff(const glm::dvec3& point, double r, double spacing) const {
     static const std::vector<WeightedPoint> rule = mean_rule(falloff_points);
-    const SpotFalloff& spot = light_.source.spot;
-    if (spot.is_isotropic()) return 1.0;
+    const LightFalloff& falloff = light_.source.falloff;
+    if (falloff.is_isotropic()) return 1.0;
     const glm::dvec3 q = point - light_.source.position;
-    const double cosine = glm::dot(q, spot.axis()) / r;
+    const double cosine = glm::dot(q, falloff.axis()) / r;
     // How much it may change over the cells; farther from the edge it is 0 or 1.
     const double reach = spacing > 0.0 ? std::min(std::sqrt(3.0) * spacing / r, 2.0) : 0.0;
-    if (cosine + reach < spot.dark_cosine()) return 0.0;
-    if (cosine - reach > spot.dark_cosine() + 1.0 / spot.per_cosine()) return 1.0;
-    if (!(spacing > 0.0)) return spot.at(q / r);
+    if (falloff.shape() == LightFalloff::Shape::cone) {
+      if (cosine + reach < falloff.dark_cosine()) return 0.0;
+      if (cosine - reach > falloff.dark_cosine() + 1.0 / falloff.per_cosine()) return 1.0;
+    } else if (std::abs(cosine) > reach) {
+      return falloff.at(q / r);  // it is smooth there
+    }
+    if (!(spacing > 0.0)) return falloff.at(q / r);
     double sum = 0.0;
     for (const WeightedPoint& p : rule) {
       const glm::dvec3 there = q + spacing * p.offset;
       const double there2 = glm::dot(there, there);
       if (!(there2 > 0.0)) continue;
-      sum += p.weight * spot.at(there / std::sqrt(there2)) * r * r / there2;
+      sum += p.weight * falloff.at(there / std::sqrt(there2)) * r * r / there2;
     }
     return sum;
   }

@@ -22,7 +22,7 @@ struct NodePointLight {
 };
 
 // Adds its unscattered light I exp(-T) / r^2 to `incident`, at nodes of which the first lies at
-// `first`; times the falloff of a spot, of which all nodes get the mean. Nodes near the light get
+// `first`; times its falloff, of which all nodes get the mean. Nodes near the light get
 // the mean over what they see of the cells around them, weighted by its share of a trilinear
 // interpolation: so the integral of 1 / r^2 is kept. `occlusion`: of the nodes; null: there are no
 // surfaces.

@@ -186,7 +186,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
           input.limits};
   for (const Light& light : input.lights) {
     key.lights.push_back({light.position, light.intensity,
-                          light.table ? light.table->revision() : 0, light.spot, light.fog});
+                          light.table ? light.table->revision() : 0, light.falloff, light.fog});
   }
   if (!levels_.empty() && key == key_) return true;
   key_ = std::move(key);

@@ -55,7 +55,7 @@ class MultipleScattering {
     glm::dvec3 position{0.0};
     glm::dvec3 intensity{0.0};
     Revision table = 0;
-    SpotFalloff spot;
+    LightFalloff falloff;
     FogBall fog;
 
     bool operator==(const LightKey&) const = default;

@@ -14,7 +14,7 @@
 #include <numbers>
 
 #include "render/lighting/slice_kernels.h"
-#include "render/simd/spot-inl.h"
+#include "render/simd/falloff-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -42,23 +42,30 @@ HWY_INLINE FloatVec MeanInverseSquare(FloatVec a, FloatVec b, FloatVec h2) {
   return hn::IfThenElse(small, direct, wide);
 }
 
-// A spot light as rays see it.
-struct SpotRays {
+// The falloff of a light as rays see it.
+struct FalloffRays {
   // Cosine from the axis at s from the nearest point: (s along - across) / distance.
   FloatVec along, across;
-  SpotFloats falloff;
+  FalloffFloats falloff;
   FloatVec edges[4];  // parameters s, ascending, between which the falloff is smooth
 
-  SpotRays() = default;
+  FalloffRays() = default;
   // `offset`: from the nearest point to the light; h2: its square, clamped.
-  HWY_INLINE SpotRays(const SpotFalloff& spot, const V3<FloatVec>& w, const V3<FloatVec>& offset,
-                      FloatVec h2)
-      : falloff(spot) {
+  HWY_INLINE FalloffRays(const LightFalloff& of_light, const V3<FloatVec>& w,
+                         const V3<FloatVec>& offset, FloatVec h2)
+      : falloff(of_light) {
     const FloatTag d;
     along = dot(w, falloff.axis);
     across = dot(offset, falloff.axis);
-    // As SpotFalloff::edges() has them; those that are missing are far away.
+    // As LightFalloff::edges() has them; those that are missing are far away.
     const FloatVec far = Floats(1e30f);
+    if (of_light.shape() != LightFalloff::Shape::cone) {
+      const FloatVec at_plane =
+          hn::IfThenElse(hn::Ne(along, hn::Zero(d)), hn::Div(across, along), far);
+      edges[0] = hn::Max(hn::Min(at_plane, far), hn::Neg(far));
+      edges[1] = edges[2] = edges[3] = far;
+      return;
+    }
     std::size_t count = 0;
     const FloatVec slope = hn::Div(Floats(1.0f), falloff.per_cosine);
     for (const FloatVec cosine : {falloff.dark_cosine, hn::Add(falloff.dark_cosine, slope)}) {
@@ -92,10 +99,10 @@ struct SpotRays {
 };
 
 // The mean of the falloff over r^2 over s in [a, b], and the middle of what is lit of it.
-struct SpotMean {
+struct FalloffMean {
   FloatVec value, center;
 
-  HWY_INLINE SpotMean(const SpotRays& spot, FloatVec a, FloatVec b, FloatVec h2) {
+  HWY_INLINE FalloffMean(const FalloffRays& light, FloatVec a, FloatVec b, FloatVec h2) {
     const FloatTag d;
     const FloatVec zero = hn::Zero(d);
     FloatVec sum = zero;
@@ -114,8 +121,8 @@ struct SpotMean {
             hn::MulAdd(Floats(gauss_3_place * static_cast<float>(i - 1)), half, middle);
         const FloatVec r2 = hn::MulAdd(s, s, h2);
         const FloatVec weight = hn::Div(Floats(weights[i]), r2);
-        const FloatVec cosine = hn::Div(hn::MulSub(s, spot.along, spot.across), hn::Sqrt(r2));
-        falloff = hn::MulAdd(weight, spot.falloff.At(cosine), falloff);
+        const FloatVec cosine = hn::Div(hn::MulSub(s, light.along, light.across), hn::Sqrt(r2));
+        falloff = hn::MulAdd(weight, light.falloff.At(cosine), falloff);
         whole = hn::Add(whole, weight);
       }
       const FloatVec arriving =
@@ -125,14 +132,14 @@ struct SpotMean {
       moment = hn::MulAdd(counted, middle, moment);
     };
     auto has_edge = hn::Lt(b, a);
-    for (const FloatVec edge : spot.edges) {
+    for (const FloatVec edge : light.edges) {
       has_edge = hn::Or(has_edge, hn::And(hn::Gt(edge, a), hn::Lt(edge, b)));
     }
     if (hn::AllFalse(d, has_edge)) {
       add(a, b);
     } else {
       FloatVec begin = a;
-      for (const FloatVec edge : spot.edges) {
+      for (const FloatVec edge : light.edges) {
         const FloatVec end = hn::Min(hn::Max(edge, begin), b);
         add(begin, end);
         begin = end;

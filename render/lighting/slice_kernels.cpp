@@ -297,7 +297,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
     V ts[light_pack];
     V h2[light_pack];
     V sum[light_pack];
-    SpotRays spots[light_pack];
+    FalloffRays falloffs[light_pack];
     for (std::size_t l = 0; l < lights.size(); ++l) {
       const Vector s{set(lights[l].position.x), set(lights[l].position.y),
                      set(lights[l].position.z)};
@@ -306,7 +306,8 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       h2[l] = hn::Max(dot(offset, offset),
                       set(std::max(lights[l].h_min * lights[l].h_min, coefficient::tiny)));
       sum[l] = zero;
-      if (!lights[l].spot.is_isotropic()) spots[l] = SpotRays(lights[l].spot, w, offset, h2[l]);
+      if (!lights[l].falloff.is_isotropic())
+        falloffs[l] = FalloffRays(lights[l].falloff, w, offset, h2[l]);
     }
     V depth = zero;
     V begin = hn::LoadU(d, slices.at(i, 0));
@@ -337,10 +338,10 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           const V last = hn::Sub(end, ts[l]);
           V falloff;
           V middle = center;
-          if (lights[l].spot.is_isotropic()) {
+          if (lights[l].falloff.is_isotropic()) {
             falloff = MeanInverseSquare(first, last, h2[l]);
           } else {
-            const SpotMean mean(spots[l], first, last, h2[l]);
+            const FalloffMean mean(falloffs[l], first, last, h2[l]);
             if (hn::AllFalse(d, hn::Gt(mean.value, zero))) continue;
             falloff = mean.value;
             middle = hn::Add(ts[l], mean.center);

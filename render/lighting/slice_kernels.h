@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/transport/spot_falloff.h"
+#include "core/transport/light_falloff.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/ray_slices.h"
 #include "render/lighting/shadow_map.h"
@@ -39,7 +39,7 @@ struct SliceLight {
   float extinction = 1.0f;                   // factor of optical depths towards the light
   const OpticalDepthTable* table = nullptr;  // null: no attenuation by Gaussians
   const ShadowMap* shadows = nullptr;        // null: no surfaces
-  SpotFalloff spot{};
+  LightFalloff falloff{};
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;

@@ -9,6 +9,7 @@
 
 #include "core/revision.h"
 #include "core/scene/camera.h"
+#include "core/scene/point_lights.h"
 #include "core/scene/ray_noise.h"
 #include "core/scene/scene.h"
 #include "render/frame.h"
@@ -23,7 +24,7 @@ struct PathKey {
   Revision medium = 0;  // of the MediumIndex
   RayNoise noise;
   double albedo = 1.0;
-  std::vector<Light> lights;
+  std::vector<PointLight> lights;
   std::optional<Environment> environment;
   std::vector<Surface> surfaces;
   FogBall fog;

@@ -61,7 +61,7 @@ void PathScene::set_lights(std::span<const PointSource> all) {
   const double extent =
       grid.empty() ? 0.0 : 0.5 * glm::length(grid.bounds().high - grid.bounds().low);
   for (PathLight& light : lights) {
-    if (light.is_far) continue;
+    if (light.is_far || light.radius > 0.0) continue;  // those of surfaces stay bounded
     const double density = fog.density + medium.density(light.position);
     if (!(density > 0.0)) continue;
     // A mean free path; less where the bulk of the medium is denser, since the light's surroundings

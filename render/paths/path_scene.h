@@ -21,7 +21,7 @@ struct PathLight : PointSource {
 
   // RGB in the unit direction w from it [W/sr].
   [[nodiscard]] glm::dvec3 intensity_along(const glm::dvec3& w) const {
-    return spot.at(w) * intensity;
+    return falloff.at(w) * intensity;
   }
 };
 

@@ -124,7 +124,7 @@ glm::dvec3 PathTracer::light_at(const Vertex& vertex, Weight weight, PathRandom&
     const glm::dvec3 value = scattering(vertex, l);
     if (!(max_component(value) > 0.0)) return;
     const double r2 = vertex.is_surface
-                          ? std::max(r * r, light.h_min * light.h_min)
+                          ? std::max(light.distance2(vertex.position), light.h_min * light.h_min)
                           : relative_to(light, vertex.start, vertex.w).distance2(vertex.t);
     const double factor = weight(light, r) / (probability * r2);
     if (!(factor > 0.0)) return;

@@ -7,7 +7,7 @@
 
 #include "core/limits.h"
 #include "core/math/infinity.h"
-#include "core/scene/far_lights.h"
+#include "core/scene/point_lights.h"
 
 namespace brume {
 
@@ -27,11 +27,11 @@ FogExtent::FogExtent(const Scene& scene) {
   }
 }
 
-Box fog_bounds(double b0, std::span<const Light> lights) {
+Box fog_bounds(double b0, std::span<const PointLight> lights) {
   const glm::dvec3 reach(std::min(2.0 / b0, limits::max_length));
   Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
-  for (const Light& light : lights) {
-    if (light.directional) continue;
+  for (const PointLight& light : lights) {
+    if (light.is_far) continue;
     box.low = glm::min(box.low, light.position - reach);
     box.high = glm::max(box.high, light.position + reach);
   }

@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "core/scene/point_lights.h"
 #include "core/scene/scene.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"
@@ -34,6 +35,6 @@ class FogExtent {
 // Where fog of density b0 > 0 [1/u] without surfaces scatters light more than once: two mean free
 // paths around these lights but directional ones, or around the origin. In steps of at least a
 // sixteenth of its size, so that it mostly stays while a light is dragged.
-Box fog_bounds(double b0, std::span<const Light> lights);
+Box fog_bounds(double b0, std::span<const PointLight> lights);
 
 }  // namespace brume

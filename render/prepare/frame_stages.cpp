@@ -170,7 +170,7 @@ PaperLights FrameStages::paper_lights(FrameContext& work, StageClock& clock) {
   const glm::dvec3& eye = work.rays.eye();
   PaperLights paper;
   paper.at_mean = work.settings.paper.at_mean;
-  for (const Light& light : work.plan.lights) {
+  for (const PointLight& light : work.plan.lights) {
     PaperLight& l = paper.lights.emplace_back();
     l.position = light.position;
     l.intensity = light.intensity;

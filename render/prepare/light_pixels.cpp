@@ -24,11 +24,10 @@ bool on_film(double first, int width, int size) {
 
 }  // namespace
 
-std::vector<glm::ivec2> light_pixels(std::span<const Light> lights, const CameraRays& rays,
+std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const CameraRays& rays,
                                      const Film& film, int width) {
   std::vector<glm::ivec2> pixels;
-  for (const Light& light : lights) {
-    if (!light.on || light.intensity == glm::dvec3(0.0)) continue;
+  for (const PointLight& light : lights) {
     const glm::dvec3 seen = rays.project(light.position);
     if (!(seen.z > 0.0)) continue;
     const double x = first_pixel(seen.x, width);

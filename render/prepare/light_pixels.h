@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/scene/camera.h"
+#include "core/scene/point_lights.h"
 #include "core/scene/scene.h"
 
 namespace brume {
@@ -14,9 +15,9 @@ namespace brume {
 // min_light_distance(); interpolation and random samples would miss it.
 //
 // The `width` x `width` pixels (>= 1) whose centers are nearest to each light's film position,
-// clipped to the film, for lights that are on and in front of the eye. Occlusion is ignored. Each
+// clipped to the film, for lights in front of the eye. Occlusion is ignored. Each
 // pixel once, in film order.
-std::vector<glm::ivec2> light_pixels(std::span<const Light> lights, const CameraRays& rays,
+std::vector<glm::ivec2> light_pixels(std::span<const PointLight> lights, const CameraRays& rays,
                                      const Film& film, int width);
 
 // At airlight scale 4, nothing is interpolated within a block of this width [pixels] around a

@@ -1,17 +1,21 @@
 #include "render/prepare/point_sources.h"
 
+#include <algorithm>
+
 #include "render/prepare/light_limits.h"
 
 namespace brume {
 
-std::vector<PointSource> point_sources(std::span<const Light> lights, const CameraRays& rays,
+std::vector<PointSource> point_sources(std::span<const PointLight> lights, const CameraRays& rays,
                                        const Camera& camera, const FogBall& fog) {
   std::vector<PointSource> sources;
   sources.reserve(lights.size());
-  for (const Light& light : lights) {
-    sources.push_back({light.position, light.intensity,
-                       min_light_distance(rays, camera, light.position), SpotFalloff(light.spot),
-                       light.directional ? fog : FogBall{}, light.directional.has_value()});
+  for (const PointLight& light : lights) {
+    PointSource source{light, min_light_distance(rays, camera, light.position)};
+    // A line along the axis of a disk gathers as much of its light as one so far from a point.
+    source.h_min = std::max(source.h_min, 0.5 * light.radius);
+    if (light.is_far) source.fog = fog;
+    sources.push_back(source);
   }
   return sources;
 }

@@ -10,7 +10,7 @@ namespace brume {
 
 // The lights of a view as methods evaluate them. `lights` are point lights already, as of
 // RenderPlan::lights; `fog`: see FogExtent::ball().
-std::vector<PointSource> point_sources(std::span<const Light> lights, const CameraRays& rays,
+std::vector<PointSource> point_sources(std::span<const PointLight> lights, const CameraRays& rays,
                                        const Camera& camera, const FogBall& fog);
 
 }  // namespace brume

@@ -24,7 +24,7 @@ void PreparedScene::update(const Scene& scene, const RenderPlan& plan) {
     exact_occlusion_ = std::make_unique<ExactOcclusion>(scene.surfaces);
 
   const auto is_unused = [&](const glm::dvec3& position) {
-    return std::ranges::find(plan.lights, position, &Light::position) == plan.lights.end();
+    return std::ranges::find(plan.lights, position, &PointLight::position) == plan.lights.end();
   };
   std::erase_if(depths_, [&](const auto& entry) { return is_unused(entry->light); });
   std::erase_if(tables_, [&](const auto& entry) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/scene/far_lights.h"
+#include "core/scene/point_lights.h"
 #include "render/prepare/light_pixels.h"
 #include "render/quality/small_gaussians.h"
 
@@ -53,16 +53,16 @@ std::vector<double> squared_steps(const Frame& frame) {
 std::vector<glm::ivec2> pixels_of_lights(const Scene& scene, const CameraRays& rays,
                                          const Film& film, std::size_t max_pixels) {
   for (const int width : {3, 2, 1}) {
-    std::vector<glm::ivec2> pixels = light_pixels(as_point_lights(scene), rays, film, width);
+    std::vector<glm::ivec2> pixels = light_pixels(point_lights(scene), rays, film, width);
     if (pixels.size() <= max_pixels) return pixels;
   }
-  std::vector<Light> lights = as_point_lights(scene);
-  std::ranges::stable_sort(lights, std::greater(), [&](const Light& light) {
+  std::vector<PointLight> lights = point_lights(scene);
+  std::ranges::stable_sort(lights, std::greater(), [&](const PointLight& light) {
     return std::max({light.intensity.x, light.intensity.y, light.intensity.z}) /
            glm::length(light.position - rays.eye());
   });
   std::vector<glm::ivec2> pixels;
-  for (const Light& light : lights) {
+  for (const PointLight& light : lights) {
     for (const glm::ivec2& pixel : light_pixels({&light, 1}, rays, film, 1)) {
       if (pixels.size() < max_pixels) pixels.push_back(pixel);
     }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/scene/far_lights.h"
+#include "core/scene/point_lights.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/optical_depth.h"
 
@@ -22,11 +22,11 @@ constexpr double hidden_radii = 5.0;
 // Number of strongest lights that estimate the brightness of Gaussians.
 constexpr std::size_t max_lights = 16;
 
-double strength(const Light& light) {
+double strength(const PointLight& light) {
   return std::max({light.intensity.x, light.intensity.y, light.intensity.z});
 }
 
-std::vector<Light> strongest(std::vector<Light> lights) {
+std::vector<PointLight> strongest(std::vector<PointLight> lights) {
   std::ranges::sort(lights, std::greater(), strength);  // that of far lights is huge
   lights.resize(std::min(lights.size(), max_lights));
   return lights;
@@ -41,13 +41,13 @@ double mean_radiance(const Environment& environment) {
 }
 
 // Unattenuated light at a Gaussian's center.
-double incident(const Gaussian& gaussian, const std::vector<Light>& lights,
+double incident(const Gaussian& gaussian, const std::vector<PointLight>& lights,
                 double environment_radiance) {
   double sum = environment_radiance;
-  for (const Light& light : lights) {
+  for (const PointLight& light : lights) {
     const glm::dvec3 offset = light.position - gaussian.center;
     const double distance = glm::length(offset);
-    const double falloff = distance > 0.0 ? SpotFalloff(light.spot).at(-offset / distance) : 1.0;
+    const double falloff = distance > 0.0 ? light.falloff.at(-offset / distance) : 1.0;
     const double square = std::max(glm::dot(offset, offset), gaussian.radius * gaussian.radius);
     sum += falloff * strength(light) / (4.0 * std::numbers::pi * square);
   }
@@ -59,7 +59,7 @@ double incident(const Gaussian& gaussian, const std::vector<Light>& lights,
 std::vector<SmallGaussian> small_gaussians(const Scene& scene, const CameraRays& rays,
                                            const Frame& guide, double min_change,
                                            std::size_t max_count) {
-  const std::vector<Light> lights = strongest(as_point_lights(scene));
+  const std::vector<PointLight> lights = strongest(point_lights(scene));
   const double environment_radiance = scene.environment ? mean_radiance(*scene.environment) : 0.0;
   const double per_radius = 0.5 / std::tan(rays.pixel_half_angle());  // pixels, at distance 1
   const int width = guide.film.width;

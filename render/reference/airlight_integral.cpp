@@ -183,7 +183,7 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     if (!(density > 0) || view_depth > opaque<Real>) return Real(0);
     const Vec3<Real> q = medium.eye + t * medium.w - light.position;
     const Real r = glm::length(q);
-    const Real falloff = r > 0 ? static_cast<Real>(light.spot.at(glm::dvec3(q / r))) : Real(1);
+    const Real falloff = r > 0 ? static_cast<Real>(light.falloff.at(glm::dvec3(q / r))) : Real(1);
     if (!(falloff > 0)) return Real(0);
     Real fog_length = r;
     if (!light.fog.is_endless() && r > 0) {
@@ -219,8 +219,8 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
   Integral<Real> sum;
   std::vector<std::pair<Real, Real>> ranges{{Real(0), end_t}};
   if (light.lit) ranges = *light.lit;
-  for (const double edge :
-       light.spot.edges(glm::dvec3(light.position), glm::dvec3(medium.eye), glm::dvec3(medium.w))) {
+  for (const double edge : light.falloff.edges(glm::dvec3(light.position), glm::dvec3(medium.eye),
+                                               glm::dvec3(medium.w))) {
     split_at(static_cast<Real>(edge), ranges);
   }
   for (const auto& [begin_t, stop_t] : ranges) {

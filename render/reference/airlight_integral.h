@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/scene/ray_noise.h"
+#include "core/transport/light_falloff.h"
 #include "core/transport/light_path.h"
-#include "core/transport/spot_falloff.h"
 #include "render/geometry/fog_ball.h"
 #include "render/reference/gaussian_sums.h"
 
@@ -59,7 +59,7 @@ struct LightSource {
   Real anisotropy;  // see henyey_greenstein()
   // Intervals [t0, t1] of the ray that are not in shadow; nullopt: all of it.
   std::optional<std::vector<std::pair<Real, Real>>> lit;
-  SpotFalloff spot{};
+  LightFalloff falloff{};
   FogBall fog{};  // see PointSource
 };
 

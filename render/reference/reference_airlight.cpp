@@ -31,8 +31,8 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion&
   const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise());
   if (environment) result.airlight = environment->airlight(medium, lit, tolerance);
   for (const PointSource& light : lights) {
-    LightSource<double> source{light.position, light.h_min, {},       medium.anisotropy(),
-                               std::nullopt,   light.spot,  light.fog};
+    LightSource<double> source{light.position, light.h_min,   {},       medium.anisotropy(),
+                               std::nullopt,   light.falloff, light.fog};
     std::vector<GaussianTerm<double>> toward_light;
     // An endless ray in fog is cut at 1e15 u, beyond which nothing contributes.
     const glm::dvec3 far = eye + std::min(end, 1e15) * w;

@@ -10,7 +10,7 @@
 
 #include "core/scene/brdf.h"
 #include "core/scene/environment.h"
-#include "core/scene/far_lights.h"
+#include "core/scene/point_lights.h"
 #include "core/transport/light_path.h"
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
@@ -126,18 +126,19 @@ class Sampler {
   }
 
   // Light of a point light that comes straight, without sampling.
-  [[nodiscard]] glm::dvec3 unscattered(const Light& light) const {
+  [[nodiscard]] glm::dvec3 unscattered(const PointLight& light) const {
     const glm::dvec3 q = light.position - point_.position;
     const double distance = glm::length(q);
     if (!(distance > 0.0) || ray_caster_.occluded(point_.shadow_origin, light.position)) {
       return glm::dvec3(0.0);
     }
     const glm::dvec3 wi = q / distance;
-    return SpotFalloff(light.spot).at(-wi) * reflected(wi) * light.intensity /
-           (distance * distance) * transmittance(depth_to(light, point_.position, wi, distance));
+    return light.falloff.at(-wi) * reflected(wi) * light.intensity /
+           std::max(distance * distance, light.radius * light.radius) *
+           transmittance(depth_to(light, point_.position, wi, distance));
   }
 
-  Sample of_light(const Light& light, Uniform& uniform) const {
+  Sample of_light(const PointLight& light, Uniform& uniform) const {
     // Scattered light is bright around the light like 1 / angle: half of the directions are as
     // dense there, the other half follow the cosine.
     const glm::dvec3 q = light.position - point_.position;
@@ -160,7 +161,7 @@ class Sampler {
     const double r = path.path_length(t);
     const glm::dvec3 from_light = r > 0.0 ? (x - light.position) / r : -wi;
     const double depth = along.depth(t) + depth_to(light, x, -from_light, r);
-    const double weight = SpotFalloff(light.spot).at(from_light) * along.density(t) *
+    const double weight = light.falloff.at(from_light) * along.density(t) *
                           phase(-glm::dot(from_light, wi)) * angular.span / (path.h * pdf);
     return {{}, weight * reflected(wi) * transmittance(depth) * light.intensity};
   }
@@ -200,10 +201,10 @@ class Sampler {
   }
   // From x to a light in the direction w at a distance. Of a far light, fog ends where the medium
   // does.
-  [[nodiscard]] double depth_to(const Light& light, const glm::dvec3& x, const glm::dvec3& w,
+  [[nodiscard]] double depth_to(const PointLight& light, const glm::dvec3& x, const glm::dvec3& w,
                                 double distance) const {
     const double depth = ray(x, w).depth(distance);
-    if (!light.directional) return depth;
+    if (!light.is_far) return depth;
     const double fog = scene_.medium.homogeneous_density();
     return depth - fog * (distance - std::min(distance, distance_out(x, w)));
   }
@@ -261,7 +262,7 @@ ReflectedLight reflected_light(const Scene& scene, const RayCaster& ray_caster,
     result.scattered += scattered.value();
     variance += sum.variance();
   };
-  for (const Light& light : as_point_lights(scene)) {
+  for (const PointLight& light : point_lights(scene, LightPoints::many)) {
     result.attenuated += sampler.unscattered(light);
     average([&] { return sampler.of_light(light, uniform); });
   }

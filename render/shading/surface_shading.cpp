@@ -151,7 +151,8 @@ std::uint64_t surface_radiance(const MediumIndex& medium, const RayCaster& ray_c
   std::uint64_t pairs = 0;
   for (const SurfaceLight& light : lighting.lights) {
     const glm::vec3 position(light.source.position - points.origin);
-    point_to_light(points, position, light.source.spot, light_at_point);
+    point_to_light(points, position, light.source.falloff, static_cast<float>(light.source.radius),
+                   light_at_point);
     pairs += find_depths(medium, light, points, precision, lighting.extinction, light_at_point);
     ray_caster.trace_shadow_rays(points, position, light_at_point);
     PointLightShading reflected = point_light_shading(material, light.source);

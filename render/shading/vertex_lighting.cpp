@@ -62,7 +62,7 @@ std::uint64_t add_light_sphere(const MediumIndex& medium, const SurfaceLighting&
   thread_local LightAtPoints at;
   thread_local std::array<PointArray, sh_max_bands> factors;
   point_to_light(points, glm::vec3(surface_light.source.position - points.origin),
-                 surface_light.source.spot, at);
+                 surface_light.source.falloff, static_cast<float>(surface_light.source.radius), at);
   const std::uint64_t pairs =
       find_depths(medium, surface_light, points, precision, lighting.extinction, at);
   if (lighting.point) {
@@ -108,7 +108,7 @@ VertexLightingInputs::VertexLightingInputs(const MediumIndex& index,
       albedo(lighting.albedo),
       precision(arithmetic) {
   for (const SurfaceLight& at : lighting.lights) {
-    lights.push_back({at.source.position, at.source.intensity, at.source.spot, at.source.fog,
+    lights.push_back({at.source.position, at.source.intensity, at.source.falloff, at.source.fog,
                       at.density, at.table ? at.table->revision() : 0});
   }
 }

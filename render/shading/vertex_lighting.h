@@ -29,7 +29,7 @@ struct VertexLightingInputs {
   struct Light {
     glm::dvec3 position{0.0};
     glm::dvec3 intensity{0.0};
-    SpotFalloff spot{};
+    LightFalloff falloff{};
     FogBall fog{};
     double density = 0.0;
     Revision table = 0;  // 0: exact sums

@@ -7,8 +7,8 @@
 #define HWY_TARGET_INCLUDE "render/simd/surface_kernels.cpp"
 #include <hwy/foreach_target.h>
 // Highway's own order: foreach_target first.
+#include "render/simd/falloff-inl.h"
 #include "render/simd/gaussian-inl.h"
-#include "render/simd/spot-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace brume::HWY_NAMESPACE {
@@ -110,8 +110,8 @@ void InterpolatePoints(const PointTriangles& triangles, float offset, SurfacePoi
   }
 }
 
-void PointToLight(const SurfacePoints& points, const glm::vec3& position, const SpotFalloff& spot,
-                  LightAtPoints& light) {
+void PointToLight(const SurfacePoints& points, const glm::vec3& position,
+                  const LightFalloff& falloff, float radius, LightAtPoints& light) {
   const D d;
   light.paths.resize(points.count);
   for (std::size_t i = 0; i < points.padded_size(); i += hn::Lanes(d)) {
@@ -125,10 +125,11 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position, const 
     hn::StoreU(from_light.z, d, light.paths.z.data() + i);
     hn::StoreU(hn::Mul(square, inverse), d, light.paths.length.data() + i);
     store(hn::Neg(dot(from_light, load(points.normal, i))), light.cosine, i);
-    V arriving = hn::Mul(inverse, inverse);
-    if (!spot.is_isotropic()) {
-      const SpotFloats falloff(spot);
-      arriving = hn::Mul(arriving, falloff.At(dot(from_light, falloff.axis)));
+    V arriving =
+        hn::IfThenElseZero(is_distinct, hn::Div(set(1.0f), hn::Max(square, set(radius * radius))));
+    if (!falloff.is_isotropic()) {
+      const FalloffFloats floats(falloff);
+      arriving = hn::Mul(arriving, floats.At(dot(from_light, floats.axis)));
     }
     store(arriving, light.inverse_square, i);
   }
@@ -256,9 +257,9 @@ void interpolate_points(const PointTriangles& triangles, float offset, SurfacePo
   HWY_DYNAMIC_DISPATCH(InterpolatePoints)(triangles, offset, points);
 }
 
-void point_to_light(const SurfacePoints& points, const glm::vec3& position, const SpotFalloff& spot,
-                    LightAtPoints& light) {
-  HWY_DYNAMIC_DISPATCH(PointToLight)(points, position, spot, light);
+void point_to_light(const SurfacePoints& points, const glm::vec3& position,
+                    const LightFalloff& falloff, float radius, LightAtPoints& light) {
+  HWY_DYNAMIC_DISPATCH(PointToLight)(points, position, falloff, radius, light);
 }
 
 void add_direct_light(const SurfacePoints& points, const LightAtPoints& light,

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/scene/camera.h"
-#include "core/transport/spot_falloff.h"
+#include "core/transport/light_falloff.h"
 #include "render/simd/scatter_table.h"
 #include "render/simd/surface_points.h"
 
@@ -31,9 +31,9 @@ struct PointTriangles {
 void interpolate_points(const PointTriangles& triangles, float offset, SurfacePoints& points);
 
 // Sets all members of `light` but depths and lit, for a light at `position` relative to
-// points.origin.
-void point_to_light(const SurfacePoints& points, const glm::vec3& position, const SpotFalloff& spot,
-                    LightAtPoints& light);
+// points.origin; `radius`: see PointSource::distance2().
+void point_to_light(const SurfacePoints& points, const glm::vec3& position,
+                    const LightFalloff& falloff, float radius, LightAtPoints& light);
 
 // Shading parameters of a point light, RGB.
 struct PointLightShading {

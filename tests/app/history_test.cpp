@@ -125,7 +125,7 @@ class RandomHands {
     const std::size_t index = below(3);
     switch (below(4)) {
       case 0:
-        return add_light(document_, point());
+        return add_light(document_, static_cast<LightType>(below(6)), {point(), point()});
       case 1:
         return delete_light(document_, index);
       default:

@@ -259,7 +259,7 @@ class KeysTest : public QObject {
   void deleting_a_light_leaves_the_keys_of_the_others() {
     TestWindow window;
     Document& document = window->document();
-    add_light(document, {0, 5, 0});
+    add_light(document, LightType::point, {{0, 5, 0}});
     choose(window, "Light 2 position");
     set_key_at(window, 0);
     window->timeline().set_frame(60);

@@ -227,19 +227,102 @@ class PanelsTest : public QObject {
     QCOMPARE(document.scene(), before);
   }
 
+  void an_area_light_is_added_changed_and_scaled() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto light = [&]() -> const Light& { return document.scene().lights.back(); };
+    auto* menu = window->findChild<QToolButton*>("add_area")->menu();
+    QCOMPARE(menu->actions().size(), 3);
+    for (QAction* shape : menu->actions()) {
+      menu->popup(QPoint(40, 40));
+      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(shape).center());
+      QVERIFY(light().area);
+    }
+    QCOMPARE(light().area->shape, AreaLight::Shape::sphere);
+    QVERIFY(!window->findChild<ValueField*>("light_direction_x")->isEnabled());
+    QVERIFY(!window->findChild<ValueField*>("light_width")->isEnabled());
+    enter(window, "light_radius", "0.3");
+    QCOMPARE(light().area->radius, 0.3);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set radius of light 4"));
+    enter(window, "light_intensity", "2");
+    QCOMPARE(light().intensity, glm::dvec3(2.0));
+    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+
+    auto* type = window->findChild<QComboBox*>("light_type");
+    type->setFocus();
+    QTest::keyClick(type, Qt::Key_Up);
+    QTest::keyClick(type, Qt::Key_Up);
+    QCOMPARE(light().area->shape, AreaLight::Shape::rectangle);
+    enter(window, "light_width", "0.4");
+    enter(window, "light_height", "0.25");
+    enter(window, "light_up_x", "0.5");
+    QCOMPARE(light().area->up.x, 0.5);
+    enter(window, "light_direction_x", "-2");
+    QCOMPARE(light().area->direction.x, -2.0);
+    auto* two_sided = window->findChild<QCheckBox*>("light_two_sided");
+    QTest::mouseClick(two_sided, Qt::LeftButton, {}, QPoint(8, two_sided->height() / 2));
+    QVERIFY(light().area->two_sided);
+
+    // A corner of it scales it, the end of its normal turns it.
+    const auto film = [&](const glm::dvec3& point) {
+      const glm::dvec3 at = window->viewport().rays().project(point);
+      return QPoint(qRound(at.x), qRound(at.y));
+    };
+    const auto [right, up] = rectangle_axes(*light().area);
+    const QPoint corner = film(light().position + 0.2 * right + 0.125 * up);
+    const QPoint center = film(light().position);
+    window.drag(corner, center + 2 * (corner - center));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set size of light 4"));
+    QVERIFY(std::abs(light().area->width - 0.8) < 0.1);
+    QVERIFY(std::abs(light().area->height / light().area->width - 0.625) < 1e-9);
+
+    const double radiant = light_strength(light()) * facing_area(*light().area);
+    type->showPopup();
+    QTest::keyClick(type->view(), Qt::Key_Home);
+    QTest::keyClick(type->view(), Qt::Key_Return);
+    QVERIFY(!light().area);
+    QVERIFY2(std::abs(light_strength(light()) - radiant) < 1e-9, "as bright from afar");
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void lights_are_added_by_key_and_looked_through() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    for (int type = 0; type < 6; ++type) {
+      window.key(static_cast<Qt::Key>(Qt::Key_1 + type), Qt::ControlModifier);
+      QCOMPARE(document.scene().lights.size(), before.lights.size() + 1 + type);
+      QCOMPARE(static_cast<int>(type_of(document.scene().lights.back())), type);
+    }
+    // From the spot, along its axis, as wide as its cone.
+    document.set_active_light(before.lights.size() + 1);
+    const Light spot = document.scene().lights[document.active_light()];
+    window.key(Qt::Key_L, Qt::ShiftModifier);
+    const Camera& camera = window->viewport().camera();
+    QCOMPARE(camera.eye, spot.position);
+    QCOMPARE(camera.vertical_fov, 2.0 * spot.spot->outer_angle);
+    const glm::dvec3 axis = glm::normalize(spot.spot->direction);
+    QVERIFY(glm::distance(window->viewport().rays().forward(), axis) < 1e-9);
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
   void lights_have_presets_temperatures_and_photometric_units() {
     TestWindow window;
     Document& document = window->document();
     const Scene before = document.scene();
     auto* menu = window->findChild<QToolButton*>("light_presets")->menu();
-    QCOMPARE(menu->actions().size(), 6);
+    QCOMPARE(menu->actions().size(), 7);
     for (QAction* preset : menu->actions()) {
       menu->popup(QPoint(40, 40));
       QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(preset).center());
     }
-    QCOMPARE(document.scene().lights.size(), before.lights.size() + 6);
+    QCOMPARE(document.scene().lights.size(), before.lights.size() + 7);
     QVERIFY(document.scene().lights[before.lights.size()].directional);
     QVERIFY(document.scene().lights[before.lights.size() + 3].spot);
+    QVERIFY(document.scene().lights[before.lights.size() + 5].area);  // a window
     // The candle.
     const auto candle = [&]() -> const Light& { return document.scene().lights.back(); };
     const auto shown = [&](const char* name) {

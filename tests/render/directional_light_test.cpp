@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "core/scene/far_lights.h"
+#include "core/scene/point_lights.h"
 #include "core/transport/optical_depth.h"
 #include "render/frame.h"
 #include "render/prepare/fog_extent.h"
@@ -40,30 +40,6 @@ Settings paths(int count) {
   return settings;
 }
 
-// Optical depth of the Gaussians from x on in the direction w.
-double gaussian_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& w,
-                      double length) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < medium.size(); ++i) {
-    const GaussianTerm<double> g(medium.gaussian(i));
-    const double t0 = glm::dot(g.b - x, w);
-    const glm::dvec3 off = g.b - x - t0 * w;
-    sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off)) * std::sqrt(std::numbers::pi) /
-           (2.0 * g.a) * (std::erf(g.a * (length - t0)) + std::erf(g.a * t0));
-  }
-  return sum;
-}
-
-double density(const Medium& medium, const glm::dvec3& x) {
-  double sum = medium.homogeneous_density();
-  for (std::size_t k = 0; k < medium.size(); ++k) {
-    const GaussianTerm<double> g(medium.gaussian(k));
-    const glm::dvec3 off = x - g.b;
-    sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off));
-  }
-  return sum;
-}
-
 // The integral of the radiance that a ray of the camera scatters of parallel light, by small steps.
 double integral(const Scene& scene, const glm::dvec3& w, double end) {
   const glm::dvec3 to_light = -glm::normalize(scene.lights[0].directional->direction);
@@ -75,10 +51,10 @@ double integral(const Scene& scene, const glm::dvec3& w, double end) {
   for (int i = 0; i < steps; ++i) {
     const double t = step * (i + 0.5);
     const glm::dvec3 x = scene.camera.eye + t * w;
-    double depth = gaussian_depth(scene.medium, scene.camera.eye, w, t) + b0 * t +
-                   gaussian_depth(scene.medium, x, to_light, 1e3);
+    double depth = plain_depth(scene.medium, scene.camera.eye, w, t) + b0 * t +
+                   plain_depth(scene.medium, x, to_light, 1e3);
     if (b0 > 0.0) depth += b0 * fog.length(x, to_light);
-    sum += density(scene.medium, x) * std::exp(-depth);
+    sum += plain_density(scene.medium, x) * std::exp(-depth);
   }
   return scene.lights[0].intensity.x * sum * step / (4.0 * std::numbers::pi);
 }
@@ -213,22 +189,22 @@ TEST(DirectionalLight, PointsOfADiscAreItsIrradiance) {
   scene.lights = {sun({0.0, -2.0, 0.0}, 30.0)};
   const LitRegion region = LitRegion::of(scene);
   glm::dvec3 sum(0.0);
-  for (const Light& light : as_point_lights(scene, 16)) {
+  for (const PointLight& light : point_lights(scene, LightPoints::few)) {
     const glm::dvec3 q = light.position - region.center;
     const double cosine = glm::normalize(q).y;
     EXPECT_GT(cosine, std::cos(glm::radians(15.0)));
     sum += cosine * light.intensity / glm::dot(q, q);
   }
   EXPECT_NEAR(sum.x, irradiance.x, 1e-9);
-  EXPECT_EQ(as_point_lights(scene, 1).size(), 1u);
+  EXPECT_EQ(point_lights(scene).size(), 1u);
 }
 
 // While a medium is painted, shadow maps are not made anew.
 TEST(DirectionalLight, StaysPutWhileAMediumGrows) {
   Scene scene = lit_by_sun();
-  const glm::dvec3 before = as_point_lights(scene)[0].position;
+  const glm::dvec3 before = point_lights(scene)[0].position;
   scene.medium.append({{0.1, 0.2, 0.0}, 0.2, 1.0});
-  EXPECT_EQ(as_point_lights(scene)[0].position, before);
+  EXPECT_EQ(point_lights(scene)[0].position, before);
 }
 
 TEST(DirectionalLight, IsLeftOutByThePaperWithAWord) {

@@ -34,6 +34,9 @@ class RandomScene {
     for (Light& light : scene_.lights) {
       if (one_in(3)) light.spot = cone_from(light.position);
     }
+    for (Light& light : scene_.lights) {
+      if (!light.spot && !light.directional && one_in(4)) light.area = area_at(light.position);
+    }
     return std::move(scene_);
   }
 
@@ -97,6 +100,23 @@ class RandomScene {
     cone.outer_angle = one_in(4) ? 180.0 : spread(5.0 * random_.power(0, 1), 0.1, 179);
     cone.inner_angle = one_in(3) ? 0.0 : 0.6 * cone.outer_angle;
     return cone;
+  }
+
+  AreaLight area_at(const glm::dvec3& position) {
+    AreaLight area;
+    area.shape = static_cast<AreaLight::Shape>(integer(0, 2));
+    if (const glm::dvec3 towards = place() - position; towards != glm::dvec3(0.0)) {
+      area.direction = glm::clamp(towards, -1e12, 1e12);
+    }
+    if (one_in(3)) area.up = area.direction;
+    const auto size = [&] {
+      return std::clamp(spread_ * spread(0.3 * random_.power(-1, 1), -9, 9), 1e-12, 1e12);
+    };
+    area.width = size();
+    area.height = size();
+    area.radius = size();
+    area.two_sided = one_in(2);
+    return area;
   }
 
   void add_light() {

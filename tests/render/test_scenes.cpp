@@ -138,4 +138,26 @@ Settings sliced(int slices, Scattering scattering) {
   return settings;
 }
 
+double plain_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& w, double length) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const GaussianTerm<double> g(medium.gaussian(i));
+    const double t0 = glm::dot(g.b - x, w);
+    const glm::dvec3 off = g.b - x - t0 * w;
+    sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off)) * std::sqrt(std::numbers::pi) /
+           (2.0 * g.a) * (std::erf(g.a * (length - t0)) + std::erf(g.a * t0));
+  }
+  return sum;
+}
+
+double plain_density(const Medium& medium, const glm::dvec3& x) {
+  double sum = medium.homogeneous_density();
+  for (std::size_t k = 0; k < medium.size(); ++k) {
+    const GaussianTerm<double> g(medium.gaussian(k));
+    const glm::dvec3 off = x - g.b;
+    sum += g.c * std::exp(-g.a * g.a * glm::dot(off, off));
+  }
+  return sum;
+}
+
 }  // namespace brume

@@ -44,4 +44,9 @@ Difference difference(const std::vector<float>& a, const std::vector<float>& b);
 // Whether all is finite: radiance, alpha, transmittance in [0, 1]; distances > 0, +inf allowed.
 void expect_finite(const Frame& frame);
 
+// For integrals that share no code with those they test: the optical depth of the Gaussians from x
+// on in the unit direction w, and the density at x with that of homogeneous fog [1/u].
+double plain_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& w, double length);
+double plain_density(const Medium& medium, const glm::dvec3& x);
+
 }  // namespace brume

@@ -48,6 +48,28 @@ class MalformedScene : public ::testing::Test {
     folder_.write(std::string("scene/") + name, content);
   }
 
+  void expect_refused(const std::vector<MalformedCase>& all) const {
+    const std::string scene = (folder_ / "scene/scene.brume").string();
+    write("scene.brume", "");
+    const std::size_t entries = folder_.entry_count();
+    for (const auto& [name, text, place, said] : all) {
+      SCOPED_TRACE(name);
+      write("scene.brume", text);
+      const ProgramResult result = run_brume({"render", scene, "-o", (folder_ / "o.exr").string(),
+                                              "--stats", (folder_ / "s.json").string()});
+      EXPECT_EQ(result.exit_code, 2);
+      EXPECT_EQ(result.out, "");
+      EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+      EXPECT_LT(result.err.size(), 6000u);
+      EXPECT_TRUE(result.err.starts_with("brume: error: " + scene + ": ")) << result.err;
+      EXPECT_NE(result.err.find(place), std::string::npos) << place << " in " << result.err;
+      for (const std::string& part : said) {
+        EXPECT_NE(result.err.find(part), std::string::npos) << part << " in " << result.err;
+      }
+      EXPECT_EQ(folder_.entry_count(), entries) << "something was written";
+    }
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -62,25 +84,13 @@ TEST_F(MalformedScene, BaseSceneIsValid) {
 TEST_F(MalformedScene, EachCaseIsRefusedInOneLine) {
   const std::vector<MalformedCase> all = malformed_cases();
   ASSERT_GE(all.size(), 80u);
-  const std::string scene = (folder_ / "scene/scene.brume").string();
-  write("scene.brume", "");
-  const std::size_t entries = folder_.entry_count();
-  for (const auto& [name, text, place, said] : all) {
-    SCOPED_TRACE(name);
-    write("scene.brume", text);
-    const ProgramResult result = run_brume({"render", scene, "-o", (folder_ / "o.exr").string(),
-                                            "--stats", (folder_ / "s.json").string()});
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_LT(result.err.size(), 6000u);
-    EXPECT_TRUE(result.err.starts_with("brume: error: " + scene + ": ")) << result.err;
-    EXPECT_NE(result.err.find(place), std::string::npos) << place << " in " << result.err;
-    for (const std::string& part : said) {
-      EXPECT_NE(result.err.find(part), std::string::npos) << part << " in " << result.err;
-    }
-    EXPECT_EQ(folder_.entry_count(), entries) << "something was written";
-  }
+  expect_refused(all);
+}
+
+TEST_F(MalformedScene, EachValueOfALightIsRefusedInOneLine) {
+  const std::vector<MalformedCase> all = malformed_lights();
+  ASSERT_GE(all.size(), 200u);
+  expect_refused(all);
 }
 
 TEST_F(MalformedScene, RefusesFoldersAndDevices) {

@@ -7,13 +7,15 @@ namespace brume {
 
 // A scene with one mistake. It refers to files that the test writes next to it.
 struct MalformedCase {
-  const char* name;
+  std::string name;
   std::string text;
-  const char* place;                // where the mistake is: a JSON path, a line and column
+  std::string place;                // where the mistake is: a JSON path, a line and column
   std::vector<std::string> said{};  // what was found, what is allowed, the file referred to
 };
 
 std::vector<MalformedCase> malformed_cases();
+// Every key of every type of light with values of the wrong kind, length and size.
+std::vector<MalformedCase> malformed_lights();
 
 // The scene they are made from; it needs good.obj.
 std::string good_scene();

@@ -1,6 +1,26 @@
 #include "core/io/scene/light_json.h"
 
 namespace brume {
+namespace {
+
+Json area_to_json(const Light& light) {
+  const AreaLight& area = *light.area;
+  Json json{{"position", to_json(light.position)}, {"radiance", to_json(light.intensity)}};
+  if (area.shape != AreaLight::Shape::sphere) json["direction"] = to_json(area.direction);
+  if (area.shape == AreaLight::Shape::rectangle) {
+    json["type"] = "rectangle";
+    json["up"] = to_json(area.up);
+    json["width"] = area.width;
+    json["height"] = area.height;
+  } else {
+    json["type"] = area.shape == AreaLight::Shape::disk ? "disk" : "sphere";
+    json["radius"] = area.radius;
+  }
+  json["two_sided"] = area.two_sided;
+  return json;
+}
+
+}  // namespace
 
 Json light_to_json(const Light& light) {
   if (const auto& directional = light.directional) {
@@ -9,6 +29,7 @@ Json light_to_json(const Light& light) {
             {"irradiance", to_json(light.intensity)},
             {"angular_diameter", directional->angular_diameter}};
   }
+  if (light.area) return area_to_json(light);
   Json json{{"type", light.spot ? "spot" : "point"},
             {"position", to_json(light.position)},
             {"intensity", to_json(light.intensity)}};

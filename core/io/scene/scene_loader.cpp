@@ -225,14 +225,20 @@ class SceneLoader {
 
   void load_light(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
-    const std::size_t type = object.choice("type", {"point", "spot", "directional"}, {});
+    const std::size_t type =
+        object.choice("type", {"point", "spot", "directional", "rectangle", "disk", "sphere"}, {});
     Light light;
     if (type == 2) {
       light.intensity = object.vector("irradiance", domain::intensity, {});
       light.directional = load_directional(object);
     } else {
       light.position = object.vector("position", domain::coordinate, {});
-      light.intensity = object.vector("intensity", domain::intensity, light.intensity);
+      if (type >= 3) {
+        light.intensity = object.vector("radiance", domain::intensity, {});
+        light.area = load_area(object, static_cast<AreaLight::Shape>(type - 3));
+      } else {
+        light.intensity = object.vector("intensity", domain::intensity, light.intensity);
+      }
     }
     if (type == 1) light.spot = load_cone(object);
     light.on = object.boolean("on", light.on);
@@ -240,6 +246,7 @@ class SceneLoader {
                       load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
     if (light.spot) check_cone(object, light);
     if (light.directional) check_direction(object, light, light.directional->direction);
+    if (light.area) check_direction(object, light, light.area->direction);
     unknown_keys_.add(light.id, "", object.unknown_keys());
     scene_.lights.push_back(std::move(light));
   }
@@ -270,6 +277,23 @@ class SceneLoader {
     light.angular_diameter =
         object.number("angular_diameter", domain::angular_diameter, light.angular_diameter);
     return light;
+  }
+
+  static AreaLight load_area(JsonObject& object, AreaLight::Shape shape) {
+    AreaLight area;
+    area.shape = shape;
+    if (shape != AreaLight::Shape::sphere) {
+      area.direction = object.vector("direction", domain::coordinate, {});
+    }
+    if (shape == AreaLight::Shape::rectangle) {
+      area.up = object.vector("up", domain::coordinate, area.up);
+      area.width = object.number("width", domain::length, {});
+      area.height = object.number("height", domain::length, {});
+    } else {
+      area.radius = object.number("radius", domain::length, {});
+    }
+    area.two_sided = object.boolean("two_sided", area.two_sided);
+    return area;
   }
 
   static SpotCone load_cone(JsonObject& object) {

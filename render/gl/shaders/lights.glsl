@@ -27,6 +27,9 @@ float table_depth(int l, vec3 q, float distance_) {
   return lights[l].max_depth * mix(both.x, both.y, f);
 }
 
+// No loops below where one per slice and light can be avoided: a software device (llvmpipe) ends
+// all loops of a shader after 65535 rounds.
+
 // The mean of 1 / r^2 over t in [ts + a, ts + b] for a light at distance sqrt(h2) from the ray.
 float mean_inverse_square(float a, float b, float h2) {
   const float dots = a * b + h2;
@@ -34,10 +37,8 @@ float mean_inverse_square(float a, float b, float h2) {
   const float ratio = crosses / dots;
   if (dots > 0.0 && ratio < atan_small_end) {
     const float y = ratio * ratio;
-    float p = atan_small_coefficients[0];
-    for (int i = 1; i < atan_small_coefficients.length(); ++i) {
-      p = p * y + atan_small_coefficients[i];
-    }
+    const float[6] c = atan_small_coefficients;
+    const float p = ((((c[0] * y + c[1]) * y + c[2]) * y + c[3]) * y + c[4]) * y + c[5];
     return p / max(dots, tiny);
   }
   return atan(crosses, dots) / max(crosses, tiny);
@@ -53,23 +54,41 @@ float fog_length(int l, vec3 point, vec3 from_light, float distance_) {
   return clamp(half_chord - along, 0.0, 2.0 * half_chord);
 }
 
-// SpotFalloff::at(), of a cosine.
-float spot_falloff(int l, float cosine) {
-  if (lights[l].spot_per_cosine == 0.0) return 1.0;
-  const float share =
-      clamp((cosine - lights[l].spot_dark_cosine) * lights[l].spot_per_cosine, 0.0, 1.0);
+// LightFalloff::at(), of a cosine.
+float falloff_at(int l, float cosine) {
+  const int shape = lights[l].falloff_shape;
+  if (shape == falloff_isotropic) return 1.0;
+  if (shape == falloff_cosine) return clamp(cosine, 0.0, 1.0);
+  if (shape == falloff_two_cosines) return min(abs(cosine), 1.0);
+  const float share = clamp((cosine - lights[l].dark_cosine) * lights[l].per_cosine, 0.0, 1.0);
   return share * share;
 }
 
-// SpotMean of render/lighting/slice_falloff-inl.h: the mean of the falloff over r^2 over [a, b] from
-// the point nearest to the light, and the middle of what is lit. `offset`: from there to the light.
-vec2 spot_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {
-  const float along = dot(w, lights[l].spot_axis);
-  const float across = dot(offset, lights[l].spot_axis);
+// Falloff over r^2 and 1 / r^2 at s, weighted.
+vec2 falloff_sample(int l, float along, float across, float h2, float s, float weight) {
+  const float r2 = s * s + h2;
+  const float inverse = weight / r2;
+  return vec2(inverse * falloff_at(l, (s * along - across) * inversesqrt(r2)), inverse);
+}
+
+// What arrives between begin and end, where the falloff is smooth, and that times their middle.
+vec2 falloff_part(int l, float along, float across, float h2, float begin, float end) {
+  const float width = end - begin;
+  if (!(width > 0.0)) return vec2(0.0);
+  const float middle = 0.5 * (begin + end);
+  const float place = 0.5 * width * gauss_3_place;
+  const vec2 sum = falloff_sample(l, along, across, h2, middle - place, gauss_3_end) +
+                   falloff_sample(l, along, across, h2, middle, gauss_3_middle) +
+                   falloff_sample(l, along, across, h2, middle + place, gauss_3_end);
+  const float arriving = mean_inverse_square(begin, end, h2) * width * sum.x / sum.y;
+  return vec2(arriving, arriving * middle);
+}
+
+// The parts of a cone: between its dark and its full edges.
+vec2 cone_parts(int l, float along, float across, float h2, float a, float b) {
   float ends[6] = float[](a, b, b, b, b, b);
   for (int edge = 0; edge < 2; ++edge) {
-    const float cosine =
-        lights[l].spot_dark_cosine + (edge == 0 ? 0.0 : 1.0 / lights[l].spot_per_cosine);
+    const float cosine = lights[l].dark_cosine + (edge == 0 ? 0.0 : 1.0 / lights[l].per_cosine);
     const float p = along * along - cosine * cosine;
     const float q = -along * across;
     const float r = across * across - cosine * cosine * h2;
@@ -86,25 +105,24 @@ vec2 spot_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {
       ends[k] = low;
     }
   }
-  float sum = 0.0;
-  float moment = 0.0;
-  for (int i = 0; i < 5; ++i) {
-    const float width = ends[i + 1] - ends[i];
-    if (!(width > 0.0)) continue;
-    const float middle = 0.5 * (ends[i] + ends[i + 1]);
-    float falloff = 0.0;
-    float whole = 0.0;
-    for (int k = -1; k <= 1; ++k) {
-      const float s = middle + 0.5 * width * gauss_3_place * float(k);
-      const float r2 = s * s + h2;
-      const float weight = (k == 0 ? gauss_3_middle : gauss_3_end) / r2;
-      falloff += weight * spot_falloff(l, (s * along - across) * inversesqrt(r2));
-      whole += weight;
-    }
-    const float arriving =
-        mean_inverse_square(ends[i], ends[i + 1], h2) * width * falloff / whole;
-    sum += arriving;
-    moment += arriving * middle;
+  vec2 sum = vec2(0.0);
+  for (int i = 0; i < 5; ++i) sum += falloff_part(l, along, across, h2, ends[i], ends[i + 1]);
+  return sum;
+}
+
+// FalloffMean of render/lighting/slice_falloff-inl.h: the mean of the falloff over r^2 over [a, b]
+// from the point nearest to the light, and the middle of what is lit. `offset`: from there to the
+// light.
+vec2 falloff_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {
+  const float along = dot(w, lights[l].falloff_axis);
+  const float across = dot(offset, lights[l].falloff_axis);
+  vec2 sum;
+  if (lights[l].falloff_shape == falloff_cone) {
+    sum = cone_parts(l, along, across, h2, a, b);
+  } else {
+    const float plane = along != 0.0 ? clamp(across / along, a, b) : b;
+    sum = falloff_part(l, along, across, h2, a, plane) +
+          falloff_part(l, along, across, h2, plane, b);
   }
-  return sum > 0.0 ? vec2(sum / (b - a), moment / sum) : vec2(0.0, 0.5 * (a + b));
+  return sum.x > 0.0 ? vec2(sum.x / (b - a), sum.y / sum.x) : vec2(0.0, 0.5 * (a + b));
 }

@@ -150,10 +150,10 @@ void main() {
           const float h2 = max(dot(offset, offset), max(lights[l].h_min * lights[l].h_min, tiny));
           float falloff;
           float middle = center;
-          if (lights[l].spot_per_cosine == 0.0) {
+          if (lights[l].falloff_shape == falloff_isotropic) {
             falloff = mean_inverse_square(t_begin - ts, t_end - ts, h2);
           } else {
-            const vec2 mean = spot_mean(l, w, offset, t_begin - ts, t_end - ts, h2);
+            const vec2 mean = falloff_mean(l, w, offset, t_begin - ts, t_end - ts, h2);
             if (!(mean.x > 0.0)) continue;
             falloff = mean.x;
             middle = ts + mean.y;

@@ -243,7 +243,7 @@ TEST(Contributions, RadianceOfALightIsThatOfAPointInThinFog) {
   scene.medium.append({{0, 0, -4}, 0.5, 0.4});
   scene.medium.set_homogeneous_density(0.02);
   scene.optics.albedo = {1.0, 0.5, 0.5};
-  Light light;
+  PointLight light;
   light.position = {3, 0, -10};
   light.intensity = {7.0, 7.0, 14.0};
   const glm::dvec3 towards(0, 0, -1);

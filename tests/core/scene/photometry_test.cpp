@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "core/transport/spot_falloff.h"
+#include "core/transport/light_falloff.h"
 
 namespace brume {
 namespace {
@@ -64,7 +64,7 @@ TEST(Photometry, TheFluxOfASpotIsTheIntegralOfItsFalloff) {
     Light light;
     light.intensity = glm::dvec3(1.0);
     light.spot = SpotCone{{0.0, 0.0, 1.0}, inner, outer};
-    const SpotFalloff falloff(light.spot);
+    const LightFalloff falloff(*light.spot);
     constexpr int steps = 2'000'000;
     double sum = 0.0;
     for (int i = 0; i < steps; ++i) {

@@ -1,4 +1,4 @@
-#include "core/transport/spot_falloff.h"
+#include "core/transport/light_falloff.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ glm::dvec3 at_angle(double degrees) {
   return {std::sin(glm::radians(degrees)), -std::cos(glm::radians(degrees)), 0.0};
 }
 
-TEST(SpotFalloff, FollowsTheFormulaOfGltf) {
-  const SpotFalloff spot(SpotCone{{0.0, -7.0, 0.0}, 10.0, 30.0});
+TEST(LightFalloff, FollowsTheFormulaOfGltf) {
+  const LightFalloff spot(SpotCone{{0.0, -7.0, 0.0}, 10.0, 30.0});
   const double dark = std::cos(glm::radians(30.0));
   const double full = std::cos(glm::radians(10.0));
   for (const double angle : {0.0, 5.0, 9.9}) EXPECT_EQ(spot.at(at_angle(angle)), 1.0) << angle;
@@ -26,32 +26,32 @@ TEST(SpotFalloff, FollowsTheFormulaOfGltf) {
   for (const double angle : {30.1, 90.0, 180.0}) EXPECT_EQ(spot.at(at_angle(angle)), 0.0) << angle;
 }
 
-TEST(SpotFalloff, IsOneWithoutCone) {
-  const SpotFalloff none{std::optional<SpotCone>()};
+TEST(LightFalloff, IsOneWithoutCone) {
+  const LightFalloff none;
   EXPECT_TRUE(none.is_isotropic());
   EXPECT_EQ(none.at({0.6, 0.8, 0.0}), 1.0);
   // Full up to where the cone closes behind the light.
-  const SpotFalloff all(SpotCone{{1e-200, 0.0, 0.0}, 179.0, 180.0});
+  const LightFalloff all(SpotCone{{1e-200, 0.0, 0.0}, 179.0, 180.0});
   EXPECT_FALSE(all.is_isotropic());
   for (const double angle : {0.0, 60.0, 120.0}) EXPECT_EQ(all.at(at_angle(angle)), 1.0) << angle;
 }
 
 // What keyframes may pass through is a light all the same.
-TEST(SpotFalloff, SurvivesNoDirectionAndClosedCones) {
-  EXPECT_EQ(SpotFalloff(SpotCone{glm::dvec3(0.0), 10.0, 20.0}).at({0.0, -1.0, 0.0}), 1.0);
-  EXPECT_EQ(SpotFalloff(SpotCone{{0.0, -1e308, 1e308}, 0.0, 1e-9}).at({1.0, 0.0, 0.0}), 0.0);
-  EXPECT_EQ(SpotFalloff(SpotCone{{0.0, -1.0, 0.0}, 50.0, 20.0}).at(at_angle(10.0)), 1.0);
+TEST(LightFalloff, SurvivesNoDirectionAndClosedCones) {
+  EXPECT_EQ(LightFalloff(SpotCone{glm::dvec3(0.0), 10.0, 20.0}).at({0.0, -1.0, 0.0}), 1.0);
+  EXPECT_EQ(LightFalloff(SpotCone{{0.0, -1e308, 1e308}, 0.0, 1e-9}).at({1.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(LightFalloff(SpotCone{{0.0, -1.0, 0.0}, 50.0, 20.0}).at(at_angle(10.0)), 1.0);
 }
 
 // Between neighbouring edges the falloff along a line is 0, 1, or on the slope.
-TEST(SpotFalloff, EdgesPartALine) {
+TEST(LightFalloff, EdgesPartALine) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto vector = [&] { return glm::dvec3(uniform(random), uniform(random), uniform(random)); };
   int crossed = 0;
   for (int i = 0; i < 500; ++i) {
     const double outer = 90.0 * (uniform(random) + 1.0);
-    const SpotFalloff spot(SpotCone{vector(), 0.6 * outer, outer});
+    const LightFalloff spot(SpotCone{vector(), 0.6 * outer, outer});
     const glm::dvec3 light = vector();
     const glm::dvec3 origin = vector();
     const glm::dvec3 w = glm::normalize(vector());

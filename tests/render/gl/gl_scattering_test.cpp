@@ -56,6 +56,34 @@ TEST_F(GlFrames, SpotLights) {
   }
 }
 
+TEST_F(GlFrames, AreaLights) {
+  for (const double b0 : {0.0, 0.05}) {
+    for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+      Scene scene = in_fog(cloud_scene(10, 2.0), b0);
+      scene.film = {24, 18};
+      scene.surfaces = {wall(-0.8, 1.5), wall(0.0, 0.4)};
+      scene.surfaces[1].translate = {0.5, 1.0, 0.3};
+      scene.lights = {
+          {{1.5, 1.5, 1.0}, {3.0, 2.0, 1.0}, {}, {}, AreaLight{.direction = {-1.0, -1.0, -0.7}}},
+          {{-1.5, 0.5, 0.5},
+           glm::dvec3(2.0),
+           {},
+           {},
+           AreaLight{AreaLight::Shape::disk, {1.0, 0.1, -0.3}, {}, 1, 1, 0.3, true}},
+          {{0.0, -1.0, 0.5}, glm::dvec3(1.0), {}, {}, AreaLight{AreaLight::Shape::sphere}}};
+      // Two of them: a software device ends shaders that go through some 900 lights and slices.
+      scene.lights.erase(scene.lights.begin() + (scattering == Scattering::single ? 0 : 1));
+      Settings settings = quick_slices();
+      settings.source_grid = {2000, 24};
+      settings.scattering = scattering;
+      const Frame cpu = on_cpu(scene, settings);
+      const Frame gl = render_on_device(scene, settings, "area");
+      EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
+      EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
+    }
+  }
+}
+
 TEST_F(GlFrames, DirectionalLights) {
   for (const double b0 : {0.0, 0.05}) {
     for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {

@@ -100,8 +100,10 @@ Upsampled upsample_on_cpu(const Given& given) {
   frame.airlight.assign(3 * given.pixels(), -1.0f);
   frame.transmittance.assign(3 * given.pixels(), -1.0f);
   frame.statistics.pixel_pairs.assign(given.pixels(), 0.0f);
-  const brume::FilmAirlight result =
-      film_airlight(medium_of(), given.lights, rays, settings_of(given), method, {}, {}, frame);
+  Scene scene;
+  scene.lights = given.lights;
+  const brume::FilmAirlight result = film_airlight(medium_of(), point_lights(scene), rays,
+                                                   settings_of(given), method, {}, {}, frame);
   Upsampled upsampled;
   for (std::size_t i = 0; i < given.pixels(); ++i) {
     upsampled.airlight.emplace_back(frame.airlight[3 * i], frame.airlight[3 * i + 1],
@@ -426,7 +428,9 @@ TEST_P(Upsampling, EvaluatesPixelsNearLights) {
     given.lights.push_back(light);
   }
   const Upsampled upsampled = upsample(given);
-  const auto pixels = light_pixels(given.lights, rays_of(given), given.film, light_block);
+  Scene scene;
+  scene.lights = given.lights;
+  const auto pixels = light_pixels(point_lights(scene), rays_of(given), given.film, light_block);
   ASSERT_GT(pixels.size(), 100U);
   for (const glm::ivec2& pixel : pixels) {
     EXPECT_EQ(upsampled.evaluations[static_cast<std::size_t>(pixel.y * given.film.width + pixel.x)],

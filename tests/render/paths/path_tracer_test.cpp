@@ -94,8 +94,8 @@ TEST(PathFog, EndsAroundTheScene) {
   Medium fog;
   fog.set_homogeneous_density(0.5);
   const MediumIndex index(fog, 1e-9);
-  const std::vector<PointSource> lights{{{1, 0, 0}, glm::dvec3(1.0), 0.0},
-                                        {{-1, 0, 0}, glm::dvec3(1.0), 0.0}};
+  const std::vector<PointSource> lights{{{{1, 0, 0}, glm::dvec3(1.0)}},
+                                        {{{-1, 0, 0}, glm::dvec3(1.0)}}};
   const glm::dvec3 w = glm::normalize(glm::dvec3(1, 2, 3));
   const FogBall ball{glm::dvec3(0.0), 4.0};
   const PathFog limited = PathFog::around(index, RayCaster({}), lights, {0, 0, 3}, ball);

@@ -42,7 +42,7 @@ double TracedScene::length(const glm::dvec3& eye, const glm::dvec3& w) const {
 PathScene TracedScene::scene_from(const glm::dvec3& eye) const {
   std::vector<PointSource> lights;
   for (const Light& light : scene_.lights) {
-    lights.push_back({light.position, light.intensity, 0.0});
+    lights.push_back({{light.position, light.intensity}});
   }
   return PathScene::of_view(medium_, albedo_, ray_caster_, scene_.surfaces,
                             environment_ ? &*environment_ : nullptr, lights, eye, fog_);
@@ -124,7 +124,7 @@ glm::dvec3 TracedScene::single_scattering(const glm::dvec3& eye, const glm::dvec
   constexpr double tolerance = 1e-5;
   std::vector<PointSource> lights;
   for (const Light& light : scene_.lights) {
-    lights.push_back({light.position, light.intensity, 0.0});
+    lights.push_back({{light.position, light.intensity}});
   }
   std::optional<ReferenceEnvironment> environment;
   if (scene_.environment) {

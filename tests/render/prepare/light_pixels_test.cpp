@@ -26,7 +26,9 @@ Light light_at(double x, double y) {
 }
 
 std::vector<glm::ivec2> pixels_of(const std::vector<Light>& lights, int width) {
-  return light_pixels(lights, CameraRays(camera(), film), film, width);
+  Scene scene;
+  scene.lights = lights;
+  return light_pixels(point_lights(scene), CameraRays(camera(), film), film, width);
 }
 
 using Pixels = std::vector<glm::ivec2>;

@@ -86,6 +86,14 @@ std::vector<LightKindRow> measure_light_kinds(bool quick) {
   add("directional", sun);
   sun.directional->angular_diameter = 0.53;
   add("directional, disc of 0.53 degrees", sun);
+  Light area{.position = from, .intensity = glm::dvec3(30.0)};
+  area.area = AreaLight{.direction = -from, .width = 1.0, .height = 0.7};
+  add("rectangle, 1 by 0.7 u, 3.9 u away", area);
+  area.area->shape = AreaLight::Shape::sphere;
+  area.area->radius = 0.4;
+  add("sphere of radius 0.4 u", area);
+  area.position *= 0.5;
+  add("sphere of radius 0.4 u, 2 u away", area);
   return rows;
 }
 

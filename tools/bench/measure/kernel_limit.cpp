@@ -63,7 +63,7 @@ void add_tile(View& view, const Scene& scene, const CameraRays& rays, int slices
   for (const SurfaceHit& hit : hits) lengths.push_back(hit.distance);
   std::vector<SlicedLight> lights;
   for (const Light& light : scene.lights)
-    lights.push_back({PointSource{light.position, light.intensity}});
+    lights.push_back({PointSource{{light.position, light.intensity}}});
 
   std::vector<double> boundaries;
   const glm::dvec3 center = glm::normalize(directions.front() + directions.back());

@@ -46,6 +46,8 @@ class RandomScene {
       } else if (maybe()) {
         scene.lights.back().position = {};
         scene.lights.back().directional = Directional{point() + 1.0, number(0, 89)};
+      } else if (maybe()) {
+        scene.lights.back().area = area_light();
       }
     }
     if (maybe())
@@ -76,6 +78,7 @@ class RandomScene {
       if (!light.directional) keys(light.keys.position, 1e6);
       if (light.directional) keys(light.keys.angular_diameter, 80.0);
       if (light.spot || light.directional) keys(light.keys.direction, 1e6);
+      if (light.area && light.area->shape == AreaLight::Shape::sphere) keys(light.keys.radius, 9.0);
       if (!light.spot) continue;
       keys(light.keys.outer_angle, 180.0);
     }
@@ -90,6 +93,20 @@ class RandomScene {
   }
   int integer(int min_value, int max_value) {
     return std::uniform_int_distribution<int>(min_value, max_value)(random_);
+  }
+  AreaLight area_light() {
+    AreaLight area;
+    area.shape = static_cast<AreaLight::Shape>(integer(0, 2));
+    if (area.shape != AreaLight::Shape::sphere) area.direction = point() + 1.0;
+    if (area.shape == AreaLight::Shape::rectangle) {
+      area.up = point();
+      area.width = number(1e-6, 9);
+      area.height = number(1e-6, 1e6);
+    } else {
+      area.radius = number(1e-6, 1e6);
+    }
+    area.two_sided = maybe();
+    return area;
   }
   bool maybe() { return integer(0, 1) == 0; }
   glm::dvec3 point() { return {number(-1e6, 1e6), number(-1, 1), number(-1e-6, 1e-6)}; }

@@ -186,6 +186,49 @@ TEST(SceneFile, KeepsDirectionalLights) {
   EXPECT_FALSE(contains(text, "position"));
 }
 
+TEST(SceneFile, KeepsAreaLights) {
+  using Shape = AreaLight::Shape;
+  const TemporaryFolder folder;
+  Scene scene;
+  for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
+    Light light{.position = {1, 2, 3}, .intensity = {4, 5, 6}};
+    light.area.emplace().shape = shape;
+    light.area->two_sided = shape != Shape::disk;
+    light.keys.position = {{0.0, {1, 1, 1}}};
+    light.keys.intensity = {{0.0, {1, 2, 3}}};
+    if (shape != Shape::sphere) {
+      light.area->direction = {1, -2, 0};
+      light.keys.direction = {{0.0, {0, 1, 0}}};
+    }
+    if (shape == Shape::rectangle) {
+      light.area->up = {0, 1, 1};
+      light.area->width = 0.5;
+      light.area->height = 2.0;
+      light.keys.up = {{0.0, {0, 0, 1}}};
+      light.keys.width = {{0.0, 1.0}, {1.0, 2.0}};
+      light.keys.height = {{0.0, 3.0}};
+    } else {
+      light.area->radius = 0.25;
+      light.keys.radius = {{0.0, 1.0}, {2.0, 1e-3}};
+    }
+    scene.lights.push_back(light);
+  }
+  save_document(scene, folder / "a.brume");
+  const Scene loaded = load_scene(folder / "a.brume");
+  ASSERT_EQ(loaded.lights.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(loaded.lights[k].area, scene.lights[k].area);
+    EXPECT_EQ(loaded.lights[k].position, scene.lights[k].position);
+    EXPECT_EQ(loaded.lights[k].intensity, scene.lights[k].intensity);
+    EXPECT_EQ(loaded.lights[k].keys, scene.lights[k].keys);
+  }
+  const std::string text = content_of(folder / "a.brume");
+  for (const char* part : {R"("type": "rectangle")", R"("type": "disk")", R"("type": "sphere")",
+                           R"("radiance": [4.0, 5.0, 6.0])"}) {
+    EXPECT_TRUE(contains(text, part)) << part;
+  }
+}
+
 TEST(SceneFile, ConesOpenAsTheContractSays) {
   const TemporaryFolder folder;
   folder.write("a.brume", R"({"format": "brume-scene", "version": 1,

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Intensity of a point light by direction, relative to its intensity, at the angle t from its axis:
+// of a spot light that of glTF's KHR_lights_punctual,
+//   clamp((cos t - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2,
+// of a piece of an area light that of a surface of the same radiance everywhere (Lambert),
+//   max(cos t, 0), or two-sided |cos t|,
+// else 1.
+class LightFalloff {
+ public:
+  enum class Shape { isotropic, cone, cosine, two_cosines };
+
+  LightFalloff() = default;  // isotropic
+  explicit LightFalloff(const SpotCone& cone);
+  // `normal`: unit.
+  static LightFalloff of_surface(const glm::dvec3& normal, bool two_sided);
+
+  [[nodiscard]] Shape shape() const { return shape_; }
+  [[nodiscard]] bool is_isotropic() const { return shape_ == Shape::isotropic; }
+  // Unit; 0 if isotropic.
+  [[nodiscard]] const glm::dvec3& axis() const { return axis_; }
+  // Of a cone: the falloff is clamp((cos t - dark_cosine) * per_cosine, 0, 1)^2.
+  [[nodiscard]] double dark_cosine() const { return dark_cosine_; }
+  [[nodiscard]] double per_cosine() const { return per_cosine_; }
+
+  // In the unit direction w from the light. In [0, 1].
+  [[nodiscard]] double at(const glm::dvec3& w) const;
+
+  // Parameters t, ascending, at which the line origin + t w, w unit, may enter or leave what the
+  // light lights at all, or fully: between two of them the falloff is smooth. NaN-free; +-inf where
+  // there are fewer than four.
+  [[nodiscard]] std::array<double, 4> edges(const glm::dvec3& light, const glm::dvec3& origin,
+                                            const glm::dvec3& w) const;
+
+  bool operator==(const LightFalloff&) const = default;
+
+ private:
+  glm::dvec3 axis_{0.0};
+  double dark_cosine_ = 0.0;
+  double per_cosine_ = 0.0;
+  Shape shape_ = Shape::isotropic;
+};
+
+}  // namespace brume

@@ -1,0 +1,305 @@
+// Area lights, as every method sees them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/scene/point_lights.h"
+#include "render/frame.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+using Shape = AreaLight::Shape;
+
+constexpr double radiance = 12.0;
+
+Light area_light(Shape shape, const glm::dvec3& position, double size, bool two_sided = false) {
+  Light light;
+  light.position = position;
+  light.intensity = glm::dvec3(radiance);
+  AreaLight area;
+  area.shape = shape;
+  area.direction = -position + glm::dvec3(0.2, 0.0, 0.1);
+  area.width = size;
+  area.height = 0.7 * size;
+  area.radius = 0.5 * size;
+  area.two_sided = two_sided;
+  light.area = area;
+  return light;
+}
+
+Scene lit_by(const Light& light, double depth = 1.0) {
+  Scene scene = cloud_scene(12, depth);
+  scene.film = {32, 24};
+  scene.lights = {light};
+  return scene;
+}
+
+const char* name_of(Shape shape) {
+  return shape == Shape::rectangle ? "rectangle" : shape == Shape::disk ? "disk" : "sphere";
+}
+
+float brightest(const Frame& frame) {
+  return *std::ranges::max_element(frame.airlight);
+}
+
+// Points of a surface, normals and areas: a fine grid of it.
+struct Patch {
+  glm::dvec3 position, normal;
+  double area;
+};
+std::vector<Patch> patches(const Light& light, int count) {
+  const AreaLight& area = *light.area;
+  const glm::dvec3 n = glm::normalize(area.direction);
+  const glm::dvec3 right = glm::normalize(glm::cross(n, glm::normalize(area.up)));
+  const glm::dvec3 up = glm::cross(right, n);
+  std::vector<Patch> all;
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < count; ++k) {
+      const double x = (i + 0.5) / count;
+      const double y = (k + 0.5) / count;
+      const double turn = 2.0 * std::numbers::pi * y;
+      if (area.shape == Shape::rectangle) {
+        all.push_back(
+            {light.position + (x - 0.5) * area.width * right + (y - 0.5) * area.height * up, n,
+             area.width * area.height / (count * count)});
+      } else if (area.shape == Shape::disk) {
+        const double r = area.radius * std::sqrt(x);
+        all.push_back({light.position + r * (std::cos(turn) * right + std::sin(turn) * up), n,
+                       std::numbers::pi * area.radius * area.radius / (count * count)});
+      } else {
+        const double z = 2.0 * x - 1.0;
+        const double sine = std::sqrt(1.0 - z * z);
+        const glm::dvec3 normal(sine * std::cos(turn), sine * std::sin(turn), z);
+        all.push_back({light.position + area.radius * normal, normal,
+                       4.0 * std::numbers::pi * area.radius * area.radius / (count * count)});
+      }
+    }
+  }
+  return all;
+}
+
+// What a surface adds up to at x: of radiance * cosine / r^2 * transmittance, times `facing` of the
+// direction to it.
+template <class Facing>
+double arriving(const Scene& scene, const std::vector<Patch>& surface, const glm::dvec3& x,
+                Facing facing) {
+  const bool two_sided = scene.lights[0].area->two_sided;
+  double sum = 0.0;
+  for (const Patch& patch : surface) {
+    const glm::dvec3 q = patch.position - x;
+    const double r = glm::length(q);
+    const double cosine = -glm::dot(q, patch.normal) / r;
+    const double share = (two_sided ? std::abs(cosine) : std::max(cosine, 0.0)) * patch.area;
+    if (!(share > 0.0)) continue;
+    const double depth = plain_depth(scene.medium, x, q / r, r);
+    sum +=
+        facing(q / r) * share / (r * r) * std::exp(-depth - scene.medium.homogeneous_density() * r);
+  }
+  return scene.lights[0].intensity.x * sum;
+}
+
+// What a ray of the camera scatters of it, by small steps.
+double scattered(const Scene& scene, const std::vector<Patch>& surface, const glm::dvec3& w,
+                 double end) {
+  constexpr int steps = 500;
+  const double step = end / steps;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double t = step * (i + 0.5);
+    const glm::dvec3 x = scene.camera.eye + t * w;
+    const double density = plain_density(scene.medium, x);
+    if (density < 1e-7) continue;
+    const double depth =
+        plain_depth(scene.medium, scene.camera.eye, w, t) + scene.medium.homogeneous_density() * t;
+    sum += density * std::exp(-depth) *
+           arriving(scene, surface, x, [](const glm::dvec3&) { return 1.0; });
+  }
+  return sum * step / (4.0 * std::numbers::pi);
+}
+
+TEST(AreaLight, ReferenceIsTheIntegral) {
+  for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
+    for (const double size : {0.4, 1.5}) {
+      const Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, size, shape == Shape::disk));
+      const std::vector<Patch> surface = patches(scene.lights[0], 24);
+      const Frame frame = render_frame(scene, reference_settings(1e-5));
+      const CameraRays rays(scene.camera, scene.film);
+      for (const glm::ivec2 pixel : {glm::ivec2(16, 12), {13, 9}, {20, 6}}) {
+        const glm::dvec3 w = glm::normalize(rays.direction(pixel.x + 0.5, pixel.y + 0.5));
+        const double expected = scattered(scene, surface, w, 10.0);
+        const auto at = static_cast<std::size_t>(3 * (pixel.y * 32 + pixel.x));
+        EXPECT_NEAR(static_cast<double>(frame.airlight[at]), expected, 3e-3 * expected + 1e-7)
+            << name_of(shape) << " of " << size << " at " << pixel.x << ", " << pixel.y;
+      }
+    }
+  }
+}
+
+TEST(AreaLight, SlicedAndMarchMatchTheReference) {
+  Settings march;
+  march.airlight = AirlightMethod::march;
+  march.march_steps = 200;
+  for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
+    for (const bool two_sided : {false, true}) {
+      const Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8, two_sided), 2.0);
+      const Frame truth = render_frame(scene, reference_settings(1e-4));
+      for (const Settings& settings : {sliced(24), march}) {
+        const Frame frame = render_frame(scene, settings);
+        EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.01)
+            << name_of(shape) << " sides " << 1 + two_sided;
+      }
+    }
+  }
+}
+
+// The pixels that see fog next to the light err most: points are less than their distance away.
+TEST(AreaLight, SlicedMatchesTheReferenceInFog) {
+  for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
+    Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8), 2.0);
+    scene.medium.set_homogeneous_density(0.05);
+    const Frame truth = render_frame(scene, reference_settings(1e-4));
+    const Frame frame = render_frame(scene, sliced(24));
+    const double bound = shape == Shape::sphere ? 0.1 : 0.02;
+    EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, bound) << name_of(shape);
+  }
+}
+
+// View rays that pass next to it as well.
+TEST(AreaLight, ReferenceIsTheIntegralAroundALightInTheMedium) {
+  for (const Shape shape : {Shape::rectangle, Shape::sphere}) {
+    const Scene scene = lit_by(area_light(shape, {0.1, 0.05, 0.1}, 0.5));
+    const std::vector<Patch> surface = patches(scene.lights[0], 40);
+    const Frame frame = render_frame(scene, reference_settings(1e-4));
+    const CameraRays rays(scene.camera, scene.film);
+    for (const glm::ivec2 pixel : {glm::ivec2(13, 9), {20, 6}, {14, 12}}) {
+      const glm::dvec3 w = glm::normalize(rays.direction(pixel.x + 0.5, pixel.y + 0.5));
+      const double expected = scattered(scene, surface, w, 10.0);
+      const auto at = static_cast<std::size_t>(3 * (pixel.y * 32 + pixel.x));
+      EXPECT_NEAR(static_cast<double>(frame.airlight[at]), expected, 5e-3 * expected + 1e-7)
+          << name_of(shape) << " at " << pixel.x << ", " << pixel.y;
+    }
+  }
+}
+
+TEST(AreaLight, LightsAWallAsInClosedForm) {
+  // A wall facing a coaxial disk, E = pi L r^2 / (r^2 + d^2), and a sphere, E = pi L r^2 / d^2.
+  constexpr double r = 0.3;
+  constexpr double d = 1.2;
+  for (const Shape shape : {Shape::disk, Shape::sphere}) {
+    Scene scene;
+    scene.film = {9, 9};
+    scene.camera = {{0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5};
+    scene.surfaces = {wall(0.0, 1.0)};
+    scene.lights = {area_light(shape, {0.0, 0.0, d}, 2.0 * r)};
+    scene.lights[0].area->direction = {0.0, 0.0, -1.0};
+    const double square = shape == Shape::disk ? r * r + d * d : d * d;
+    const double expected = 0.5 * radiance * r * r / square;  // albedo 0.5
+    Settings paths;
+    paths.airlight = AirlightMethod::path;
+    paths.paths = 64;
+    for (const auto& [settings, bound] :
+         {std::pair(sliced(24), 0.01), {reference_settings(), 2e-3}, {paths, 0.02}}) {
+      const Frame frame = render_frame(scene, settings);
+      EXPECT_NEAR(static_cast<double>(frame.beauty[3 * 40]), expected, bound * expected)
+          << name_of(shape);
+    }
+  }
+}
+
+// Scattered once and more often, seen by paths that know nothing of slices and grids.
+TEST(AreaLight, AllOrdersMatchPaths) {
+  Scene scene = lit_by(area_light(Shape::rectangle, {1.6, 1.2, 0.9}, 0.8), 3.0);
+  scene.film = {16, 12};
+  Settings paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = 512;
+  const Frame truth = render_frame(scene, paths);
+  const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+  double sum = 0.0;
+  double expected = 0.0;
+  for (std::size_t i = 0; i < truth.airlight.size(); ++i) {
+    sum += static_cast<double>(frame.airlight[i]);
+    expected += static_cast<double>(truth.airlight[i]);
+  }
+  EXPECT_NEAR(sum, expected, 0.02 * expected);
+}
+
+TEST(AreaLight, FarAwayASphereIsAPoint) {
+  Scene scene = lit_by(area_light(Shape::sphere, {16.0, 12.0, 9.0}, 0.5));
+  const Frame sphere = render_frame(scene, sliced(24));
+  EXPECT_EQ(point_lights(scene, LightPoints::few).size(), 1u);
+  scene.lights[0].intensity *= facing_area(*scene.lights[0].area);
+  scene.lights[0].area.reset();
+  const Frame point = render_frame(scene, sliced(24));
+  EXPECT_LT(difference(sphere.airlight, point.airlight).relative_rmse, 1e-6);
+  // And the point is what many points of its surface add up to.
+  scene.lights = {area_light(Shape::sphere, {16.0, 12.0, 9.0}, 0.5)};
+  scene.surfaces = {wall(-50.0, 0.1)};  // where there are shadows it takes more
+  EXPECT_EQ(point_lights(scene, LightPoints::few).size(), 16u);
+  const Frame many = render_frame(scene, sliced(24));
+  EXPECT_LT(difference(many.airlight, point.airlight).relative_rmse, 1e-3);
+}
+
+// From within a sphere that shines inwards all directions are alike.
+TEST(AreaLight, AroundTheSceneASphereIsAnEnvironment) {
+  Scene scene = lit_by(area_light(Shape::sphere, {0.0, 0.0, 0.0}, 40.0, true), 0.01);
+  const Frame frame = render_frame(scene, sliced(24));
+  const CameraRays rays(scene.camera, scene.film);
+  const glm::dvec3 w = glm::normalize(rays.direction(16.5, 12.5));
+  const double expected =
+      radiance * -std::expm1(-plain_depth(scene.medium, scene.camera.eye, w, 20.0));
+  EXPECT_NEAR(static_cast<double>(frame.airlight[3 * (12 * 32 + 16)]), expected, 0.02 * expected);
+  scene.lights[0].area->two_sided = false;
+  const Frame dark = render_frame(scene, sliced(24));
+  EXPECT_EQ(brightest(dark), 0.0f);
+}
+
+TEST(AreaLight, OneSideShinesAndTwoDo) {
+  Scene scene = lit_by(area_light(Shape::disk, {1.6, 1.2, 0.9}, 0.8));
+  const Frame front = render_frame(scene, sliced(24));
+  scene.lights[0].area->two_sided = true;
+  EXPECT_LT(difference(render_frame(scene, sliced(24)).airlight, front.airlight).relative_rmse,
+            1e-6);
+  scene.lights[0].area->direction *= -1.0;
+  EXPECT_LT(difference(render_frame(scene, sliced(24)).airlight, front.airlight).relative_rmse,
+            0.01);
+  scene.lights[0].area->two_sided = false;
+  EXPECT_EQ(brightest(render_frame(scene, sliced(24))), 0.0f);
+}
+
+TEST(AreaLight, HardCasesStayFinite) {
+  const auto expect_finite = [](const Scene& scene, const char* what) {
+    for (const Settings& settings : {sliced(8, Scattering::multiple), reference_settings(1e-3)}) {
+      const Frame frame = render_frame(scene, settings);
+      EXPECT_TRUE(std::ranges::all_of(frame.beauty, [](float x) {
+        return std::isfinite(x) && x >= 0.0f;
+      })) << what;
+    }
+  };
+  for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
+    Scene scene = lit_by(area_light(shape, {0.1, 0.0, 0.0}, 1e-6));
+    scene.film = {8, 6};
+    expect_finite(scene, "tiny, in a Gaussian");
+    scene.lights[0].area->width = scene.lights[0].area->height = scene.lights[0].area->radius = 1e5;
+    expect_finite(scene, "larger than the scene");
+    scene.lights = {area_light(shape, scene.camera.eye, 1.0)};
+    expect_finite(scene, "around the eye");
+    scene.lights = {area_light(shape, {0.0, 1.0, 0.0}, 1.0)};
+    scene.lights[0].area->direction = {1.0, 0.0, 0.0};
+    scene.lights[0].area->up = {-3.0, 0.0, 0.0};
+    expect_finite(scene, "edge-on, up along its normal");
+    scene.surfaces = {wall(0.0, 1.0)};
+    scene.lights[0].position = {0.0, 0.0, 0.0};
+    scene.lights[0].area->direction = {0.0, 0.0, 1.0};
+    expect_finite(scene, "in a surface");
+  }
+}
+
+}  // namespace
+}  // namespace brume
