@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "core/transport/light_falloff.h"
+#include "core/scene/light_falloff.h"
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "core/transport/light_falloff.h"
+#include "core/scene/light_falloff.h"
 
 namespace brume {
 

@@ -39,7 +39,7 @@ struct LightKeys {
 };
 
 // The cone of a spot light: full intensity within the inner angle, none beyond the outer one; see
-// core/transport/light_falloff.h.
+// core/scene/light_falloff.h.
 struct SpotCone {
   glm::dvec3 direction{0.0, -1.0, 0.0};  // the way it shines; any length but 0
   double inner_angle = 0.0;              // from the axis, >= 0, below outer_angle [degrees]

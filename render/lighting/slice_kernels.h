@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/transport/light_falloff.h"
+#include "core/scene/light_falloff.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/ray_slices.h"
 #include "render/lighting/shadow_map.h"

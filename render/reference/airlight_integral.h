@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/ray_noise.h"
-#include "core/transport/light_falloff.h"
+#include "core/scene/light_falloff.h"
 #include "core/transport/light_path.h"
 #include "render/geometry/fog_ball.h"
 #include "render/reference/gaussian_sums.h"

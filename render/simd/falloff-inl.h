@@ -10,7 +10,7 @@
 
 #include <hwy/highway.h>
 
-#include "core/transport/light_falloff.h"
+#include "core/scene/light_falloff.h"
 #include "render/simd/gaussian-inl.h"
 
 HWY_BEFORE_NAMESPACE();

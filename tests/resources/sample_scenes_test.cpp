@@ -128,6 +128,15 @@ TEST(SampleScenes, SunbeamsBetweenTrees) {
   EXPECT_LT(fs::file_size(scenes / "forest_leaves.ply"), 1'000'000u);
 }
 
+TEST(SampleScenes, HeadlightsOnAWetRoad) {
+  const Scene scene = load("headlights.brume");
+  ASSERT_EQ(scene.lights.size(), 5u);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(scene.lights[k].spot);
+  ASSERT_TRUE(scene.lights[4].area);
+  EXPECT_EQ(scene.lights[4].area->shape, AreaLight::Shape::rectangle);
+  EXPECT_EQ(scene.surfaces[0].material.type, Material::Type::phong);
+}
+
 // Lines through every centre in 500 directions of a spiral: other lines than the generator's.
 TEST(SampleScenes, DenseCloudHasOpticalDepthTen) {
   const Medium medium = load("dense_cloud.brume").medium;

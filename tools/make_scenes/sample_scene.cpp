@@ -68,6 +68,12 @@ std::string light_text(const SampleLight& light) {
                   triple(light.directions.at(0).direction), R"(, "irradiance": )",
                   triple(light.intensity), " }");
   }
+  if (light.width > 0.0) {
+    return concat(R"({ "type": "rectangle", "position": )", triple(light.position),
+                  R"(, "direction": )", triple(light.directions.at(0).direction), R"(, "width": )",
+                  number(light.width), R"(, "height": )", number(light.height), R"(, "radiance": )",
+                  triple(light.intensity), R"(, "two_sided": true })");
+  }
   return concat(R"({ "type": ")", light.outer_angle > 0.0 ? "spot" : "point", R"(", "position": )",
                 triple(light.position), R"(, "intensity": )", triple(light.intensity),
                 cone_text(light), " }");

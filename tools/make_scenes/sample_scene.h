@@ -25,6 +25,10 @@ struct SampleLight {
   std::vector<SampleKey> directions = {};
   // Its intensity is an irradiance, it shines along the first direction, and has no position.
   bool is_directional = false;
+  // A two-sided rectangle if they are above 0 [u]: its intensity is a radiance, the first direction
+  // its normal.
+  double width = 0.0;
+  double height = 0.0;
 };
 
 struct SampleSurface {

@@ -22,6 +22,9 @@ void write_courtyard_scene(const std::filesystem::path& folder);
 // forest.
 void write_forest_scene(const std::filesystem::path& folder);
 
+// headlights.
+void write_headlights_scene(const std::filesystem::path& folder);
+
 // room and tunnel.
 void write_interior_scenes(const std::filesystem::path& folder);
 

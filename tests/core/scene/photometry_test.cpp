@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "core/transport/light_falloff.h"
+#include "core/scene/light_falloff.h"
 
 namespace brume {
 namespace {

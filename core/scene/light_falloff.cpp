@@ -1,4 +1,4 @@
-#include "core/transport/light_falloff.h"
+#include "core/scene/light_falloff.h"
 
 #include <algorithm>
 #include <cmath>
