@@ -1,6 +1,7 @@
 #include "core/scene/point_lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -61,20 +62,29 @@ double distance_to(const LitBounds& box, const glm::dvec3& p) {
   return glm::length(glm::max(glm::max(box.low - p, p - box.high), 0.0));
 }
 
-// A quarter of the points, twice as far apart, are as accurate from twice as far. The shadows of
-// surfaces show each of them. In steps, so that a count mostly stays while something is dragged.
+// Shares of the points that are needed from a distance on, in sizes of the light. Of 21 they are
+// Fibonacci numbers, whose lattices are even. In steps, so that a count mostly stays while
+// something is dragged.
+struct PointShare {
+  double distance;
+  int count;
+};
+constexpr int whole = 21;
+constexpr std::array point_shares{PointShare{1.0, 13}, PointShare{1.5, 8}, PointShare{3.0, 5},
+                                  PointShare{6.0, 1}};
+
 int count_on(const AreaLight& area, const glm::dvec3& center, const LitRegion& region,
              int max_count) {
   if (!region.bounds) return max_count;
-  constexpr int min_in_shadows = 16;
+  constexpr int min_in_shadows = 13;    // each is seen in the shadows of surfaces
   constexpr double no_penumbra = 32.0;  // sizes away
-  const double size = std::sqrt(surface_area(area));
-  const double distance = distance_to(*region.bounds, center);
+  const double distance = distance_to(*region.bounds, center) / std::sqrt(facing_area(area));
   int count = max_count;
-  for (double far = size; count > 1 && distance > far; far *= 2.0) {
-    count = count < 8 ? 1 : count / 4;  // 2 or 3 would not spread evenly
+  for (const PointShare& share : point_shares) {
+    if (distance > share.distance) count = max_count * share.count / whole;
   }
-  const bool has_penumbra = region.has_surfaces && distance < no_penumbra * size;
+  if (distance > point_shares.back().distance) count = 1;
+  const bool has_penumbra = region.has_surfaces && distance < no_penumbra;
   return std::max(count, has_penumbra ? std::min(min_in_shadows, max_count) : 1);
 }
 

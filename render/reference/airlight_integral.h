@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/ray_noise.h"
 #include "core/scene/light_falloff.h"
+#include "core/scene/ray_noise.h"
 #include "core/transport/light_path.h"
 #include "render/geometry/fog_ball.h"
 #include "render/reference/gaussian_sums.h"
