@@ -87,8 +87,7 @@ void set_type(Light& light, LightType type, const LitRegion& region) {
   } else if (type == LightType::spot) {
     light.spot = SpotCone{direction};
   } else if (const auto shape = shape_of(type)) {
-    light.area = old_area.value_or(new_area(*shape, glm::dvec3(0.0)));
-    if (!old_area) *light.area = new_area(*shape, std::sqrt(square) * glm::normalize(direction));
+    light.area = old_area ? *old_area : new_area(*shape, inward);
     light.area->shape = *shape;
     light.area->direction = direction;
   }

@@ -88,13 +88,19 @@ void LightPanel::add_light_list(QFormLayout& form) {
   add_sun->setToolTip(tr("Adds a directional light: its rays are parallel"));
   auto* remove = new QPushButton(tr("Delete"), this);
   remove->setObjectName("delete_light");
-  auto* more = new QToolButton(this);
-  more->setObjectName("light_presets");
-  more->setText(tr("Presets"));
-  more->setToolTip(tr("Adds a light with the colour and shape of one in the world"));
-  more->setPopupMode(QToolButton::InstantPopup);
-  auto* presets = new QMenu(more);
-  more->setMenu(presets);
+  const auto menu_button = [this](const char* name, const QString& text, const QString& tip) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(new QMenu(button));
+    return button;
+  };
+  auto* add_surface = menu_button("add_area", tr("Add area"),
+                                  tr("Adds a light that is a surface: its shadows are soft"));
+  auto* more = menu_button("light_presets", tr("Presets"),
+                           tr("Adds a light with the colour and shape of one in the world"));
   const auto add_row = [&form](std::initializer_list<QWidget*> widgets) {
     auto* row = new QHBoxLayout;
     for (QWidget* widget : widgets) {
@@ -103,13 +109,6 @@ void LightPanel::add_light_list(QFormLayout& form) {
     }
     form.addRow(row);
   };
-  auto* add_surface = new QToolButton(this);
-  add_surface->setObjectName("add_area");
-  add_surface->setText(tr("Add area"));
-  add_surface->setToolTip(tr("Adds a light that is a surface: its shadows are soft"));
-  add_surface->setPopupMode(QToolButton::InstantPopup);
-  auto* shapes = new QMenu(add_surface);
-  add_surface->setMenu(shapes);
   add_row({add, add_cone, add_sun, add_surface});
   add_row({more, remove});
   const auto add_on_click = [this](QAbstractButton* button, LightType type) {
@@ -119,7 +118,7 @@ void LightPanel::add_light_list(QFormLayout& form) {
   add_on_click(add_cone, LightType::spot);
   add_on_click(add_sun, LightType::directional);
   const auto add_shape = [&](const QString& title, const char* name, LightType type) {
-    QAction* action = shapes->addAction(title);
+    QAction* action = add_surface->menu()->addAction(title);
     action->setObjectName(name);
     connect(action, &QAction::triggered, this, [this, type] { LightPanel::add(type); });
   };
@@ -127,7 +126,7 @@ void LightPanel::add_light_list(QFormLayout& form) {
   add_shape(tr("Disk"), "add_disk", LightType::disk);
   add_shape(tr("Sphere"), "add_sphere", LightType::sphere);
   for (const LightPreset& preset : light_presets()) {
-    QAction* action = presets->addAction(undo_text(preset.title));
+    QAction* action = more->menu()->addAction(undo_text(preset.title));
     action->setObjectName(preset.name);
     connect(action, &QAction::triggered, this, [this, &preset] {
       add_preset(document_, preset, place());

@@ -226,9 +226,12 @@ std::vector<PointLight> point_lights(const Light& light, const LitRegion& region
 std::vector<PointLight> point_lights(const Scene& scene, LightPoints count) {
   std::vector<PointLight> lights;
   std::optional<LitRegion> region;  // reads all vertices: only for lights that ask for it
+  const auto asks = [count](const Light& light) {
+    return light.directional || (light.area && count != LightPoints::one);
+  };
   for (const Light& light : scene.lights) {
     if (!light.on || light.intensity == glm::dvec3(0.0)) continue;
-    if (!region && (light.directional || light.area)) region = LitRegion::of(scene);
+    if (!region && asks(light)) region = LitRegion::of(scene);
     const auto points = point_lights(light, region.value_or(LitRegion()), count);
     lights.insert(lights.end(), points.begin(), points.end());
   }

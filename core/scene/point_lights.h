@@ -30,12 +30,12 @@ struct LitBounds {
 };
 std::optional<LitBounds> lit_bounds(const Scene& scene);
 
-// What far lights shine on: surfaces and Gaussians (3 radii each), or else the fog within a mean
+// What lights shine on: surfaces and Gaussians (3 radii each), or else the fog within a mean
 // free path of the origin. In coarse steps, so that it mostly stays while a medium is painted.
 struct LitRegion {
   glm::dvec3 center{0.0};
   double diameter = 2.0;  // [u]
-  // Of surfaces and Gaussians; nullopt where there is fog, which is everywhere.
+  // For area lights: of surfaces and Gaussians, exact; nullopt where fog is everywhere.
   std::optional<LitBounds> bounds{};
   bool has_surfaces = false;
 

@@ -44,9 +44,6 @@ std::string gaussian(const std::string& members) {
 std::string spot(const std::string& members) {
   return with(&Parts::lights, R"([{"type": "spot", "position": [1, 1, 1], )" + members + "}]");
 }
-std::string light(const std::string& members) {
-  return with(&Parts::lights, "[{" + members + "}]");
-}
 std::string surface(const std::string& members) {
   return with(&Parts::surfaces, R"([{"mesh": "good.obj"}, {)" + members + "}]");
 }
@@ -79,6 +76,10 @@ std::string elements(const std::string& element, std::size_t count) {
 }
 
 }  // namespace
+
+std::string scene_with_light(const std::string& members) {
+  return with(&Parts::lights, "[{" + members + "}]");
+}
 
 std::string good_scene() {
   return Parts{}.text();
@@ -233,9 +234,12 @@ std::vector<MalformedCase> malformed_cases() {
 
       // Lights.
       {"lights as an object", with(&Parts::lights, "{}"), "lights", {"an array"}},
-      {"a light without type", light(R"("position": [0, 0, 0])"), "lights[0].type", {"missing"}},
+      {"a light without type",
+       scene_with_light(R"("position": [0, 0, 0])"),
+       "lights[0].type",
+       {"missing"}},
       {"an unknown light",
-       light(R"("type": "laser", "position": [0, 0, 0])"),
+       scene_with_light(R"("type": "laser", "position": [0, 0, 0])"),
        "lights[0].type",
        {"\"laser\"", "\"point\""}},
       {"a spot without direction",
@@ -267,43 +271,50 @@ std::vector<MalformedCase> malformed_cases() {
        "lights[0].inner_angle",
        {"allowed"}},
       {"a directional light without direction",
-       light(R"("type": "directional", "irradiance": [1, 1, 1])"),
+       scene_with_light(R"("type": "directional", "irradiance": [1, 1, 1])"),
        "lights[0].direction",
        {"missing"}},
       {"a directional light without irradiance",
-       light(R"("type": "directional", "direction": [0, -1, 0])"),
+       scene_with_light(R"("type": "directional", "direction": [0, -1, 0])"),
        "lights[0].irradiance",
        {"missing"}},
       {"a directional light that shines nowhere",
-       light(R"("type": "directional", "irradiance": [1, 1, 1], "direction": [0, 0, 0])"),
+       scene_with_light(
+           R"("type": "directional", "irradiance": [1, 1, 1], "direction": [0, 0, 0])"),
        "lights[0].direction",
        {"length 0", "allowed"}},
       {"a directional light of negative irradiance",
-       light(R"("type": "directional", "irradiance": [1, 1, -1], "direction": [0, -1, 0])"),
+       scene_with_light(
+           R"("type": "directional", "irradiance": [1, 1, -1], "direction": [0, -1, 0])"),
        "lights[0].irradiance[2]",
        {"found -1"}},
       {"a sun over half the sky",
-       light(R"("type": "directional", "irradiance": [1, 1, 1], "direction": [0, -1, 0],
+       scene_with_light(R"("type": "directional", "irradiance": [1, 1, 1], "direction": [0, -1, 0],
            "angular_diameter": 90)"),
        "lights[0].angular_diameter",
        {"90", "[0, 90)"}},
       {"a rectangle without height",
-       light(R"("type": "rectangle", "position": [0, 0, 0], "direction": [0, -1, 0], "width": 1,
+       scene_with_light(
+           R"("type": "rectangle", "position": [0, 0, 0], "direction": [0, -1, 0], "width": 1,
            "radiance": [1, 1, 1])"),
        "lights[0].height",
        {"missing"}},
       {"a disk that faces nowhere",
-       light(R"("type": "disk", "position": [0, 0, 0], "direction": [0, 0, 0], "radius": 1,
+       scene_with_light(
+           R"("type": "disk", "position": [0, 0, 0], "direction": [0, 0, 0], "radius": 1,
            "radiance": [1, 1, 1])"),
        "lights[0].direction",
        {"length 0", "allowed"}},
-      {"a light nowhere", light(R"("type": "point")"), "lights[0].position", {"missing"}},
+      {"a light nowhere",
+       scene_with_light(R"("type": "point")"),
+       "lights[0].position",
+       {"missing"}},
       {"negative light",
-       light(R"("type": "point", "position": [0, 0, 0], "intensity": [1, -1, 1])"),
+       scene_with_light(R"("type": "point", "position": [0, 0, 0], "intensity": [1, -1, 1])"),
        "lights[0].intensity[1]",
        {"found -1"}},
       {"a light half on",
-       light(R"("type": "point", "position": [0, 0, 0], "on": 1)"),
+       scene_with_light(R"("type": "point", "position": [0, 0, 0], "on": 1)"),
        "lights[0].on",
        {"found 1", "true or false"}},
       {"too many lights",
@@ -375,7 +386,7 @@ std::vector<MalformedCase> malformed_cases() {
        {"short.binary", "bytes"}},
       // Keys.
       {"keys that are no object",
-       light(R"("type": "point", "position": [0, 0, 0], "keys": [])"),
+       scene_with_light(R"("type": "point", "position": [0, 0, 0], "keys": [])"),
        "lights[0].keys",
        {"an array of 0 elements", "an object"}},
       {"keys of a value that are no array",
@@ -395,7 +406,7 @@ std::vector<MalformedCase> malformed_cases() {
        "medium.keys.density[1].value",
        {"found -1", ">= 0"}},
       {"a number for a vector at a key",
-       light(R"("type": "point", "position": [0, 0, 0],
+       scene_with_light(R"("type": "point", "position": [0, 0, 0],
              "keys": {"position": [{"time": 0, "value": 1}]})"),
        "lights[0].keys.position[0].value",
        {"3 numbers"}},
@@ -447,80 +458,6 @@ std::vector<MalformedCase> malformed_cases() {
        "environment.intensity",
        {"found -1"}},
   };
-}
-
-std::vector<MalformedCase> malformed_lights() {
-  using Values = std::vector<const char*>;
-  const Values no_vector{"1",
-                         "\"1 2 3\"",
-                         "null",
-                         "true",
-                         "[1, 2]",
-                         "[1, 2, 3, 4]",
-                         "[1, \"2\", 3]",
-                         "{\"x\": 1}",
-                         "[1, null, 3]",
-                         "[1e300, 0, 0]"};
-  const Values no_number{"\"1\"", "null", "true", "[1]", "{}", "-1", "1e300", "-1e-300"};
-  const Values no_boolean{"0", "\"true\"", "null", "[]", "{}"};
-  struct Key {
-    const char* name;
-    const char* good;  // its value where another one is bad
-    const Values& bad;
-    bool required = true;
-  };
-  const Key position{"position", "[1, 2, 3]", no_vector};
-  const Key direction{"direction", "[0, -1, 0]", no_vector};
-  const Key radiance{"radiance", "[1, 1, 1]", no_vector};
-  const Key radius{"radius", "0.5", no_number};
-  const Key two_sided{"two_sided", "true", no_boolean, false};
-  const std::vector<std::pair<const char*, std::vector<Key>>> types{
-      {"point", {position, {"intensity", "[1, 1, 1]", no_vector, false}}},
-      {"spot",
-       {position,
-        direction,
-        {"intensity", "[1, 1, 1]", no_vector, false},
-        {"inner_angle", "10", no_number, false},
-        {"outer_angle", "20", no_number, false}}},
-      {"directional",
-       {direction,
-        {"irradiance", "[1, 1, 1]", no_vector},
-        {"angular_diameter", "1", no_number, false}}},
-      {"rectangle",
-       {position,
-        direction,
-        {"up", "[0, 0, 1]", no_vector, false},
-        {"width", "1", no_number},
-        {"height", "1", no_number},
-        radiance,
-        two_sided}},
-      {"disk", {position, direction, radius, radiance, two_sided}},
-      {"sphere", {position, radius, radiance, two_sided}}};
-  std::vector<MalformedCase> all;
-  for (const auto& [type, keys] : types) {
-    for (const Key& key : keys) {
-      const auto add = [&](const char* value) {
-        std::string members = std::string(R"("type": ")") + type + '"';
-        for (const Key& other : keys) {
-          const char* text = other.name == key.name ? value : other.good;
-          if (text) members += std::string(", \"") + other.name + "\": " + text;
-        }
-        all.push_back({std::string(type) + " with " + key.name + " " + (value ? value : "missing"),
-                       light(members),
-                       std::string("lights[0].") + key.name,
-                       {value ? "allowed" : "missing"}});
-      };
-      for (const char* bad : key.bad) add(bad);
-      if (key.required) add(nullptr);
-    }
-  }
-  for (const char* type : {"\"area\"", "\"Point\"", "\"\"", "1", "null", "[\"point\"]"}) {
-    all.push_back({std::string("a light of type ") + type,
-                   light(std::string(R"("position": [0, 0, 0], "type": )") + type),
-                   "lights[0].type",
-                   {"allowed"}});
-  }
-  return all;
 }
 
 }  // namespace brume

@@ -17,6 +17,9 @@ std::vector<MalformedCase> malformed_cases();
 // Every key of every type of light with values of the wrong kind, length and size.
 std::vector<MalformedCase> malformed_lights();
 
+// The text of a scene with one light.
+std::string scene_with_light(const std::string& members);
+
 // The scene they are made from; it needs good.obj.
 std::string good_scene();
 

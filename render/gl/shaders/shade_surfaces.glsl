@@ -79,7 +79,7 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   if (has_depths != 0) {
     light_at_point.depth += uintBitsToFloat(tables[l * pixels + pixel]);
   } else if (lights[l].has_table != 0) {
-    light_at_point.depth += 
+    light_at_point.depth +=
         table_depth(l, point.position - lights[l].map_origin.xyz, light_at_point.length_);
   }
   light_at_point.depth *= extinction;

@@ -60,4 +60,14 @@ Frame GlFrames::render_on_device(const Scene& scene, const Settings& settings,
   return frame;
 }
 
+void GlFrames::expect_backends_agree(const Scene& scene, Scattering scattering) {
+  Settings settings = quick_slices();
+  settings.source_grid = {2000, 24};
+  settings.scattering = scattering;
+  const Frame cpu = on_cpu(scene, settings);
+  const Frame gl = render_on_device(scene, settings, "frame");
+  EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
+  EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
+}
+
 }  // namespace brume::gl

@@ -46,13 +46,7 @@ TEST_F(GlFrames, SpotLights) {
                     {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), SpotCone{{1.0, -0.3, -1.2}, 9.8, 10.0}},
                     {{0.0, -1.0, 0.5}, glm::dvec3(1.0), SpotCone{{0.0, 1.0, 0.0}, 60.0, 130.0}},
                     {{0.5, 0.5, 1.5}, glm::dvec3(1.0), {}}};
-    Settings settings = quick_slices();
-    settings.source_grid = {2000, 24};
-    settings.scattering = scattering;
-    const Frame cpu = on_cpu(scene, settings);
-    const Frame gl = render_on_device(scene, settings, "spots");
-    EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
-    EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
+    expect_backends_agree(scene, scattering);
   }
 }
 
@@ -73,13 +67,7 @@ TEST_F(GlFrames, AreaLights) {
           {{0.0, -1.0, 0.5}, glm::dvec3(1.0), {}, {}, AreaLight{AreaLight::Shape::sphere}}};
       // Two of them: a software device ends shaders that go through some 900 lights and slices.
       scene.lights.erase(scene.lights.begin() + (scattering == Scattering::single ? 0 : 1));
-      Settings settings = quick_slices();
-      settings.source_grid = {2000, 24};
-      settings.scattering = scattering;
-      const Frame cpu = on_cpu(scene, settings);
-      const Frame gl = render_on_device(scene, settings, "area");
-      EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
-      EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
+      expect_backends_agree(scene, scattering);
     }
   }
 }
@@ -96,13 +84,7 @@ TEST_F(GlFrames, DirectionalLights) {
           {.intensity = {3.0, 2.0, 1.0}, .directional = Directional{{-0.9, -1.4, -0.9}}},
           {.intensity = glm::dvec3(0.5), .directional = Directional{{1.0, 0.2, -0.4}, 3.0}},
           {{0.5, 0.5, 1.5}, glm::dvec3(1.0)}};
-      Settings settings = quick_slices();
-      settings.source_grid = {2000, 24};
-      settings.scattering = scattering;
-      const Frame cpu = on_cpu(scene, settings);
-      const Frame gl = render_on_device(scene, settings, "directional");
-      EXPECT_LE(rel_rmse(gl.airlight, cpu.airlight), 2e-3);
-      EXPECT_LE(rel_rmse(gl.beauty, cpu.beauty), 2e-3);
+      expect_backends_agree(scene, scattering);
     }
   }
 }
