@@ -13,6 +13,7 @@ inline constexpr std::size_t gaussians = 10'000'000;  // of a scene with its emi
 inline constexpr std::uint32_t volume_grids = 1024;
 inline constexpr std::size_t volume_blocks = 2'000'000;  // of 8 x 8 x 8 voxels: 4 GB
 inline constexpr std::size_t lights = 1024;
+inline constexpr int profile_angles = 1024;  // of each kind, in a photometric profile
 inline constexpr std::size_t emitters = 1024;
 inline constexpr std::size_t sequences = 1024;
 inline constexpr int frame = 1'000'000;  // of what is played

@@ -32,7 +32,8 @@ struct Content {
         ++lights_off;
       } else if (light.intensity == glm::dvec3(0.0)) {
         ++black_lights;
-      } else if (is_paper && (light.spot || light.directional || light.area)) {
+      } else if (is_paper &&
+                 (light.spot || light.directional || light.area || light.profile.content)) {
         ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
       } else {
         far_light |= light.directional.has_value();

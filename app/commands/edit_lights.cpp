@@ -80,6 +80,7 @@ void set_type(Light& light, LightType type, const LitRegion& region) {
   light.spot.reset();
   light.directional.reset();
   light.area.reset();
+  if (type != LightType::point && type != LightType::spot) light.profile = {};
   light.position = place;
   if (type == LightType::directional) {
     light.position = {};
@@ -102,6 +103,7 @@ void set_type(Light& light, LightType type, const LitRegion& region) {
   }
   if (is_alike(before, type)) light.keys.intensity = keys.intensity;
   if (light_direction(light)) light.keys.direction = keys.direction;
+  if (light.profile.content) light.keys.profile_rotation = keys.profile_rotation;
   if (type == before) light.keys = keys;
   light.intensity *= radiant / to_radiant_intensity(light, square);
   light.intensity = glm::min(light.intensity, limits::intensity);
@@ -247,6 +249,11 @@ SpotCone with_inner_angle(SpotCone cone, double angle) {
   cone.inner_angle = std::clamp(angle, 0.0, domain::cone_angle.max_value - min_angle_difference);
   cone.outer_angle = std::max(cone.outer_angle, cone.inner_angle + min_angle_difference);
   return cone;
+}
+
+void set_profile(Light& light, LightProfile profile) {
+  light.profile = std::move(profile);
+  if (!light.profile.content) light.keys.profile_rotation.clear();
 }
 
 SpotCone with_outer_angle(SpotCone cone, double angle) {

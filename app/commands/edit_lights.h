@@ -60,6 +60,9 @@ void turn(Light& light, const glm::dvec3& direction);
 // The view from where a light is, along where it shines, or else at `target`; as wide as its cone.
 Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& target);
 
+// Gives a point light or a spot a photometric profile, or with no content none.
+void set_profile(Light& light, LightProfile profile);
+
 // Cones with an angle from the axis changed [degrees]; the other one makes room.
 SpotCone with_inner_angle(SpotCone cone, double angle);
 SpotCone with_outer_angle(SpotCone cone, double angle);

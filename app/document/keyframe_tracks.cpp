@@ -80,6 +80,7 @@ std::vector<Track> tracks(const Scene& scene) {
       continue;
     }
     add(track_text("Light %1 intensity"));
+    if (scene.lights[k].profile.content) add(track_text("Light %1 profile rotation"));
     if (!scene.lights[k].spot) continue;
     add(track_text("Light %1 direction"));
     add(track_text("Light %1 inner angle"));

@@ -20,7 +20,7 @@ QString dialog_text(const char* text) {
 
 QString settings_key(FileKind kind) {
   constexpr const char* names[]{"scene",  "import",      "picture",  "animation", "medium",
-                                "gather", "environment", "material", "missing"};
+                                "gather", "environment", "material", "profile",   "missing"};
   return QString("folders/") + names[static_cast<int>(kind)];
 }
 

@@ -9,30 +9,25 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 #include "app/commands/edit_lights.h"
-#include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/document/paths.h"
 #include "app/files/file_dialogs.h"
-#include "app/panels/environment_picture.h"
+#include "app/panels/environment_panel.h"
 #include "app/view/view.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/plain_text.h"
-#include "core/io/image/radiance_map_file.h"
+#include "core/io/ies_file.h"
 #include "core/limits.h"
 #include "core/scene/photometry.h"
 
 namespace brume {
-namespace {
-
-constexpr int picture_width = 180;
-
-}  // namespace
 
 LightPanel::LightPanel(Document& document, std::function<const View&()> active_view,
                        QWidget* parent)
@@ -43,11 +38,13 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
   form->setContentsMargins(6, 6, 6, 6);
   add_light_list(*form);
   add_light_fields(*form);
-  add_environment_fields(*form);
+  auto* environment = new EnvironmentPanel(document, this);
+  form->addRow(environment);
+  connect(environment, &EnvironmentPanel::refused, this, &LightPanel::refused);
   connect(&document_, &Document::active_light_changed, this, &LightPanel::refresh);
   connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
-    show_environment();
+    refresh();
     Q_EMIT refused(problem);
   });
   refresh();
@@ -216,7 +213,68 @@ void LightPanel::add_light_fields(QFormLayout& form) {
                 change(tr("Move %1"), gesture, [position](Light& l) { l.position = position; });
               }});
   add_direction_fields(form);
+  add_profile_fields(form);
   add_area_fields(form);
+}
+
+void LightPanel::add_profile_fields(QFormLayout& form) {
+  auto* name = new PlainLabel(this);
+  name->setObjectName("light_profile");
+  auto* choose = new QPushButton(tr("Choose…"), this);
+  choose->setObjectName("choose_profile");
+  choose->setToolTip(tr("Spreads the light as a luminaire does, measured in an IES file"));
+  auto* remove = new QPushButton(tr("Remove"), this);
+  remove->setObjectName("remove_profile");
+  auto* row = new QHBoxLayout;
+  row->addWidget(name, 1);
+  row->addWidget(choose);
+  row->addWidget(remove);
+  form.addRow(tr("Profile"), row);
+  connect(choose, &QPushButton::clicked, this, [this] {
+    const std::filesystem::path file =
+        ask_for_file(this, FileKind::profile, tr("Choose a photometric profile"),
+                     tr("Photometric profiles (*.ies);;All files (*)"), document_.folder());
+    if (!file.empty()) load_profile(file);
+  });
+  connect(remove, &QPushButton::clicked, this, [this] {
+    change_light(document_, document_.active_light(), tr("Remove profile of %1"), no_merge,
+                 [](Light& l) { set_profile(l, {}); });
+  });
+  on_refresh([this, name, choose, remove] {
+    const bool can_have = light() && !light()->directional && !light()->area;
+    choose->setEnabled(can_have);
+    remove->setEnabled(profile() != nullptr);
+    name->setText(profile() ? to_qstring(profile()->file.filename()) : tr("none"));
+  });
+  add_number(form, tr("Rotation, degrees"),
+             {"light_profile_rotation", domain::degrees, ValueField::Scale::linear, 0.5,
+              [this]() -> std::optional<double> {
+                return profile() ? std::optional(profile()->rotation) : std::nullopt;
+              },
+              [this](double value, MergeId gesture) {
+                change_light(document_, document_.active_light(), tr("Rotate profile of %1"),
+                             gesture, [value](Light& l) { l.profile.rotation = value; });
+              }});
+}
+
+void LightPanel::load_profile(const std::filesystem::path& file) {
+  const std::filesystem::path path = std::filesystem::absolute(file);
+  if (!light()) return;
+  reading_.start([this, path, id = light()->id](const Job&) {
+    return [this, path, id, content = read_ies(path)] {
+      const Lights& lights = document_.scene().lights;
+      const auto found = std::ranges::find(lights, id, &Light::id);
+      if (found == lights.end() || found->directional || found->area) return;
+      const auto index = static_cast<std::size_t>(found - lights.begin());
+      change_light(document_, index, tr("Set profile of %1"), no_merge, [&](Light& l) {
+        set_profile(l, {path, content, l.profile.rotation});
+      });
+    };
+  });
+}
+
+const LightProfile* LightPanel::profile() const {
+  return light() && light()->profile.content ? &light()->profile : nullptr;
 }
 
 void LightPanel::add_area_fields(QFormLayout& form) {
@@ -385,91 +443,6 @@ void LightPanel::add_direction_fields(QFormLayout& form) {
 
 const SpotCone* LightPanel::cone() const {
   return light() && light()->spot ? &*light()->spot : nullptr;
-}
-
-void LightPanel::add_environment_fields(QFormLayout& form) {
-  auto* name = new PlainLabel(this);
-  name->setObjectName("environment_file");
-  auto* choose = new QPushButton(tr("Choose…"), this);
-  auto* remove = new QPushButton(tr("Remove"), this);
-  remove->setObjectName("remove_environment");
-  auto* row = new QHBoxLayout;
-  row->addWidget(name, 1);
-  row->addWidget(choose);
-  row->addWidget(remove);
-  form.addRow(tr("Environment"), row);
-  picture_ = new PlainLabel(this);
-  picture_->setObjectName("environment_picture");
-  picture_->setToolTip(tr("The environment as rotated: −z in the centre, +x to the right"));
-  form.addRow({}, picture_);
-  connect(choose, &QPushButton::clicked, this, &LightPanel::choose_environment);
-  connect(remove, &QPushButton::clicked, this, [this] {
-    set_scene_part(document_, std::optional<Environment>(), tr("Remove environment"));
-  });
-  on_refresh([this, name, remove] {
-    const auto& environment = document_.scene().environment;
-    name->setText(environment ? to_qstring(environment->file.filename()) : tr("none"));
-    remove->setEnabled(environment.has_value());
-    // Thousands of directions: not for each drag of a light.
-    if (environment != pictured_) {
-      pictured_ = environment;
-      show_environment();
-    }
-  });
-
-  const auto add = [&](const QString& title, const char* widget, const NumberDomain& domain,
-                       ValueField::Scale scale, double step, double Environment::*number,
-                       const QString& text) {
-    add_number(form, title,
-               {widget, domain, scale, step,
-                [this, number]() -> std::optional<double> {
-                  const auto& environment = document_.scene().environment;
-                  return environment ? std::optional((*environment).*number) : std::nullopt;
-                },
-                [this, number, text](double value, MergeId gesture) {
-                  std::optional<Environment> environment = document_.scene().environment;
-                  (*environment).*number = value;
-                  set_scene_part(document_, std::move(environment), text, gesture);
-                }});
-  };
-  add(tr("Intensity"), "environment_intensity", domain::not_negative,
-      ValueField::Scale::logarithmic, 0.01, &Environment::intensity,
-      tr("Set intensity of environment"));
-  add(tr("Rotation, degrees"), "environment_rotation", domain::degrees, ValueField::Scale::linear,
-      0.5, &Environment::rotation, tr("Rotate environment"));
-}
-
-void LightPanel::choose_environment() {
-  const std::filesystem::path file =
-      ask_for_file(this, FileKind::environment, tr("Choose an environment"),
-                   tr("Radiance maps (*.exr *.hdr);;All files (*)"), document_.folder());
-  if (!file.empty()) load_environment(to_qstring(file));
-}
-
-void LightPanel::load_environment(const QString& file) {
-  const std::filesystem::path path = std::filesystem::absolute(to_path(file));
-  picture_->setText(tr("Reading %1 …").arg(to_qstring(path.filename())));
-  reading_.start([this, path](const Job&) {
-    return [this, path, map = read_radiance_map(path)] {
-      Environment environment = document_.scene().environment.value_or(Environment{});
-      environment.file = path;
-      environment.map = map;
-      set_scene_part(document_, std::optional(std::move(environment)), tr("Set environment"));
-    };
-  });
-}
-
-void LightPanel::show_environment() {
-  const auto& environment = document_.scene().environment;
-  if (environment && environment->map) {
-    const double scale = devicePixelRatioF();
-    QImage image = environment_picture(*environment, static_cast<int>(scale * picture_width),
-                                       static_cast<int>(scale * picture_width / 2));
-    image.setDevicePixelRatio(scale);
-    picture_->setPixmap(QPixmap::fromImage(image));
-  } else {
-    picture_->clear();
-  }
 }
 
 }  // namespace brume

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "app/commands/edit_lights.h"
 #include "app/jobs/background_job.h"
 #include "app/panels/scene_form.h"
@@ -12,7 +14,7 @@ namespace brume {
 
 class View;
 
-// List of lights, parameters of the active one, and the environment.
+// List of lights, parameters of the active one, and below them the environment.
 class LightPanel : public SceneForm {
   Q_OBJECT
  public:
@@ -22,8 +24,8 @@ class LightPanel : public SceneForm {
   // Adds a light above what the active view looks at.
   void add(LightType type);
 
-  // Loads an environment map in the background.
-  void load_environment(const QString& file);
+  // Gives the active light, a point light or a spot, a photometric profile; read in the background.
+  void load_profile(const std::filesystem::path& file);
 
  private:
   void add_light_list(QFormLayout& form);
@@ -32,21 +34,18 @@ class LightPanel : public SceneForm {
   void add_type_field(QFormLayout& form);
   void add_direction_fields(QFormLayout& form);
   void add_area_fields(QFormLayout& form);
-  void add_environment_fields(QFormLayout& form);
+  void add_profile_fields(QFormLayout& form);
   void show_lights();
-  void choose_environment();
-  void show_environment();
   [[nodiscard]] LightPlace place() const;
   void show_last();
   [[nodiscard]] const Light* light() const;  // the active one; may be null
 
-  [[nodiscard]] const SpotCone* cone() const;   // of the active spot; may be null
-  [[nodiscard]] const AreaLight* area() const;  // of the active area light; may be null
+  [[nodiscard]] const SpotCone* cone() const;         // of the active spot; may be null
+  [[nodiscard]] const AreaLight* area() const;        // of the active area light; may be null
+  [[nodiscard]] const LightProfile* profile() const;  // of the active light; may be null
 
   std::function<const View&()> active_view_;
   QListWidget* list_;
-  QLabel* picture_ = nullptr;            // of the environment
-  std::optional<Environment> pictured_;  // the environment of picture_
   bool showing_ = false;
   BackgroundJob reading_{BackgroundJob::Policy::latest_wins};
 };

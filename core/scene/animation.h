@@ -41,6 +41,9 @@ void visit_keyed_light(L& light, auto&& visit) {
     return;
   }
   visit("intensity", light.intensity, light.keys.intensity, domain::intensity);
+  if (light.profile.content) {
+    visit("profile_rotation", light.profile.rotation, light.keys.profile_rotation, domain::degrees);
+  }
   if (!light.spot) return;
   auto& spot = *light.spot;
   visit("direction", spot.direction, light.keys.direction, domain::coordinate);

@@ -3,16 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "core/math/infinity.h"
 #include "core/math/unit_direction.h"
+#include "core/scene/photometric_profile.h"
 
 namespace brume {
 namespace {
 
 // Of glTF, which keeps the edge from being infinitely sharp.
 constexpr double min_cosine_difference = 1e-3;
+
+// Beyond all cosines: a cone from here on leaves everything.
+constexpr double below_all_cosines = -3.0;
+
+// The shortest turn from straight down to a unit direction; to straight up about x.
+glm::dquat turn_from_down(const glm::dvec3& direction) {
+  // Of half the turn; its length is 2 cos(half).
+  const double w = 1.0 - direction.y;
+  if (w < 1e-12) return {0.0, 1.0, 0.0, 0.0};
+  const glm::dvec3 axis = glm::cross(glm::dvec3(0.0, -1.0, 0.0), direction);
+  return glm::normalize(glm::dquat(w, axis.x, axis.y, axis.z));
+}
 
 }  // namespace
 
@@ -30,19 +44,45 @@ LightFalloff LightFalloff::of_surface(const glm::dvec3& normal, bool two_sided) 
   return falloff;
 }
 
+LightFalloff LightFalloff::of_profile(const LightProfile& profile,
+                                      const std::optional<SpotCone>& cone) {
+  LightFalloff falloff;
+  if (cone) {
+    falloff = LightFalloff(*cone);
+  } else {
+    falloff.axis_ = {0.0, -1.0, 0.0};
+    falloff.dark_cosine_ = below_all_cosines;
+    falloff.per_cosine_ = 1.0;
+  }
+  falloff.shape_ = Shape::profile;
+  falloff.profile_ = profile.content;
+  const double turn = glm::radians(profile.rotation);
+  const glm::dquat pose = turn_from_down(falloff.axis_);
+  falloff.azimuth_0_ = pose * glm::dvec3(std::cos(turn), 0.0, -std::sin(turn));
+  falloff.azimuth_90_ = pose * glm::dvec3(-std::sin(turn), 0.0, -std::cos(turn));
+  return falloff;
+}
+
 double LightFalloff::at(const glm::dvec3& w) const {
   const double cosine = glm::dot(w, axis_);
+  const auto in_cone = [&] {
+    const double share = std::clamp((cosine - dark_cosine_) * per_cosine_, 0.0, 1.0);
+    return share * share;
+  };
   switch (shape_) {
     case Shape::isotropic:
       return 1.0;
-    case Shape::cone: {
-      const double share = std::clamp((cosine - dark_cosine_) * per_cosine_, 0.0, 1.0);
-      return share * share;
-    }
+    case Shape::cone:
+      return in_cone();
     case Shape::cosine:
       return std::clamp(cosine, 0.0, 1.0);
     case Shape::two_cosines:
       return std::min(std::abs(cosine), 1.0);
+    case Shape::profile: {
+      const double share = in_cone();
+      if (!(share > 0.0)) return 0.0;
+      return share * profile_->at({glm::dot(w, azimuth_0_), glm::dot(w, azimuth_90_), cosine});
+    }
   }
   return 1.0;
 }
@@ -51,7 +91,7 @@ std::array<double, 4> LightFalloff::edges(const glm::dvec3& light, const glm::dv
                                           const glm::dvec3& w) const {
   std::array<double, 4> found{infinity, infinity, infinity, infinity};
   if (is_isotropic()) return found;
-  if (shape_ != Shape::cone) {
+  if (shape_ != Shape::cone && shape_ != Shape::profile) {
     const double slope = glm::dot(w, axis_);
     if (slope != 0.0) found[0] = glm::dot(light - origin, axis_) / slope;
     return found;

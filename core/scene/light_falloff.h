@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <memory>
 
 #include "core/scene/scene.h"
 
@@ -12,21 +13,32 @@ namespace brume {
 //   clamp((cos t - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2,
 // of a piece of an area light that of a surface of the same radiance everywhere (Lambert),
 //   max(cos t, 0), or two-sided |cos t|,
+// with a photometric profile that in the direction, times what the cone leaves,
 // else 1.
 class LightFalloff {
  public:
-  enum class Shape { isotropic, cone, cosine, two_cosines };
+  enum class Shape { isotropic, cone, cosine, two_cosines, profile };
 
   LightFalloff() = default;  // isotropic
   explicit LightFalloff(const SpotCone& cone);
   // `normal`: unit.
   static LightFalloff of_surface(const glm::dvec3& normal, bool two_sided);
+  // Of a luminaire that hangs at azimuth 0 along +x, turned about its axis, then the shortest way
+  // from straight down to the direction of the cone, if there is one.
+  static LightFalloff of_profile(const LightProfile& profile, const std::optional<SpotCone>& cone);
 
   [[nodiscard]] Shape shape() const { return shape_; }
   [[nodiscard]] bool is_isotropic() const { return shape_ == Shape::isotropic; }
   // Unit; 0 if isotropic.
   [[nodiscard]] const glm::dvec3& axis() const { return axis_; }
-  // Of a cone: the falloff is clamp((cos t - dark_cosine) * per_cosine, 0, 1)^2.
+  // Of a profile: where azimuths of 0 and of 90 degrees are; unit.
+  [[nodiscard]] const glm::dvec3& azimuth_0() const { return azimuth_0_; }
+  [[nodiscard]] const glm::dvec3& azimuth_90() const { return azimuth_90_; }
+  [[nodiscard]] const std::shared_ptr<const PhotometricProfile>& profile() const {
+    return profile_;
+  }
+  // Of a cone, and of a profile within one: the falloff is clamp((cos t - dark_cosine) *
+  // per_cosine, 0, 1)^2.
   [[nodiscard]] double dark_cosine() const { return dark_cosine_; }
   [[nodiscard]] double per_cosine() const { return per_cosine_; }
 
@@ -46,6 +58,8 @@ class LightFalloff {
   double dark_cosine_ = 0.0;
   double per_cosine_ = 0.0;
   Shape shape_ = Shape::isotropic;
+  glm::dvec3 azimuth_0_{0.0}, azimuth_90_{0.0};
+  std::shared_ptr<const PhotometricProfile> profile_;
 };
 
 }  // namespace brume

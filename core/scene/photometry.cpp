@@ -10,6 +10,8 @@
 #include <numbers>
 
 #include "core/number_domain.h"
+#include "core/scene/light_falloff.h"
+#include "core/scene/photometric_profile.h"
 #include "core/scene/point_lights.h"
 
 namespace brume {
@@ -47,6 +49,29 @@ double solid_angle(const SpotCone& cone) {
   return 2.0 * std::numbers::pi * (std::max(1.0 - full, 0.0) + edge);
 }
 
+// Of a point light or spot: its falloff over all directions.
+double solid_angle(const Light& light) {
+  if (!light.profile.content) return light.spot ? solid_angle(*light.spot) : 4.0 * std::numbers::pi;
+  if (!light.spot) return light.profile.content->solid_angle();
+  // Rings about the axis of equal angle, and of equal parts.
+  constexpr int rings = 360;
+  constexpr int parts = 72;
+  const LightFalloff falloff = LightFalloff::of_profile(light.profile, light.spot);
+  const double ring = glm::radians(std::min(light.spot->outer_angle, 180.0)) / rings;
+  double sum = 0.0;
+  for (int i = 0; i < rings; ++i) {
+    const double polar = (i + 0.5) * ring;
+    for (int k = 0; k < parts; ++k) {
+      const double azimuth = 2.0 * std::numbers::pi * (k + 0.5) / parts;
+      const glm::dvec3 across =
+          std::cos(azimuth) * falloff.azimuth_0() + std::sin(azimuth) * falloff.azimuth_90();
+      const glm::dvec3 w = std::cos(polar) * falloff.axis() + std::sin(polar) * across;
+      sum += std::sin(polar) * falloff.at(w);
+    }
+  }
+  return sum * ring * 2.0 * std::numbers::pi / parts;
+}
+
 }  // namespace
 
 double luminance(const glm::dvec3& rgb) {
@@ -63,8 +88,7 @@ std::optional<double> luminous_flux(const Light& light) {
     const double sides = area->two_sided ? 2.0 : 1.0;
     return photometric_strength(light) * sides * std::numbers::pi * surface_area(*area);
   }
-  return photometric_strength(light) *
-         (light.spot ? solid_angle(*light.spot) : 4.0 * std::numbers::pi);
+  return photometric_strength(light) * solid_angle(light);
 }
 
 glm::dvec3 black_body_color(double temperature) {

@@ -219,7 +219,11 @@ std::vector<PointLight> point_lights(const Light& light, const LitRegion& region
     return points_on_area(light, count_on(*light.area, light.position, region, points), region);
   }
   PointLight point{light.position, light.intensity};
-  if (light.spot) point.falloff = LightFalloff(*light.spot);
+  if (light.profile.content) {
+    point.falloff = LightFalloff::of_profile(light.profile, light.spot);
+  } else if (light.spot) {
+    point.falloff = LightFalloff(*light.spot);
+  }
   return {point};
 }
 

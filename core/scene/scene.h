@@ -17,6 +17,7 @@
 namespace brume {
 
 class MeasuredBrdf;
+class PhotometricProfile;
 struct RadianceMap;
 struct TriangleMesh;
 
@@ -28,6 +29,7 @@ struct LightKeys {
   // Of a spot.
   Keys<double> inner_angle;
   Keys<double> outer_angle;
+  Keys<double> profile_rotation;
   Keys<double> angular_diameter;  // of a directional light
   // Of an area light.
   Keys<glm::dvec3> up;
@@ -46,6 +48,16 @@ struct SpotCone {
   double outer_angle = 45.0;             // at most 180 [degrees]
 
   bool operator==(const SpotCone&) const = default;
+};
+
+// How a luminaire spreads the light of a point light, whose axis is straight down, or of a spot,
+// within its cone; see core/scene/light_falloff.h.
+struct LightProfile {
+  std::filesystem::path file;                         // IES LM-63
+  std::shared_ptr<const PhotometricProfile> content;  // null: none
+  double rotation = 0.0;  // about the axis, counterclockwise against it [degrees]
+
+  bool operator==(const LightProfile&) const = default;
 };
 
 // How a directional light shines: the sun, or anything as far away. Methods evaluate it as
@@ -72,15 +84,16 @@ struct AreaLight {
 };
 
 // A point light, a spot (a point light with a cone), a directional or an area light. Intensity,
-// RGB, >= 0: of a point light radiant intensity [W/sr], of a spot that on its axis, of a
-// directional light irradiance on what faces it, without any medium [W/u^2], of an area light
-// radiance [W/(sr u^2)].
+// RGB, >= 0: of a point light radiant intensity [W/sr], of a spot that on its axis, with a profile
+// that in its brightest direction, of a directional light irradiance on what faces it, without any
+// medium [W/u^2], of an area light radiance [W/(sr u^2)].
 struct Light {
   glm::dvec3 position{0.0};  // an area light's center; of no meaning for a directional light
   glm::dvec3 intensity{1.0};
   std::optional<SpotCone> spot{};  // at most one of these
   std::optional<Directional> directional{};
   std::optional<AreaLight> area{};
+  LightProfile profile{};  // of a point light or a spot
   LightKeys keys{};
   bool on = true;
   ObjectId id = 0;

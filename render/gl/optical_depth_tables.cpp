@@ -110,6 +110,7 @@ std::uint64_t OpticalDepthTables::build(Programs& programs, MediumBuffers& mediu
 
 void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
                                 const glm::dvec3& origin) {
+  profiles_.upload(lights);
   std::vector<LightData> data(lights.size());
   for (std::size_t l = 0; l < lights.size(); ++l) {
     const SlicedLight& light = lights[l];
@@ -121,6 +122,13 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
     u.falloff_axis = glm::vec3(light.falloff.axis());
     u.dark_cosine = static_cast<float>(light.falloff.dark_cosine());
     u.per_cosine = static_cast<float>(light.falloff.per_cosine());
+    if (const auto& profile = light.falloff.profile()) {
+      const glm::ivec2 place = profiles_.place(*profile);
+      u.profile_column = place.x;
+      u.profile_row = place.y;
+      u.azimuth_0 = glm::vec3(light.falloff.azimuth_0());
+      u.azimuth_90 = glm::vec3(light.falloff.azimuth_90());
+    }
     u.radius2 = static_cast<float>(light.radius * light.radius);
     if (!light.fog.is_endless()) {
       u.fog_center = glm::vec3(light.fog.center - origin);
@@ -152,6 +160,7 @@ void OpticalDepthTables::upload(std::span<const SlicedLight> lights, const Shado
 void OpticalDepthTables::bind(const Program& program) {
   program.bind("Lights", lights_);
   program.bind("Tables", values_);
+  profiles_.bind(program);
 }
 
 }  // namespace brume::gl

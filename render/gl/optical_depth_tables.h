@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/revision.h"
+#include "render/gl/profile_maps.h"
 #include "render/gl/shader_structs.h"
 #include "render/gl/tile_lists.h"
 #include "render/lighting/optical_depth_table.h"
@@ -38,7 +39,7 @@ class OpticalDepthTables {
   // may be null.
   void upload(std::span<const SlicedLight> lights, const ShadowMaps* shadows,
               const glm::dvec3& origin);
-  // As `Lights` and `Tables`.
+  // As `Lights`, `Tables` and `profiles`.
   void bind(const Program& program);
 
  private:
@@ -53,6 +54,7 @@ class OpticalDepthTables {
   std::vector<Table> tables_;
   std::vector<DirectionMap> maps_;
   Buffer lights_, values_, pairs_;
+  ProfileMaps profiles_;
 };
 
 }  // namespace brume::gl

@@ -11,6 +11,7 @@
 #include "core/math/spherical_harmonics.h"
 #include "core/scene/camera.h"
 #include "core/scene/measured_brdf.h"
+#include "core/scene/photometric_profile.h"
 #include "core/scene/ray_noise.h"
 #include "render/frame.h"
 #include "render/geometry/direction_map.h"
@@ -154,6 +155,9 @@ void add_slices(Constants& constants) {
   add_shape("falloff_cone", LightFalloff::Shape::cone);
   add_shape("falloff_cosine", LightFalloff::Shape::cosine);
   add_shape("falloff_two_cosines", LightFalloff::Shape::two_cosines);
+  add_shape("falloff_profile", LightFalloff::Shape::profile);
+  constants.add("profile_step", profile_step);
+  constants.add("profile_side", PhotometricProfile::side);
   constants.add("gauss_3_end", gauss_3_end);
   constants.add("gauss_3_middle", gauss_3_middle);
   constants.add("bin_room", bin_room);

@@ -106,18 +106,21 @@ constexpr std::array map_members{BRUME_MEMBER(MapData, right), BRUME_MEMBER(MapD
 static_assert(is_std430(map_members, sizeof(MapData)));
 
 constexpr std::array light_members{
-    BRUME_MEMBER(LightData, position),     BRUME_MEMBER(LightData, h_min),
-    BRUME_MEMBER(LightData, intensity),    BRUME_MEMBER(LightData, shadow_share),
-    BRUME_MEMBER(LightData, first_radius), BRUME_MEMBER(LightData, radii_per_unit),
-    BRUME_MEMBER(LightData, curvature),    BRUME_MEMBER(LightData, max_depth),
-    BRUME_MEMBER(LightData, radii),        BRUME_MEMBER(LightData, has_table),
-    BRUME_MEMBER(LightData, has_shadows),  BRUME_MEMBER(LightData, falloff_shape),
-    BRUME_MEMBER(LightData, falloff_axis), BRUME_MEMBER(LightData, dark_cosine),
-    BRUME_MEMBER(LightData, per_cosine),   BRUME_MEMBER(LightData, radius2),
-    BRUME_MEMBER(LightData, unused),       BRUME_MEMBER(LightData, fog_center),
-    BRUME_MEMBER(LightData, fog_radius),   BRUME_MEMBER(LightData, map_origin),
-    BRUME_MEMBER(LightData, in_table),     BRUME_MEMBER(LightData, in_shadows),
-    BRUME_MEMBER(LightData, table),        BRUME_MEMBER(LightData, shadows)};
+    BRUME_MEMBER(LightData, position),       BRUME_MEMBER(LightData, h_min),
+    BRUME_MEMBER(LightData, intensity),      BRUME_MEMBER(LightData, shadow_share),
+    BRUME_MEMBER(LightData, first_radius),   BRUME_MEMBER(LightData, radii_per_unit),
+    BRUME_MEMBER(LightData, curvature),      BRUME_MEMBER(LightData, max_depth),
+    BRUME_MEMBER(LightData, radii),          BRUME_MEMBER(LightData, has_table),
+    BRUME_MEMBER(LightData, has_shadows),    BRUME_MEMBER(LightData, falloff_shape),
+    BRUME_MEMBER(LightData, falloff_axis),   BRUME_MEMBER(LightData, dark_cosine),
+    BRUME_MEMBER(LightData, per_cosine),     BRUME_MEMBER(LightData, radius2),
+    BRUME_MEMBER(LightData, profile_column), BRUME_MEMBER(LightData, profile_row),
+    BRUME_MEMBER(LightData, azimuth_0),      BRUME_MEMBER(LightData, unused_0),
+    BRUME_MEMBER(LightData, azimuth_90),     BRUME_MEMBER(LightData, unused_90),
+    BRUME_MEMBER(LightData, fog_center),     BRUME_MEMBER(LightData, fog_radius),
+    BRUME_MEMBER(LightData, map_origin),     BRUME_MEMBER(LightData, in_table),
+    BRUME_MEMBER(LightData, in_shadows),     BRUME_MEMBER(LightData, table),
+    BRUME_MEMBER(LightData, shadows)};
 static_assert(is_std430(light_members, sizeof(LightData)));
 
 constexpr std::array paper_light_members{

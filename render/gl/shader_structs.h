@@ -41,7 +41,13 @@ struct LightData {
   float dark_cosine = 0.0f;
   float per_cosine = 0.0f;
   float radius2 = 0.0f;  // see PointSource::distance2()
-  float unused[2] = {};
+  // Of a photometric profile: where its map begins.
+  std::int32_t profile_column = 0;
+  std::int32_t profile_row = 0;
+  glm::vec3 azimuth_0{0.0f};
+  float unused_0 = 0.0f;
+  glm::vec3 azimuth_90{0.0f};
+  float unused_90 = 0.0f;
   // The ball of homogeneous fog that its light passes, as the position is; radius 0: all the way.
   glm::vec3 fog_center{0.0f};
   float fog_radius = 0.0f;

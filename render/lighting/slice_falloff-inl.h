@@ -46,6 +46,8 @@ HWY_INLINE FloatVec MeanInverseSquare(FloatVec a, FloatVec b, FloatVec h2) {
 struct FalloffRays {
   // Cosine from the axis at s from the nearest point: (s along - across) / distance.
   FloatVec along, across;
+  // The same of a profile's azimuths.
+  FloatVec along_0, across_0, along_90, across_90;
   FalloffFloats falloff;
   FloatVec edges[4];  // parameters s, ascending, between which the falloff is smooth
 
@@ -57,9 +59,15 @@ struct FalloffRays {
     const FloatTag d;
     along = dot(w, falloff.axis);
     across = dot(offset, falloff.axis);
+    if (falloff.profile) {
+      along_0 = dot(w, falloff.azimuth_0);
+      across_0 = dot(offset, falloff.azimuth_0);
+      along_90 = dot(w, falloff.azimuth_90);
+      across_90 = dot(offset, falloff.azimuth_90);
+    }
     // As LightFalloff::edges() has them; those that are missing are far away.
     const FloatVec far = Floats(1e30f);
-    if (of_light.shape() != LightFalloff::Shape::cone) {
+    if (!falloff.has_cone()) {
       const FloatVec at_plane =
           hn::IfThenElse(hn::Ne(along, hn::Zero(d)), hn::Div(across, along), far);
       edges[0] = hn::Max(hn::Min(at_plane, far), hn::Neg(far));
@@ -96,7 +104,53 @@ struct FalloffRays {
     sort(1, 3);
     sort(1, 2);
   }
+
+  // Of a profile, in the direction from the light whose angle from the nearest point of the ray,
+  // which is h away, has this sine and cosine.
+  [[nodiscard]] HWY_INLINE FloatVec AtAngle(FloatVec sine, FloatVec cosine, FloatVec h) const {
+    const FloatVec to_nearest = hn::Div(cosine, h);
+    const FloatVec z = hn::MulSub(sine, along, hn::Mul(to_nearest, across));
+    const FloatVec x = hn::MulSub(sine, along_0, hn::Mul(to_nearest, across_0));
+    const FloatVec y = hn::MulSub(sine, along_90, hn::Mul(to_nearest, across_90));
+    return hn::Mul(falloff.At(z), ProfileAt(falloff.profile, x, y, z));
+  }
+
+  // At s, the square of whose distance from the light is r2.
+  [[nodiscard]] HWY_INLINE FloatVec At(FloatVec s, FloatVec r2) const {
+    const FloatVec z = hn::MulSub(s, along, across);
+    const FloatVec by_cosine = falloff.At(hn::Div(z, hn::Sqrt(r2)));
+    if (!falloff.profile) return by_cosine;
+    return hn::Mul(by_cosine, ProfileAt(falloff.profile, hn::MulSub(s, along_0, across_0),
+                                        hn::MulSub(s, along_90, across_90), z));
+  }
 };
+
+// The mean of a profile over the angle that a part of a ray spans at its light, which is how light
+// arrives on it, and the place s at which it arrives on the mean. Where the angle is small they are
+// left as they are.
+HWY_INLINE void SampleProfile(const FalloffRays& light, FloatVec begin, FloatVec angle, FloatVec h2,
+                              FloatVec& mean, FloatVec& place) {
+  const FloatTag d;
+  const auto is_wide = hn::Gt(angle, Floats(2.0f * profile_step));
+  if (hn::AllFalse(d, is_wide)) return;
+  const FloatVec h = hn::Sqrt(h2);
+  const int count = 1 + static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, angle)) / profile_step);
+  const FloatVec step = hn::Mul(angle, Floats(1.0f / static_cast<float>(count)));
+  FloatVec at = hn::MulAdd(Floats(0.5f), step, hn::Atan(d, hn::Div(begin, h)));
+  FloatVec sum = hn::Zero(d);
+  FloatVec moment = hn::Zero(d);
+  for (int i = 0; i < count; ++i) {
+    const FloatVec sine = hn::Sin(d, at);
+    const FloatVec cosine = hn::Max(hn::Cos(d, at), Floats(coefficient::tiny));
+    const FloatVec value = light.AtAngle(sine, cosine, h);
+    sum = hn::Add(sum, value);
+    moment = hn::MulAdd(value, hn::Div(hn::Mul(h, sine), cosine), moment);
+    at = hn::Add(at, step);
+  }
+  const auto counts = hn::And(is_wide, hn::Gt(sum, hn::Zero(d)));
+  mean = hn::IfThenElse(is_wide, hn::Mul(sum, Floats(1.0f / static_cast<float>(count))), mean);
+  place = hn::IfThenElse(counts, hn::Div(moment, sum), place);
+}
 
 // The mean of the falloff over r^2 over s in [a, b], and the middle of what is lit of it.
 struct FalloffMean {
@@ -121,15 +175,20 @@ struct FalloffMean {
             hn::MulAdd(Floats(gauss_3_place * static_cast<float>(i - 1)), half, middle);
         const FloatVec r2 = hn::MulAdd(s, s, h2);
         const FloatVec weight = hn::Div(Floats(weights[i]), r2);
-        const FloatVec cosine = hn::Div(hn::MulSub(s, light.along, light.across), hn::Sqrt(r2));
-        falloff = hn::MulAdd(weight, light.falloff.At(cosine), falloff);
+        falloff = hn::MulAdd(weight, light.At(s, r2), falloff);
         whole = hn::Add(whole, weight);
       }
-      const FloatVec arriving =
-          hn::Mul(hn::Mul(MeanInverseSquare(begin, end, h2), width), hn::Div(falloff, whole));
-      const FloatVec counted = hn::IfThenElseZero(is_long, arriving);
+      const FloatVec unattenuated = hn::Mul(MeanInverseSquare(begin, end, h2), width);
+      FloatVec mean = hn::Div(falloff, whole);
+      FloatVec place = middle;
+      if (light.falloff.profile) {
+        const FloatVec angle = hn::IfThenElseZero(is_long, hn::Mul(unattenuated, hn::Sqrt(h2)));
+        SampleProfile(light, begin, angle, h2, mean, place);
+        place = hn::Min(hn::Max(place, begin), end);
+      }
+      const FloatVec counted = hn::IfThenElseZero(is_long, hn::Mul(unattenuated, mean));
       sum = hn::Add(sum, counted);
-      moment = hn::MulAdd(counted, middle, moment);
+      moment = hn::MulAdd(counted, place, moment);
     };
     auto has_edge = hn::Lt(b, a);
     for (const FloatVec edge : light.edges) {

@@ -33,6 +33,10 @@ constexpr float gauss_3_place = 0.774596669f;
 constexpr float gauss_3_end = 5.0f / 18.0f;
 constexpr float gauss_3_middle = 8.0f / 18.0f;
 
+// A photometric profile is sampled in steps of this angle at its light, where a slice spans more
+// than two [radians]: all slices of a ray together take 72.
+constexpr float profile_step = 0.0436332313f;
+
 struct SliceLight {
   glm::vec3 position{0.0f};                  // relative to the rays' origin [u]
   float h_min = 0.0f;                        // see PointLightRay [u]

@@ -129,7 +129,7 @@ void PointToLight(const SurfacePoints& points, const glm::vec3& position,
         hn::IfThenElseZero(is_distinct, hn::Div(set(1.0f), hn::Max(square, set(radius * radius))));
     if (!falloff.is_isotropic()) {
       const FalloffFloats floats(falloff);
-      arriving = hn::Mul(arriving, floats.At(dot(from_light, floats.axis)));
+      arriving = hn::Mul(arriving, floats.Towards(from_light));
     }
     store(arriving, light.inverse_square, i);
   }

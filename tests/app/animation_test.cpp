@@ -29,13 +29,6 @@ using namespace brume;
 
 namespace {
 
-void enter(TestWindow& window, const char* field, const QString& text) {
-  auto* line = window->findChild<ValueField*>(field)->findChild<NumberField*>();
-  line->setText(text);
-  line->setModified(true);
-  QTest::keyClick(line, Qt::Key_Return);
-}
-
 std::size_t shown_gaussians(TestWindow& window) {
   return window->viewport().frames().shown()->request.scene->medium.size();
 }

@@ -6,6 +6,8 @@
 #include "app/files/scene_files.h"
 #include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
 
 namespace brume {
@@ -88,6 +90,17 @@ void TestWindow::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QVERIFY(QTest::qWaitForWindowActive(window_.get(), patience));
   window_->viewport().setFocus();
   QTest::keyClick(&window_->viewport(), key, modifiers);
+}
+
+void enter(TestWindow& window, const char* field, const QString& text) {
+  auto* line = window->findChild<ValueField*>(field)->findChild<NumberField*>();
+  line->setText(text);
+  line->setModified(true);
+  QTest::keyClick(line, Qt::Key_Return);
+}
+
+QString value(TestWindow& window, const char* field) {
+  return window->findChild<ValueField*>(field)->findChild<NumberField*>()->text();
 }
 
 }  // namespace brume

@@ -59,6 +59,10 @@ class TestWindow {
   std::unique_ptr<MainWindow> window_;
 };
 
+// Types into a ValueField, by name; its text.
+void enter(TestWindow& window, const char* field, const QString& text);
+QString value(TestWindow& window, const char* field);
+
 // A suite of test_app, by name: a class of test functions, run with the arguments of
 // QTest::qExec().
 class AppSuite {

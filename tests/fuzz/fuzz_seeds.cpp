@@ -49,6 +49,10 @@ constexpr std::string_view splats =
     "property float scale_2\nproperty float rot_0\nproperty float rot_1\nproperty float rot_2\n"
     "property float rot_3\nend_header\n1 2 3 .5 -1 -2 -3 1 0 .5 0\n";
 
+constexpr std::string_view ies =
+    "IESNA:LM-63-2002\n[TEST] seed\nTILT=INCLUDE\n1\n2\n0 90\n1 .9\n"
+    "1 -1 1.5 3 4 1 2 0 0 0\n1 1 60\n0 45 90\n0 30,60,90\n10 5 0\n8 4 0\n6 3 0\n4 2 0\n";
+
 void write(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file, std::ios::binary) << content;
@@ -71,6 +75,7 @@ void write_seeds(const std::filesystem::path& folder) {
   const std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 1 +X 8\n";
   write(folder / "hdr/flat.hdr", hdr + std::string(8 * 4, '\x80'));
   write(folder / "hdr/runs.hdr", hdr + std::string("\2\2\0\10\210\12\210\13\210\14\210\210", 12));
+  write(folder / "ies/quadrant.ies", ies);
   write(folder / "merl/header.binary", std::string("\132\0\0\0\132\0\0\0\264\0\0\0", 12));
 
   Medium medium;

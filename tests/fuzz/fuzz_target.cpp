@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
+#include "core/io/ies_file.h"
 #include "core/io/image/hdr_file.h"
 #include "core/io/image/image_file.h"
 #include "core/io/merl_file.h"
@@ -46,6 +47,7 @@ constexpr Parser parsers[] = {
     // A few bytes can be a large image of one colour: the fuzzer would do little but fill it.
     {"exr", ".exr", [](const Path& file) { read_exr(file); }, 1 << 24},
     {"hdr", ".hdr", [](const Path& file) { read_hdr(file); }},
+    {"ies", ".ies", [](const Path& file) { read_ies(file); }},
     {"merl", ".binary", [](const Path& file) { read_merl(file); }},
     {"vdb", ".vdb",
      [](const Path& file) {

@@ -16,12 +16,12 @@ namespace {
 
 using Shape = AreaLight::Shape;
 
-constexpr double radiance = 12.0;
+constexpr double disk_radiance = 12.0;
 
 Light area_light(Shape shape, const glm::dvec3& position, double size, bool two_sided = false) {
   Light light;
   light.position = position;
-  light.intensity = glm::dvec3(radiance);
+  light.intensity = glm::dvec3(disk_radiance);
   AreaLight area;
   area.shape = shape;
   area.direction = -position + glm::dvec3(0.2, 0.0, 0.1);
@@ -197,7 +197,7 @@ TEST(AreaLight, LightsAWallAsInClosedForm) {
     scene.lights = {area_light(shape, {0.0, 0.0, d}, 2.0 * r)};
     scene.lights[0].area->direction = {0.0, 0.0, -1.0};
     const double square = shape == Shape::disk ? r * r + d * d : d * d;
-    const double expected = 0.5 * radiance * r * r / square;  // albedo 0.5
+    const double expected = 0.5 * disk_radiance * r * r / square;  // albedo 0.5
     Settings paths;
     paths.airlight = AirlightMethod::path;
     paths.paths = 64;
@@ -251,7 +251,7 @@ TEST(AreaLight, AroundTheSceneASphereIsAnEnvironment) {
   const CameraRays rays(scene.camera, scene.film);
   const glm::dvec3 w = glm::normalize(rays.direction(16.5, 12.5));
   const double expected =
-      radiance * -std::expm1(-plain_depth(scene.medium, scene.camera.eye, w, 20.0));
+      disk_radiance * -std::expm1(-plain_depth(scene.medium, scene.camera.eye, w, 20.0));
   EXPECT_NEAR(static_cast<double>(frame.airlight[3 * (12 * 32 + 16)]), expected, 0.02 * expected);
   scene.lights[0].area->two_sided = false;
   const Frame dark = render_frame(scene, sliced(24));

@@ -7,6 +7,7 @@
 #include "core/scene/mesh_arrays.h"
 #include "core/scene/radiance_map.h"
 #include "tests/random.h"
+#include "tests/render/test_profiles.h"
 
 namespace brume {
 namespace {
@@ -35,7 +36,12 @@ class RandomScene {
       if (one_in(3)) light.spot = cone_from(light.position);
     }
     for (Light& light : scene_.lights) {
-      if (!light.spot && !light.directional && one_in(4)) light.area = area_at(light.position);
+      if (!light.directional && one_in(8))
+        light.profile = lobed_profile(random_.uniform(-360.0, 360.0));
+    }
+    for (Light& light : scene_.lights) {
+      if (!light.spot && !light.profile.content && !light.directional && one_in(4))
+        light.area = area_at(light.position);
     }
     return std::move(scene_);
   }

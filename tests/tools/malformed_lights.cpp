@@ -69,6 +69,15 @@ std::vector<MalformedCase> malformed_lights() {
       if (key.required) add(nullptr);
     }
   }
+  for (const char* type : {"point", "spot"}) {
+    for (const char* bad : {"1", "null", "[]", "{}", "\"\"", "\"none.ies\"", "\"..\"", "true"}) {
+      const std::string members =
+          std::string(R"("type": ")") + type +
+          R"(", "position": [0, 1, 0], "direction": [0, -1, 0], "profile": )";
+      all.push_back({std::string(type) + " with profile " + bad, scene_with_light(members + bad),
+                     "lights[0].profile"});
+    }
+  }
   for (const char* type : {"\"area\"", "\"Point\"", "\"\"", "1", "null", "[\"point\"]"}) {
     all.push_back({std::string("a light of type ") + type,
                    scene_with_light(std::string(R"("position": [0, 0, 0], "type": )") + type),

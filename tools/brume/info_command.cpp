@@ -49,7 +49,7 @@ Json scene_json(const SceneDocument& document) {
   json["film"] = Json::array({scene.film.width, scene.film.height});
   json["lights"] = Json::array();
   for (const Light& light : scene.lights) {
-    Json entry = light_to_json(light);
+    Json entry = light_to_json(light, light.profile.content ? light.profile.file.string() : "");
     if (!light.on) entry["on"] = false;
     json["lights"].push_back(std::move(entry));
   }

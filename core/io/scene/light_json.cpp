@@ -22,7 +22,7 @@ Json area_to_json(const Light& light) {
 
 }  // namespace
 
-Json light_to_json(const Light& light) {
+Json light_to_json(const Light& light, const std::string& profile) {
   if (const auto& directional = light.directional) {
     return {{"type", "directional"},
             {"direction", to_json(directional->direction)},
@@ -37,6 +37,10 @@ Json light_to_json(const Light& light) {
     json["direction"] = to_json(light.spot->direction);
     json["inner_angle"] = light.spot->inner_angle;
     json["outer_angle"] = light.spot->outer_angle;
+  }
+  if (light.profile.content) {
+    json["profile"] = profile;
+    json["profile_rotation"] = light.profile.rotation;
   }
   return json;
 }

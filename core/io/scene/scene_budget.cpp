@@ -6,6 +6,7 @@
 #include "core/medium/gaussian.h"
 #include "core/scene/measured_brdf.h"
 #include "core/scene/mesh_arrays.h"
+#include "core/scene/photometric_profile.h"
 #include "core/scene/radiance_map.h"
 
 namespace brume {
@@ -28,6 +29,10 @@ void SceneBudget::reserve(const JsonPath& path, const RadianceMap& map) {
 
 void SceneBudget::reserve(const JsonPath& path, const MeasuredBrdf& measured) {
   reserve_bytes(path, measured.values().size() * sizeof(glm::vec3));
+}
+
+void SceneBudget::reserve(const JsonPath& path, const PhotometricProfile& profile) {
+  reserve_bytes(path, profile.bytes());
 }
 
 void SceneBudget::reserve(const JsonPath& path, const TriangleMesh& mesh) {

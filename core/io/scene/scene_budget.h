@@ -7,6 +7,7 @@
 namespace brume {
 
 class MeasuredBrdf;
+class PhotometricProfile;
 struct RadianceMap;
 struct TriangleMesh;
 
@@ -20,6 +21,7 @@ class SceneBudget {
   void reserve_gaussians(const JsonPath& path, std::size_t count);
   void reserve(const JsonPath& path, const RadianceMap& map);
   void reserve(const JsonPath& path, const MeasuredBrdf& measured);
+  void reserve(const JsonPath& path, const PhotometricProfile& profile);
   // Per surface: rendering copies the mesh for each.
   void reserve(const JsonPath& path, const TriangleMesh& mesh);
 

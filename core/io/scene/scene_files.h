@@ -11,6 +11,9 @@ namespace brume {
 // medium.file.
 template <class SceneOrConst, class Visit>
 void visit_files(SceneOrConst& scene, Visit visit) {
+  for (auto& light : scene.lights) {
+    if (light.profile.content) visit(light.profile.file);
+  }
   for (auto& surface : scene.surfaces) {
     visit(surface.mesh_file);
     if (surface.material.type == Material::Type::measured) visit(surface.material.file);

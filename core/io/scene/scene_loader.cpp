@@ -241,6 +241,7 @@ class SceneLoader {
       }
     }
     if (type == 1) light.spot = load_cone(object);
+    if (type <= 1) load_profile(object, light);
     light.on = object.boolean("on", light.on);
     unknown_keys_.add(light.id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
@@ -269,6 +270,17 @@ class SceneLoader {
                                      "; allowed: less than outer_angle, which is " +
                                      quoted_text(cone.outer_angle));
     }
+  }
+
+  void load_profile(JsonObject& object, Light& light) {
+    if (object.find("profile") == nullptr) return;
+    const JsonPath path = object.path_of("profile");
+    LightProfile profile;
+    profile.file = references_.resolve(context_, path, object.text("profile", {}));
+    profile.content = references_.profile(context_, path, profile.file);
+    budget_.reserve(path, *profile.content);
+    profile.rotation = object.number("profile_rotation", domain::degrees, profile.rotation);
+    light.profile = std::move(profile);
   }
 
   static Directional load_directional(JsonObject& object) {

@@ -8,6 +8,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/gaussians/sequence_file.h"
+#include "core/io/ies_file.h"
 #include "core/io/image/radiance_map_file.h"
 #include "core/io/merl_file.h"
 #include "core/io/mesh/mesh_file.h"
@@ -150,6 +151,17 @@ std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonConte
                                                                  const fs::path& file) {
   if (is_missing(file)) return std::make_shared<const RadianceMap>(black_map());
   return at_path(context, path, [&] { return read_radiance_map(file); });
+}
+
+std::shared_ptr<const PhotometricProfile> SceneReferences::profile(const JsonContext& context,
+                                                                   const JsonPath& path,
+                                                                   const fs::path& file) {
+  std::shared_ptr<const PhotometricProfile>& profile = profiles_[file];
+  if (!profile && is_missing(file)) {
+    profile = std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic());
+  }
+  if (!profile) profile = at_path(context, path, [&] { return read_ies(file); });
+  return profile;
 }
 
 std::shared_ptr<const MeasuredBrdf> SceneReferences::measured_brdf(const JsonContext& context,

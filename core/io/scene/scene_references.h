@@ -34,6 +34,9 @@ class SceneReferences {
   // Meshes and measured BRDFs are cached and shared.
   std::shared_ptr<const TriangleMesh> mesh(const JsonContext& context, const JsonPath& path,
                                            const std::filesystem::path& file);
+  std::shared_ptr<const PhotometricProfile> profile(const JsonContext& context,
+                                                    const JsonPath& path,
+                                                    const std::filesystem::path& file);
   std::shared_ptr<const MeasuredBrdf> measured_brdf(const JsonContext& context,
                                                     const JsonPath& path,
                                                     const std::filesystem::path& file);
@@ -59,6 +62,7 @@ class SceneReferences {
   MissingFiles* missing_;
   std::filesystem::path directory_;
   std::map<std::filesystem::path, std::shared_ptr<const TriangleMesh>> meshes_;
+  std::map<std::filesystem::path, std::shared_ptr<const PhotometricProfile>> profiles_;
   std::map<std::filesystem::path, std::shared_ptr<const MeasuredBrdf>> measured_;
 };
 

@@ -156,7 +156,9 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   root["medium"] = medium_to_json(document, directory);
   Json& lights = root["lights"] = Json::array();
   for (const Light& light : scene.lights) {
-    Json entry = light_to_json(light);
+    Json entry = light_to_json(light, light.profile.content
+                                          ? SceneReferences::text_for(light.profile.file, directory)
+                                          : "");
     if (!light.on) entry["on"] = false;
     add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
              [&light](auto&& visit) { visit_keyed_light(light, visit); });

@@ -5,6 +5,9 @@
 layout(std430, binding = 0) readonly buffer Lights { Light lights[]; };
 layout(std430, binding = 1) readonly buffer Tables { uint tables[]; };
 
+// Photometric profiles: see PhotometricProfile::map().
+layout(r32f, binding = 5) readonly uniform image2D profiles;
+
 uniform int light_count;
 
 // The depth of a light's table at a point relative to its map_origin, `distance_` from the light.
@@ -54,7 +57,29 @@ float fog_length(int l, vec3 point, vec3 from_light, float distance_) {
   return clamp(half_chord - along, 0.0, 2.0 * half_chord);
 }
 
-// LightFalloff::at(), of a cosine.
+// PhotometricProfile::at() in the direction of q.
+float profile_at(int l, vec3 q) {
+  const vec3 p = q / max(abs(q.x) + abs(q.y) + abs(q.z), tiny);
+  const vec2 uv = q.z < 0.0 ? (1.0 - abs(p.yx)) * sign_of(p.xy) : p.xy;
+  const float last = float(profile_side - 1);
+  const vec2 at = clamp(0.5 * last * (uv + 1.0), 0.0, last);
+  const ivec2 low = min(ivec2(at), profile_side - 2);
+  const vec2 f = at - vec2(low);
+  const ivec2 first = ivec2(lights[l].profile_column, lights[l].profile_row) + low;
+  const float a = imageLoad(profiles, first).r;
+  const float b = imageLoad(profiles, first + ivec2(1, 0)).r;
+  const float c = imageLoad(profiles, first + ivec2(0, 1)).r;
+  const float d = imageLoad(profiles, first + ivec2(1, 1)).r;
+  return mix(mix(a, b, f.x), mix(c, d, f.x), f.y);
+}
+
+// Components of a vector along a profile's azimuths 0 and 90 and its axis.
+vec3 in_profile(int l, vec3 q) {
+  return vec3(dot(q, lights[l].azimuth_0), dot(q, lights[l].azimuth_90),
+              dot(q, lights[l].falloff_axis));
+}
+
+// LightFalloff::at(), of a cosine; without its profile.
 float falloff_at(int l, float cosine) {
   const int shape = lights[l].falloff_shape;
   if (shape == falloff_isotropic) return 1.0;
@@ -64,15 +89,47 @@ float falloff_at(int l, float cosine) {
   return share * share;
 }
 
-// Falloff over r^2 and 1 / r^2 at s, weighted.
-vec2 falloff_sample(int l, float along, float across, float h2, float s, float weight) {
+// LightFalloff::at() in the unit direction w.
+float falloff_towards(int l, vec3 w) {
+  float falloff = falloff_at(l, dot(w, lights[l].falloff_axis));
+  if (lights[l].falloff_shape == falloff_profile) falloff *= profile_at(l, in_profile(l, w));
+  return falloff;
+}
+
+// Falloff over r^2 and 1 / r^2 at s, weighted. `along` and `across`: the ray's direction and its
+// offset as in_profile() has them.
+vec2 falloff_sample(int l, vec3 along, vec3 across, float h2, float s, float weight) {
   const float r2 = s * s + h2;
   const float inverse = weight / r2;
-  return vec2(inverse * falloff_at(l, (s * along - across) * inversesqrt(r2)), inverse);
+  const vec3 q = s * along - across;
+  float falloff = falloff_at(l, q.z * inversesqrt(r2));
+  if (lights[l].falloff_shape == falloff_profile) falloff *= profile_at(l, q);
+  return vec2(inverse * falloff, inverse);
+}
+
+// SampleProfile() of render/lighting/slice_falloff-inl.h: the mean and the place.
+vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float angle,
+                  float middle) {
+  const float h = sqrt(h2);
+  const int count = 1 + int(angle / profile_step);
+  const float step_ = angle / float(count);
+  const float first = atan(begin / h) + 0.5 * step_;
+  float sum = 0.0;
+  float moment = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const float at = first + float(i) * step_;
+    const float sine = sin(at);
+    const float cosine = max(cos(at), tiny);
+    const vec3 q = sine * along - cosine / h * across;
+    const float value = falloff_at(l, q.z) * profile_at(l, q);
+    sum += value;
+    moment += value * h * sine / cosine;
+  }
+  return vec2(sum / float(count), sum > 0.0 ? moment / sum : middle);
 }
 
 // What arrives between begin and end, where the falloff is smooth, and that times their middle.
-vec2 falloff_part(int l, float along, float across, float h2, float begin, float end) {
+vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float end) {
   const float width = end - begin;
   if (!(width > 0.0)) return vec2(0.0);
   const float middle = 0.5 * (begin + end);
@@ -80,18 +137,25 @@ vec2 falloff_part(int l, float along, float across, float h2, float begin, float
   const vec2 sum = falloff_sample(l, along, across, h2, middle - place, gauss_3_end) +
                    falloff_sample(l, along, across, h2, middle, gauss_3_middle) +
                    falloff_sample(l, along, across, h2, middle + place, gauss_3_end);
-  const float arriving = mean_inverse_square(begin, end, h2) * width * sum.x / sum.y;
-  return vec2(arriving, arriving * middle);
+  const float unattenuated = mean_inverse_square(begin, end, h2) * width;
+  vec2 mean = vec2(sum.x / sum.y, middle);
+  if (lights[l].falloff_shape == falloff_profile) {
+    const float angle = unattenuated * sqrt(h2);
+    if (angle > 2.0 * profile_step) mean = profile_mean(l, along, across, h2, begin, angle, middle);
+    mean.y = clamp(mean.y, begin, end);
+  }
+  const float arriving = unattenuated * mean.x;
+  return vec2(arriving, arriving * mean.y);
 }
 
 // The parts of a cone: between its dark and its full edges.
-vec2 cone_parts(int l, float along, float across, float h2, float a, float b) {
+vec2 cone_parts(int l, vec3 along, vec3 across, float h2, float a, float b) {
   float ends[6] = float[](a, b, b, b, b, b);
   for (int edge = 0; edge < 2; ++edge) {
     const float cosine = lights[l].dark_cosine + (edge == 0 ? 0.0 : 1.0 / lights[l].per_cosine);
-    const float p = along * along - cosine * cosine;
-    const float q = -along * across;
-    const float r = across * across - cosine * cosine * h2;
+    const float p = along.z * along.z - cosine * cosine;
+    const float q = -along.z * across.z;
+    const float r = across.z * across.z - cosine * cosine * h2;
     const float square = q * q - p * r;
     if (!(square >= 0.0)) continue;
     const float sum = -(q + (q < 0.0 ? -sqrt(square) : sqrt(square)));
@@ -114,13 +178,14 @@ vec2 cone_parts(int l, float along, float across, float h2, float a, float b) {
 // from the point nearest to the light, and the middle of what is lit. `offset`: from there to the
 // light.
 vec2 falloff_mean(int l, vec3 w, vec3 offset, float a, float b, float h2) {
-  const float along = dot(w, lights[l].falloff_axis);
-  const float across = dot(offset, lights[l].falloff_axis);
+  const vec3 along = in_profile(l, w);
+  const vec3 across = in_profile(l, offset);
+  const int shape = lights[l].falloff_shape;
   vec2 sum;
-  if (lights[l].falloff_shape == falloff_cone) {
+  if (shape == falloff_cone || shape == falloff_profile) {
     sum = cone_parts(l, along, across, h2, a, b);
   } else {
-    const float plane = along != 0.0 ? clamp(across / along, a, b) : b;
+    const float plane = along.z != 0.0 ? clamp(across.z / along.z, a, b) : b;
     sum = falloff_part(l, along, across, h2, a, plane) +
           falloff_part(l, along, across, h2, plane, b);
   }

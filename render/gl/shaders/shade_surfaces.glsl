@@ -72,7 +72,7 @@ LightAtPoint point_to_light(int l, SurfacePoint point, int pixel, int pixels) {
   light_at_point.length_ = square * inverse;
   light_at_point.cosine = -dot(light_at_point.w, point.normal);
   light_at_point.inverse_square =
-      falloff_at(l, dot(light_at_point.w, lights[l].falloff_axis)) /
+      falloff_towards(l, light_at_point.w) /
       max(max(square, lights[l].radius2), tiny);
   light_at_point.depth =
       b0 * fog_length(l, point.position, light_at_point.w, light_at_point.length_);

@@ -157,7 +157,7 @@ TEST_P(KindsOfScenes, SlicedAndAutoKeepTheirBounds) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<KindOfScene>& info) {
+std::string kind_name(const testing::TestParamInfo<KindOfScene>& info) {
   std::string name = info.param.name;
   std::erase(name, ',');
   std::replace_if(
@@ -165,7 +165,7 @@ std::string name_of(const testing::TestParamInfo<KindOfScene>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, KindsOfScenes, testing::ValuesIn(make_rows()), name_of);
+INSTANTIATE_TEST_SUITE_P(All, KindsOfScenes, testing::ValuesIn(make_rows()), kind_name);
 
 }  // namespace
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/gl/gl_frames.h"
+#include "tests/render/test_profiles.h"
 #include "tests/render/test_scenes.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
@@ -46,6 +47,22 @@ TEST_F(GlFrames, SpotLights) {
                     {{-1.0, 0.4, 1.0}, glm::dvec3(2.0), SpotCone{{1.0, -0.3, -1.2}, 9.8, 10.0}},
                     {{0.0, -1.0, 0.5}, glm::dvec3(1.0), SpotCone{{0.0, 1.0, 0.0}, 60.0, 130.0}},
                     {{0.5, 0.5, 1.5}, glm::dvec3(1.0), {}}};
+    expect_backends_agree(scene, scattering);
+  }
+}
+
+TEST_F(GlFrames, ProfileLights) {
+  for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+    Scene scene = in_fog(cloud_scene(10, 2.0), 0.02);
+    scene.film = {24, 18};
+    scene.surfaces.push_back(wall(-0.8, 1.5));
+    scene.lights = {{{0.9, 1.4, 0.6}, glm::dvec3(6.0), SpotCone{{-0.9, -1.4, -0.9}, 25.0, 40.0}},
+                    {{-0.3, 1.0, 0.7}, {2.0, 3.0, 4.0}},
+                    {{0.5, 0.5, 1.5}, glm::dvec3(1.0)},
+                    {{0.6, 1.0, 0.0}, glm::dvec3(1.0)}};
+    scene.lights[0].profile = lobed_profile(70.0);
+    scene.lights[1].profile = cosine_profile();
+    scene.lights[3].profile = scene.lights[1].profile;
     expect_backends_agree(scene, scattering);
   }
 }

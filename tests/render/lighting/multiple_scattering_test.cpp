@@ -14,6 +14,7 @@
 #include "render/renderer.h"
 #include "tests/render/golden_rays.h"
 #include "tests/render/test_scenes.h"
+#include "tools/bench/scenes/benchmark_scenes.h"
 
 namespace brume {
 namespace {

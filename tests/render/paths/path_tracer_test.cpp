@@ -20,7 +20,7 @@
 namespace brume {
 namespace {
 
-const glm::dvec3 eye(0.2, 0.1, 4.0);
+const glm::dvec3 origin(0.2, 0.1, 4.0);
 
 // Within four standard errors, which are small enough to tell.
 void expect_matches(const PathEstimate& got, const glm::dvec3& expected, double relative_error) {
@@ -44,8 +44,8 @@ Environment upward_sky() {
 void expect_single_scattering(const Scene& scene, double relative_error) {
   const TracedScene traced(scene);
   for (const glm::dvec3& target : {glm::dvec3(0, 0, 0), glm::dvec3(0.5, -0.3, 0.2)}) {
-    expect_matches(traced.airlight(eye, target, 16'000).orders[0],
-                   traced.single_scattering(eye, target), relative_error);
+    expect_matches(traced.airlight(origin, target, 16'000).orders[0],
+                   traced.single_scattering(origin, target), relative_error);
   }
 }
 
@@ -127,9 +127,10 @@ TEST(PathTracer, AFurnaceIsConstant) {
       scene.optics.anisotropy = g;
       const MediumIndex index(scene.medium, 1e-9);
       const TracedScene traced(scene);
-      const TracedScene::Estimate got = traced.airlight(eye, {0, 0, 0}, 4000);
+      const TracedScene::Estimate got = traced.airlight(origin, {0, 0, 0}, 4000);
       const double opacity = -std::expm1(
-          -CameraRay(index, eye, glm::normalize(-eye), FogExtent(scene).ray_distance(eye)).depth());
+          -CameraRay(index, origin, glm::normalize(-origin), FogExtent(scene).ray_distance(origin))
+               .depth());
       expect_matches(got.sum, glm::dvec3(2.0 * opacity), 0.02);
     }
   }
@@ -151,7 +152,7 @@ TEST(PathTracer, AWhiteSurfaceInAFurnaceIsConstant) {
   const TracedScene traced(scene);
   // A ball of flat triangles is not quite closed to interpolated normals.
   for (const glm::dvec3& target : {glm::dvec3(-0.4, -0.4, -0.3), glm::dvec3(0.3, 0.2, 0.4)}) {
-    const TracedScene::Estimate got = traced.surface(eye, target, 4000);
+    const TracedScene::Estimate got = traced.surface(origin, target, 4000);
     EXPECT_NEAR(got.sum.mean.x, 1.0, 4.0 * got.sum.error.x + 2e-3);
     EXPECT_LT(got.sum.error.x, 0.02);
   }
@@ -201,13 +202,13 @@ TEST(PathTracer, LightAndEyeCanBeExchanged) {
 void expect_reflected_light(const Scene& scene, double relative_error, int paths = 40'000) {
   const TracedScene traced(scene);
   const glm::dvec3 target(0.2, -0.1, -0.5);
-  const glm::dvec3 w = glm::normalize(target - eye);
-  const SurfaceHit hit = traced.ray_caster().first_hit(eye, w);
+  const glm::dvec3 w = glm::normalize(target - origin);
+  const SurfaceHit hit = traced.ray_caster().first_hit(origin, w);
   ASSERT_TRUE(hit);
-  const SurfacePoint point = traced.ray_caster().point(hit, eye, w, scene.surfaces);
+  const SurfacePoint point = traced.ray_caster().point(hit, origin, w, scene.surfaces);
   const ReflectedLight expected = reflected_light(scene, traced.ray_caster(), point,
                                                   {.samples = static_cast<std::size_t>(2 * paths)});
-  const TracedScene::Estimate got = traced.surface(eye, target, paths);
+  const TracedScene::Estimate got = traced.surface(origin, target, paths);
   for (int c = 0; c < 3; ++c) {
     const double direct = std::hypot(got.orders[0].error[c], expected.error[c]);
     const double scattered = std::hypot(got.orders[1].error[c], expected.error[c]);
@@ -248,11 +249,11 @@ TEST(PathTracer, SegmentsOfWalksMatchTheReferenceCloseToLights) {
       scene.lights = {{{x, 0.1, 0.4}, glm::dvec3(3.0), {}}};
       // Absorbing: further orders, not looked at here, end soon.
       const TracedScene traced(scene, 0.1);
-      const glm::dvec3 w = glm::normalize(target - eye);
+      const glm::dvec3 w = glm::normalize(target - origin);
       const glm::dvec3 mirrored(w.x, w.y, -w.z);
       const glm::dvec3 expected =
           mirrored.z * traced.single_scattering(target + 1e-4 * mirrored, target + mirrored);
-      const PathEstimate got = traced.surface(eye, target, 16'000).orders[1];
+      const PathEstimate got = traced.surface(origin, target, 16'000).orders[1];
       // The lobe is a ten thousandth wide.
       EXPECT_NEAR(got.mean.x, expected.x, 4.0 * got.error.x + 1e-3 * expected.x);
       EXPECT_LT(got.error.x, 0.01 * expected.x);

@@ -8,8 +8,10 @@
 
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/image/image_file.h"
+#include "core/io/scene/missing_files.h"
 #include "core/medium/medium_edit.h"
 #include "core/scene/mesh.h"
+#include "core/scene/photometric_profile.h"
 #include "core/scene/radiance_map.h"
 #include "tests/core/io/input_error.h"
 #include "tests/core/io/scene/random_scene.h"
@@ -149,6 +151,36 @@ TEST(SceneFile, KeepsSpotLights) {
   const std::string text = content_of(folder / "a.brume");
   EXPECT_TRUE(contains(text, R"("type": "spot")"));
   EXPECT_TRUE(contains(text, R"("type": "point")"));
+}
+
+TEST(SceneFile, KeepsProfiles) {
+  const TemporaryFolder folder;
+  folder.write("narrow.ies", "TILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 60\n0 30\n0\n100 0\n");
+  Scene scene;
+  scene.lights = {{{1, 2, 3}, {4, 5, 6}, SpotCone{{0, -2, 1}, 12.5, 30}}, {{3, 2, 1}, {1, 1, 1}}};
+  const auto content = std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic());
+  scene.lights[0].profile = {folder / "narrow.ies", content, 30.0};
+  scene.lights[1].profile = {folder / "narrow.ies", content, 0.0};
+  scene.lights[1].keys.profile_rotation = {{0.0, 20.0}, {2.0, 400.0}};
+  save_document(scene, folder / "a.brume");
+  EXPECT_TRUE(contains(content_of(folder / "a.brume"), R"("profile": "narrow.ies")"));
+  const Scene loaded = load_scene(folder / "a.brume");
+  ASSERT_EQ(loaded.lights.size(), 2u);
+  EXPECT_TRUE(loaded.lights[0].spot);
+  EXPECT_EQ(loaded.lights[0].profile.rotation, 30.0);
+  EXPECT_EQ(loaded.lights[0].profile.file, folder / "narrow.ies");
+  EXPECT_LT(loaded.lights[0].profile.content->solid_angle(), 1.0);
+  EXPECT_EQ(loaded.lights[1].profile.content, loaded.lights[0].profile.content);
+  EXPECT_EQ(loaded.lights[1].keys, scene.lights[1].keys);
+  // Where it is missing, the light shines in all directions, and keeps its name.
+  std::filesystem::remove(folder / "narrow.ies");
+  MissingFiles missing;
+  const Scene without = load_document(folder / "a.brume", nullptr, missing).scene;
+  EXPECT_EQ(missing.missing.size(), 1u);
+  EXPECT_EQ(without.lights[0].profile.content->at({1, 0, 0}), 1.0);
+  save_document(without, folder / "b.brume");
+  EXPECT_TRUE(contains(content_of(folder / "b.brume"), R"("profile": "narrow.ies")"));
+  EXPECT_TRUE(contains(error_of([&] { load_scene(folder / "a.brume"); }), "lights[0].profile"));
 }
 
 // Saved where keyframes have closed the cone: what they are at a moment refuses no file.

@@ -1,0 +1,461 @@
+// Lights: the panel that edits them, their handles in the view, and their keys.
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <fstream>
+#include <glm/geometric.hpp>
+
+#include "app/commands/edit_lights.h"
+#include "app/panels/light_panel.h"
+#include "app/viewport/viewport.h"
+#include "app/widgets/color_button.h"
+#include "app/widgets/number_field.h"
+#include "app/widgets/value_field.h"
+#include "core/io/scene/scene_file.h"
+#include "core/scene/photometric_profile.h"
+#include "core/scene/photometry.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+// Drags a field's title by some pixels, in steps.
+void drag_title(TestWindow& window, const char* field, int pixels) {
+  auto* title = window->findChild<QLabel*>(QString(field) + "_title");
+  QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
+  for (int k = 1; k <= 4; ++k) {
+    const QPointF to(3.0 + pixels * k / 4.0, 3);
+    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(title, &move);
+  }
+  QTest::mouseRelease(title, Qt::LeftButton);
+}
+
+QPoint light_position(TestWindow& window, std::size_t index) {
+  const glm::dvec3 at =
+      window->viewport().rays().project(window->document().scene().lights[index].position);
+  return QPointF(at.x, at.y).toPoint();
+}
+
+}  // namespace
+
+class LightsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void lights_are_added_changed_and_deleted() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_light"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), std::size_t{2});
+    QCOMPARE(document.undo_stack().undoText(), QString("Add light 2"));
+    QCOMPARE(document.active_light(), std::size_t{1});
+    enter(window, "light_intensity", "48");
+    QCOMPARE(document.scene().lights[1].intensity, glm::dvec3(48.0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set intensity of light 2"));
+    enter(window, "light_position_y", "3.5");
+    QCOMPARE(document.scene().lights[1].position.y, 3.5);
+    enter(window, "light_intensity", "-1");
+    QCOMPARE(document.scene().lights[1].intensity, glm::dvec3(48.0));
+    auto* list = window->findChild<QListWidget*>("lights");
+    QCOMPARE(list->count(), 2);
+    list->item(0)->setCheckState(Qt::Unchecked);
+    QVERIFY(!document.scene().lights[0].on);
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 1 off"));
+    list->setCurrentRow(0);
+    QCOMPARE(value(window, "light_intensity"), QString("12"));
+    QTest::mouseClick(window->findChild<QPushButton*>("delete_light"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), std::size_t{1});
+    QCOMPARE(document.undo_stack().count(), 5);
+    const Scene after = document.scene();
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    document.undo_stack().setIndex(5);
+    QVERIFY(document.scene() == after);
+  }
+
+  void dragging_a_title_is_one_step() {
+    TestWindow window;
+    Document& document = window->document();
+    drag_title(window, "light_intensity", 80);
+    QCOMPARE(document.undo_stack().count(), 1);
+    const Light& light = document.scene().lights[0];
+    QVERIFY(light_strength(light) > 20.0);
+    // The colour stays.
+    QVERIFY(glm::distance(light_color(light), glm::dvec3(12, 10, 8) / 12.0) < 1e-12);
+    QTRY_COMPARE(window->viewport().frames().shown()->request.scene->lights[0].intensity,
+                 light.intensity);
+    drag_title(window, "light_intensity", 10);
+    QCOMPARE(document.undo_stack().count(), 2);
+  }
+
+  void the_colour_of_a_light_is_chosen_beside_the_work() {
+    TestWindow window;
+    auto* button = window->findChild<ColorButton*>("light_color");
+    QTest::mouseClick(button, Qt::LeftButton);
+    auto* dialog = button->findChild<QColorDialog*>();
+    QVERIFY(dialog && !dialog->isModal());
+    dialog->setCurrentColor(QColor(255, 0, 0));
+    dialog->setCurrentColor(QColor(0, 0, 255));
+    QCOMPARE(window->document().scene().lights[0].intensity, glm::dvec3(0.0, 0.0, 12.0));
+    QCOMPARE(window->document().undo_stack().count(), 1);
+    dialog->close();
+    // Between what is shown and what is meant nothing is lost but rounding to 8 bits.
+    for (const double x : {0.0, 0.001, 0.2, 0.5, 1.0}) {
+      QVERIFY(std::abs(to_linear(to_color(glm::dvec3(x))).g - x) < 1e-3);
+    }
+  }
+
+  void spots_are_added_opened_and_turned() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const std::size_t last = before.lights.size();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), last + 1);
+    QCOMPARE(document.undo_stack().undoText(), QString("Add light 2"));
+    const auto spot = [&]() -> const SpotCone& { return *document.scene().lights[last].spot; };
+    // Down, at what the view looks at.
+    QVERIFY(spot().direction.y < 0.0);
+    enter(window, "light_outer_angle", "30");
+    QCOMPARE(spot().outer_angle, 30.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set outer angle of light 2"));
+    enter(window, "light_inner_angle", "40");
+    QCOMPARE(spot().inner_angle, 40.0);
+    QVERIFY2(spot().outer_angle > 40.0, "the outer angle makes room");
+    enter(window, "light_outer_angle", "181");
+    QVERIFY(spot().outer_angle < 180.0);
+    enter(window, "light_outer_angle", "5");
+    QVERIFY(spot().inner_angle < 5.0);
+    enter(window, "light_direction_x", "-2");
+    QCOMPARE(spot().direction.x, -2.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    enter(window, "light_direction_x", "0");
+    const glm::dvec3 direction = spot().direction;
+    for (const char* name : {"light_direction_y", "light_direction_z"}) enter(window, name, "0");
+    QVERIFY2(spot().direction != glm::dvec3(0.0), "it shines somewhere");
+    QVERIFY(direction.x == 0.0);
+
+    auto* type = window->findChild<QComboBox*>("light_type");
+    QCOMPARE(type->currentText(), QString("Spot"));
+    const SpotCone cone = spot();
+    type->setFocus();
+    QTest::keyClick(type, Qt::Key_Up);
+    QVERIFY(!document.scene().lights[last].spot);
+    QCOMPARE(document.undo_stack().undoText(), QString("Change type of light 2"));
+    QTest::keyClick(type, Qt::Key_Down);
+    QVERIFY(document.scene().lights[last].spot);
+    QVERIFY(cone != spot());
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void a_light_of_another_type_keeps_the_keyframes_that_it_can() {
+    Light light;
+    light.spot.emplace();
+    light.keys.position = {{0.0, {1, 2, 3}}};
+    light.keys.intensity = {{0.0, {4, 5, 6}}};
+    light.keys.direction = {{0.0, {0, 0, 1}}};
+    light.keys.inner_angle = {{0.0, 5.0}};
+    const LightKeys before = light.keys;
+    set_type(light, LightType::point, {});
+    QCOMPARE(light.keys.position, before.position);
+    QCOMPARE(light.keys.intensity, before.intensity);
+    QVERIFY(light.keys.direction.empty() && light.keys.inner_angle.empty());
+    set_type(light, LightType::directional, {});
+    QVERIFY2(light.keys.intensity.empty(), "in other units");
+    QVERIFY(light.keys.position.empty());
+  }
+
+  void a_sun_is_added_changed_and_turned() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_directional"), Qt::LeftButton);
+    QCOMPARE(document.scene().lights.size(), before.lights.size() + 1);
+    const auto sun = [&]() -> const Light& { return document.scene().lights.back(); };
+    QVERIFY(sun().directional);
+    QVERIFY(sun().directional->direction.y < 0.0);
+    QCOMPARE(window->findChild<QComboBox*>("light_type")->currentText(), QString("Directional"));
+    QVERIFY(!window->findChild<ValueField*>("light_position_x")->isEnabled());
+    enter(window, "light_intensity", "4.5");
+    QCOMPARE(sun().intensity, glm::dvec3(4.5));
+    enter(window, "light_angular_diameter", "0.53");
+    QCOMPARE(sun().directional->angular_diameter, 0.53);
+    enter(window, "light_angular_diameter", "90");
+    QVERIFY(sun().directional->angular_diameter < 90.0);
+    enter(window, "light_direction_y", "-2");
+    QCOMPARE(sun().directional->direction.y, -2.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+
+    // Its icon beside the scene turns it.
+    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+    const glm::dvec3 direction = glm::normalize(sun().directional->direction);
+    const auto film = [&] {
+      const glm::dvec3 at = window->viewport().rays().project(
+          handle_position(sun(), document.scene(), window->viewport().rays().eye()));
+      return QPoint(qRound(at.x), qRound(at.y));
+    };
+    const QPoint at = film();
+    window.drag(at, at + QPoint(50, 0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    QVERIFY(glm::dot(glm::normalize(sun().directional->direction), direction) < 0.999);
+    QVERIFY2((film() - at).x() > 10, "it follows the pointer");
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void an_area_light_is_added_changed_and_scaled() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto light = [&]() -> const Light& { return document.scene().lights.back(); };
+    auto* menu = window->findChild<QToolButton*>("add_area")->menu();
+    QCOMPARE(menu->actions().size(), 3);
+    for (QAction* shape : menu->actions()) {
+      menu->popup(QPoint(40, 40));
+      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(shape).center());
+      QVERIFY(light().area);
+    }
+    QCOMPARE(light().area->shape, AreaLight::Shape::sphere);
+    QVERIFY(!window->findChild<ValueField*>("light_direction_x")->isEnabled());
+    QVERIFY(!window->findChild<ValueField*>("light_width")->isEnabled());
+    enter(window, "light_radius", "0.3");
+    QCOMPARE(light().area->radius, 0.3);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set radius of light 4"));
+    enter(window, "light_intensity", "2");
+    QCOMPARE(light().intensity, glm::dvec3(2.0));
+    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+
+    auto* type = window->findChild<QComboBox*>("light_type");
+    type->setFocus();
+    QTest::keyClick(type, Qt::Key_Up);
+    QTest::keyClick(type, Qt::Key_Up);
+    QCOMPARE(light().area->shape, AreaLight::Shape::rectangle);
+    enter(window, "light_width", "0.4");
+    enter(window, "light_height", "0.25");
+    enter(window, "light_up_x", "0.5");
+    QCOMPARE(light().area->up.x, 0.5);
+    enter(window, "light_direction_x", "-2");
+    QCOMPARE(light().area->direction.x, -2.0);
+    auto* two_sided = window->findChild<QCheckBox*>("light_two_sided");
+    QTest::mouseClick(two_sided, Qt::LeftButton, {}, QPoint(8, two_sided->height() / 2));
+    QVERIFY(light().area->two_sided);
+
+    // A corner of it scales it, the end of its normal turns it.
+    const auto film = [&](const glm::dvec3& point) {
+      const glm::dvec3 at = window->viewport().rays().project(point);
+      return QPoint(qRound(at.x), qRound(at.y));
+    };
+    const auto [right, up] = rectangle_axes(*light().area);
+    const QPoint corner = film(light().position + 0.2 * right + 0.125 * up);
+    const QPoint center = film(light().position);
+    window.drag(corner, center + 2 * (corner - center));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set size of light 4"));
+    QVERIFY(std::abs(light().area->width - 0.8) < 0.1);
+    QVERIFY(std::abs(light().area->height / light().area->width - 0.625) < 1e-9);
+
+    const double radiant = light_strength(light()) * facing_area(*light().area);
+    type->showPopup();
+    QTest::keyClick(type->view(), Qt::Key_Home);
+    QTest::keyClick(type->view(), Qt::Key_Return);
+    QVERIFY(!light().area);
+    QVERIFY2(std::abs(light_strength(light()) - radiant) < 1e-9, "as bright from afar");
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void lights_are_added_by_key_and_looked_through() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    for (int type = 0; type < 6; ++type) {
+      window.key(static_cast<Qt::Key>(Qt::Key_1 + type), Qt::ControlModifier);
+      QCOMPARE(document.scene().lights.size(), before.lights.size() + 1 + type);
+      QCOMPARE(static_cast<int>(type_of(document.scene().lights.back())), type);
+    }
+    // From the spot, along its axis, as wide as its cone.
+    document.set_active_light(before.lights.size() + 1);
+    const Light spot = document.scene().lights[document.active_light()];
+    window.key(Qt::Key_L, Qt::ShiftModifier);
+    const Camera& camera = window->viewport().camera();
+    QCOMPARE(camera.eye, spot.position);
+    QCOMPARE(camera.vertical_fov, 2.0 * spot.spot->outer_angle);
+    const glm::dvec3 axis = glm::normalize(spot.spot->direction);
+    QVERIFY(glm::distance(window->viewport().rays().forward(), axis) < 1e-9);
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void lights_have_presets_temperatures_and_photometric_units() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    auto* menu = window->findChild<QToolButton*>("light_presets")->menu();
+    QCOMPARE(menu->actions().size(), 7);
+    for (QAction* preset : menu->actions()) {
+      menu->popup(QPoint(40, 40));
+      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(preset).center());
+    }
+    QCOMPARE(document.scene().lights.size(), before.lights.size() + 7);
+    QVERIFY(document.scene().lights[before.lights.size()].directional);
+    QVERIFY(document.scene().lights[before.lights.size() + 3].spot);
+    QVERIFY(document.scene().lights[before.lights.size() + 5].area);  // a window
+    // The candle.
+    const auto candle = [&]() -> const Light& { return document.scene().lights.back(); };
+    const auto shown = [&](const char* name) {
+      return window->findChild<ValueField*>(name)->findChild<NumberField*>()->text().toDouble();
+    };
+    QVERIFY(!candle().spot && !candle().directional);
+    QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
+    enter(window, "light_candela", "1");
+    QVERIFY(std::abs(photometric_strength(candle()) - 1.0) < 1e-9);
+    QVERIFY(std::abs(shown("light_lumen") - 12.566) < 0.01);
+    enter(window, "light_lumen", "800");
+    QVERIFY(std::abs(*luminous_flux(candle()) - 800.0) < 1e-6);
+    QVERIFY(std::abs(shown("light_temperature") - 1850.0) <= 2.0);
+    const double strength = light_strength(candle());
+    enter(window, "light_temperature", "5500");
+    QCOMPARE(document.undo_stack().undoText(),
+             QString("Set temperature of light %1").arg(document.scene().lights.size()));
+    QVERIFY(std::abs(light_strength(candle()) - strength) < 1e-9);
+    QVERIFY(candle().intensity.b > 0.7 * candle().intensity.r);
+    enter(window, "light_temperature", "50000");
+    QVERIFY(nearest_temperature(light_color(candle())) < 40001.0);
+    // A light that is black is made white.
+    enter(window, "light_candela", "0");
+    QCOMPARE(candle().intensity, glm::dvec3(0.0));
+    enter(window, "light_candela", "683");
+    QVERIFY(std::abs(candle().intensity.g - 1.0) < 1e-9);
+    // The sun has no flux.
+    document.set_active_light(before.lights.size());
+    QVERIFY(!window->findChild<ValueField*>("light_lumen")->isEnabled());
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void a_spot_is_turned_and_opened_in_the_view() {
+    TestWindow window;
+    Document& document = window->document();
+    QTest::mouseClick(window->findChild<QPushButton*>("add_spot"), Qt::LeftButton);
+    enter(window, "light_intensity", "0.001");  // a ring that is in nobody's way
+    const Light before = document.scene().lights[1];
+    const auto film = [&](const glm::dvec3& point) {
+      const glm::dvec3 at = window->viewport().rays().project(point);
+      return QPoint(qRound(at.x), qRound(at.y));
+    };
+    const double length = 0.2 * glm::distance(before.position, window->viewport().rays().eye());
+    const glm::dvec3 axis = glm::normalize(before.spot->direction);
+    const QPoint target = film(before.position + length * axis);
+    window.drag(target, target + QPoint(40, 0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Turn light 2"));
+    const glm::dvec3 turned = glm::normalize(document.scene().lights[1].spot->direction);
+    QVERIFY(glm::dot(turned, axis) < 0.99);
+    QCOMPARE(document.scene().lights[1].position, before.position);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene().lights[1], before);
+    // The rim, to the right of the target.
+    const glm::dvec3 right = glm::normalize(glm::cross(axis, glm::dvec3(1, 0, 0)));
+    const double radius = length * std::tan(glm::radians(before.spot->outer_angle));
+    const glm::dvec3 across = glm::cross(right, axis);
+    const QPoint rim = film(before.position + length * axis + radius * across);
+    window.drag(rim, rim + (rim - target));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set outer angle of light 2"));
+    const SpotCone& cone = *document.scene().lights[1].spot;
+    QVERIFY2(cone.outer_angle > 30.0 && cone.outer_angle < 42.0,
+             qPrintable(QString::number(cone.outer_angle)));
+    QVERIFY(std::abs(cone.inner_angle / cone.outer_angle - 0.75) < 1e-9);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene().lights[1], before);
+  }
+
+  void a_light_is_dragged_in_the_view() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const QPoint at = light_position(window, 0);
+    window.drag(at, at + QPoint(-30, 20));
+    QCOMPARE(document.undo_stack().undoText(), QString("Move light 1"));
+    QCOMPARE(document.undo_stack().count(), 1);
+    QVERIFY((light_position(window, 0) - at - QPoint(-30, 20)).manhattanLength() <= 2);
+    QVERIFY(std::abs(document.scene().lights[0].position.z - 2.0) < 1e-9);
+    QVERIFY(document.selection().empty());
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    // The ring: 18 pixels and 14 for each factor of ten of 1 + 12 W/sr.
+    const QPoint ring(qRound(18.0 + 14.0 * std::log10(13.0)), 0);
+    window.drag(at + ring, at + ring + QPoint(14, 0));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set intensity of light 1"));
+    const double strength = light_strength(document.scene().lights[0]);
+    QVERIFY2(strength > 100.0 && strength < 160.0, qPrintable(QString::number(strength)));
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QTest::mousePress(&window->viewport(), Qt::LeftButton, {}, at);
+    window.move(at + QPoint(20, 0));
+    QVERIFY(document.is_modified());
+    QTest::keyClick(&window->viewport(), Qt::Key_Escape);
+    QTest::mouseRelease(&window->viewport(), Qt::LeftButton, {}, at);
+    QVERIFY(document.scene() == before);
+    QVERIFY(!document.is_modified());
+  }
+
+  void a_profile_is_read_turned_and_removed() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto light = [&]() -> const Light& { return document.scene().lights[0]; };
+    auto* rotation = window->findChild<ValueField*>("light_profile_rotation");
+    auto* remove = window->findChild<QPushButton*>("remove_profile");
+    QVERIFY(!rotation->isEnabled());
+    QVERIFY(!remove->isEnabled());
+    const std::filesystem::path file = window.file("narrow.ies");
+    std::ofstream(file) << "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 60\n"
+                           "0 30 60\n0\n100 50 0\n";
+    window->findChild<LightPanel*>()->load_profile(file);
+    QTRY_VERIFY(light().profile.content);
+    QCOMPARE(light().profile.content->at({0.0, 0.0, 1.0}), 1.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Set profile of light 1"));
+    QCOMPARE(window->findChild<QLabel*>("light_profile")->text(), QString("narrow.ies"));
+    // Less of its light, and so is its flux.
+    const double flux = *luminous_flux(light());
+    QVERIFY(flux < 0.1 * *luminous_flux(before.lights[0]));
+    enter(window, "light_profile_rotation", "45");
+    QCOMPARE(light().profile.rotation, 45.0);
+    QVERIFY(window.settle());
+    // What is no such file changes nothing.
+    QSignalSpy refused(window->findChild<LightPanel*>(), &LightPanel::refused);
+    window->findChild<LightPanel*>()->load_profile(window.file("none.ies"));
+    QTRY_COMPARE(refused.count(), 1);
+    QCOMPARE(light().profile.file, file);
+    // A spot keeps it, the sun cannot have one.
+    auto* type = window->findChild<QComboBox*>("light_type");
+    type->setFocus();
+    QTest::keyClick(type, Qt::Key_Down);
+    QVERIFY(light().spot && light().profile.content);
+    QTest::keyClick(type, Qt::Key_Down);
+    QVERIFY(light().directional && !light().profile.content);
+    QVERIFY(!window->findChild<QPushButton*>("choose_profile")->isEnabled());
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    // Saved and opened it is the same.
+    const std::filesystem::path scene = window.file("profile.brume");
+    save_document({document.scene(), {}}, scene);
+    const Scene loaded = load_scene(scene);
+    QCOMPARE(loaded.lights[0].profile.file, file);
+    QCOMPARE(loaded.lights[0].profile.rotation, 45.0);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    QVERIFY(!light().profile.content);
+    QCOMPARE(window->findChild<QLabel*>("light_profile")->text(), QString("none"));
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+};
+
+BRUME_APP_SUITE("lights", LightsTest)
+#include "lights_test.moc"

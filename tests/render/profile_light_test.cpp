@@ -1,0 +1,156 @@
+// Lights with photometric profiles, as every method sees them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <memory>
+#include <numbers>
+
+#include "core/scene/photometric_profile.h"
+#include "render/frame.h"
+#include "tests/render/test_profiles.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+Scene lit(const LightProfile& profile, const std::optional<SpotCone>& cone = std::nullopt,
+          double depth = 1.0) {
+  Scene scene = cloud_scene(30, depth);
+  scene.film = {32, 24};
+  scene.lights = {{{0.4, 1.2, 0.3}, {6.0, 5.0, 4.0}, cone}};
+  scene.lights[0].profile = profile;
+  return scene;
+}
+
+const Settings all_orders = sliced(24, Scattering::multiple);
+
+TEST(ProfileLight, IsotropicIsAPointLight) {
+  Scene scene =
+      lit({"a.ies", std::make_shared<const PhotometricProfile>(PhotometricProfile::isotropic())});
+  scene.surfaces = {wall(-1.0, 2.0)};
+  Scene point = scene;
+  point.lights[0].profile = {};
+  for (const Settings& settings : {reference_settings(), sliced(24), all_orders}) {
+    const Frame frame = render_frame(scene, settings);
+    const Frame expected = render_frame(point, settings);
+    // Where a slice is long beside its distance from the light, a profile's light is attenuated
+    // from where it arrives, another's from the slice's middle.
+    EXPECT_LT(difference(frame.airlight, expected.airlight).relative_rmse, 1e-3);
+    EXPECT_LT(difference(frame.beauty, expected.beauty).relative_rmse, 1e-3);
+  }
+}
+
+// A disk so small that it is a point shines by the cosine from its normal.
+TEST(ProfileLight, CosineIsASmallDisk) {
+  const glm::dvec3 down(0.0, -1.0, 0.0);
+  constexpr double radius = 1e-3;
+  Scene scene = lit(cosine_profile());
+  scene.surfaces = {wall(-1.0, 2.0)};
+  Scene disk = scene;
+  disk.lights[0].profile = {};
+  disk.lights[0].area = AreaLight{.shape = AreaLight::Shape::disk, .direction = down};
+  disk.lights[0].area->radius = radius;
+  disk.lights[0].intensity /= std::numbers::pi * radius * radius;
+  const Frame expected = render_frame(disk, reference_settings());
+  const Frame reference = render_frame(scene, reference_settings());
+  EXPECT_LT(difference(reference.airlight, expected.airlight).relative_rmse, 5e-4);
+  EXPECT_LT(difference(reference.beauty, expected.beauty).relative_rmse, 5e-4);
+  const Frame frame = render_frame(scene, sliced(24));
+  EXPECT_LT(difference(frame.airlight, expected.airlight).relative_rmse, 0.01);
+}
+
+TEST(ProfileLight, SlicedMatchesTheReference) {
+  const SpotCone cone{{-0.4, -1.2, -0.5}, 20.0, 35.0};
+  for (const bool in_cone : {false, true}) {
+    for (const double depth : {0.3, 3.0}) {
+      Scene scene = lit(lobed_profile(40.0), in_cone ? std::optional(cone) : std::nullopt, depth);
+      scene.medium.set_homogeneous_density(0.05);
+      scene.surfaces = {wall(-1.0, 2.0)};
+      const Frame truth = render_frame(scene, reference_settings(1e-4));
+      const Frame frame = render_frame(scene, sliced(24));
+      EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.01) << depth;
+      EXPECT_LT(difference(frame.beauty, truth.beauty).relative_rmse, 0.01) << depth;
+    }
+  }
+}
+
+TEST(ProfileLight, MarchMatchesTheReference) {
+  const Scene scene = lit(lobed_profile(40.0));
+  Settings march;
+  march.airlight = AirlightMethod::march;
+  march.march_steps = 400;
+  EXPECT_LT(difference(render_frame(scene, march).airlight,
+                       render_frame(scene, reference_settings()).airlight)
+                .relative_rmse,
+            0.005);
+}
+
+TEST(ProfileLight, AllOrdersMatchPaths) {
+  Scene scene = lit(lobed_profile(0.0), std::nullopt, 3.0);
+  scene.film = {16, 12};
+  scene.surfaces = {wall(-1.2, 1.5)};
+  Settings paths;
+  paths.airlight = AirlightMethod::path;
+  paths.paths = 1024;
+  const Frame truth = render_frame(scene, paths);
+  const Frame frame = render_frame(scene, all_orders);
+  const Difference airlight = difference(frame.airlight, truth.airlight);
+  const double noise = relative_noise(truth)->airlight;
+  EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise));
+  EXPECT_LT(std::abs(airlight.bias), 0.02);
+  EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03);
+}
+
+// Turning the profile about its axis by a turn's half is turning the light: the lobes change sides.
+TEST(ProfileLight, RotatesAboutItsAxis) {
+  const Scene scene = lit(lobed_profile(0.0));
+  Scene opposite = lit(lobed_profile(180.0));
+  const Frame frame = render_frame(scene, sliced(24));
+  EXPECT_GT(difference(render_frame(opposite, sliced(24)).airlight, frame.airlight).relative_rmse,
+            0.1);
+  opposite.lights[0].profile.rotation = 360.0;
+  EXPECT_LT(difference(render_frame(opposite, sliced(24)).airlight, frame.airlight).relative_rmse,
+            1e-5);
+}
+
+TEST(ProfileLight, IsLeftOutByThePaperWithAWord) {
+  const Frame frame = render_frame(lit(lobed_profile(0.0)), paper_settings);
+  EXPECT_TRUE(std::ranges::any_of(frame.statistics.skipped, [](const SkippedStage& skipped) {
+    return skipped.why.find("isotropic point lights only; left out: 1") != std::string::npos;
+  }));
+  EXPECT_TRUE(std::ranges::all_of(frame.airlight, [](float x) { return x == 0.0f; }));
+}
+
+// Beams of a degree, a ring, light upwards only; in the eye, in a Gaussian, far away.
+TEST(ProfileLight, HardCasesAreFinite) {
+  const auto profile = [](std::vector<double> polar, std::vector<double> values) {
+    std::vector<double> both = values;
+    both.insert(both.end(), values.begin(), values.end());
+    return LightProfile{"a.ies", std::make_shared<const PhotometricProfile>(
+                                     std::move(polar), std::vector{0.0, 360.0}, std::move(both))};
+  };
+  const LightProfile profiles[] = {profile({0.0, 0.5, 1.0}, {1.0, 1.0, 0.0}),
+                                   profile({90.0}, {1.0}), profile({120.0, 180.0}, {0.0, 1e20}),
+                                   profile({0.0}, {1e-20})};
+  Settings small_grid = sliced(8, Scattering::multiple);
+  small_grid.source_grid.nodes = 1000;
+  for (const LightProfile& p : profiles) {
+    Scene scene = lit(p, std::nullopt, 5.0);
+    scene.film = {8, 6};
+    scene.surfaces = {wall(-1.0, 2.0)};
+    for (const glm::dvec3& position : {glm::dvec3(0.0), scene.camera.eye, glm::dvec3(0.0, 0.0, 2.0),
+                                       glm::dvec3(0.0, 1e6, 0.0), glm::dvec3(0.0, 0.0, -1.0)}) {
+      scene.lights[0].position = position;
+      expect_finite(render_frame(scene, sliced(8)));
+      expect_finite(render_frame(scene, small_grid));
+      expect_finite(render_frame(scene, {.airlight = AirlightMethod::reference}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume
