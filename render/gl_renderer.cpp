@@ -245,20 +245,20 @@ std::optional<Frame> GlRenderer::Impl::try_render(const RenderPlan& plan, const 
   const int threads = plan.settings.threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   const FogExtent fog_extent(scene);
-  const std::size_t count = albedo_groups(scene.optics.albedo).size();
+  const std::vector<AlbedoGroup> all = albedo_groups(scene, plan.has_own_optics);
   const Current current(*context);
-  while (groups.size() < count) groups.push_back(std::make_unique<Group>());
-  groups.resize(count);
+  while (groups.size() < all.size()) groups.push_back(std::make_unique<Group>());
+  groups.resize(all.size());
   if (target.options) target.picture = pictures->acquire({film.width, film.height});
-  return render_groups(
-      scene, media, job,
-      [&](const Scene& group_scene, std::size_t which, double albedo, const Job& group_job) {
-        FrameContext work(plan, group_scene, camera, film, *transfers, own_transfers.get(),
-                          group_job, albedo, fog_extent);
-        work.frame.statistics.backend = "gl";
-        work.frame.statistics.device = device.name;
-        return render(work, arena, which, target);
-      });
+  return render_groups(scene, all, media, job,
+                       [&](const Scene& group_scene, std::size_t which, const AlbedoGroup& group,
+                           const Job& group_job) {
+                         FrameContext work(plan, group_scene, camera, film, *transfers,
+                                           own_transfers.get(), group_job, group, fog_extent);
+                         work.frame.statistics.backend = "gl";
+                         work.frame.statistics.device = device.name;
+                         return render(work, arena, which, target);
+                       });
 }
 
 // Where view rays end: the depth texture, and the hits of the mesh.
@@ -321,8 +321,8 @@ bool GlRenderer::Impl::shade_surfaces(FrameContext& work, Group& group, StageClo
 void GlRenderer::Impl::show(FrameContext& work, std::size_t which, const Target& target,
                             StageClock& cpu_clock) {
   clock.time(Stage::display, [&] {
-    display.run(programs, textures, *target.options, albedo_groups(work.scene.optics.albedo), which,
-                target.picture->texture());
+    display.run(programs, textures, *target.options, work.group, which == 0,
+                which + 1 == groups.size(), target.picture->texture());
   });
   cpu_clock.finish(Stage::submit);
   work.frame.statistics.view_pairs += display.sum_pairs(programs, textures);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 #include <optional>
 
@@ -19,13 +20,18 @@ struct Content {
   std::size_t lights_beyond_paper = 0;
   bool far_light = false;
   bool surfaces, environment, gaussians, homogeneous, noise;
+  // Of Gaussians; has_emission also counts as light.
+  bool has_own_optics, has_emission;
 
   Content(const Scene& scene, AirlightMethod method)
       : surfaces(!scene.surfaces.empty()),
         environment(scene.environment && scene.environment->intensity > 0.0),
         gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
         homogeneous(scene.medium.homogeneous_density() > 0.0),
-        noise(gaussians && scene.optics.noise.amplitude > 0.0) {
+        noise(gaussians && scene.optics.noise.amplitude > 0.0),
+        has_own_optics(method != AirlightMethod::paper &&
+                       (scene.medium.has_albedos() || scene.medium.has_emission())),
+        has_emission(has_own_optics && gaussians && scene.medium.has_emission()) {
     const bool is_paper = method == AirlightMethod::paper;
     for (const Light& light : scene.lights) {
       if (!light.on) {
@@ -51,7 +57,7 @@ struct Content {
 
   [[nodiscard]] bool medium() const { return gaussians || homogeneous; }
   [[nodiscard]] bool point_light() const { return !lights.empty(); }
-  [[nodiscard]] bool light() const { return environment || point_light(); }
+  [[nodiscard]] bool light() const { return environment || point_light() || has_emission; }
   // From all directions: of an environment, or scattered by the medium.
   [[nodiscard]] bool indirect_light() const { return environment || (medium() && point_light()); }
 
@@ -86,16 +92,19 @@ std::size_t triangle_count(const Scene& scene) {
 }
 
 // A bound of the share of light that is scattered more than once: with each order there is at most
-// the albedo times the opacity of the deepest line as much.
+// the greatest albedo times the opacity of the deepest line as much.
 double max_multiple_share(const Scene& scene) {
-  const glm::dvec3& w = scene.optics.albedo;
+  glm::dvec3 w = scene.optics.albedo;
   if (scene.medium.homogeneous_density() > 0.0) return 1.0;  // fog may be endless
   double depth = 0.0;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     const Gaussian g = scene.medium.gaussian(i);
-    depth += g.density * g.radius * std::sqrt(std::numbers::pi);
+    const glm::dvec3 albedo = g.optics.albedo.value_or(scene.optics.albedo);
+    depth += g.density / std::min({albedo.x, albedo.y, albedo.z}) * g.radius *
+             std::sqrt(std::numbers::pi);
+    w = glm::max(w, albedo);
   }
-  const double opacity = -std::expm1(-depth / std::min({w.x, w.y, w.z}));
+  const double opacity = -std::expm1(-depth);
   return std::max({w.x, w.y, w.z}) * opacity;
 }
 
@@ -216,6 +225,10 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   }
   if (content.lights_off > 0) skip(Stage::lights, Reason::lights_off, content.lights_off);
   if (content.black_lights > 0) skip(Stage::lights, Reason::black_lights, content.black_lights);
+  if (method == AirlightMethod::paper &&
+      (scene.medium.has_albedos() || scene.medium.has_emission())) {
+    skip(Stage::airlight, Reason::optics_beyond_paper);
+  }
   if (content.lights_beyond_paper > 0) {
     skip(Stage::lights, Reason::lights_beyond_paper, content.lights_beyond_paper);
   }
@@ -237,6 +250,7 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   settings = limit_light_map_memory(settings, content.lights.size(), content.surfaces);
   lights = content.lights;
   has_density = content.medium();
+  has_own_optics = content.has_own_optics;
   const bool wants_all_orders =
       method == AirlightMethod::sliced && settings.scattering == Scattering::multiple;
   const std::optional<Reason> why_once =

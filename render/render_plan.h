@@ -45,6 +45,8 @@ struct RenderPlan {
   [[nodiscard]] bool has_medium() const { return has_density; }
 
   bool has_density = false;  // of Gaussians or homogeneous
+  // Gaussians with an albedo of their own, or that shine; `paper` knows none.
+  bool has_own_optics = false;
   // An environment with non-zero radiance: behind the scene, and lighting it.
   bool has_environment = false;
   // Environment light enters the medium; Stage::environment runs only if the method wants a grid.

@@ -60,17 +60,17 @@ std::optional<Frame> Renderer::render(const RenderPlan& plan, const Scene& scene
   tbb::task_arena arena(plan.settings.threads > 0 ? plan.settings.threads
                                                   : tbb::task_arena::automatic);
   const FogExtent fog_extent(scene);
-  const auto render_one = [&](const Scene& group_scene, std::size_t which, double albedo,
+  const auto render_one = [&](const Scene& group_scene, std::size_t which, const AlbedoGroup& group,
                               const Job& group_job) {
     FrameContext work(plan, group_scene, camera, film, *transfers_, own_transfers_.get(), group_job,
-                      albedo, fog_extent);
+                      group, fog_extent);
     return arena.execute([&] { return impls_[which]->render(work); });
   };
 
-  const std::size_t groups = albedo_groups(scene.optics.albedo).size();
-  while (impls_.size() < groups) impls_.push_back(std::make_unique<Impl>());
-  impls_.resize(groups);
-  return render_groups(scene, media_, job, render_one);
+  const std::vector<AlbedoGroup> groups = albedo_groups(scene, plan.has_own_optics);
+  while (impls_.size() < groups.size()) impls_.push_back(std::make_unique<Impl>());
+  impls_.resize(groups.size());
+  return render_groups(scene, groups, media_, job, render_one);
 }
 
 std::optional<Frame> Renderer::Impl::render(FrameContext& work) {

@@ -108,6 +108,8 @@ std::string to_string(Reason reason, std::size_t count) {
     case Reason::lights_beyond_paper:
       return "the paper's method has isotropic point lights only; left out: " +
              std::to_string(count);
+    case Reason::optics_beyond_paper:
+      return "the paper's method has one albedo and no emission; left out: those of Gaussians";
     case Reason::part_of_paths:
       return "paths carry its light";
     case Reason::part_of_all_orders:

@@ -86,6 +86,7 @@ enum class Reason {
   lights_off,
   black_lights,
   lights_beyond_paper,
+  optics_beyond_paper,
   part_of_paths,
   part_of_all_orders,
   // On the CPU.

@@ -134,7 +134,7 @@ class IesReader {
     std::vector<Column> columns;
     double greatest = 0.0;
     for (const double azimuth : azimuths) {
-      Column& column = columns.emplace_back(azimuth);
+      Column& column = columns.emplace_back(Column{azimuth, {}});
       for (std::size_t i = 0; i < polar_count; ++i) {
         const double intensity = number("candela value");
         if (!(intensity >= 0.0 && intensity <= limits::intensity)) {

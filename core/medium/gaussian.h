@@ -2,8 +2,20 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace brume {
+
+// How the matter of a Gaussian scatters and shines. By default as the medium, and not at all.
+struct GaussianOptics {
+  // Single-scattering albedo, RGB in (0, 1]: extinction is density / albedo. Absent: the medium's.
+  std::optional<glm::dvec3> albedo{};
+  // Radiance of an opaque body of it that lets nothing through and scatters nothing: RGB >= 0
+  // [W/(sr u^2)], per unit of extinction optical depth.
+  glm::dvec3 emission{0.0};
+
+  bool operator==(const GaussianOptics&) const = default;
+};
 
 // One Gaussian of a medium: b_i(x) = density * exp(-|x - center|^2 / radius^2)  [1/u].
 // The paper's a_i is 1 / radius, its c_i is density. Domain: radius > 0, density >= 0, all finite.
@@ -11,6 +23,7 @@ struct Gaussian {
   glm::dvec3 center{0.0};
   double radius = 1.0;
   double density = 0.0;
+  GaussianOptics optics{};
 
   bool operator==(const Gaussian&) const = default;
 };

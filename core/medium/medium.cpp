@@ -14,6 +14,8 @@ GaussianId Medium::append(const Gaussian& gaussian) {
   radii_.push_back(gaussian.radius);
   densities_.push_back(gaussian.density);
   ids_.push_back(next_id_);
+  if (!optics_.empty()) optics_.emplace_back();
+  set_optics(size() - 1, gaussian.optics);
   revision_ = new_revision();
   return next_id_++;
 }
@@ -31,16 +33,29 @@ void Medium::set_homogeneous_density(double b0) {
   revision_ = new_revision();
 }
 
-Medium Medium::divided_by(double divisor) const {
-  Medium medium = *this;
-  for (double& density : medium.densities_) density /= divisor;
-  medium.homogeneous_density_ /= divisor;
-  medium.revision_ = new_revision();
-  return medium;
+void Medium::set_optics(std::size_t index, const GaussianOptics& optics) {
+  if (optics_.empty()) {
+    if (optics == GaussianOptics()) return;
+    optics_.resize(size());
+  }
+  optics_[index] = optics;
+}
+
+bool Medium::has_albedos() const {
+  return std::ranges::any_of(optics_, [](const auto& optics) { return optics.albedo.has_value(); });
+}
+
+bool Medium::has_emission() const {
+  return std::ranges::any_of(optics_,
+                             [](const auto& optics) { return optics.emission != glm::dvec3(0.0); });
 }
 
 bool Medium::operator==(const Medium& other) const {
   if (revision_ == other.revision_) return true;
+  const bool same_optics = optics_.empty() && other.optics_.empty();
+  for (std::size_t i = 0; !same_optics && i < size(); ++i) {
+    if (i >= other.size() || !(optics(i) == other.optics(i))) return false;
+  }
   return homogeneous_density_ == other.homogeneous_density_ && ids_ == other.ids_ &&
          centers_ == other.centers_ && radii_ == other.radii_ && densities_ == other.densities_;
 }

@@ -30,9 +30,16 @@ class Medium {
 
   // The Gaussian at an index in [0, size()).
   [[nodiscard]] Gaussian gaussian(std::size_t index) const {
-    return {centers_[index], radii_[index], densities_[index]};
+    return {centers_[index], radii_[index], densities_[index], optics(index)};
   }
   [[nodiscard]] std::optional<std::size_t> index_of(GaussianId id) const;
+
+  [[nodiscard]] GaussianOptics optics(std::size_t index) const {
+    return optics_.empty() ? GaussianOptics() : optics_[index];
+  }
+  // Whether a Gaussian has an albedo of its own, or shines.
+  [[nodiscard]] bool has_albedos() const;
+  [[nodiscard]] bool has_emission() const;
 
   // b0, the homogeneous scattering coefficient [1/u], >= 0.
   [[nodiscard]] double homogeneous_density() const { return homogeneous_density_; }
@@ -43,8 +50,20 @@ class Medium {
   GaussianId append(const Gaussian& gaussian);
   void reserve(std::size_t count);
 
-  // The same Gaussians and b0 with all densities divided by `divisor` > 0.
-  [[nodiscard]] Medium divided_by(double divisor) const;
+  // The same with other densities and optics of its Gaussians, which `change` gets one by one, and
+  // b0.
+  template <class Change>
+  [[nodiscard]] Medium changed(double b0, Change change) const {
+    Medium medium = *this;
+    medium.homogeneous_density_ = b0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Gaussian changed = change(gaussian(i));
+      medium.densities_[i] = changed.density;
+      medium.set_optics(i, changed.optics);
+    }
+    medium.revision_ = new_revision();
+    return medium;
+  }
 
   // Media of equal revision are equal; copies share theirs. 0: empty from the beginning.
   [[nodiscard]] Revision revision() const { return revision_; }
@@ -55,9 +74,12 @@ class Medium {
  private:
   friend class MediumEdit;
 
+  void set_optics(std::size_t index, const GaussianOptics& optics);
+
   std::vector<glm::dvec3> centers_;
   std::vector<double> radii_;
   std::vector<double> densities_;
+  std::vector<GaussianOptics> optics_;  // empty: all as by default
   std::vector<GaussianId> ids_;
   GaussianId next_id_ = 1;
   double homogeneous_density_ = 0.0;

@@ -89,12 +89,14 @@ void MediumEdit::apply(Medium& medium) const {
     medium.centers_[index] = gaussian.center;
     medium.radii_[index] = gaussian.radius;
     medium.densities_[index] = gaussian.density;
+    medium.set_optics(index, gaussian.optics);
   };
   const auto resize = [&medium](std::size_t size) {
     medium.centers_.resize(size);
     medium.radii_.resize(size);
     medium.densities_.resize(size);
     medium.ids_.resize(size);
+    if (!medium.optics_.empty()) medium.optics_.resize(size);
   };
   const auto move = [&](std::size_t source, std::size_t target) {
     put(target, medium.gaussian(source));

@@ -144,7 +144,8 @@ MediumSummary summarize(const Medium& medium) {
   summary.min_radius = summary.max_radius = medium.radii()[0];
   summary.min_extent = summary.max_extent = medium.centers()[0];
   for (std::size_t i = 0; i < size; ++i) {
-    const auto [center, radius, density] = medium.gaussian(i);
+    const glm::dvec3& center = medium.centers()[i];
+    const double radius = medium.radii()[i];
     summary.min_center = glm::min(summary.min_center, center);
     summary.max_center = glm::max(summary.max_center, center);
     summary.min_extent = glm::min(summary.min_extent, center - 2.0 * radius);

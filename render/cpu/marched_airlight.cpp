@@ -1,6 +1,7 @@
 #include "render/cpu/marched_airlight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
@@ -47,12 +48,18 @@ struct MarchScratch {
   std::vector<float> source_sums;      // of all rays, see SourceLookup::add()
   std::vector<glm::vec3> environment;  // per ray
   std::vector<float> along_rays;       // see SliceWeights
+  // Of Gaussians with optics: the batch with its scale times each of them, and what that sums to.
+  std::array<GaussianBatch, 4> weighted;
+  std::array<std::vector<float>, 4> sums;
+  std::vector<float> ignored;
+  std::vector<glm::vec3> emitted;  // per ray
 };
 
 // Sets up the steps of every ray and clears what is summed over them.
 void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians,
              std::size_t lights, const TileRays& rays, int steps, MarchScratch& s) {
   s.batch.assign(medium, rays.eye, gaussians, medium.noise());
+  s.batch.add_optics(medium);
   s.rays.assign(rays.directions, rays.lengths);
   const std::size_t count = rays.directions.size();
   s.begin.resize(count);
@@ -66,6 +73,16 @@ void prepare(const MediumIndex& medium, std::span<const std::uint32_t> gaussians
   for (auto* array : {&s.t, &s.weights, &s.depths, &s.light_depths, &s.lit_weights}) {
     array->assign(s.rays.padded_size(), 0.0f);
   }
+  if (s.batch.has_optics()) {
+    for (std::size_t k = 0; k < s.weighted.size(); ++k) {
+      s.weighted[k] = s.batch;
+      for (std::size_t j = 0; j < s.batch.size(); ++j)
+        s.weighted[k].scale[j] *= s.batch.optics[k][j];
+      s.sums[k].resize(s.rays.padded_size());
+    }
+    s.ignored.resize(s.rays.padded_size());
+  }
+  s.emitted.assign(count, glm::vec3(0.0f));
   s.radiance.resize(lights);
   for (auto& radiance : s.radiance) radiance.assign(s.rays.padded_size(), 0.0f);
 }
@@ -79,6 +96,9 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
   }
   const std::uint64_t pairs =
       sample_medium(s.batch, s.rays, s.t.data(), s.weights.data(), s.depths.data());
+  for (std::size_t k = 0; s.batch.has_optics() && k < s.weighted.size(); ++k) {
+    sample_medium(s.weighted[k], s.rays, s.t.data(), s.sums[k].data(), s.ignored.data());
+  }
   const auto b0 = static_cast<float>(medium.homogeneous_density());
   // A ray whose every step is as thin as this lies below what other methods leave out.
   const auto negligible = static_cast<float>(medium.negligible_depth() / steps);
@@ -86,11 +106,16 @@ std::uint64_t add_samples(const MediumIndex& medium, const TileRays& rays, int i
   s.relevant.clear();
   s.points.clear();
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
-    s.weights[k] = (s.weights[k] + b0) * static_cast<float>(s.step[k]);
+    const auto step = static_cast<float>(s.step[k]);
+    s.weights[k] = (s.weights[k] + b0) * step;
     s.depths[k] += b0 * s.t[k];
     if (!(s.weights[k] > negligible) || s.depths[k] > opaque) continue;
     s.relevant.push_back(k);
     s.points.push_back(rays.eye + static_cast<double>(s.t[k]) * rays.directions[k]);
+    if (!s.batch.has_optics()) continue;
+    s.weights[k] = (s.sums[0][k] + b0) * step;  // what is scattered of it
+    s.emitted[k] +=
+        step * std::exp(-s.depths[k]) * glm::vec3(s.sums[1][k], s.sums[2][k], s.sums[3][k]);
   }
   return pairs;
 }
@@ -168,7 +193,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
   }
   s.environment.assign(rays.directions.size(), glm::vec3(0.0f));
   s.along_rays.assign(rays.directions.size(), 0.0f);
-  const bool is_lit = environment || !lights.empty();
+  const bool is_lit = environment || !lights.empty() || s.batch.has_optics();
   for (int index = 0; index < steps && is_lit; ++index) {
     pairs += add_samples(medium, rays, index, steps, s);
     if (s.relevant.empty()) continue;
@@ -191,7 +216,7 @@ std::uint64_t marched_airlight(const MediumIndex& medium, std::span<const std::u
   const double b0 = medium.homogeneous_density();
   for (std::size_t k = 0; k < rays.directions.size(); ++k) {
     out.depths[k] = static_cast<double>(s.depths[k]) + (b0 > 0.0 ? b0 * rays.lengths[k] : 0.0);
-    out.airlight[k] = glm::max(s.environment[k], 0.0f);
+    out.airlight[k] = glm::max(s.environment[k], 0.0f) + s.emitted[k];
     for (std::size_t l = 0; l < lights.size(); ++l) {
       out.airlight[k] += glm::vec3(lights[l].intensity) * s.radiance[l][k];
     }

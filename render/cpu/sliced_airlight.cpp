@@ -20,6 +20,7 @@ struct SliceScratch {
   std::vector<float> lookup_sums;                       // of all rays
   PathBatch lines;                                      // the rays without an end
   std::vector<float> along_rays, line_depths;
+  std::array<std::vector<float>, 3> emission;
   std::array<std::vector<float>, light_pack> radiance;
 };
 
@@ -62,11 +63,13 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   if (slices.count == 0) return 0;
 
   s.batch.assign(medium, rays.eye, gaussians, medium.noise());
+  s.batch.add_optics(medium);
   s.rays.assign(rays.directions, rays.lengths);
   s.slices.interpolate(slices, rays.positions, s.rays);
   const std::size_t stride = s.rays.padded_size();
   const std::size_t last = s.slices.count() - 1;
-  s.increments.assign(last * stride, 0.0f);
+  SliceOptics optics{.has = s.batch.has_optics()};
+  s.increments.assign(last * stride * (optics.has ? optics_increments : 1), 0.0f);
   const std::uint64_t pairs = accumulate_increments(s.batch, s.rays, s.slices, s.increments.data());
 
   const double b0 = medium.homogeneous_density();
@@ -95,6 +98,10 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
   }
   const SliceScattering scattering =
       slice_scattering(medium.anisotropy(), source ? source->function : nullptr);
+  for (std::size_t c = 0; c < 3 && optics.has; ++c) {
+    s.emission[c].resize(stride);
+    optics.emission[c] = s.emission[c].data();
+  }
   for (std::size_t first = 0; first == 0 || first < lights.size(); first += light_pack) {
     std::array<SliceLight, light_pack> pack;
     std::array<float*, light_pack> radiance{};
@@ -125,13 +132,17 @@ std::uint64_t sliced_airlight(const MediumIndex& medium, std::span<const std::ui
     }
     sum_slices(s.rays, s.slices, s.increments.data(), static_cast<float>(b0), scattering,
                negligible, std::span(pack).first(size), s.depths.data(),
-               first == 0 ? slice_weights : SliceWeights(), radiance);
+               first == 0 ? slice_weights : SliceWeights(), optics, radiance);
+    optics.emission = {};
     for (std::size_t l = 0; l < size; ++l) {
       const glm::vec3 intensity(lights[first + l].intensity);
       for (std::size_t k = 0; k < count; ++k) out.airlight[k] += intensity * radiance[l][k];
     }
   }
   if (source) add_source_function(*source, rays, s, out.airlight);
+  for (std::size_t k = 0; optics.has && k < count; ++k) {
+    out.airlight[k] += glm::vec3(s.emission[0][k], s.emission[1][k], s.emission[2][k]);
+  }
   for (std::size_t k = 0; k < count; ++k) {
     // Homogeneous fog continues behind the last slice; the Gaussians do not.
     const auto sliced = static_cast<double>(*s.slices.at(k, last));

@@ -9,9 +9,7 @@ namespace {
 // 1 for the channels of the frame's albedo group.
 glm::dvec3 channels_of(const FrameContext& work) {
   glm::dvec3 channels(0.0);
-  for (int c = 0; c < 3; ++c) {
-    if (work.scene.optics.albedo[c] == work.albedo) channels[c] = 1.0;
-  }
+  for (const std::size_t c : work.group.channels) channels[static_cast<int>(c)] = 1.0;
   return channels;
 }
 
@@ -37,14 +35,14 @@ std::span<const glm::vec3> TracedPaths::trace(const FrameStages& stages, FrameCo
 
   const RayCaster& ray_caster = stages.prepared().ray_caster();
   const PathScene scene =
-      PathScene::of_view(*medium_, work.albedo, ray_caster, work.scene.surfaces,
+      PathScene::of_view(*medium_, work.group.albedo, ray_caster, work.scene.surfaces,
                          environment_ ? &*environment_ : nullptr, work.sources(), work.rays.eye(),
                          work.fog_extent.ball());
 
   PathKey key;
   key.medium = medium_revision_;
   key.noise = medium_->index().noise();
-  key.albedo = work.albedo;
+  key.albedo = work.group.albedo;
   key.lights = work.plan.lights;
   key.environment = work.scene.environment;
   key.surfaces = work.scene.surfaces;

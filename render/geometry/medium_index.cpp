@@ -8,7 +8,10 @@
 namespace brume {
 
 MediumIndex::MediumIndex(const Medium& medium, double tolerance, double anisotropy)
-    : b0_(medium.homogeneous_density()), tolerance_(tolerance), anisotropy_(anisotropy) {
+    : optics_(relative_optics(medium)),
+      b0_(medium.homogeneous_density()),
+      tolerance_(tolerance),
+      anisotropy_(anisotropy) {
   gaussians_.reserve(medium.size());
   cutoff_radii_.reserve(medium.size());
   for (std::size_t i = 0; i < medium.size(); ++i) {
@@ -34,6 +37,24 @@ double MediumIndex::density(const glm::dvec3& x) const {
   return sum;
 }
 
+RelativeOptics MediumIndex::optics_at(const glm::dvec3& x, double fog) const {
+  RelativeOptics mean;
+  if (optics_.empty()) return mean;
+  double sum = fog;
+  double albedo = fog;
+  glm::dvec3 emission(0.0);
+  bvh_.query(RaySegment{x, {0.0, 0.0, 1.0}, 0.0}, [&](std::uint32_t i) {
+    const GaussianTerm<double>& g = gaussians_[i];
+    const glm::dvec3 q = g.a * (x - g.b);
+    const double density = g.c * std::exp(-glm::dot(q, q));
+    sum += density;
+    albedo += density * optics_[i].albedo;
+    emission += density * optics_[i].emission;
+  });
+  if (!(sum > 0.0)) return mean;
+  return {albedo / sum, emission / sum};
+}
+
 double MediumIndex::depth(const RaySegment& segment) const {
   if (!(segment.length > 0.0)) return 0.0;
   double sum = b0_ > 0.0 ? b0_ * segment.length : 0.0;
@@ -43,6 +64,16 @@ double MediumIndex::depth(const RaySegment& segment) const {
                       segment.length);
   });
   return sum;
+}
+
+std::vector<RelativeOptics> relative_optics(const Medium& extinction) {
+  std::vector<RelativeOptics> all;
+  if (!extinction.has_albedos() && !extinction.has_emission()) return all;
+  for (std::size_t i = 0; i < extinction.size(); ++i) {
+    const GaussianOptics optics = extinction.optics(i);
+    all.push_back({optics.albedo ? optics.albedo->x : 1.0, optics.emission});
+  }
+  return all;
 }
 
 double culling_tolerance(const Medium& medium, double error) {

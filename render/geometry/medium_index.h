@@ -11,6 +11,13 @@
 
 namespace brume {
 
+// Optics of a Gaussian of an extinction_medium(), or of a mixture of them: its albedo relative to
+// that of the medium's fog, and its emission divided by the same.
+struct RelativeOptics {
+  double albedo = 1.0;
+  glm::dvec3 emission{0.0};
+};
+
 // A medium prepared for queries: its Gaussians in the paper's symbols, their cutoff radii and a
 // bounding-volume hierarchy. Indices are the medium's.
 class MediumIndex {
@@ -22,6 +29,10 @@ class MediumIndex {
   [[nodiscard]] std::size_t size() const { return gaussians_.size(); }
   [[nodiscard]] std::span<const GaussianTerm<double>> gaussians() const { return gaussians_; }
   [[nodiscard]] std::span<const double> cutoff_radii() const { return cutoff_radii_; }
+  // Of each Gaussian; empty if all are as by default.
+  [[nodiscard]] std::span<const RelativeOptics> optics() const { return optics_; }
+  // Of what is at x, of fog of a density too; means weighted by density [1/u].
+  [[nodiscard]] RelativeOptics optics_at(const glm::dvec3& x, double fog) const;
   [[nodiscard]] const SphereBvh& bvh() const { return bvh_; }
   // Noise that displaces view rays; off by default; changing it needs no new index.
   [[nodiscard]] const RayNoise& noise() const { return noise_; }
@@ -51,6 +62,7 @@ class MediumIndex {
   Revision revision_ = new_revision();
   std::vector<GaussianTerm<double>> gaussians_;
   std::vector<double> cutoff_radii_;
+  std::vector<RelativeOptics> optics_;
   double max_radius_ = 0.0;
   RayNoise noise_;
   SphereBvh bvh_;
@@ -58,6 +70,9 @@ class MediumIndex {
   double tolerance_;
   double anisotropy_;
 };
+
+// Of the Gaussians of an extinction_medium(); empty if all are as by default.
+std::vector<RelativeOptics> relative_optics(const Medium& extinction);
 
 // Tolerance per Gaussian for which the optical depth of a ray is within `error`, as measured on
 // clouds (culled Gaussians add up to 1/25 of the rigorous n * tolerance). Relative to the deepest

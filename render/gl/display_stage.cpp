@@ -7,17 +7,17 @@
 namespace brume::gl {
 
 void DisplayStage::run(Programs& programs, const FilmTextures& film, const DisplayOptions& options,
-                       const std::vector<AlbedoGroup>& groups, std::size_t which,
+                       const AlbedoGroup& group, bool is_first, bool is_last,
                        const Texture& picture) {
   glm::vec3 channels(0.0f);
-  for (const std::size_t c : groups[which].channels) channels[static_cast<int>(c)] = 1.0f;
-  if (groups.size() > 1) channels_.reserve(Texture::Format::rgba32f, picture.size());
+  for (const std::size_t c : group.channels) channels[static_cast<int>(c)] = 1.0f;
+  if (!is_first || !is_last) channels_.reserve(Texture::Format::rgba32f, picture.size());
   const Program& program = programs["display"];
-  program.set("albedo", static_cast<float>(groups[which].albedo));
+  program.set("albedo", static_cast<float>(group.albedo));
   program.set("channels", channels);
   program.set("airlight_only", options.layer == DisplayOptions::Layer::airlight ? 1 : 0);
-  program.set("is_first", which == 0 ? 1 : 0);
-  program.set("is_last", which + 1 == groups.size() ? 1 : 0);
+  program.set("is_first", is_first ? 1 : 0);
+  program.set("is_last", is_last ? 1 : 0);
   program.set("gain", exposure_gain(options.exposure));
   program.bind("airlight", film.airlight);
   program.bind("beauty", film.beauty);

@@ -12,10 +12,9 @@ namespace brume::gl {
 // to_display() on the device.
 class DisplayStage {
  public:
-  // Writes the channels of albedo group `which`; after the last group the picture is complete.
-  // `picture`: rgba8.
+  // Writes the channels of a group; after the last the picture is complete. `picture`: rgba8.
   void run(Programs& programs, const FilmTextures& film, const DisplayOptions& options,
-           const std::vector<AlbedoGroup>& groups, std::size_t which, const Texture& picture);
+           const AlbedoGroup& group, bool is_first, bool is_last, const Texture& picture);
   // Total Gaussian x ray pairs of all pixels. Waits for the device.
   std::uint64_t sum_pairs(Programs& programs, const FilmTextures& film);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <numbers>
 
 #include "render/lighting/resampling.h"
 
@@ -19,6 +20,11 @@ int solution_bands(const MultipleScattering::Input& input) {
 std::optional<glm::vec3> common_color(const MultipleScattering::Input& input) {
   if (input.environment_scale > 0.0) return std::nullopt;
   for (const SourceGrid::Level& level : input.grid.levels()) {
+    for (std::size_t c = 1; c < level.optics.size(); ++c) {
+      if (std::ranges::any_of(level.optics[c], [](float x) { return x > 0.0f; })) {
+        return std::nullopt;
+      }
+    }
     if (level.surfaces && !level.surfaces->is_grey()) return std::nullopt;
   }
   glm::dvec3 color(0.0);
@@ -85,6 +91,30 @@ UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::
 
 void add(std::span<const float> values, std::span<float> sums) {
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
+}
+
+// Adds light that the Gaussians of a level emit to that which arrives unscattered at its nodes, and
+// which surfaces have reflected. Returns what it has added.
+std::optional<NodeLight> add_emitted(const MultipleScattering::Input& input,
+                                     const SourceGrid::Level& level, const GridMedium& medium,
+                                     double extinction, UnscatteredLight& light, const Job& job) {
+  if (level.optics[1].empty() || light.incident.channels != 3) return std::nullopt;
+  // As light that arrives from everywhere would be scattered; emission is divided by the albedo.
+  NodeLight sent(1, 3, level.nodes.size());
+  const double mean_of_band = 2.0 * std::sqrt(std::numbers::pi);
+  const auto factor = static_cast<float>(input.albedo / extinction * mean_of_band);
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::ranges::transform(level.optics[c + 1], sent.row(c, 0).begin(),
+                           [factor](float x) { return factor * x; });
+  }
+  NodeLight arriving(light.incident.bands, 3, level.nodes.size());
+  GridMedium emitting = medium;
+  emitting.albedo = {};
+  const std::vector<float> dark(level.surfaces ? 3 * level.surfaces->surfels().size() : 0, 0.0f);
+  scatter_once(emitting, sent, dark, std::vector{1.0}, input.limits.light_degree, arriving, job);
+  add(arriving.values, light.incident.values);
+  if (level.surfaces) add(reflected_light(*level.surfaces, arriving), light.reflected);
+  return arriving;
 }
 
 // Whether a point is in the bounds of a level, at least `margin` from its border.
@@ -195,13 +225,14 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   color_ = color.value_or(glm::vec3(1.0f));
 
   const TruncatedScattering truncation(input.albedo, input.anisotropy,
-                                       input.anisotropy == 0.0 ? 1 : grid_bands);
+                                       input.anisotropy == 0.0 ? 1 : grid_bands,
+                                       input.albedo_varies);
   const auto levels = input.grid.levels();
   std::vector<std::vector<float>> extinctions;
   std::vector<GridMedium> media;
   for (const SourceGrid::Level& level : levels) {
     extinctions.push_back(density_with_fog(level, truncation.extinction * input.fog_density));
-    media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get()});
+    media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get(), level.optics[0]});
   }
   std::vector<double> phase = truncation.phase;
   for (double& factor : phase) factor *= truncation.albedo;
@@ -212,6 +243,8 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     const SourceGrid::Level& level = levels[k];
     const SweepDegrees degrees = sweep_degrees(input, level);
     UnscatteredLight light = unscattered_light(input, k, truncation.extinction, color, job);
+    const std::optional<NodeLight> emitted =
+        add_emitted(input, level, media[k], truncation.extinction, light, job);
     std::optional<NodeLight> outside;
     if (!outer.empty()) {
       outside = scatter_into(media[k], outer, phase, degrees.rest, job);
@@ -239,6 +272,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
                                    Resampling(level.first, level.nodes, finer.first, finer.nodes)});
     }
     if (outside) add(outside->values, scattered.values);
+    if (emitted) add(emitted->values, scattered.values);
     solved[k] = std::move(scattered);
   }
   levels_ = std::move(solved);

@@ -16,7 +16,7 @@ constexpr std::size_t batch = 16;
 
 // What each node scatters towards who looks along w, channel after channel.
 void scattered_along(const glm::dvec3& w, const NodeLight& incident, std::span<const double> phase,
-                     std::span<float> source) {
+                     std::span<const float> albedo, std::span<float> source) {
   const ShVector<double> basis = sh_basis(static_cast<int>(phase.size()), w);
   for (std::size_t c = 0; c < incident.channels; ++c) {
     const std::span<float> target = source.subspan(c * incident.stride, incident.stride);
@@ -29,6 +29,7 @@ void scattered_along(const glm::dvec3& w, const NodeLight& incident, std::span<c
         for (std::size_t i = 0; i < target.size(); ++i) target[i] += weight * row[i];
       }
     }
+    for (std::size_t i = 0; i < albedo.size(); ++i) target[i] *= albedo[i];
   }
 }
 
@@ -52,7 +53,7 @@ class Emission {
     // The same for all directions if scattering is isotropic.
     if (phase.size() > 1) return;
     isotropic_.resize(incident.channels * incident.stride);
-    scattered_along({0.0, 0.0, 1.0}, incident, phase, isotropic_);
+    scattered_along({0.0, 0.0, 1.0}, incident, phase, medium.albedo, isotropic_);
   }
 
   // Sets the radiance that arrives at the nodes from direction w. Thread-safe.
@@ -61,7 +62,7 @@ class Emission {
     const std::size_t stride = incident_.stride;
     if (isotropic_.empty()) {
       memory.resize(incident_.channels * stride);
-      scattered_along(w, incident_, phase_, memory);
+      scattered_along(w, incident_, phase_, medium_.albedo, memory);
     }
     const std::span<const float> all(isotropic_.empty() ? memory : isotropic_);
     std::array<std::span<const float>, 3> source;

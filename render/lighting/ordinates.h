@@ -41,6 +41,7 @@ struct GridMedium {
   std::span<const float> density;           // that scatters and attenuates, per node [1/u]
   double fog = 0.0;                         // that only attenuates [1/u]
   const GridOcclusion* surfaces = nullptr;  // between the nodes; null: none
+  std::span<const float> albedo{};          // factor of what each node scatters; empty: 1
 };
 
 // A level around finer ones, and the light in it.

@@ -8,9 +8,10 @@
 
 namespace brume {
 
-TruncatedScattering::TruncatedScattering(double full_albedo, double anisotropy, int bands)
+TruncatedScattering::TruncatedScattering(double full_albedo, double anisotropy, int bands,
+                                         bool albedo_varies)
     : albedo(full_albedo), phase(phase_bands(anisotropy, bands)) {
-  if (bands == 1) return;  // isotropic
+  if (bands == 1 || albedo_varies) return;  // isotropic, or cut off
   const double lobe = forward_lobe(anisotropy, bands);
   for (double& factor : phase) factor = (factor - lobe) / (1.0 - lobe);
   extinction = 1.0 - full_albedo * lobe;

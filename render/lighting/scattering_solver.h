@@ -19,8 +19,9 @@ struct TruncatedScattering {
   double albedo = 1.0;        // in [0, 1]
   std::vector<double> phase;  // its bands, phase[0] = 1
 
-  // Forward lobes only: a backward one is cut off after the bands.
-  TruncatedScattering(double albedo, double anisotropy, int bands);
+  // Forward lobes only: a backward one is cut off after the bands. Where the albedo varies, what
+  // the lobe takes from the extinction would vary, too: then both are cut off.
+  TruncatedScattering(double albedo, double anisotropy, int bands, bool albedo_varies);
 };
 
 // The degrees of the quadrature rules of the sweeps' directions.

@@ -31,7 +31,7 @@ HWY_INLINE V FastErf(V x) {
   return hn::Mul(y, Horner(d, hn::Mul(y, y), coefficient::erf_fast));
 }
 
-template <bool kDisplaced>
+template <bool kDisplaced, bool kOptics>
 HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& rays,
                                     const RaySlices& slices, float* increments) {
   const D d;
@@ -63,6 +63,13 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
       const auto add = [&](std::size_t slice, V depth) HWY_ATTR {
         float* increment = increments + slice * stride + i;
         hn::StoreU(hn::Add(depth, hn::LoadU(d, increment)), d, increment);
+        if constexpr (kOptics) {
+          for (std::size_t c = 0; c < g.optics.size(); ++c) {
+            increment += last * stride;
+            const V weight = set(g.optics[c][j]);
+            hn::StoreU(hn::MulAdd(weight, depth, hn::LoadU(d, increment)), d, increment);
+          }
+        }
       };
       V previous = u(k);
       if (g.scale[j] > exact_above) {
@@ -88,8 +95,12 @@ HWY_INLINE std::uint64_t Increments(const GaussianBatch& g, const PathBatch& ray
 
 std::uint64_t AccumulateIncrements(const GaussianBatch& g, const PathBatch& rays,
                                    const RaySlices& slices, float* increments) {
-  return g.noise.on() ? Increments<true>(g, rays, slices, increments)
-                      : Increments<false>(g, rays, slices, increments);
+  if (g.has_optics()) {
+    return g.noise.on() ? Increments<true, true>(g, rays, slices, increments)
+                        : Increments<false, true>(g, rays, slices, increments);
+  }
+  return g.noise.on() ? Increments<true, false>(g, rays, slices, increments)
+                      : Increments<false, false>(g, rays, slices, increments);
 }
 
 // Position of a direction in a table over a map: the lower of the four cells to interpolate, and
@@ -213,9 +224,11 @@ HWY_INLINE V Lit(const ShadowMap& shadows, const Vector& q, const glm::vec3& ori
 // SliceWeights::along_rays: where the Gaussians have the depth G(t) on the ray, the integral of
 // (G' + b0) exp(-(1 -+ e) G - b0 t) dt, + for light from the eye, e its extinction. The exponent
 // grows evenly within a slice.
-void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments, float b0,
-                  float exponent_per_depth, float* sums) {
+void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* increments,
+                  bool has_optics, float b0, float exponent_per_depth, float* sums) {
   const D d;
+  // Of the first optics: the albedo.
+  const std::size_t to_scattered = has_optics ? (slices.count() - 1) * stride : 0;
   const V per_depth = set(exponent_per_depth);
   for (std::size_t i = 0; i < stride; i += hn::Lanes(d)) {
     V begin = hn::LoadU(d, slices.at(i, 0));
@@ -233,7 +246,9 @@ void SumAlongRays(const RaySlices& slices, std::size_t stride, const float* incr
           hn::NegMulAdd(hn::Mul(set(0.5f), exponent), transmittance_in, transmittance_in),
           hn::Div(hn::Sub(transmittance_in, transmittance_out),
                   hn::Max(exponent, set(coefficient::tiny))));
-      sum = hn::MulAdd(mean, hn::Add(gaussians, fog), sum);
+      const V scattered =
+          hn::Max(hn::LoadU(d, increments + to_scattered + k * stride + i), hn::Zero(d));
+      sum = hn::MulAdd(mean, hn::Add(scattered, fog), sum);
       transmittance_in = transmittance_out;
       begin = end;
     }
@@ -276,13 +291,14 @@ HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                const SliceScattering& scattering, float negligible,
                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-               const std::array<float*, light_pack>& radiance) {
+               const SliceOptics& optics, const std::array<float*, light_pack>& radiance) {
   const D d;
   const V zero = hn::Zero(d);
   const std::size_t stride = rays.padded_size();
+  const std::size_t plane = (slices.count() - 1) * stride;
   if (weights.along_rays) {
     const float from_eye = scattering.anisotropy < 0.0f ? 1.0f : -1.0f;
-    SumAlongRays(slices, stride, increments, b0, 1.0f + from_eye * weights.extinction,
+    SumAlongRays(slices, stride, increments, optics.has, b0, 1.0f + from_eye * weights.extinction,
                  weights.along_rays);
   }
   const bool has_view_extinction = scattering.view_extinction != 1.0f;
@@ -311,6 +327,7 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
     }
     V depth = zero;
     V begin = hn::LoadU(d, slices.at(i, 0));
+    V emitted[3] = {zero, zero, zero};
     V weight = zero;  // of a look-up
     V weighted_distance = zero;
     for (std::size_t k = 0; k + 1 < slices.count(); ++k) {
@@ -323,12 +340,25 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           hn::And(hn::Gt(increment, set(negligible)),
                   hn::Lt(hn::Mul(view_extinction, depth), set(coefficient::visible_depth)));
       if (!hn::AllFalse(d, matters)) {
-        const V scattered_fraction = ScatteredFraction(depth, increment);
-        const V truncated_fraction =
-            has_view_extinction ? hn::Div(ScatteredFraction(hn::Mul(view_extinction, depth),
-                                                            hn::Mul(view_extinction, increment)),
-                                          view_extinction)
-                                : scattered_fraction;
+        V scattered_fraction = ScatteredFraction(depth, increment);
+        V truncated_fraction = has_view_extinction
+                                   ? hn::Div(ScatteredFraction(hn::Mul(view_extinction, depth),
+                                                               hn::Mul(view_extinction, increment)),
+                                             view_extinction)
+                                   : scattered_fraction;
+        if (optics.has) {
+          const float* const own = increments + plane + k * stride + i;
+          const V inverse = hn::Div(set(1.0f), hn::Max(increment, set(coefficient::tiny)));
+          const V emitting = hn::IfThenElseZero(matters, hn::Mul(scattered_fraction, inverse));
+          for (std::size_t c = 0; c < 3 && optics.emission[c]; ++c) {
+            const V emission = hn::Max(hn::LoadU(d, own + (c + 1) * plane), zero);
+            emitted[c] = hn::MulAdd(emitting, emission, emitted[c]);
+          }
+          const V scattering_depth = hn::MulAdd(set(b0), width, hn::Max(hn::LoadU(d, own), zero));
+          const V albedo = hn::Mul(scattering_depth, inverse);
+          scattered_fraction = hn::Mul(scattered_fraction, albedo);
+          truncated_fraction = hn::Mul(truncated_fraction, albedo);
+        }
         const V center = hn::Mul(set(0.5f), hn::Add(begin, end));
         const V counted = hn::IfThenElseZero(matters, truncated_fraction);
         weight = hn::Add(weight, counted);
@@ -385,6 +415,9 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
       begin = end;
     }
     hn::StoreU(depth, d, depths + i);
+    for (std::size_t c = 0; c < 3 && optics.emission[c]; ++c) {
+      hn::StoreU(emitted[c], d, optics.emission[c] + i);
+    }
     for (std::size_t l = 0; l < lights.size(); ++l) {
       constexpr float phase = 0.0795774715459476679f;  // 1 / (4 pi)
       hn::StoreU(hn::MulAdd(set(phase), sum[l], hn::LoadU(d, radiance[l] + i)), d, radiance[l] + i);
@@ -418,9 +451,9 @@ void lookup_depths(const OpticalDepthTable& table, const PathBatch& paths, float
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                 const SliceScattering& scattering, float negligible,
                 std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-                const std::array<float*, light_pack>& radiance) {
+                const SliceOptics& optics, const std::array<float*, light_pack>& radiance) {
   HWY_DYNAMIC_DISPATCH(SumSlices)
-  (rays, slices, increments, b0, scattering, negligible, lights, depths, weights, radiance);
+  (rays, slices, increments, b0, scattering, negligible, lights, depths, weights, optics, radiance);
 }
 
 }  // namespace brume

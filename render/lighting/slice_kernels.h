@@ -20,9 +20,12 @@ namespace brume {
 constexpr float exact_above = 10.0f;
 
 // increments[k * rays.padded_size() + i] += optical depth of the Gaussians on slice k of ray i;
-// nothing before t_0 or after t_K. Returns the Gaussian x ray pairs evaluated.
+// nothing before t_0 or after t_K. If they have optics, the same times their albedo and their
+// emission R, G, B follows, each as long as the slices before the last boundary times the rays.
+// Returns the Gaussian x ray pairs evaluated.
 std::uint64_t accumulate_increments(const GaussianBatch& gaussians, const PathBatch& rays,
                                     const RaySlices& slices, float* increments);
+constexpr std::size_t optics_increments = 5;  // with those of optical depth
 
 // depths[k] = the light table's optical depth at the end of path k, which starts at the light. For
 // padded_size() paths; 0 for an empty table.
@@ -67,6 +70,12 @@ struct SliceScattering {
   std::array<float, 4> truncated_phase{};
 };
 
+// What slices of Gaussians with optics do, beside light from point lights.
+struct SliceOptics {
+  bool has = false;                  // the increments are followed by those of optics
+  std::array<float*, 3> emission{};  // radiance of ray i that the Gaussians emit, or null
+};
+
 // In-scattered fractions for distant light; null: not needed.
 struct SliceWeights {
   // [j * rays.padded_size() + i], of the slices k of ray i that share look-up j: the sum of
@@ -88,12 +97,14 @@ struct SliceWeights {
 // with a view extinction e below 1 for the truncated phase function
 //   exp(-e T_k) (1 - exp(-e dT_k)) / e, as for look-ups, and for the rest of it the same as
 //   without.
+// and with optics the fraction times the slice's mean albedo; emission[c][i] is set to the sum of
+// exp(-T_k) (1 - exp(-dT_k)) times its mean emission.
 // radiance[l][i] += that, per unit of radiant intensity [1/u^2]; depths[i] = T(v, p) of Gaussians
 // and b0 up to t_K. Slices of optical depth below `negligible` are skipped. At most light_pack
 // lights.
 void sum_slices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                 const SliceScattering& scattering, float negligible,
                 std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
-                const std::array<float*, light_pack>& radiance);
+                const SliceOptics& optics, const std::array<float*, light_pack>& radiance);
 
 }  // namespace brume

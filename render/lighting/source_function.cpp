@@ -123,10 +123,11 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   const bool same_map = environment ? environment_ && environment_->map == environment->map
                                     : !environment_.has_value();
   phase_ = PhaseBands(input.anisotropy);
-  const double extinction =
-      input.multiple
-          ? TruncatedScattering(input.multiple->albedo, input.anisotropy, phase_.count()).extinction
-          : 1.0;
+  const double extinction = input.multiple
+                                ? TruncatedScattering(input.multiple->albedo, input.anisotropy,
+                                                      phase_.count(), input.medium.has_albedos())
+                                      .extinction
+                                : 1.0;
   LevelOcclusion* surfaces = nullptr;
   if (input.multiple && input.multiple->ray_caster) {
     surfaces = &occlusion_;
@@ -160,11 +161,12 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   receivers_ = input.receivers;
   size_ = input.size;
 
-  grid_.emplace(
-      gaussian_terms(input.medium, extinction), lights_in_world(),
-      SourceGrid::Content{phase_.count(), input.medium.homogeneous_density(), input.fog_ball,
-                          input.in_fog, receivers_, surfaces, input.multiple.has_value()},
-      input.size, job);
+  grid_.emplace(gaussian_terms(input.medium, extinction), lights_in_world(),
+                SourceGrid::Content{
+                    phase_.count(), input.medium.homogeneous_density(), input.fog_ball,
+                    input.in_fog, receivers_, surfaces, input.multiple.has_value(),
+                    input.multiple ? relative_optics(input.medium) : std::vector<RelativeOptics>{}},
+                input.size, job);
   added_ = 0;
   return !job.stop.stop_requested();
 }
@@ -181,7 +183,7 @@ bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, 
   const double scale = weight_parts().scale;
   if (!multiple_.update({*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.albedo,
                          anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
-                         occlusion_.revision(), multiple.limits},
+                         occlusion_.revision(), multiple.limits, input.medium.has_albedos()},
                         job)) {
     return false;
   }

@@ -237,6 +237,28 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
   }
 }
 
+// Sets the optics of a level from its density and fog.
+void add_optics(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content,
+                SourceGrid::Level& level, const Job& job) {
+  const auto fog = static_cast<float>(content.fog_density);
+  for (std::size_t k = 0; k < level.optics.size(); ++k) {
+    std::vector<GaussianTerm<double>> weighted(gaussians.begin(), gaussians.end());
+    for (std::size_t i = 0; i < weighted.size(); ++i) {
+      const RelativeOptics& optics = content.optics[i];
+      weighted[i].c *= k == 0 ? optics.albedo : optics.emission[static_cast<int>(k) - 1];
+    }
+    std::vector<float>& values = level.optics[k];
+    values = density_on_grid(weighted, level.first, level.nodes, job);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const float here = fog * (level.fog.empty() ? 1.0f : level.fog[i]);
+      const float sum = level.density[i] + here;
+      const float white = k == 0 ? here : 0.0f;
+      values[i] =
+          sum > 0.0f ? (values[i] + white) / sum : 1.0f - std::min(static_cast<float>(k), 1.0f);
+    }
+  }
+}
+
 }  // namespace
 
 PhaseBands::PhaseBands(double anisotropy) : count_(anisotropy == 0.0 ? 1 : max_bands) {
@@ -310,6 +332,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     Level& level = levels_[k];
     level.density = density_on_grid(gaussians, level.first, level.nodes, job);
     if (content.fog_density > 0.0) level.fog = fog_shares(level, content.fog_ball);
+    if (!content.optics.empty()) add_optics(gaussians, content, level, job);
     if (content.surfaces) level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {

@@ -12,6 +12,7 @@
 #include "core/transport/optical_depth.h"
 #include "render/geometry/box.h"
 #include "render/geometry/fog_ball.h"
+#include "render/geometry/medium_index.h"
 #include "render/lighting/distant_lights.h"
 #include "render/lighting/grid_occlusion.h"
 #include "render/lighting/incident_grid.h"
@@ -85,6 +86,8 @@ class SourceGrid {
     std::optional<Receivers> receivers;
     LevelOcclusion* surfaces = nullptr;  // that occlude all light; null: none do
     bool keeps_transmitted = false;      // see Level
+    // Of the Gaussians; empty if all are as by default.
+    std::span<const RelativeOptics> optics{};
   };
 
   static constexpr std::size_t max_levels = 5;
@@ -119,7 +122,9 @@ class SourceGrid {
     GridNodes nodes;
     std::vector<float> density;  // of the Gaussians, per node [1/u]
     std::vector<float> fog;      // share of what is around each node that has fog; empty: 1
-    std::vector<float> values;   // J
+    // Optics of what is around each node: albedo, and emission R, G, B; empty if none have any.
+    std::array<std::vector<float>, 4> optics;
+    std::vector<float> values;  // J
     // J of distant light alone, if there is more.
     std::vector<float> distant;
     // R G B 0 per basis function; see incident_light() and set_incident(). Empty without receivers.

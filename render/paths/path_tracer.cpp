@@ -74,6 +74,10 @@ double PathTracer::direction_pdf(const Vertex& vertex, const glm::dvec3& l) cons
   return material(vertex).pdf(l, vertex.point.normal, vertex.point.to_eye);
 }
 
+RelativeOptics PathTracer::optics_at(const glm::dvec3& x) const {
+  return scene_.medium.index().optics_at(x, scene_.fog.density);
+}
+
 template <class Importance, class Visit>
 void PathTracer::choose_lights(Importance importance, PathRandom& random, Visit visit) const {
   const std::vector<PathLight>& lights = scene_.lights;
@@ -177,7 +181,8 @@ glm::dvec3 PathTracer::lights_on_camera_ray(const CameraRay& ray, double opacity
     // The balance heuristic: divided by the sum of both densities.
     const double r2 = path.distance2(t);
     const double density = scattered / opacity + path.h / (angular.span * r2);
-    const double factor = scattered / (density * r2 * probability);
+    const double factor =
+        scattered * optics_at(vertex.position).albedo / (density * r2 * probability);
     sum += factor * visibility(vertex.position, light, q / r, r) * scattering(vertex, q / r) *
            light.intensity_along(-q / r);
   });
@@ -213,8 +218,9 @@ glm::dvec3 PathTracer::light_on_segment(const PathLight& light, const Segment& s
   const double r = glm::length(q);
   if (!(r > 0.0)) return none;
   const double depth = scene_.medium.depth(origin, w, t) + scene_.fog.density * std::min(t, fog);
-  const double factor = density * std::exp(-depth) * equi_angular_weight(light, r) * angular.span /
-                        (path.h * probability);
+  const double scattered = density * optics_at(vertex.position).albedo * std::exp(-depth);
+  const double factor =
+      scattered * equi_angular_weight(light, r) * angular.span / (path.h * probability);
   if (!(factor > 0.0)) return none;
   return factor * visibility(vertex.position, light, q / r, r) * scattering(vertex, q / r) *
          light.intensity_along(-q / r);
@@ -273,9 +279,12 @@ OrderedRadiance PathTracer::airlight(const CameraRay& ray, const StratifiedPair&
     if (!(angular.span > 0.0) || point.t > ray.visible_length()) return 1.0;
     return density / (density + path.h / (angular.span * path.distance2(point.t)));
   };
-  sum.add(1, opacity * (light_at(vertex, weight, random) + environment_at(vertex, random)) +
+  const RelativeOptics optics = optics_at(vertex.position);
+  const double scattered = opacity * optics.albedo;
+  sum.add(1, opacity * optics.emission +
+                 scattered * (light_at(vertex, weight, random) + environment_at(vertex, random)) +
                  lights_on_camera_ray(ray, opacity, stratified.second, random));
-  walk(vertex, glm::dvec3(opacity), random, sum);
+  walk(vertex, glm::dvec3(scattered), random, sum);
   return sum;
 }
 
@@ -327,6 +336,11 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
     if (t < hit.distance) {
       vertex = Vertex::in_medium(origin, w, t);
       throughput *= scene_.albedo;
+      if (t < in_fog) {  // among the Gaussians
+        const RelativeOptics optics = scene_.medium.index().optics_at(vertex.position, 0.0);
+        sum.add(events + 1, throughput * optics.emission);
+        throughput *= optics.albedo;
+      }
       const double now = scene_.fog.importance(vertex.position);
       if (now < importance) {
         if (random.uniform() >= now / importance) return;

@@ -75,6 +75,9 @@ class PathTracer {
   [[nodiscard]] Direction sample_direction(const Vertex& vertex, PathRandom& random) const;
   [[nodiscard]] double direction_pdf(const Vertex& vertex, const glm::dvec3& l) const;
 
+  // Of what collides with light at a point of the medium.
+  [[nodiscard]] RelativeOptics optics_at(const glm::dvec3& x) const;
+
   // Calls visit(index, probability) for each light, or for one chosen by importance(light).
   template <class Importance, class Visit>
   void choose_lights(Importance importance, PathRandom& random, Visit visit) const;

@@ -5,30 +5,64 @@
 
 namespace brume {
 
-std::vector<AlbedoGroup> albedo_groups(const glm::dvec3& albedo) {
+namespace {
+
+bool is_plain(const Medium& medium) {
+  return !medium.has_albedos() && !medium.has_emission();
+}
+
+// Whether a channel's albedos are those of another.
+bool are_equal(const Scene& scene, bool with_own_albedos, int a, int b) {
+  if (scene.optics.albedo[a] != scene.optics.albedo[b]) return false;
+  if (!with_own_albedos) return true;
+  for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+    const GaussianOptics optics = scene.medium.optics(i);
+    if (optics.albedo && (*optics.albedo)[a] != (*optics.albedo)[b]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<AlbedoGroup> albedo_groups(const Scene& scene, bool with_own_optics) {
+  const bool has_albedos = with_own_optics && scene.medium.has_albedos();
+  const bool has_own_optics = has_albedos || (with_own_optics && scene.medium.has_emission());
   std::vector<AlbedoGroup> groups;
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double w = albedo[static_cast<int>(channel)];
-    const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [w](const AlbedoGroup& group) { return group.albedo == w; });
+    const int c = static_cast<int>(channel);
+    const auto same = std::ranges::find_if(groups, [&](const AlbedoGroup& group) {
+      return are_equal(scene, has_albedos, static_cast<int>(group.channels.front()), c);
+    });
     if (same != groups.end()) {
       same->channels.push_back(channel);
     } else {
-      groups.push_back({w, {channel}});
+      groups.push_back({scene.optics.albedo[c], {channel}, has_own_optics});
     }
   }
   return groups;
 }
 
-Medium extinction_medium(const Medium& scattering, double albedo) {
-  return albedo == 1.0 ? scattering : scattering.divided_by(albedo);
+Medium extinction_medium(const Scene& scene, const AlbedoGroup& group) {
+  const Medium& scattering = scene.medium;
+  if (group.albedo == 1.0 && is_plain(scattering)) return scattering;
+  const int channel = static_cast<int>(group.channels.front());
+  return scattering.changed(scattering.homogeneous_density() / group.albedo, [&](Gaussian g) {
+    if (!group.has_own_optics) g.optics = {};
+    const double albedo = g.optics.albedo ? (*g.optics.albedo)[channel] : group.albedo;
+    g.density /= albedo;
+    g.optics.albedo.reset();
+    if (albedo != group.albedo) g.optics.albedo = glm::dvec3(albedo / group.albedo);
+    g.optics.emission /= group.albedo;
+    return g;
+  });
 }
 
-const Medium& ExtinctionMedia::update(std::size_t group, const Medium& scattering, double albedo) {
-  if (entries_.size() <= group) entries_.resize(group + 1);
-  Entry& entry = entries_[group];
-  if (entry.albedo != albedo || entry.scattering != scattering.revision()) {
-    entry = {scattering.revision(), albedo, extinction_medium(scattering, albedo)};
+const Medium& ExtinctionMedia::update(std::size_t which, const Scene& scene,
+                                      const AlbedoGroup& group) {
+  if (entries_.size() <= which) entries_.resize(which + 1);
+  Entry& entry = entries_[which];
+  if (entry.group != group || entry.scattering != scene.medium.revision()) {
+    entry = {scene.medium.revision(), group, extinction_medium(scene, group)};
   }
   return entry.medium;
 }
@@ -46,19 +80,21 @@ void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& fr
   }
 }
 
-std::optional<Frame> render_groups(const Scene& scene, ExtinctionMedia& media, const Job& job,
+std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGroup> groups,
+                                   ExtinctionMedia& media, const Job& job,
                                    const RenderGroup& render) {
-  const std::vector<AlbedoGroup> groups = albedo_groups(scene.optics.albedo);
-  if (groups.size() == 1 && groups[0].albedo == 1.0) return render(scene, 0, 1.0, job);
+  if (groups.size() == 1 && groups[0].albedo == 1.0 && is_plain(scene.medium)) {
+    return render(scene, 0, groups[0], job);
+  }
   std::optional<Frame> frame;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Scene absorbing = scene;
-    absorbing.medium = media.update(i, scene.medium, groups[i].albedo);
+    absorbing.medium = media.update(i, scene, groups[i]);
     const auto progress_at = [&](std::size_t n) {
       return static_cast<double>(n) / static_cast<double>(groups.size());
     };
     std::optional<Frame> group_frame =
-        render(absorbing, i, groups[i].albedo, job.subrange(progress_at(i), progress_at(i + 1)));
+        render(absorbing, i, groups[i], job.subrange(progress_at(i), progress_at(i + 1)));
     if (!group_frame) return std::nullopt;
     if (auto& noise = group_frame->statistics.path_noise) {
       noise->airlight_variance *= groups[i].albedo * groups[i].albedo;

@@ -130,7 +130,7 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
 SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, StageClock& clock) {
   SourceFunction::Multiple multiple{
       {},
-      work.albedo,
+      work.group.albedo,
       work.plan.runs(Stage::visibility) ? &prepared_.ray_caster() : nullptr,
       work.scene.surfaces,
       work.settings.scattering_limits};
@@ -158,9 +158,9 @@ IncidentOptics FrameStages::incident_optics(const FrameContext& work) const {
   optics.anisotropy = work.scene.optics.anisotropy;
   const double fog = fog_depth(work);
   const ScatterTable::Bands fractions =
-      shading_.environment()->incident(static_cast<float>(fog), work.albedo);
+      shading_.environment()->incident(static_cast<float>(fog), work.group.albedo);
   std::copy_n(fractions.begin(), grid_bands, optics.through_fog.begin());
-  optics.scattered = work.albedo * std::exp(-fog);
+  optics.scattered = work.group.albedo * std::exp(-fog);
   return optics;
 }
 
@@ -254,7 +254,7 @@ DirectionMap FrameStages::shadow_directions(const FrameContext& work, const Poin
 SurfaceLighting FrameStages::surface_lighting(const FrameContext& work) const {
   SurfaceLighting lighting;
   lighting.environment = shading_.environment();
-  lighting.albedo = work.albedo;
+  lighting.albedo = work.group.albedo;
   if (lighting.environment) {
     lighting.fog_depth = fog_depth(work);
     if (work.plan.has_receivers) {

@@ -10,6 +10,7 @@
 #include "render/lighting/paper_lights.h"
 #include "render/lighting/sliced_light.h"
 #include "render/lighting/source_function.h"
+#include "render/prepare/albedo.h"
 #include "render/prepare/fog_extent.h"
 #include "render/prepare/point_sources.h"
 #include "render/prepare/prepared_scene.h"
@@ -47,14 +48,14 @@ struct FrameContext {
   const TransferStore& transfers;
   TransferStore* own_transfers;  // where missing transfer is computed; null: it is not
   Job job;
-  double albedo;  // of the group's channels
+  AlbedoGroup group;
   FogExtent fog_extent;
   CameraRays rays;
   Frame frame;
 
   FrameContext(const RenderPlan& frame_plan, const Scene& group_scene, const Camera& frame_camera,
                const Film& film, const TransferStore& known_transfers, TransferStore* new_transfers,
-               Job frame_job, double group_albedo, const FogExtent& extent)
+               Job frame_job, AlbedoGroup albedo_group, const FogExtent& extent)
       : plan(frame_plan),
         settings(frame_plan.settings),
         scene(group_scene),
@@ -62,7 +63,7 @@ struct FrameContext {
         transfers(known_transfers),
         own_transfers(new_transfers),
         job(std::move(frame_job)),
-        albedo(group_albedo),
+        group(std::move(albedo_group)),
         fog_extent(extent),
         rays(frame_camera, film) {
     frame.film = film;

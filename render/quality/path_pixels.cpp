@@ -34,11 +34,11 @@ PathPixels::PathPixels(const Scene& scene, const Camera& camera, const Film& fil
   if (plan.has_environment) environment_ = std::make_unique<EnvironmentSampler>(*scene.environment);
   const std::vector<PointSource> lights =
       point_sources(plan.lights, rays_, camera, fog_extent.ball());
-  for (const AlbedoGroup& each : albedo_groups(scene.optics.albedo)) {
+  for (const AlbedoGroup& each : albedo_groups(scene)) {
     Group& group = groups_.emplace_back();
     group.albedo = each.albedo;
     for (const std::size_t c : each.channels) group.channels[static_cast<int>(c)] = 1.0;
-    const Medium extinction = extinction_medium(scene.medium, each.albedo);
+    const Medium extinction = extinction_medium(scene, each);
     group.index = std::make_unique<MediumIndex>(
         extinction, culling_tolerance(extinction, plan.depth_error), scene.optics.anisotropy);
     group.index->set_noise(RayNoise(scene.optics.noise, scene.time));

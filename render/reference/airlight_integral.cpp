@@ -1,5 +1,6 @@
 #include "render/reference/airlight_integral.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -29,11 +30,13 @@ constexpr Real interval_radii = Real(6);
 template <class Real>
 ViewRayMedium<Real>::ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0_,
                                    const Vec3<Real>& eye_, const Vec3<Real>& w_, Real d_,
-                                   const RayNoise& noise)
+                                   const RayNoise& noise, std::span<const RelativeOptics> optics)
     : eye(eye_), w(w_), d(d_), b0(b0_) {
   Real total = 0;
-  for (const GaussianTerm<Real>& g : gaussians) {
+  for (std::size_t i = 0; i < gaussians.size(); ++i) {
+    const GaussianTerm<Real>& g = gaussians[i];
     const LineProfile<Real> line = view_line_profile(g, eye, w, noise);
+    if (!optics.empty()) optics_.push_back({g.a, line.t0, g.c * std::exp(-line.e), optics[i]});
     crossings_.add(g, line);
     total += optical_depth(g, line, d);
   }
@@ -53,6 +56,24 @@ typename Crossings<Real>::Sums ViewRayMedium<Real>::at(Real t) const {
   auto sums = crossings_.at(t);
   sums.depth = std::max(sums.depth, Real(0)) + (b0 > 0 ? b0 * t : Real(0));
   return sums;
+}
+
+template <class Real>
+RelativeOptics ViewRayMedium<Real>::optics_at(Real t) const {
+  if (optics_.empty()) return {};
+  const auto fog = static_cast<double>(b0);
+  double sum = fog;
+  double albedo = fog;
+  glm::dvec3 emission(0.0);
+  for (const OpticsCrossing& c : optics_) {
+    const Real u = c.a * (t - c.t0);
+    const auto density = static_cast<double>(c.peak * std::exp(-u * u));
+    sum += density;
+    albedo += density * c.optics.albedo;
+    emission += density * c.optics.emission;
+  }
+  if (!(sum > 0.0)) return {};
+  return {albedo / sum, emission / sum};
 }
 
 template <class Real>
@@ -181,6 +202,7 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     Real density = scattered_by == ScatteredBy::homogeneous ? Real(0) : gaussian_density;
     if (scattered_by != ScatteredBy::gaussians) density += medium.b0;
     if (!(density > 0) || view_depth > opaque<Real>) return Real(0);
+    if (medium.has_optics()) density *= static_cast<Real>(medium.optics_at(t).albedo);
     const Vec3<Real> q = medium.eye + t * medium.w - light.position;
     const Real r = glm::length(q);
     const Real falloff = r > 0 ? static_cast<Real>(light.falloff.at(glm::dvec3(q / r))) : Real(1);
@@ -238,6 +260,39 @@ Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real
     sum.value += integrate<Real>(integrand, breakpoints, tolerance).value;
   }
   return sum.value / (4 * std::numbers::pi_v<Real> * path.h);
+}
+
+glm::dvec3 emission_integral(const ViewRayMedium<double>& medium, double tolerance) {
+  glm::dvec3 sum(0.0);
+  if (!medium.has_optics()) return sum;
+  const double end = medium.parameter_at_depth(opaque<double>);
+  // Of the Gaussians' extents, in pieces that the rule detects each of them in.
+  std::vector<double> breakpoints;
+  const auto add = [&](double t) {
+    if (t >= 0.0 && t < end) breakpoints.push_back(t);
+  };
+  double last = 0.0;
+  for (const auto& feature : medium.features()) {
+    const double pieces = std::ceil(3.0 * (feature.end - feature.begin) / feature.longest);
+    for (double k = 0.0; k <= pieces; ++k) {
+      add(feature.begin + (feature.end - feature.begin) * k / pieces);
+    }
+    last = std::max(last, std::min(feature.end, end));
+  }
+  if (breakpoints.empty()) return sum;
+  for (const double level : {0.3, 1.5, 5.0, 14.0}) add(medium.parameter_at_depth(level));
+  breakpoints.push_back(last);
+  std::ranges::sort(breakpoints);
+  const auto repeated = std::ranges::unique(breakpoints);
+  breakpoints.erase(repeated.begin(), repeated.end());
+  for (int c = 0; c < 3; ++c) {
+    const auto radiance = [&](double t) {
+      const auto [density, depth] = medium.at(t);
+      return (density + medium.b0) * medium.optics_at(t).emission[c] * std::exp(-depth);
+    };
+    sum[c] = integrate<double>(radiance, breakpoints, tolerance).value;
+  }
+  return sum;
 }
 
 template class ViewRayMedium<double>;

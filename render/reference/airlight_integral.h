@@ -9,6 +9,7 @@
 #include "core/scene/ray_noise.h"
 #include "core/transport/light_path.h"
 #include "render/geometry/fog_ball.h"
+#include "render/geometry/medium_index.h"
 #include "render/reference/gaussian_sums.h"
 
 namespace brume {
@@ -22,12 +23,18 @@ template <class Real>
 class ViewRayMedium {
  public:
   // `gaussians`: at least those that touch the ray. d may be +inf. `noise` displaces the ray.
+  // `optics`: of the Gaussians; empty: all as by default.
   ViewRayMedium(std::span<const GaussianTerm<Real>> gaussians, Real b0, const Vec3<Real>& eye,
-                const Vec3<Real>& w, Real d, const RayNoise& noise = {});
+                const Vec3<Real>& w, Real d, const RayNoise& noise = {},
+                std::span<const RelativeOptics> optics = {});
 
   // Scattering coefficient of the Gaussians at t [1/u], and T(v, x(t)) with b0. t may be +inf.
   [[nodiscard]] typename Crossings<Real>::Sums at(Real t) const;
   [[nodiscard]] Real depth(Real t) const { return at(t).depth; }
+
+  // Of what is at t, with b0; means weighted by density.
+  [[nodiscard]] RelativeOptics optics_at(Real t) const;
+  [[nodiscard]] bool has_optics() const { return !optics_.empty(); }
 
   // The smallest t with depth(t) >= `level`, or d.
   [[nodiscard]] Real parameter_at_depth(Real level) const;
@@ -44,8 +51,14 @@ class ViewRayMedium {
   const Real b0;
 
  private:
+  // Where the ray crosses a Gaussian with optics of its own, or others beside such.
+  struct OpticsCrossing {
+    Real a, t0, peak;
+    RelativeOptics optics;
+  };
   Crossings<Real> crossings_;
   std::vector<Feature> features_;
+  std::vector<OpticsCrossing> optics_;
 };
 
 enum class ScatteredBy { everything, gaussians, homogeneous };
@@ -70,6 +83,9 @@ struct LightSource {
 template <class Real>
 Real airlight_integral(const ViewRayMedium<Real>& medium, const LightSource<Real>& light,
                        Real tolerance, ScatteredBy scattered_by = ScatteredBy::everything);
+
+// Radiance that the Gaussians of the ray emit towards the eye, times what the medium lets through.
+glm::dvec3 emission_integral(const ViewRayMedium<double>& medium, double tolerance);
 
 extern template class ViewRayMedium<double>;
 extern template class ViewRayMedium<float>;

@@ -104,7 +104,7 @@ glm::dvec3 ReferenceEnvironment::airlight(const MediumIndex& medium,
       const auto [it, is_new] = cache.try_emplace(u);
       if (is_new) {
         const double t = ray.parameter_at_depth(-std::log1p(-u));
-        it->second = sum(medium, ray.eye + t * ray.w, scattered);
+        it->second = sum(medium, ray.eye + t * ray.w, scattered) * ray.optics_at(t).albedo;
       }
       return it->second[c];
     };

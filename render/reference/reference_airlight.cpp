@@ -14,9 +14,11 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion&
                                 const glm::dvec3& w, double length, double tolerance) {
   ReferenceRay result;
   std::vector<GaussianTerm<double>> along;
+  std::vector<RelativeOptics> optics;
   double last = 0.0;  // where the last Gaussian ends
   medium.bvh().query(RaySegment{eye, w, length, medium.max_displacement()}, [&](std::uint32_t i) {
     along.push_back(medium.gaussians()[i]);
+    if (!medium.optics().empty()) optics.push_back(medium.optics()[i]);
     last = std::max(last, glm::dot(along.back().b - eye, w) + medium.cutoff_radii()[i]);
   });
   result.view_pairs = along.size();
@@ -28,8 +30,9 @@ ReferenceRay reference_airlight(const MediumIndex& medium, const ExactOcclusion&
   // The part of the ray that scatters at all; past it shadows are of no interest.
   double end = ray.parameter_at_depth(50.0);
   if (!(b0 > 0.0)) end = std::min(end, last);
-  const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise());
-  if (environment) result.airlight = environment->airlight(medium, lit, tolerance);
+  const ViewRayMedium<double> lit(along, b0, eye, w, end, medium.noise(), optics);
+  result.airlight = emission_integral(lit, tolerance);
+  if (environment) result.airlight += environment->airlight(medium, lit, tolerance);
   for (const PointSource& light : lights) {
     LightSource<double> source{light.position, light.h_min,   {},       medium.anisotropy(),
                                std::nullopt,   light.falloff, light.fog};

@@ -22,8 +22,8 @@ ReferencePixels::ReferencePixels(const Scene& scene, const Camera& camera, const
   const FogExtent fog_extent(scene);
   ray_end_ = fog_extent.ray_distance(rays_.eye());
   lights_ = point_sources(plan.lights, rays_, camera, fog_extent.ball());
-  for (const AlbedoGroup& group : albedo_groups(scene.optics.albedo)) {
-    const Medium extinction = extinction_medium(scene.medium, group.albedo);
+  for (const AlbedoGroup& group : albedo_groups(scene)) {
+    const Medium extinction = extinction_medium(scene, group);
     MediumIndex medium(extinction, culling_tolerance(extinction, plan.depth_error),
                        scene.optics.anisotropy);
     medium.set_noise(RayNoise(scene.optics.noise, scene.time));

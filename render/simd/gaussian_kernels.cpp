@@ -312,6 +312,7 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
     max_e[k] = static_cast<float>(cutoff_in_radii * cutoff_in_radii);
     index[k] = static_cast<std::int32_t>(indices[k]);
   }
+  for (auto& values : optics) values.clear();
   max_undisplaced_e.clear();
   noise = {};
   if (!ray_noise.on()) return;
@@ -327,6 +328,18 @@ void GaussianBatch::assign(const MediumIndex& medium, const glm::dvec3& origin,
            cell.y,
            cell.z,
            ray_noise.key()};
+}
+
+void GaussianBatch::add_optics(const MediumIndex& medium) {
+  const std::span<const RelativeOptics> all = medium.optics();
+  if (all.empty()) return;
+  for (const std::int32_t i : index) {
+    const RelativeOptics& own = all[static_cast<std::size_t>(i)];
+    optics[0].push_back(static_cast<float>(own.albedo));
+    for (std::size_t c = 0; c < 3; ++c) {
+      optics[c + 1].push_back(static_cast<float>(own.emission[static_cast<int>(c)]));
+    }
+  }
 }
 
 void PathBatch::resize(std::size_t size) {

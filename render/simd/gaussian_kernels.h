@@ -40,12 +40,17 @@ struct GaussianBatch {
   std::vector<float>
       max_undisplaced_e;  // the same before displacement by noise; empty without noise
   std::vector<std::int32_t> index;
+  // RelativeOptics: albedo and emission R, G, B; empty until add_optics(), and if all are as by
+  // default.
+  std::array<std::vector<float>, 4> optics;
   BatchNoise noise;
 
   // `ray_noise`: the medium's noise for view rays, none for shadow rays.
   void assign(const MediumIndex& medium, const glm::dvec3& origin,
               std::span<const std::uint32_t> indices, const RayNoise& ray_noise = {});
+  void add_optics(const MediumIndex& medium);
   [[nodiscard]] std::size_t size() const { return x.size(); }
+  [[nodiscard]] bool has_optics() const { return !optics[0].empty(); }
 };
 
 // Rays or segments from the origin, as arrays: unit direction and length (may be +inf).

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "core/medium/gaussian.h"
 #include "core/number_domain.h"
 
 namespace brume::gaussian_columns {
@@ -19,6 +23,40 @@ inline constexpr std::array<const NumberDomain*, 5> domains{
 // Alternative names: Houdini, CloudCompare. Read only.
 inline constexpr std::array<std::array<std::string_view, 2>, 5> other_names{
     {{}, {}, {}, {"pscale", "scalar_radius"}, {"scalar_density", ""}}};
+
+// Of its optics, in files where a Gaussian has some; all six or none. An albedo of 0 0 0 is the
+// medium's.
+inline constexpr std::array<std::string_view, 6> optics_names{
+    "albedo_r", "albedo_g", "albedo_b", "emission_r", "emission_g", "emission_b"};
+inline constexpr NumberDomain albedo_domain{0.0, 1.0, "a number in (0, 1] (from 1e-6), or three 0"};
+
+inline std::array<double, 6> optics_values(const GaussianOptics& optics) {
+  const glm::dvec3 albedo = optics.albedo.value_or(glm::dvec3(0.0));
+  const glm::dvec3& emission = optics.emission;
+  return {albedo.x, albedo.y, albedo.z, emission.x, emission.y, emission.z};
+}
+// `refuse(i, why)` throws: value i is not allowed.
+template <class Refuse>
+GaussianOptics optics_of(const std::array<double, 6>& values, Refuse refuse) {
+  const glm::dvec3 albedo(values[0], values[1], values[2]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool is_albedo = i < 3;
+    const NumberDomain& domain = is_albedo ? albedo_domain : domain::intensity;
+    const bool has_albedo = albedo != glm::dvec3(0.0);
+    const bool is_allowed =
+        is_albedo && has_albedo ? domain::albedo.contains(values[i]) : domain.contains(values[i]);
+    if (!is_allowed) refuse(i, domain.refusal(values[i]));
+  }
+  GaussianOptics optics;
+  if (albedo != glm::dvec3(0.0)) optics.albedo = albedo;
+  optics.emission = {values[3], values[4], values[5]};
+  return optics;
+}
+// Whether a file of them has those columns.
+inline bool have_optics(std::span<const Gaussian> gaussians) {
+  return std::ranges::any_of(gaussians,
+                             [](const Gaussian& g) { return g.optics != GaussianOptics(); });
+}
 
 // Persistent id of a Gaussian in a sequence; an integer.
 inline constexpr std::string_view id_name = "id";

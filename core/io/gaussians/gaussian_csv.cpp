@@ -54,6 +54,17 @@ std::array<std::size_t, 5> find_columns(const std::filesystem::path& file,
   return columns;
 }
 
+// Places of the columns of optics; empty without them.
+std::vector<std::size_t> find_optics(const std::vector<std::string_view>& header) {
+  std::vector<std::size_t> columns;
+  for (const std::string_view name : gaussian_columns::optics_names) {
+    const auto it = std::find(header.begin(), header.end(), name);
+    if (it == header.end()) return {};
+    columns.push_back(static_cast<std::size_t>(it - header.begin()));
+  }
+  return columns;
+}
+
 }  // namespace
 
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
@@ -66,6 +77,7 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
   const std::array<std::size_t, 5> columns = find_columns(file, header);
   const auto id_column = static_cast<std::size_t>(
       std::find(header.begin(), header.end(), gaussian_columns::id_name) - header.begin());
+  const std::vector<std::size_t> optics_columns = find_optics(header);
   std::vector<Gaussian> gaussians;
   while (text.next_line()) {
     const std::vector<std::string_view> row = cells(text.rest_of_line());
@@ -91,6 +103,25 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
           "found too many Gaussians; allowed: " + gaussian_columns::allowed_count(max_count));
     }
     gaussians.push_back({{value[0], value[1], value[2]}, value[3], value[4]});
+    if (!optics_columns.empty()) {
+      const auto place = [&](std::size_t i) {
+        return text.place() + ", " + std::string(gaussian_columns::optics_names[i]);
+      };
+      std::array<double, 6> optics{};
+      for (std::size_t i = 0; i < optics.size(); ++i) {
+        const std::size_t column = optics_columns[i];
+        if (column >= row.size()) throw InputError(file, place(i), "is missing");
+        const auto number = parse_number(row[column]);
+        if (!number) {
+          throw InputError(file, place(i),
+                           "found " + quoted_text(row[column]) + "; allowed: a number");
+        }
+        optics[i] = *number;
+      }
+      gaussians.back().optics = gaussian_columns::optics_of(
+          optics,
+          [&](std::size_t i, const std::string& why) { throw InputError(file, place(i), why); });
+    }
     if (!ids || id_column == header.size()) continue;
     const auto id = id_column < row.size() ? parse_number(row[id_column]) : std::nullopt;
     if (!id || !gaussian_columns::is_id(*id)) {
@@ -105,7 +136,12 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
 
 void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                          std::span<const GaussianNumber> ids) {
-  std::string text = ids.empty() ? "x,y,z,radius,density\n" : "x,y,z,radius,density,id\n";
+  const bool has_optics = gaussian_columns::have_optics(gaussians);
+  std::string text = "x,y,z,radius,density";
+  if (has_optics) {
+    for (const std::string_view name : gaussian_columns::optics_names) (text += ',') += name;
+  }
+  text += ids.empty() ? "\n" : ",id\n";
   const auto append = [&](auto value, char after) {
     std::array<char, 32> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
@@ -118,7 +154,13 @@ void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaus
     append(g.center.y, ',');
     append(g.center.z, ',');
     append(g.radius, ',');
-    append(g.density, ids.empty() ? '\n' : ',');
+    append(g.density, has_optics || !ids.empty() ? ',' : '\n');
+    if (has_optics) {
+      const auto values = gaussian_columns::optics_values(g.optics);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        append(values[k], k + 1 < values.size() || !ids.empty() ? ',' : '\n');
+      }
+    }
     if (!ids.empty()) append(ids[i], '\n');
   }
   write_atomically(file, text);

@@ -105,6 +105,8 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
   }
   const auto splats = from_splats(*vertices);
   const ToGaussians to_gaussians = splats ? *splats : from_points(file, *vertices);
+  const auto optics_columns =
+      splats ? std::nullopt : columns<6>(*vertices, gaussian_columns::optics_names);
   const auto id = columns<1>(*vertices, {gaussian_columns::id_name});
   std::vector<Gaussian> gaussians;
   ply.for_each_row(
@@ -119,6 +121,16 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
             }
           }
           gaussians.push_back(g);
+        }
+        if (optics_columns) {
+          std::array<double, 6> optics{};
+          for (std::size_t i = 0; i < optics.size(); ++i)
+            optics[i] = row.scalars[(*optics_columns)[i]];
+          gaussians.back().optics =
+              gaussian_columns::optics_of(optics, [&](std::size_t i, const std::string& why) {
+                throw InputError(file, "vertex " + std::to_string(index),
+                                 std::string(gaussian_columns::optics_names[i]) + ": " + why);
+              });
         }
         if (gaussians.size() > max_count) {
           throw InputError(file, "vertex " + std::to_string(index),
@@ -141,7 +153,12 @@ void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaus
                          std::span<const GaussianNumber> ids) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Gaussians of a Brume medium\n";
   bytes += "element vertex " + std::to_string(gaussians.size()) + "\n";
-  for (const std::string_view name : names) bytes += "property double " + std::string(name) + "\n";
+  const bool has_optics = gaussian_columns::have_optics(gaussians);
+  const auto add_property = [&](std::string_view name) {
+    bytes += "property double " + std::string(name) + "\n";
+  };
+  std::ranges::for_each(names, add_property);
+  if (has_optics) std::ranges::for_each(gaussian_columns::optics_names, add_property);
   if (!ids.empty()) bytes += "property uint " + std::string(gaussian_columns::id_name) + "\n";
   bytes += "end_header\n";
   bytes.reserve(bytes.size() + gaussians.size() * names.size() * sizeof(double));
@@ -149,6 +166,11 @@ void write_gaussians_ply(const std::filesystem::path& file, std::span<const Gaus
     const Gaussian& g = gaussians[i];
     for (const double value : {g.center.x, g.center.y, g.center.z, g.radius, g.density}) {
       append_little_endian(bytes, value);
+    }
+    if (has_optics) {
+      for (const double value : gaussian_columns::optics_values(g.optics)) {
+        append_little_endian(bytes, value);
+      }
     }
     if (!ids.empty()) append_little_endian(bytes, ids[i]);
   }

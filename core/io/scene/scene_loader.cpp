@@ -147,6 +147,9 @@ class SceneLoader {
     gaussian.center = object.vector("center", domain::coordinate, {});
     gaussian.radius = object.number("radius", domain::length, {});
     gaussian.density = object.number("density", domain::density, {});
+    if (object.find("albedo")) gaussian.optics.albedo = object.vector("albedo", domain::albedo, {});
+    gaussian.optics.emission =
+        object.vector("emission", domain::intensity, gaussian.optics.emission);
     unknown_keys_.add_of_gaussian(scene_.medium.append(gaussian), object.unknown_keys());
   }
 

@@ -65,6 +65,8 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
     if (file != nullptr && std::binary_search(file->ids.begin(), file->ids.end(), id)) continue;
     const Gaussian g = medium.gaussian(i);
     Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
+    if (g.optics.albedo) entry["albedo"] = to_json(*g.optics.albedo);
+    if (g.optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(g.optics.emission);
     add_unknown_keys(entry, unknown_keys.of_gaussian(id));
     gaussians.push_back(std::move(entry));
   }

@@ -158,7 +158,7 @@ TEST(MediumRevision, IsSharedByCopiesAndNewAfterEachChange) {
   EXPECT_TRUE(is_new());
   MediumEdit::remove(medium, std::vector{medium.ids()[0]}).apply(medium);
   EXPECT_TRUE(is_new());
-  EXPECT_NE(medium.divided_by(2.0).revision(), medium.revision());
+  EXPECT_NE(medium.changed(1.0, [](const Gaussian& g) { return g; }).revision(), medium.revision());
   medium.set_homogeneous_density(0.5);
   MediumEdit().apply(medium);
   EXPECT_FALSE(is_new()) << "nothing has changed";

@@ -115,7 +115,7 @@ Seconds run_kernels(const View& view, float negligible) {
           [&] { accumulate_increments(tile.batch, tile.rays, tile.slices, increments.data()); });
     const auto sum = [&](const Lights& lights) {
       sum_slices(tile.rays, tile.slices, increments.data(), 0.0f, {}, negligible,
-                 std::span(lights).first(view.light_count), depths.data(), {}, out);
+                 std::span(lights).first(view.light_count), depths.data(), {}, {}, out);
     };
     timed(seconds.sum, [&] { sum(view.lights); });
     timed(seconds.small_sum, [&] { sum(view.small_lights); });

@@ -1,0 +1,314 @@
+// Gaussians with an albedo of their own, and that shine, as every method sees them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "render/frame.h"
+#include "tests/render/test_scenes.h"
+
+namespace brume {
+namespace {
+
+const glm::dvec3 red(0.9, 0.3, 0.2);
+const glm::dvec3 blue(0.2, 0.6, 0.95);
+const Settings all_orders = sliced(24, Scattering::multiple);
+
+Settings path_traced(int paths) {
+  Settings settings;
+  settings.airlight = AirlightMethod::path;
+  settings.paths = paths;
+  return settings;
+}
+
+Settings marched(int steps) {
+  Settings settings;
+  settings.airlight = AirlightMethod::march;
+  settings.march_steps = steps;
+  return settings;
+}
+
+// Changes the optics of each Gaussian.
+template <class OpticsOf>
+Scene with_optics(Scene scene, OpticsOf&& optics_of) {
+  std::size_t index = 0;
+  scene.medium = scene.medium.changed(scene.medium.homogeneous_density(), [&](Gaussian g) {
+    g.optics = optics_of(index++);
+    return g;
+  });
+  return scene;
+}
+
+// Every third is red, every third blue.
+Scene coloured(double depth, int film_width = 24) {
+  Scene scene = cloud_scene(20, depth);
+  scene.film = {film_width, film_width * 3 / 4};
+  return with_optics(scene, [](std::size_t i) {
+    return i % 3 == 0 ? GaussianOptics{red} : i % 3 == 1 ? GaussianOptics{blue} : GaussianOptics{};
+  });
+}
+
+// Every fourth shines, too.
+Scene glowing(double depth, int film_width = 24) {
+  const Scene scene = coloured(depth, film_width);
+  return with_optics(scene, [&](std::size_t i) {
+    GaussianOptics optics = scene.medium.optics(i);
+    if (i % 4 == 0) optics.emission = {3.0, 1.0, 0.2};
+    return optics;
+  });
+}
+
+Scene one_gaussian(double depth, const GaussianOptics& optics) {
+  Scene scene = cloud_scene(1, 1.0);
+  scene.film = {24, 18};
+  scene.lights.clear();
+  scene.medium = {};
+  constexpr double radius = 0.6;
+  const double density = depth / (radius * std::sqrt(std::numbers::pi));
+  scene.medium.append({{0.1, 0.0, 0.0}, radius, density, optics});
+  return scene;
+}
+
+TEST(OwnOptics, WhiteIsPlain) {
+  Scene plain = in_fog(cloud_scene(20, 2.0), 0.03);
+  plain.film = {24, 18};
+  plain.surfaces = {wall(-1.0, 1.5)};
+  const Scene white =
+      with_optics(plain, [](std::size_t) { return GaussianOptics{glm::dvec3(1.0)}; });
+  ASSERT_TRUE(white.medium.has_albedos());
+  for (const Settings& settings :
+       {reference_settings(1e-3), sliced(24), all_orders, marched(50), path_traced(4)}) {
+    const Frame a = render_frame(plain, settings);
+    const Frame b = render_frame(white, settings);
+    EXPECT_EQ(a.airlight, b.airlight);
+    // Put together from groups, which rounds.
+    EXPECT_LT(difference(b.beauty, a.beauty).relative_rmse, 1e-6);
+  }
+}
+
+// A medium of one albedo is one whose Gaussians all have it.
+TEST(OwnOptics, TheSameForAllIsTheMediums) {
+  Scene medium = cloud_scene(20, 2.0);
+  medium.film = {24, 18};
+  medium.optics.albedo = {0.9, 0.6, 0.6};
+  Scene own =
+      with_optics(medium, [&](std::size_t) { return GaussianOptics{medium.optics.albedo}; });
+  own.optics.albedo = glm::dvec3(0.8);  // of no Gaussian
+  for (const Settings& settings : {reference_settings(), sliced(24), all_orders, marched(50)}) {
+    const Frame a = render_frame(medium, settings);
+    const Frame b = render_frame(own, settings);
+    EXPECT_LT(difference(b.airlight, a.airlight).relative_rmse, 1e-4);
+    EXPECT_LT(difference(b.beauty, a.beauty).relative_rmse, 1e-4);
+    EXPECT_LT(difference(b.transmittance, a.transmittance).relative_rmse, 1e-5);
+  }
+}
+
+// Radiance times opacity: exact for each ray.
+TEST(OwnOptics, EmissionAloneIsItsClosedForm) {
+  const glm::dvec3 emission(5.0, 2.0, 0.5);
+  for (const double depth : {0.01, 1.0, 40.0}) {
+    for (const glm::dvec3& albedo : {glm::dvec3(1.0), glm::dvec3(0.5, 0.8, 0.01)}) {
+      const Scene scene = one_gaussian(depth, {albedo, emission});
+      const CameraRays rays(scene.camera, scene.film);
+      std::vector<float> expected;
+      for (int y = 0; y < scene.film.height; ++y) {
+        for (int x = 0; x < scene.film.width; ++x) {
+          const glm::dvec3 w = glm::normalize(rays.direction(x + 0.5, y + 0.5));
+          const double scattering = plain_depth(scene.medium, scene.camera.eye, w, 100.0);
+          for (int c = 0; c < 3; ++c) {
+            expected.push_back(
+                static_cast<float>(emission[c] * -std::expm1(-scattering / albedo[c])));
+          }
+        }
+      }
+      const auto error = [&](const Settings& settings) {
+        return difference(render_frame(scene, settings).airlight, expected).relative_rmse;
+      };
+      EXPECT_LT(error(reference_settings()), 1e-5) << depth;
+      EXPECT_LT(error(sliced(24)), 2e-3) << depth;
+      if (depth < 10.0 && albedo.z > 0.1) {
+        EXPECT_LT(error(marched(400)), 2e-3) << depth;
+      }
+    }
+  }
+}
+
+// Of what scatters next to nothing: paths are of all orders.
+TEST(OwnOptics, PathsOfEmissionAloneAreItsClosedForm) {
+  const GaussianOptics optics{glm::dvec3(1e-6), glm::dvec3(5.0, 2.0, 0.5)};
+  const Scene scene = one_gaussian(1e-6, optics);
+  const Frame truth = render_frame(scene, reference_settings());
+  const Difference paths =
+      difference(render_frame(scene, path_traced(64)).airlight, truth.airlight);
+  EXPECT_LT(paths.relative_rmse, 1e-4);
+}
+
+// A hot dense Gaussian is a wall of its source's radiance.
+TEST(OwnOptics, DenseEmissionIsItsRadiance) {
+  const glm::dvec3 emission(5.0, 2.0, 0.5);
+  const Scene scene = one_gaussian(1e4, {std::nullopt, emission});
+  const Frame frame = render_frame(scene, sliced(24));
+  const std::size_t middle = 3 * (9 * 24 + 12);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(static_cast<double>(frame.airlight[middle + c]), emission[static_cast<int>(c)],
+                1e-3 * emission[static_cast<int>(c)]);
+  }
+}
+
+// What a ray scatters and emits, by small steps.
+glm::dvec3 integral(const Scene& scene, const glm::dvec3& w) {
+  const double b0 = scene.medium.homogeneous_density();
+  const Light& light = scene.lights[0];
+  // Scattering, extinction and emission at x.
+  const auto at = [&](const glm::dvec3& x) {
+    std::array<glm::dvec3, 3> sums{glm::dvec3(b0), b0 / scene.optics.albedo, glm::dvec3(0.0)};
+    for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+      const Gaussian g = scene.medium.gaussian(i);
+      const glm::dvec3 q = (x - g.center) / g.radius;
+      const double b = g.density * std::exp(-glm::dot(q, q));
+      const glm::dvec3 extinction = b / g.optics.albedo.value_or(scene.optics.albedo);
+      sums[0] += b;
+      sums[1] += extinction;
+      sums[2] += extinction * g.optics.emission;
+    }
+    return sums;
+  };
+  glm::dvec3 depth(0.0);
+  glm::dvec3 sum(0.0);
+  constexpr double gaussians_end = 8.0;
+  double t = 0.0;
+  while (t < 400.0) {
+    const double step = t < gaussians_end ? 0.005 : 0.02 * t;
+    const glm::dvec3 x = scene.camera.eye + (t + 0.5 * step) * w;
+    t += step;
+    const auto [scattering, extinction, emission] = at(x);
+    const glm::dvec3 to_light = light.position - x;
+    const double r = glm::length(to_light);
+    glm::dvec3 light_depth(0.0);
+    constexpr int light_steps = 200;
+    for (int k = 0; k < light_steps; ++k) {
+      light_depth += r / light_steps * at(x + (k + 0.5) / light_steps * to_light)[1];
+    }
+    const glm::dvec3 lit =
+        scattering * light.intensity * glm::exp(-light_depth) / (4.0 * std::numbers::pi * r * r);
+    sum += step * glm::exp(-depth - 0.5 * step * extinction) * (lit + emission);
+    depth += step * extinction;
+  }
+  return sum;
+}
+
+TEST(OwnOptics, ReferenceIsTheIntegral) {
+  Scene scene = in_fog(glowing(2.0, 16), 0.02);
+  scene.optics.albedo = {0.95, 0.9, 0.85};
+  const Frame frame = render_frame(scene, reference_settings());
+  const CameraRays rays(scene.camera, scene.film);
+  for (const glm::ivec2 pixel : {glm::ivec2(8, 6), {6, 5}, {10, 7}, {7, 8}}) {
+    const glm::dvec3 w = glm::normalize(rays.direction(pixel.x + 0.5, pixel.y + 0.5));
+    const glm::dvec3 expected = integral(scene, w);
+    for (int c = 0; c < 3; ++c) {
+      const auto at = static_cast<std::size_t>(3 * (pixel.y * 16 + pixel.x) + c);
+      EXPECT_NEAR(static_cast<double>(frame.airlight[at]), expected[c], 2e-3 * expected[c])
+          << pixel.x << ", " << pixel.y << " channel " << c;
+    }
+  }
+}
+
+TEST(OwnOptics, SlicedAndMarchMatchTheReference) {
+  for (const double depth : {0.3, 3.0, 20.0}) {
+    for (const double b0 : {0.0, 0.03}) {
+      Scene scene = in_fog(glowing(depth), b0);
+      scene.optics.anisotropy = b0 > 0.0 ? 0.5 : 0.0;
+      scene.optics.albedo = {0.95, 0.9, 0.9};
+      const Frame truth = render_frame(scene, reference_settings(1e-4));
+      const Frame frame = render_frame(scene, sliced(24));
+      EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.01) << depth;
+      if (b0 > 0.0) continue;
+      EXPECT_LT(difference(frame.transmittance, truth.transmittance).relative_rmse, 1e-3);
+      if (depth > 10.0) continue;
+      EXPECT_LT(
+          difference(render_frame(scene, marched(400)).airlight, truth.airlight).relative_rmse,
+          0.01)
+          << depth;
+    }
+  }
+}
+
+TEST(OwnOptics, UnderAnEnvironmentSlicedMatchesTheReference) {
+  Scene scene = coloured(2.0, 12);
+  scene.lights.clear();
+  scene.environment.emplace().map = constant_sky(1.0f);
+  const Frame truth = render_frame(scene, reference_settings(1e-3));
+  EXPECT_LT(difference(render_frame(scene, sliced(24)).airlight, truth.airlight).relative_rmse,
+            0.02);
+}
+
+TEST(OwnOptics, AllOrdersMatchPaths) {
+  struct Case {
+    double b0, anisotropy;
+    bool has_wall, is_lit;
+  };
+  for (const auto& [b0, anisotropy, has_wall, is_lit] :
+       {Case{0.0, 0.0, false, true}, Case{0.0, 0.5, true, true}, Case{0.05, 0.0, true, false}}) {
+    Scene scene = in_fog(glowing(3.0, 16), b0);
+    scene.optics.anisotropy = anisotropy;
+    if (has_wall) scene.surfaces = {wall(-1.2, 1.5)};
+    if (!is_lit) scene.lights.clear();
+    const Frame truth = render_frame(scene, path_traced(1024));
+    const Frame frame = render_frame(scene, all_orders);
+    const Difference airlight = difference(frame.airlight, truth.airlight);
+    const double noise = relative_noise(truth)->airlight;
+    EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise)) << b0 << " " << anisotropy;
+    EXPECT_LT(std::abs(airlight.bias), 0.02) << b0 << " " << anisotropy;
+    EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03)
+        << b0 << " " << anisotropy;
+  }
+}
+
+// What shines lights what is around it, by all orders only.
+TEST(OwnOptics, EmissionLightsSurfaces) {
+  Scene scene = one_gaussian(0.5, {std::nullopt, glm::dvec3(10.0, 4.0, 1.0)});
+  scene.surfaces = {wall(-1.0, 2.0)};
+  const Frame truth = render_frame(scene, path_traced(1024));
+  const Difference beauty = difference(render_frame(scene, all_orders).beauty, truth.beauty);
+  EXPECT_LT(beauty.relative_rmse, 0.05);
+  EXPECT_LT(std::abs(beauty.bias), 0.02);
+}
+
+TEST(OwnOptics, AreLeftOutByThePaperWithAWord) {
+  const Scene scene = glowing(1.0);
+  const Scene plain = with_optics(scene, [](std::size_t) { return GaussianOptics{}; });
+  const Frame frame = render_frame(scene, paper_settings);
+  EXPECT_EQ(frame.airlight, render_frame(plain, paper_settings).airlight);
+  EXPECT_TRUE(std::ranges::any_of(frame.statistics.skipped, [](const SkippedStage& skipped) {
+    return skipped.why.find("one albedo and no emission") != std::string::npos;
+  }));
+}
+
+TEST(OwnOptics, HardCasesAreFinite) {
+  Settings small_grid = sliced(8, Scattering::multiple);
+  small_grid.source_grid.nodes = 1000;
+  for (const double albedo : {1e-6, 1.0}) {
+    for (const double emission : {0.0, 1e-20, 1e20}) {
+      for (const double depth : {1e-9, 1.0, 1e8}) {
+        Scene scene = in_fog(cloud_scene(3, depth), depth > 1.0 ? 0.0 : 0.1);
+        scene.film = {8, 6};
+        scene.surfaces = {wall(-1.0, 1.5)};
+        scene.optics.albedo = {1e-6, 1.0, 0.5};
+        scene = with_optics(scene, [&](std::size_t i) {
+          return i == 0 ? GaussianOptics{}
+                        : GaussianOptics{glm::dvec3(albedo), glm::dvec3(emission)};
+        });
+        for (const Settings& settings :
+             {sliced(8), small_grid, reference_settings(1e-2), marched(10), path_traced(2)}) {
+          expect_finite(render_frame(scene, settings));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brume
