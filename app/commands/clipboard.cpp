@@ -10,6 +10,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
+#include "core/io/gaussians/gaussian_columns.h"
 
 namespace brume {
 namespace {
@@ -40,8 +41,13 @@ QString gaussians_to_text(const std::vector<Gaussian>& gaussians) {
   QString text = heading + '\n';
   for (const Gaussian& gaussian : gaussians) {
     QStringList numbers;
-    for (const GaussianAttribute field : gaussian_attributes) {
-      numbers << exact_number_text(attribute_value(gaussian, field));
+    for (std::size_t k = 0; k < shape_attributes; ++k) {
+      numbers << exact_number_text(attribute_value(gaussian, gaussian_attributes[k]));
+    }
+    if (gaussian.optics != GaussianOptics()) {
+      for (const double value : gaussian_columns::optics_values(gaussian.optics)) {
+        numbers << exact_number_text(value);
+      }
     }
     text += numbers.join('\t') + '\n';
   }
@@ -54,13 +60,22 @@ std::vector<Gaussian> gaussians_from_text(const QString& text) {
   std::vector<Gaussian> gaussians;
   for (const QString& line : lines) {
     const QStringList numbers = line.split('\t');
-    if (numbers.size() != static_cast<qsizetype>(gaussian_attributes.size())) return {};
+    std::vector<double> values;
+    for (const QString& number : numbers) values.push_back(parse_number(number));
+    std::array<double, gaussian_columns::optics_names.size()> optics{};
+    const bool has_optics = values.size() == shape_attributes + optics.size();
+    if (!has_optics && values.size() != shape_attributes) return {};
     Gaussian& gaussian = gaussians.emplace_back();
-    for (std::size_t k = 0; k < gaussian_attributes.size(); ++k) {
-      const double value = parse_number(numbers[static_cast<qsizetype>(k)]);
-      if (!attribute_problem(gaussian_attributes[k], value).isEmpty()) return {};
-      set_attribute_value(gaussian, gaussian_attributes[k], value);
+    for (std::size_t k = 0; k < shape_attributes; ++k) {
+      if (!attribute_problem(gaussian_attributes[k], values[k]).isEmpty()) return {};
+      set_attribute_value(gaussian, gaussian_attributes[k], values[k]);
     }
+    if (!has_optics) continue;
+    std::copy(values.begin() + shape_attributes, values.end(), optics.begin());
+    bool is_allowed = true;
+    gaussian.optics = gaussian_columns::optics_of(
+        optics, [&](std::size_t, const std::string&) { is_allowed = false; });
+    if (!is_allowed) return {};
   }
   return gaussians;
 }

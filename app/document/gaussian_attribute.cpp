@@ -23,6 +23,8 @@ const NumberDomain& attribute_domain(GaussianAttribute field) {
       return domain::length;
     case GaussianAttribute::density:
       return domain::density;
+    case GaussianAttribute::emission:
+      return domain::intensity;
     default:
       return domain::coordinate;
   }
@@ -40,6 +42,8 @@ QString attribute_title(GaussianAttribute field) {
       return attribute_text("Radius");
     case GaussianAttribute::density:
       return attribute_text("Density");
+    case GaussianAttribute::emission:
+      return attribute_text("Emission");
   }
   return {};
 }
@@ -60,6 +64,8 @@ double attribute_value(const Gaussian& gaussian, GaussianAttribute field) {
       return gaussian.radius;
     case GaussianAttribute::density:
       return gaussian.density;
+    case GaussianAttribute::emission:
+      return emission_strength(gaussian.optics.emission);
   }
   return 0.0;
 }
@@ -81,6 +87,10 @@ void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double val
     case GaussianAttribute::density:
       gaussian.density = value;
       break;
+    case GaussianAttribute::emission:
+      if (value == emission_strength(gaussian.optics.emission)) break;  // not even rounded
+      gaussian.optics.emission = value * emission_color(gaussian.optics.emission);
+      break;
   }
 }
 
@@ -92,6 +102,15 @@ Gaussian within_domains(const Gaussian& gaussian) {
     set_attribute_value(result, field, std::clamp(value, domain.min_value, domain.max_value));
   }
   return result;
+}
+
+double emission_strength(const glm::dvec3& emission) {
+  return std::max({emission.x, emission.y, emission.z});
+}
+
+glm::dvec3 emission_color(const glm::dvec3& emission) {
+  const double strength = emission_strength(emission);
+  return strength > 0.0 ? emission / strength : glm::dvec3(1.0);
 }
 
 QString attribute_problem(GaussianAttribute field, double value) {

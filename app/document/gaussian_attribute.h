@@ -8,12 +8,15 @@
 
 namespace brume {
 
-// The editable attributes of a Gaussian, in display order.
-enum class GaussianAttribute { center_x, center_y, center_z, radius, density };
+// The editable attributes of a Gaussian that are numbers, in display order. Its emission is that of
+// the brightest channel; it keeps its colour.
+enum class GaussianAttribute { center_x, center_y, center_z, radius, density, emission };
 
 inline constexpr std::array gaussian_attributes{
     GaussianAttribute::center_x, GaussianAttribute::center_y, GaussianAttribute::center_z,
-    GaussianAttribute::radius, GaussianAttribute::density};
+    GaussianAttribute::radius,   GaussianAttribute::density,  GaussianAttribute::emission};
+// Those without its optics.
+inline constexpr std::size_t shape_attributes = 5;
 
 QString attribute_title(GaussianAttribute field);  // "Center X"
 QString attribute_name(GaussianAttribute field);   // "center x", for use inside a sentence
@@ -23,6 +26,10 @@ const NumberDomain& attribute_domain(GaussianAttribute field);
 
 double attribute_value(const Gaussian& gaussian, GaussianAttribute field);
 void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double value);
+
+// Of its brightest channel; and its colour, whose brightest channel is 1, white if it is black.
+double emission_strength(const glm::dvec3& emission);
+glm::dvec3 emission_color(const glm::dvec3& emission);
 
 // Clamps all attributes to their domains.
 Gaussian within_domains(const Gaussian& gaussian);

@@ -9,6 +9,7 @@
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
 #include "app/widgets/number_field.h"
+#include "app/widgets/optics_editor.h"
 #include "app/widgets/value_field.h"
 
 namespace brume {
@@ -16,12 +17,13 @@ namespace {
 
 constexpr double step = 0.01;  // u, or part of the value, for each pixel of a drag
 
-using Values = std::array<double, gaussian_attributes.size()>;
+using Values = std::array<double, shape_attributes>;
 
 // The first selected Gaussian's numbers, and which of them all have.
 struct Common {
   Values values{};
-  std::array<bool, gaussian_attributes.size()> is_mixed{};
+  std::array<bool, shape_attributes> is_mixed{};
+  GaussianOptics optics{};
 };
 
 Common common_values(const Document& document) {
@@ -33,7 +35,8 @@ Common common_values(const Document& document) {
   for (std::size_t i = 0; i < medium.size() && next != selection.end(); ++i) {
     if (medium.ids()[i] != *next) continue;
     const Gaussian gaussian = medium.gaussian(i);
-    for (std::size_t k = 0; k < gaussian_attributes.size(); ++k) {
+    if (next == selection.begin()) common.optics = gaussian.optics;
+    for (std::size_t k = 0; k < shape_attributes; ++k) {
       const double value = attribute_value(gaussian, gaussian_attributes[k]);
       if (next == selection.begin()) common.values[k] = value;
       if (value != common.values[k]) common.is_mixed[k] = true;
@@ -46,7 +49,7 @@ Common common_values(const Document& document) {
 }  // namespace
 
 GaussianForm::GaussianForm(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document) {
+    : QWidget(parent), document_(document), optics_(new OpticsEditor("gaussian", this)) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const GaussianAttribute field = gaussian_attributes[k];
     const bool is_center = k < 3;
@@ -71,6 +74,11 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
     layout->addRow(title, fields_[k]);
   }
 
+  layout->addRow(optics_);
+  connect(optics_, &OpticsEditor::refused, this, &GaussianForm::refused);
+  connect(optics_, &OpticsEditor::edited, this, &GaussianForm::change_optics);
+
+  connect(&document_, &Document::part_changed, this, &GaussianForm::refresh);
   connect(&document_, &Document::scene_replaced, this, &GaussianForm::refresh);
   connect(&document_, &Document::medium_changed, this, &GaussianForm::refresh);
   connect(&document_, &Document::selection_changed, this, &GaussianForm::refresh);
@@ -88,6 +96,19 @@ void GaussianForm::refresh() {
     }
     fields_[k]->setEnabled(any);
   }
+  optics_->show_optics(any ? std::optional(common.optics) : std::nullopt,
+                       document_.scene().optics.albedo);
+}
+
+void GaussianForm::change_optics(const OpticsEditor::Change& change, MergeId gesture) {
+  const std::vector<GaussianId> ids = document_.selection();
+  std::vector<Gaussian> after;
+  for (const GaussianId id : ids) {
+    after.push_back(document_.medium().gaussian(*document_.medium().index_of(id)));
+    change(after.back().optics);
+  }
+  change_gaussians(document_, ids, after, tr("Set colours of %1").arg(gaussians_text(ids.size())),
+                   gesture);
 }
 
 }  // namespace brume

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/document/gaussian_attribute.h"
+#include "app/widgets/optics_editor.h"
 
 namespace brume {
 
@@ -22,9 +23,11 @@ class GaussianForm : public QWidget {
 
  private:
   void refresh();
+  void change_optics(const OpticsEditor::Change& change, MergeId gesture);
 
   Document& document_;
-  std::array<ValueField*, gaussian_attributes.size()> fields_{};
+  std::array<ValueField*, shape_attributes> fields_{};
+  OpticsEditor* optics_;  // shows the first of the selection
 };
 
 }  // namespace brume

@@ -128,7 +128,7 @@ void GaussianPanel::add_filter(QLayout& layout) {
     QPalette colors = palette();
     if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
     filter->setPalette(colors);
-    filter->setToolTip(parsed ? tr("Filter the table by x, y, z, radius or density")
+    filter->setToolTip(parsed ? tr("Filter the table by x, y, z, radius, density or emission")
                               : plain_tool_tip(problem));
     if (!parsed) return;
     const bool was_syncing = std::exchange(syncing_, true);

@@ -113,7 +113,7 @@ void AirbrushTool::spray() {
   }
   way_ = {way_.back()};
   std::vector<Gaussian> gaussians = spray_->frozen();
-  for (Gaussian& gaussian : gaussians) gaussian = within_domains(gaussian);
+  for (Gaussian& gaussian : gaussians) gaussian = coloured(gaussian);
   const std::span<const Gaussian> all(gaussians);
   const Medium& medium = document_.medium();
   MediumEdit edit = MediumEdit::change(medium, ids_, all.first(ids_.size()));

@@ -1,12 +1,19 @@
 #include "app/tools/fog_brush_tool.h"
 
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QToolButton>
+#include <QWidgetAction>
 #include <algorithm>
 #include <cmath>
 
 #include "app/document/document.h"
+#include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
 #include "app/view/navigation.h"
 #include "app/view/view.h"
+#include "app/widgets/color_button.h"
+#include "app/widgets/optics_editor.h"
 
 namespace brume {
 namespace {
@@ -32,6 +39,7 @@ void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   }
   if (const auto id = view().max_visible(position)) {
     const Gaussian gaussian = document_.medium().gaussian(*document_.medium().index_of(*id));
+    optics_ = gaussian.optics;
     set_both(gaussian.radius, gaussian.density);
   }
 }
@@ -58,6 +66,44 @@ void FogBrushTool::add_gaussian_options(QHBoxLayout& row, const QString& prefix)
   add_number(
       row, *this, {tr("Density"), prefix + "_density", domain::density, Scale::logarithmic, 0.01},
       [this] { return density(); }, [this](double value) { set_both(radius(), value); });
+  add_optics_button(row, prefix);
+}
+
+void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
+  auto* button = new QToolButton;
+  button->setObjectName(prefix + "_colours");
+  button->setText(tr("Colours"));
+  button->setToolTip(tr("Albedo and emission of what is added: coloured smoke, fire"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setMenu(new QMenu(button));
+  auto* editor = new OpticsEditor(prefix, button);
+  editor->setContentsMargins(8, 8, 8, 8);
+  auto* action = new QWidgetAction(button);
+  action->setDefaultWidget(editor);
+  button->menu()->addAction(action);
+  row.addWidget(button);
+  const auto show = [this, editor, button] {
+    editor->show_optics(optics_, document_.scene().optics.albedo);
+    QPixmap swatch(12, 12);
+    const bool shines = emission_strength(optics_.emission) > 0.0;
+    swatch.fill(to_color(shines ? emission_color(optics_.emission)
+                                : optics_.albedo.value_or(document_.scene().optics.albedo)));
+    button->setIcon(swatch);
+  };
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  connect(this, &Tool::options_changed, editor, show);
+  connect(&document_, &Document::part_changed, editor, show);
+  connect(editor, &OpticsEditor::edited, this, [this](const OpticsEditor::Change& change) {
+    change(optics_);
+    Q_EMIT options_changed();
+  });
+  show();
+}
+
+Gaussian FogBrushTool::coloured(const Gaussian& gaussian) const {
+  Gaussian result = within_domains(gaussian);
+  result.optics = optics_;
+  return result;
 }
 
 void FogBrushTool::add_place_options(QHBoxLayout& row, const QString& prefix) {

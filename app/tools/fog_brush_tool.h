@@ -14,7 +14,7 @@ class FogBrushTool : public BrushTool {
   void set_plane(PaintPlane plane) { set_target({plane, target_.position}); }
   void set_target(const PaintTarget& target);
 
-  // Alt picks radius and density from the Gaussian under the mouse.
+  // Alt picks radius, density and colours from the Gaussian under the mouse.
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
   [[nodiscard]] bool uses_alt() const override { return true; }
   void change_size(double factor) override;
@@ -31,7 +31,10 @@ class FogBrushTool : public BrushTool {
   [[nodiscard]] double cursor_radius() const override { return radius(); }
   [[nodiscard]] PaintTarget target() const override { return target_; }
 
-  // Widgets of radius and density, and of seed and plane; `prefix` of their object names.
+  // The Gaussians as they are added: within their domains, with the brush's albedo and emission.
+  [[nodiscard]] Gaussian coloured(const Gaussian& gaussian) const;
+
+  // Widgets of radius, density and colours, and of seed and plane; `prefix` of their object names.
   void add_gaussian_options(QHBoxLayout& row, const QString& prefix);
   void add_place_options(QHBoxLayout& row, const QString& prefix);
 
@@ -41,7 +44,10 @@ class FogBrushTool : public BrushTool {
  private:
   void set_both(double radius, double density);
 
+  void add_optics_button(QHBoxLayout& row, const QString& prefix);
+
   PaintTarget target_;
+  GaussianOptics optics_;
   int seed_ = 1;
 };
 

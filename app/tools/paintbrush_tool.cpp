@@ -32,7 +32,7 @@ void PaintbrushTool::set_gaussian(double radius, double density) {
 QString PaintbrushTool::hint() const {
   return tr(
       "Drag to paint fog. [ and ] change the radius, with Shift the density; Alt + click picks "
-      "both from the fog.");
+      "both and the colours from the fog.");
 }
 
 void PaintbrushTool::add_options(QHBoxLayout& row) {
@@ -63,7 +63,7 @@ void PaintbrushTool::extend_stroke(std::span<const QPointF> curve) {
     const auto point = paint_at(position);
     if (!point) continue;
     for (const Gaussian& gaussian : stroke_->extend(point->position)) {
-      gaussians.push_back(within_domains(gaussian));
+      gaussians.push_back(coloured(gaussian));
     }
   }
   const std::size_t count = gesture_.edit().added().size() + gaussians.size();

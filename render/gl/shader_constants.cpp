@@ -179,7 +179,8 @@ void add_slices(Constants& constants) {
   constants.add("max_bins", slice_demand::bins_per_slice * max_slices);
   constants.add("max_boundaries", static_cast<int>(max_slice_boundaries));
   constants.add("node_texture_width", node_texture_width);
-  constants.add("chunk", slice_chunk);
+  constants.add("slice_chunk", slice_chunk);
+  constants.add("optics_width", optics_width);
   constants.add("max_table_radii", max_table_radii);
 }
 

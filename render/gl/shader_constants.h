@@ -10,6 +10,8 @@ constexpr int max_slices = 256;
 constexpr int node_texture_width = 16384;
 // Slices accumulated in registers at a time.
 constexpr int slice_chunk = 8;
+// Texels per row of the optics of Gaussians: rows for all that a scene may have.
+constexpr int optics_width = 4096;
 
 // Maximum radii of an optical depth table.
 constexpr int max_table_radii = 1024;

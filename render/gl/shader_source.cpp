@@ -42,7 +42,12 @@ void append_text(const std::string& text, std::set<std::string>& seen, std::ostr
 }  // namespace
 
 std::string shader_source(const std::string& name) {
-  return complete_shader("#include \"" + name + "\"\n");
+  std::istringstream words(name);
+  std::string file;
+  words >> file;
+  std::string text;
+  for (std::string defined; words >> defined;) text += "#define " + defined + "\n";
+  return complete_shader(text + "#include \"" + file + "\"\n");
 }
 
 std::string complete_shader(const std::string& text) {

@@ -33,7 +33,9 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
 
   slices_.choose(device.programs, device.clock, lights_, lights.size(), work.settings.slices,
                  device.lists, device.view, device.textures);
-  const Program& program = device.programs["sliced"];
+  std::string defined = device.medium.has_optics() ? "OPTICS" : "";
+  if (lights_.has_profiles()) defined += " PROFILES";
+  const Program& program = device.programs.get("sliced", defined);
   set_noise(program, medium.noise(), eye);
   program.set("light_count", static_cast<int>(lights.size()));
   program.set("b0", static_cast<float>(medium.homogeneous_density()));
@@ -49,6 +51,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
       device.programs, device.clock, program,
       [&] {
         lights_.bind(program);
+        device.medium.bind_optics(program);
         program.bind("Shadows", shadows_.values());
         program.bind("Source", source_);
         slices_.bind(program);

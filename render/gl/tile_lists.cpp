@@ -1,5 +1,6 @@
 #include "render/gl/tile_lists.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <vector>
@@ -26,8 +27,25 @@ void MediumBuffers::update(const MediumIndex& medium) {
   }
   centers_.upload(std::span<const glm::dvec3>(centers));
   shapes_.upload(std::span<const GaussianShape>(shapes));
+  upload_optics(medium.optics());
   count_ = all.size();
   revision_ = medium.revision();
+}
+
+void MediumBuffers::upload_optics(std::span<const RelativeOptics> all) {
+  has_optics_ = !all.empty();
+  if (!has_optics_) {
+    optics_.release();
+    return;
+  }
+  const glm::ivec2 size(optics_width, (static_cast<int>(all.size()) - 1) / optics_width + 1);
+  std::vector<glm::vec4> texels(static_cast<std::size_t>(size.x) *
+                                static_cast<std::size_t>(size.y));
+  std::ranges::transform(all, texels.begin(), [](const RelativeOptics& own) {
+    return glm::vec4(own.emission, own.albedo);
+  });
+  optics_.reserve(Texture::Format::rgba32f, size);
+  optics_.upload({&texels[0].x, 4 * texels.size()});
 }
 
 void MediumBuffers::bind(const Program& program) {

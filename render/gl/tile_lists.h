@@ -18,12 +18,19 @@ class MediumBuffers {
   [[nodiscard]] std::size_t count() const { return count_; }
   // As `Centers` and `Shapes`.
   void bind(const Program& program);
+  // Of Gaussians with optics of their own, as `optics`.
+  void bind_optics(const Program& program) { program.bind("optics", optics_); }
+  [[nodiscard]] bool has_optics() const { return has_optics_; }
 
  private:
+  void upload_optics(std::span<const RelativeOptics> all);
+
   Revision revision_ = 0;  // of the index
   std::size_t count_ = 0;
   Buffer centers_;  // x y z per Gaussian, double
   Buffer shapes_;   // GaussianShape
+  Texture optics_;  // a texel of emission and albedo per Gaussian, row by row
+  bool has_optics_ = false;
 };
 
 // Tile binning on the device: for every tile the Gaussians that its rays may meet; Tiles::Lists in

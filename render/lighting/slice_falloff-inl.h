@@ -134,21 +134,25 @@ HWY_INLINE void SampleProfile(const FalloffRays& light, FloatVec begin, FloatVec
   const auto is_wide = hn::Gt(angle, Floats(2.0f * profile_step));
   if (hn::AllFalse(d, is_wide)) return;
   const FloatVec h = hn::Sqrt(h2);
-  const int count = 1 + static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, angle)) / profile_step);
-  const FloatVec step = hn::Mul(angle, Floats(1.0f / static_cast<float>(count)));
-  FloatVec at = hn::MulAdd(Floats(0.5f), step, hn::Atan(d, hn::Div(begin, h)));
+  // Each ray in its own steps, whatever its neighbours'.
+  const FloatVec count =
+      hn::Add(hn::Floor(hn::Mul(angle, Floats(1.0f / profile_step))), Floats(1.0f));
+  const FloatVec step = hn::Div(angle, count);
+  const FloatVec first = hn::MulAdd(Floats(0.5f), step, hn::Atan(d, hn::Div(begin, h)));
   FloatVec sum = hn::Zero(d);
   FloatVec moment = hn::Zero(d);
-  for (int i = 0; i < count; ++i) {
+  const auto most = static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, count)));
+  for (int i = 0; i < most; ++i) {
+    const FloatVec index = Floats(static_cast<float>(i));
+    const FloatVec at = hn::MulAdd(index, step, first);
     const FloatVec sine = hn::Sin(d, at);
     const FloatVec cosine = hn::Max(hn::Cos(d, at), Floats(coefficient::tiny));
-    const FloatVec value = light.AtAngle(sine, cosine, h);
+    const FloatVec value = hn::IfThenElseZero(hn::Lt(index, count), light.AtAngle(sine, cosine, h));
     sum = hn::Add(sum, value);
     moment = hn::MulAdd(value, hn::Div(hn::Mul(h, sine), cosine), moment);
-    at = hn::Add(at, step);
   }
   const auto counts = hn::And(is_wide, hn::Gt(sum, hn::Zero(d)));
-  mean = hn::IfThenElse(is_wide, hn::Mul(sum, Floats(1.0f / static_cast<float>(count))), mean);
+  mean = hn::IfThenElse(is_wide, hn::Div(sum, count), mean);
   place = hn::IfThenElse(counts, hn::Div(moment, sum), place);
 }
 

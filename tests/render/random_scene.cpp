@@ -22,6 +22,7 @@ class RandomScene {
     scene_.film = {integer(1, 12), integer(1, 8)};
     add_camera();
     for (int i = integer(0, 3); i > 0; --i) add_surface();
+    has_optics_ = one_in(4);
     for (int i = integer(0, one_in(3) ? 40 : 5); i > 0; --i) add_gaussian();
     for (int i = integer(0, 6); i > 0; --i) add_light();
     if (one_in(3)) scene_.medium.set_homogeneous_density(spread(random_.power(-3, 1), -9, 9));
@@ -94,6 +95,10 @@ class RandomScene {
     g.center = place();
     g.radius = spread_ * spread(random_.power(-1, 0.5), -9, 8);
     g.density = one_in(10) ? 0.0 : spread(random_.power(-1, 1) / g.radius, -6, 6);
+    if (has_optics_ && one_in(2)) {
+      if (one_in(2)) g.optics.albedo = glm::dvec3(albedo(), albedo(), albedo());
+      if (one_in(2)) g.optics.emission = {spread(1.0, -9, 9), 0.0, spread(1.0, -9, 9)};
+    }
     scene_.medium.append(g);
   }
 
@@ -221,6 +226,7 @@ class RandomScene {
   glm::dvec3 origin_{0.0};
   double spread_ = 1.0;  // of the scene [u]
   Scene scene_;
+  bool has_optics_ = false;          // of Gaussians
   std::vector<glm::dvec3> corners_;  // of the triangles
 };
 

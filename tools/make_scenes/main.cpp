@@ -22,6 +22,8 @@ int main(int argc, char** argv) {
     brume::write_courtyard_scene(folder);
     brume::write_forest_scene(folder);
     brume::write_headlights_scene(folder);
+    brume::write_candle_scene(folder);
+    brume::write_harbour_scene(folder);
     brume::write_interior_scenes(folder);
   } catch (const std::exception& error) {
     std::cerr << "brume-make-scenes: " << error.what() << '\n';

@@ -38,9 +38,18 @@ std::string lines(const std::vector<Item>& items,
   return concat(text, items.empty() ? "]" : "\n  ]");
 }
 
+std::string optics_text(const GaussianOptics& optics) {
+  std::string text;
+  if (optics.albedo) text += concat(R"(, "albedo": )", triple(*optics.albedo));
+  if (optics.emission != glm::dvec3(0.0)) {
+    text += concat(R"(, "emission": )", triple(optics.emission));
+  }
+  return text;
+}
+
 std::string gaussian_text(const Gaussian& g) {
   return concat(R"({ "center": )", triple(g.center), R"(, "radius": )", number(g.radius),
-                R"(, "density": )", number(g.density), " }");
+                R"(, "density": )", number(g.density), optics_text(g.optics), " }");
 }
 
 std::string key_text(const SampleKey& key) {
@@ -62,6 +71,13 @@ std::string cone_text(const SampleLight& light) {
   return text + " ] }";
 }
 
+std::string profile_text(const SampleLight& light) {
+  if (light.profile.empty()) return "";
+  return concat(R"(,
+      "profile": ")",
+                light.profile, R"(", "profile_rotation": )", number(light.profile_rotation));
+}
+
 std::string light_text(const SampleLight& light) {
   if (light.is_directional) {
     return concat(R"({ "type": "directional", "direction": )",
@@ -76,7 +92,7 @@ std::string light_text(const SampleLight& light) {
   }
   return concat(R"({ "type": ")", light.outer_angle > 0.0 ? "spot" : "point", R"(", "position": )",
                 triple(light.position), R"(, "intensity": )", triple(light.intensity),
-                cone_text(light), " }");
+                cone_text(light), profile_text(light), " }");
 }
 
 std::string highlight_text(const SampleSurface& s) {

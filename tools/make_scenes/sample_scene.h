@@ -29,6 +29,8 @@ struct SampleLight {
   // its normal.
   double width = 0.0;
   double height = 0.0;
+  std::string profile = {};  // of a point light or a spot, relative to the scene file; "" for none
+  double profile_rotation = 0.0;
 };
 
 struct SampleSurface {

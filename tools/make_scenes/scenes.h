@@ -25,6 +25,12 @@ void write_forest_scene(const std::filesystem::path& folder);
 // headlights.
 void write_headlights_scene(const std::filesystem::path& folder);
 
+// candle.
+void write_candle_scene(const std::filesystem::path& folder);
+
+// harbour.
+void write_harbour_scene(const std::filesystem::path& folder);
+
 // room and tunnel.
 void write_interior_scenes(const std::filesystem::path& folder);
 

@@ -2,6 +2,12 @@
 // accumulate_increments() in render/lighting/slice_kernels.h. The including shader declares the shared
 // nearest[] and farthest[], ascending: between them each boundary of all rays of the group is.
 #include "gaussian.glsl"
+
+#ifdef OPTICS
+const int chunk = slice_chunk / 2;  // more is kept of each
+#else
+const int chunk = slice_chunk;
+#endif
 #pragma optionNV(unroll all)
 
 // The slices [x, y) of the chunk at `first` that [from, to] touches, of slices before `last`.

@@ -30,6 +30,7 @@ float table_depth(int l, vec3 q, float distance_) {
   return lights[l].max_depth * mix(both.x, both.y, f);
 }
 
+// PROFILES is defined where lights of the medium have photometric profiles.
 // No loops below where one per slice and light can be avoided: a software device (llvmpipe) ends
 // all loops of a shader after 65535 rounds.
 
@@ -107,6 +108,7 @@ vec2 falloff_sample(int l, vec3 along, vec3 across, float h2, float s, float wei
   return vec2(inverse * falloff, inverse);
 }
 
+#ifdef PROFILES
 // SampleProfile() of render/lighting/slice_falloff-inl.h: the mean and the place.
 vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float angle,
                   float middle) {
@@ -127,6 +129,7 @@ vec2 profile_mean(int l, vec3 along, vec3 across, float h2, float begin, float a
   }
   return vec2(sum / float(count), sum > 0.0 ? moment / sum : middle);
 }
+#endif
 
 // What arrives between begin and end, where the falloff is smooth, and that times their middle.
 vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float end) {
@@ -139,11 +142,13 @@ vec2 falloff_part(int l, vec3 along, vec3 across, float h2, float begin, float e
                    falloff_sample(l, along, across, h2, middle + place, gauss_3_end);
   const float unattenuated = mean_inverse_square(begin, end, h2) * width;
   vec2 mean = vec2(sum.x / sum.y, middle);
+#ifdef PROFILES
   if (lights[l].falloff_shape == falloff_profile) {
     const float angle = unattenuated * sqrt(h2);
     if (angle > 2.0 * profile_step) mean = profile_mean(l, along, across, h2, begin, angle, middle);
     mean.y = clamp(mean.y, begin, end);
   }
+#endif
   const float arriving = unattenuated * mean.x;
   return vec2(arriving, arriving * mean.y);
 }

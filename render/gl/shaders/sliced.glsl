@@ -1,6 +1,6 @@
-// The sliced airlight: sliced_airlight() of render/cpu and sum_slices() of
-// render/lighting. One work group per tile,
-// or per batch of exact pixels.
+// The sliced airlight: sliced_airlight() of render/cpu and sum_slices() of render/lighting. One work
+// group per tile, or per batch of exact pixels. OPTICS is defined for Gaussians with optics of their
+// own.
 #include "constants.glsl"
 #include "tile_list.glsl"
 
@@ -23,6 +23,13 @@ uniform float truncated_phase[4];
 
 // The length of a ray without an end, whose products with exponents are still floats.
 const float endless_line = 1e18;
+
+#ifdef OPTICS
+// Of Gaussians: emission, and albedo; see RelativeOptics.
+layout(rgba32f, binding = 6) readonly uniform image2D optics;
+shared vec4 batch_optics[group_size];
+shared vec4 spilled_optics[chunk * group_size];
+#endif
 
 shared SeenGaussian batch[group_size];
 shared ivec4 batch_slices[group_size];  // a range of the chunk, and whether it counts
@@ -78,6 +85,10 @@ void main() {
     float increments[chunk];
     float ends[chunk + 1];
     for (int k = 0; k < chunk; ++k) increments[k] = 0.0;
+#ifdef OPTICS
+    vec4 optics_increments[chunk];  // times optics
+    for (int k = 0; k < chunk; ++k) optics_increments[k] = vec4(0.0);
+#endif
     ends[0] = t_begin;
     for (int k = 0; k < chunk; ++k) {
       // Rounding must not turn slices round.
@@ -99,6 +110,9 @@ void main() {
       if (matters) {
         batch[slot] = seen[i];
         batch_slices[slot] = range;
+#ifdef OPTICS
+        batch_optics[slot] = imageLoad(optics, ivec2(i % optics_width, i / optics_width));
+#endif
       }
       barrier();
       for (uint j = 0u; j < found; ++j) {
@@ -109,13 +123,26 @@ void main() {
         if (needs_line && first == 0) {
           line_depth += g.scale * unit_depth(line, g.a, endless_line);
         }
+#ifdef OPTICS
+        float own[chunk];
+        for (int k = 0; k < chunk; ++k) own[k] = 0.0;
+        add_increments(own, line, g.a, g.scale, ends, batch_slices[j].xy);
+        for (int k = 0; k < chunk; ++k) {
+          increments[k] += own[k];
+          optics_increments[k] += own[k] * batch_optics[j];
+        }
+#else
         add_increments(increments, line, g.a, g.scale, ends, batch_slices[j].xy);
+#endif
       }
     }
     // Shared memory, as the loop below indexes slices dynamically, which registers cannot be.
     for (int k = 0; k < chunk; ++k) {
       spilled[k * group_size + id] = increments[k];
       spilled_ends[k * group_size + id] = ends[k + 1];
+#ifdef OPTICS
+      spilled_optics[k * group_size + id] = optics_increments[k];
+#endif
     }
     const int count = min(chunk, last - first);
     for (int k = 0; k < count; ++k) {
@@ -123,23 +150,34 @@ void main() {
       const float gaussians = max(spilled[k * group_size + id], 0.0);
       const float fog = b0 * (t_end - t_begin);
       const float increment = fog + gaussians;
+#ifdef OPTICS
+      const vec4 own = max(spilled_optics[k * group_size + id], vec4(0.0));
+      const float scattering = fog + own.w;
+#else
+      const float scattering = increment;
+#endif
       if (has_forward_lobe) {
         const float from_eye = anisotropy < 0.0 ? light_extinction : -light_extinction;
         const float exponent = (1.0 + from_eye) * gaussians + fog;
         const float transmittance_out = transmittance_in * exp(-exponent);
-        along_ray += increment * (exponent < small_exponent
+        along_ray += scattering * (exponent < small_exponent
                                       ? transmittance_in - 0.5 * exponent * transmittance_in
                                       : (transmittance_in - transmittance_out) / exponent);
         transmittance_in = transmittance_out;
       }
       if (increment > negligible && view_extinction * depth < visible_depth) {
-        const float whole_fraction = scattered_fraction(depth, increment);
+        float whole_fraction = scattered_fraction(depth, increment);
         float truncated_fraction = whole_fraction;
         if (view_extinction != 1.0) {
           truncated_fraction =
               scattered_fraction(view_extinction * depth, view_extinction * increment) /
               view_extinction;
         }
+#ifdef OPTICS
+        airlight += whole_fraction / max(increment, tiny) * own.rgb;
+        whole_fraction *= scattering / max(increment, tiny);
+        truncated_fraction *= scattering / max(increment, tiny);
+#endif
         const float center = 0.5 * (t_begin + t_end);
         lookup_weight += truncated_fraction;
         lookup_position += truncated_fraction * center;

@@ -111,6 +111,38 @@ TEST(MediumEdit, UndoAllRedoAll) {
   }
 }
 
+// Optics are there while a Gaussian has some.
+TEST(MediumEdit, KeepsOptics) {
+  Medium medium = make_medium(5);
+  const Medium start = medium;
+  const GaussianOptics hot{glm::dvec3(0.5), glm::dvec3(3.0, 1.0, 0.0)};
+  Gaussian changed = medium.gaussian(2);
+  changed.optics = hot;
+  std::vector<MediumEdit> history;
+  const auto apply = [&](const MediumEdit& edit) {
+    history.push_back(edit);
+    edit.apply(medium);
+  };
+  apply(MediumEdit::change(medium, std::vector{medium.ids()[2]}, std::vector{changed}));
+  EXPECT_TRUE(medium.has_albedos() && medium.has_emission());
+  EXPECT_NE(medium, start);
+  apply(MediumEdit::remove(medium, std::vector{medium.ids()[0], medium.ids()[3]}));
+  EXPECT_EQ(medium.optics(1), hot);
+  EXPECT_EQ(medium.optics(0), GaussianOptics());
+  apply(MediumEdit::add(medium, std::vector{Gaussian{}, changed}));
+  EXPECT_EQ(medium.gaussian(4), changed);
+  EXPECT_EQ(medium.optics(3), GaussianOptics());
+  const Medium end = medium;
+  while (!history.empty()) {
+    history.back().inverted().apply(medium);
+    history.pop_back();
+  }
+  EXPECT_EQ(medium, start);
+  EXPECT_EQ(start, medium);
+  EXPECT_FALSE(medium.has_albedos() || medium.has_emission());
+  EXPECT_NE(end, start);
+}
+
 // A whole history merges into one edit that does and undoes the same.
 TEST(MediumEdit, AnyEditsMerge) {
   std::mt19937 random(11);

@@ -111,11 +111,11 @@ TEST_F(Display, MatchesToDisplayForAllRadiances) {
   film.airlight.fill(0.0f);
   Programs programs;
   DisplayStage stage;
-  const std::vector<AlbedoGroup> groups = albedo_groups(glm::dvec3(1.0));
+  const AlbedoGroup all{1.0, {0, 1, 2}};
   for (const double exposure :
        {0.0, -3.5, 20.0, -20.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     const auto picture = pool_->acquire({frame.film.width, 1});
-    stage.run(programs, film, {.exposure = exposure}, groups, 0, picture->texture());
+    stage.run(programs, film, {.exposure = exposure}, all, true, true, picture->texture());
     EXPECT_LE(furthest(bytes_of(*picture), to_display(frame, exposure)), 1) << exposure;
   }
 }

@@ -67,6 +67,24 @@ TEST_F(GlFrames, ProfileLights) {
   }
 }
 
+TEST_F(GlFrames, GaussiansWithOptics) {
+  for (const double b0 : {0.0, 0.05}) {
+    for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {
+      Scene scene = in_fog(cloud_scene(10, 2.0), b0);
+      scene.film = {24, 18};
+      scene.surfaces = {wall(-0.8, 1.5)};
+      scene.optics.anisotropy = b0 > 0.0 ? 0.5 : 0.0;
+      std::size_t index = 0;
+      scene.medium = scene.medium.changed(b0, [&index](Gaussian g) {
+        if (index % 3 == 0) g.optics.albedo = {0.9, 0.3, 0.2};
+        if (index++ % 4 == 0) g.optics.emission = {3.0, 1.0, 0.2};
+        return g;
+      });
+      expect_backends_agree(scene, scattering);
+    }
+  }
+}
+
 TEST_F(GlFrames, AreaLights) {
   for (const double b0 : {0.0, 0.05}) {
     for (const Scattering scattering : {Scattering::single, Scattering::multiple}) {

@@ -188,6 +188,36 @@ TEST(GaussianFile, RefusesBadFilesAndNamesThePlace) {
   EXPECT_TRUE(contains(error_of([&] { read_gaussians(folder.path()); }), "folder"));
 }
 
+TEST(GaussianFile, CarriesOptics) {
+  const TemporaryFolder folder;
+  const glm::dvec3 red(0.9, 0.3, 1e-6);
+  const std::vector<Gaussian> gaussians{{{1, 2, 3}, 0.1, 0.3, {red, {1e20, 0.25, 0.0}}},
+                                        {{1, 2, 4}, 0.1, 0.3},
+                                        {{1, 2, 5}, 0.1, 0.3, {std::nullopt, {0.0, 0.0, 7.0}}}};
+  for (const char* name : {"a.ply", "a.csv"}) {
+    write_gaussians(folder / name, gaussians);
+    EXPECT_EQ(read_gaussians(folder / name), gaussians) << name;
+  }
+  EXPECT_TRUE(content_of(folder / "a.csv")
+                  .starts_with("x,y,z,radius,density,albedo_r,albedo_g,albedo_b,emission_r,"));
+  // Those of none take no columns.
+  write_gaussians(folder / "plain.csv", std::vector{gaussians[1]});
+  EXPECT_TRUE(content_of(folder / "plain.csv").starts_with("x,y,z,radius,density\n"));
+
+  const std::string header =
+      "x,y,z,radius,density,emission_r,emission_g,emission_b,albedo_r,albedo_g,albedo_b\n";
+  const auto error = [&](const std::string& optics) {
+    return error_of(
+        [&] { read_gaussians(folder.write("bad.csv", header + "1,2,3,1,1," + optics + "\n")); });
+  };
+  EXPECT_TRUE(contains(error("1,1,1,0.5,0,0.5"), "line 2, albedo_g: found 0; allowed"));
+  EXPECT_TRUE(contains(error("1,1,1,0.5,2,0.5"), "albedo_g: found 2; allowed"));
+  EXPECT_TRUE(contains(error("1,-1,1,0.5,1,0.5"), "emission_g: found -1; allowed"));
+  EXPECT_TRUE(contains(error("1,nan,1,0.5,1,0.5"), "emission_g"));
+  EXPECT_TRUE(contains(error("1,1,1,x,1,0.5"), "albedo_r: found x; allowed"));
+  EXPECT_TRUE(contains(error("1,1,1,0.5,1"), "albedo_b: is missing"));
+}
+
 TEST(GaussianFile, EveryTruncationOfABinaryFileIsRefused) {
   const TemporaryFolder folder;
   write_gaussians(folder / "a.ply", std::vector<Gaussian>(3, {{1, 2, 3}, 4, 5}));

@@ -20,7 +20,10 @@ class RandomScene {
     scene.film = {integer(1, 16384), integer(1, 16384)};
     scene.medium.set_homogeneous_density(maybe() ? number(0.0, 10.0) : 0.0);
     for (int i = integer(0, 30); i > 0; --i) {
-      scene.medium.append({point(), std::exp(number(-20, 20)), std::exp(number(-30, 20))});
+      GaussianOptics optics;
+      if (maybe()) optics.albedo = glm::dvec3(1.0, number(0.01, 1), number(0.01, 1));
+      if (maybe()) optics.emission = {number(0, 9), 0.0, number(0, 1e9)};
+      scene.medium.append({point(), std::exp(number(-20, 20)), std::exp(number(-30, 20)), optics});
     }
     if (maybe()) scene.optics.albedo = {number(0.01, 1), 1.0, number(0.01, 1)};
     if (maybe()) scene.optics.anisotropy = number(-0.95, 0.95);

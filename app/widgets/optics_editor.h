@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "app/commands/merge_id.h"
+#include "core/medium/gaussian.h"
+
+class QCheckBox;
+
+namespace brume {
+
+class ColorButton;
+class ValueField;
+
+// Edits the optics of a Gaussian, or of many: whether they have an albedo of their own, its colour,
+// and the strength, colour or temperature of their emission.
+class OpticsEditor : public QWidget {
+  Q_OBJECT
+ public:
+  // `prefix`: of the widgets' object names.
+  explicit OpticsEditor(const QString& prefix, QWidget* parent = nullptr);
+
+  // nullopt: disabled. `medium_albedo`: what those without their own have.
+  void show_optics(const std::optional<GaussianOptics>& optics, const glm::dvec3& medium_albedo);
+
+  using Change = std::function<void(GaussianOptics&)>;
+
+ Q_SIGNALS:
+  void edited(const brume::OpticsEditor::Change& change, brume::MergeId gesture);
+  void refused(const QString& problem);
+
+ private:
+  QCheckBox* has_albedo_;
+  ColorButton* albedo_;
+  ValueField* emission_;
+  ColorButton* emission_color_;
+  ValueField* temperature_;
+  glm::dvec3 medium_albedo_{1.0};
+};
+
+}  // namespace brume

@@ -1,0 +1,122 @@
+// Albedo and emission of Gaussians: in the inspector, in the brushes, and copied.
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QLineEdit>
+#include <QTableView>
+#include <QToolButton>
+
+#include "app/commands/clipboard.h"
+#include "app/panels/gaussian_filter.h"
+#include "app/viewport/viewport.h"
+#include "app/widgets/color_button.h"
+#include "app/widgets/value_field.h"
+#include "core/io/scene/scene_file.h"
+#include "core/scene/photometry.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+class ColoursTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void the_inspector_sets_them_for_the_selection() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    auto* own = window->findChild<QCheckBox*>("gaussian_has_albedo");
+    auto* albedo = window->findChild<ColorButton*>("gaussian_albedo");
+    QVERIFY(!own->isEnabled());
+    const std::vector<GaussianId> two{before.medium.ids()[0], before.medium.ids()[2]};
+    document.select(two);
+    const auto optics = [&](std::size_t i) { return document.medium().optics(i); };
+    QVERIFY(own->isEnabled() && !albedo->isEnabled());
+    QTest::mouseClick(own, Qt::LeftButton, {}, QPoint(8, own->height() / 2));
+    QVERIFY(optics(0).albedo && !optics(1).albedo && optics(2).albedo);
+    QCOMPARE(*optics(0).albedo, before.optics.albedo);
+    // The dialog's colours are one step; black is as dark as albedos go.
+    QTest::mouseClick(albedo, Qt::LeftButton);
+    auto* dialog = albedo->findChild<QColorDialog*>();
+    QVERIFY(dialog);
+    dialog->setCurrentColor(QColor(0, 255, 0));
+    dialog->setCurrentColor(QColor(255, 0, 0));
+    dialog->close();
+    QCOMPARE(*optics(2).albedo, glm::dvec3(1.0, 1e-6, 1e-6));
+    QCOMPARE(document.undo_stack().count(), 2);
+    enter(window, "gaussian_emission", "5");
+    QCOMPARE(optics(0).emission, glm::dvec3(5.0));
+    enter(window, "gaussian_temperature", "1850");
+    QCOMPARE(optics(2).emission, 5.0 * black_body_color(1850.0));
+    QCOMPARE(optics(1).emission, glm::dvec3(0.0));
+    QVERIFY(window.settle());
+    enter(window, "gaussian_emission", "-1");  // refused
+    QCOMPARE(optics(0).emission, 5.0 * black_body_color(1850.0));
+    // Saved and opened they are the same.
+    const std::filesystem::path file = window.file("coloured.brume");
+    save_document(document.scene(), file);
+    QVERIFY(load_scene(file).medium.optics(0) == optics(0));
+    QTest::mouseClick(own, Qt::LeftButton, {}, QPoint(8, own->height() / 2));
+    QVERIFY(!optics(0).albedo);
+    while (document.undo_stack().canUndo()) window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+  }
+
+  void the_table_has_a_column_and_a_filter() {
+    Scene scene = small_scene();
+    std::size_t index = 0;
+    scene.medium = scene.medium.changed(0.0, [&](Gaussian g) {
+      if (index++ % 2 == 0) g.optics.emission = {0.5, 3.0, 1.0};
+      return g;
+    });
+    TestWindow window(scene);
+    auto* table = window->findChild<QTableView*>();
+    QVERIFY(table);
+    QCOMPARE(table->model()->columnCount(), 6);
+    QCOMPARE(table->model()->rowCount(), 5);
+    auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
+    QTest::keyClicks(filter, "emission > 1");
+    QCOMPARE(table->model()->rowCount(), 3);
+    // What is typed into a cell keeps the colour.
+    table->model()->setData(table->model()->index(0, 5), "6");
+    QCOMPARE(window->document().medium().optics(0).emission, glm::dvec3(1.0, 6.0, 2.0));
+  }
+
+  void brushes_paint_with_them() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    window.key(Qt::Key_B);
+    auto* button = window->findChild<QToolButton*>("brush_colours");
+    QVERIFY(button && button->isVisible());
+    auto* own = window->findChild<QCheckBox*>("brush_has_albedo");
+    own->click();
+    Q_EMIT window->findChild<ColorButton*>("brush_albedo")->edited({0.9, 0.2, 0.1}, no_merge);
+    enter(window, "brush_emission", "2");
+    const QPoint middle = window->viewport().rect().center();
+    window.drag(middle, middle + QPoint(60, 0));
+    const Medium& medium = document.medium();
+    QVERIFY(medium.size() > before.medium.size());
+    for (std::size_t i = before.medium.size(); i < medium.size(); ++i) {
+      QVERIFY(medium.optics(i) == (GaussianOptics{glm::dvec3(0.9, 0.2, 0.1), glm::dvec3(2.0)}));
+    }
+    QCOMPARE(document.undo_stack().count(), 1);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.scene(), before);
+    // Alt picks them, here those of a plain one.
+    window.drag(window.handle(4), window.handle(4), Qt::LeftButton, Qt::AltModifier);
+    QVERIFY(!own->isChecked());
+  }
+
+  void copies_keep_them() {
+    const std::vector<Gaussian> gaussians{
+        {{1, 2, 3}, 0.5, 2.0, {glm::dvec3(0.5, 0.25, 1.0), {1.0, 0.0, 3.0}}},
+        {{1, 2, 4}, 0.5, 2.0}};
+    const QString text = gaussians_to_text(gaussians);
+    QVERIFY(gaussians_from_text(text) == gaussians);
+    QVERIFY(gaussians_from_text(QString(text).replace("0.25", "1.25")).empty());
+  }
+};
+
+BRUME_APP_SUITE("colours", ColoursTest)
+#include "colours_test.moc"
