@@ -14,6 +14,7 @@
 
 #include "core/io/scene/scene_file.h"
 #include "core/scene/mesh.h"
+#include "core/scene/photometric_profile.h"
 #include "core/scene/radiance_map.h"
 #include "core/transport/medium_summary.h"
 
@@ -134,6 +135,24 @@ TEST(SampleScenes, HeadlightsOnAWetRoad) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(scene.lights[k].spot);
   ASSERT_TRUE(scene.lights[4].area);
   EXPECT_EQ(scene.lights[4].area->shape, AreaLight::Shape::rectangle);
+  EXPECT_EQ(scene.surfaces[0].material.type, Material::Type::phong);
+}
+
+TEST(SampleScenes, ACandleAndItsSmoke) {
+  const Scene scene = load("candle.brume");
+  EXPECT_TRUE(scene.medium.has_emission());
+  EXPECT_TRUE(scene.medium.has_albedos());
+  EXPECT_EQ(scene.surfaces.size(), 3u);
+}
+
+TEST(SampleScenes, AHarbourOfColouredLights) {
+  const Scene scene = load("harbour.brume");
+  ASSERT_EQ(scene.lights.size(), 11u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_TRUE(scene.lights[k].profile.content);
+    EXPECT_LT(scene.lights[k].profile.content->solid_angle(), 5.0);
+  }
+  EXPECT_TRUE(scene.medium.has_emission());
   EXPECT_EQ(scene.surfaces[0].material.type, Material::Type::phong);
 }
 
