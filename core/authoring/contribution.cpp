@@ -49,22 +49,26 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
   const glm::dvec3 from_light = point - light.position;
   const double distance = glm::length(from_light);
   if (!(distance > 0.0)) return glm::dvec3(0.0);
-  double depth =
+  const double scattering =
       contribution.depth_in_front +
       medium.homogeneous_density() * (contribution.distance + std::min(distance, fog_length));
+  // What is lost is more than what is scattered, by the albedo; in front by the medium's.
+  const glm::dvec3& shared = scene.optics.albedo;
+  glm::dvec3 depth = scattering / shared;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    depth += optical_depth(GaussianTerm<double>(medium.gaussian(i)), light.position, point);
+    const Gaussian g = medium.gaussian(i);
+    depth += optical_depth(GaussianTerm<double>(g), light.position, point) /
+             g.optics.albedo.value_or(shared);
   }
+  const glm::dvec3 own = medium.optics(contribution.index).albedo.value_or(shared);
   const double cosine = -glm::dot(from_light, direction) / distance;
   const double falloff = light.falloff.at(from_light / distance);
   const double phase =
       henyey_greenstein(cosine, scene.optics.anisotropy) / (4.0 * glm::pi<double>());
   glm::dvec3 radiance(0.0);
   for (int k = 0; k < 3; ++k) {
-    // Depths are of what is scattered; what is lost is more, by the albedo.
-    const double albedo = scene.optics.albedo[k];
-    radiance[k] = falloff * light.intensity[k] / (distance * distance) * phase * albedo *
-                  std::exp(-depth / albedo) * -std::expm1(-contribution.optical_depth / albedo);
+    radiance[k] = falloff * light.intensity[k] / (distance * distance) * phase * own[k] *
+                  std::exp(-depth[k]) * -std::expm1(-contribution.optical_depth / own[k]);
   }
   return radiance;
 }

@@ -18,4 +18,17 @@ Real erfcx(Real x) {
 template double erfcx(double);
 template float erfcx(float);
 
+double entire_exponential_integral(double x) {
+  constexpr double far = 18.0;  // beyond it the rest, E1(x), is below 1e-9
+  if (x > far) return std::log(x) + std::numbers::egamma;
+  double sum = 0.0;
+  double power = 1.0;  // (-x)^k / k!
+  for (int k = 1; k < 80; ++k) {
+    power *= -x / k;
+    sum -= power / k;
+    if (std::abs(power) < 1e-17 * sum) break;
+  }
+  return sum;
+}
+
 }  // namespace brume

@@ -10,4 +10,8 @@ Real erfcx(Real x);
 extern template double erfcx(double);
 extern template float erfcx(float);
 
+// The entire exponential integral Ein(x) = integral of (1 - exp(-t)) / t over t in [0, x], x >= 0;
+// relative error at most 1e-8. (Abramowitz and Stegun, 5.1.39 and 5.1.40.)
+double entire_exponential_integral(double x);
+
 }  // namespace brume

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <ranges>
 
+#include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
 #include "render/lighting/density_samples.h"
 #include "render/lighting/resampling.h"
@@ -237,6 +238,18 @@ void fill(SourceGrid::Level& level, const SourceGrid::Level* coarse,
   }
 }
 
+// Of the light that a Gaussian emits, what is not absorbed in itself, relative to what the grid
+// would let out: there it is widened to the spacing, and thinner. A Gaussian of depth T through its
+// center lets out Ein(T) / T.
+double escaping_share(const GaussianTerm<double>& g, float spacing) {
+  const double share = std::min(1.0 / (g.a * static_cast<double>(spacing)), 1.0);
+  const double depth = g.c / g.a * std::sqrt(std::numbers::pi);
+  if (share == 1.0 || !(depth > 0.0)) return 1.0;
+  const double widened = depth * share * share;
+  if (!(widened > 0.0)) return 1.0;
+  return entire_exponential_integral(depth) * share * share / entire_exponential_integral(widened);
+}
+
 // Sets the optics of a level from its density and fog.
 void add_optics(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content,
                 SourceGrid::Level& level, const Job& job) {
@@ -245,6 +258,7 @@ void add_optics(std::span<const GaussianTerm<double>> gaussians, const SourceGri
     std::vector<GaussianTerm<double>> weighted(gaussians.begin(), gaussians.end());
     for (std::size_t i = 0; i < weighted.size(); ++i) {
       const RelativeOptics& optics = content.optics[i];
+      if (k > 0) weighted[i].c *= escaping_share(gaussians[i], level.nodes.spacing);
       weighted[i].c *= k == 0 ? optics.albedo : optics.emission[static_cast<int>(k) - 1];
     }
     std::vector<float>& values = level.optics[k];

@@ -62,10 +62,10 @@ void add_flame(std::vector<Gaussian>& gaussians) {
   const auto add = [&](double height, double radius, double density, const glm::dvec3& emission) {
     const double sway = 0.02 * std::sin(5.0 * height);
     gaussians.push_back(
-        {root + glm::dvec3(sway, height, 0.0), radius, density, {glm::dvec3(0.4), emission}});
+        {root + glm::dvec3(sway, height, 0.0), radius, density, {glm::dvec3(0.02), emission}});
   };
-  add(0.02, 0.036, 3.0, {0.2, 0.5, 2.2});
-  add(0.06, 0.042, 3.0, {1.6, 1.3, 1.8});
+  add(0.02, 0.036, 0.15, {0.2, 0.5, 2.2});
+  add(0.06, 0.042, 0.15, {1.6, 1.3, 1.8});
   constexpr int steps = 12;
   for (int k = 0; k < steps; ++k) {
     const double share = (k + 0.5) / steps;
@@ -73,7 +73,7 @@ void add_flame(std::vector<Gaussian>& gaussians) {
     const double green = std::lerp(0.62, 0.34, share);
     const double blue = std::lerp(0.26, 0.05, share);
     const double strength = 9.0 * (1.0 - 0.55 * share);
-    add(0.08 + 0.36 * share, std::max(radius, 0.02), 7.0, strength * glm::dvec3(1.0, green, blue));
+    add(0.08 + 0.36 * share, std::max(radius, 0.02), 0.3, strength * glm::dvec3(1.0, green, blue));
   }
 }
 
