@@ -78,6 +78,9 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
   button->setMenu(new QMenu(button));
   auto* editor = new OpticsEditor(prefix, button);
   editor->setContentsMargins(8, 8, 8, 8);
+  // As panels are: on a menu's ground an empty box would not be seen.
+  editor->setBackgroundRole(QPalette::Window);
+  editor->setAutoFillBackground(true);
   auto* action = new QWidgetAction(button);
   action->setDefaultWidget(editor);
   button->menu()->addAction(action);

@@ -31,8 +31,8 @@ OpticsEditor::OpticsEditor(const QString& prefix, QWidget* parent)
       emission_(new ValueField(tr("Emission"), domain::intensity, ValueField::Scale::logarithmic,
                                0.01, this)),
       emission_color_(new ColorButton(this)),
-      temperature_(new ValueField(tr("Temperature, K"), domain::temperature,
-                                  ValueField::Scale::logarithmic, 0.01, this)) {
+      temperature_(new ValueField(tr("K"), domain::temperature, ValueField::Scale::logarithmic,
+                                  0.01, this)) {
   has_albedo_->setObjectName(prefix + "_has_albedo");
   has_albedo_->setToolTip(tr("An albedo of its own instead of the medium's: coloured smoke"));
   albedo_->setObjectName(prefix + "_albedo");
@@ -45,11 +45,11 @@ OpticsEditor::OpticsEditor(const QString& prefix, QWidget* parent)
   auto* row = new QHBoxLayout;
   row->addWidget(emission_, 1);
   row->addWidget(emission_color_);
+  row->addWidget(temperature_, 1);
   QLabel* title = emission_->detach_title();
   title->setObjectName(prefix + "_emission_title");
   title->setToolTip(tr("Radiance of a body of it that nothing shines through, W/(sr u²)"));
   layout->addRow(title, row);
-  layout->addRow(temperature_->detach_title(), temperature_);
   temperature_->setToolTip(
       tr("Gives the emission the colour of a black body: embers 1000 K, a candle 1850 K"));
 

@@ -1,8 +1,13 @@
 #include "tools/bench/errors/light_kinds.h"
 
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <memory>
+#include <vector>
 
+#include "core/scene/photometric_profile.h"
 #include "render/output/compare.h"
 #include "tools/bench/scenes/benchmark_scenes.h"
 
@@ -16,6 +21,34 @@ const glm::dvec3 from{2.0, 3.0, 1.5};
 Scene lit_by(const Light& light) {
   Scene scene = cloud(300, 3.0);
   scene.lights = {light};
+  return scene;
+}
+
+// Two lobes along an axis, in steps of 5 degrees, as street lights have them.
+LightProfile street_profile() {
+  std::vector<double> polar;
+  std::vector<double> azimuths;
+  std::vector<double> intensities;
+  for (double p = 0.0; p <= 180.0; p += 5.0) polar.push_back(p);
+  for (double a = 0.0; a <= 360.0; a += 5.0) {
+    azimuths.push_back(a);
+    const double along = std::abs(std::sin(glm::radians(a)));
+    for (const double p : polar) {
+      const double off = (p - 30.0 - 32.0 * along) / 30.0;
+      intensities.push_back((0.4 + 0.8 * along) * std::exp(-off * off));
+    }
+  }
+  return {{}, std::make_shared<const PhotometricProfile>(polar, azimuths, intensities), 0.0};
+}
+
+// Every third Gaussian changed.
+template <class Change>
+Scene with_thirds(Scene scene, Change&& change) {
+  std::size_t index = 0;
+  scene.medium = scene.medium.changed(scene.medium.homogeneous_density(), [&](Gaussian g) {
+    if (index++ % 3 == 0) change(g.optics);
+    return g;
+  });
   return scene;
 }
 
@@ -69,19 +102,32 @@ std::vector<LightKindRow> measure_light_kinds(bool quick) {
   const int frames = quick ? 3 : 15;
   const Light point{.position = from, .intensity = glm::dvec3(30.0)};
   std::vector<LightKindRow> rows;
-  const auto add = [&](const char* kind, const Light& light) {
-    const std::array<Scene, 2> scenes{lit_by(point), lit_by(light)};
+  const auto add_scene = [&](const char* kind, const Scene& scene) {
+    const std::array<Scene, 2> scenes{lit_by(point), scene};
     rows.push_back({kind, error_of(scenes[1], settings),
                     ratio(scenes, settings, frames, move_camera),
                     ratio(scenes, settings, frames, move_light)});
   };
+  const auto add = [&](const char* kind, const Light& light) { add_scene(kind, lit_by(light)); };
   add("point", point);
   Light spot = point;
   spot.spot = SpotCone{-from, 5.0, 20.0};
   add("spot, 5 to 20 degrees", spot);
   spot.spot = SpotCone{-from, 9.9, 10.0};
   add("spot, 10 degrees, sharp", spot);
+  Light street = point;
+  street.profile = street_profile();
+  add("point with the profile of a street light", street);
+  add_scene("point; every third Gaussian shines", with_thirds(lit_by(point), [](auto& optics) {
+              optics.emission = {3.0, 1.0, 0.2};
+            }));
   if (quick) return rows;
+  add_scene("point; every third Gaussian is red", with_thirds(lit_by(point), [](auto& optics) {
+              optics.albedo = glm::dvec3(1.0, 0.3, 0.3);
+            }));
+  add_scene(
+      "point; every third Gaussian has three albedos",
+      with_thirds(lit_by(point), [](auto& optics) { optics.albedo = glm::dvec3(0.9, 0.5, 0.2); }));
   Light sun{.intensity = glm::dvec3(2.0), .directional = Directional{-from}};
   add("directional", sun);
   sun.directional->angular_diameter = 0.53;

@@ -149,12 +149,13 @@ ReportTable all_orders_table(const std::vector<AllOrdersRow>& rows) {
 }
 
 ReportTable light_kind_table(const std::vector<LightKindRow>& rows) {
-  ReportTable table{"Kinds of lights",
+  ReportTable table{"Kinds of lights and Gaussians",
                     "One light in a cloud of 300 Gaussians of depth 3, `sliced` 24 with light "
                     "scattered once: the relative RMSE of the airlight against the reference, and "
-                    "times of frames of 400 x 300 over those with a point light, measured in turn, "
+                    "times of frames of 400 x 300 over those with a point light in plain "
+                    "Gaussians, measured in turn, "
                     "with a moved camera and with a moved light.",
-                    {"light", "error", "moved camera", "moved light"},
+                    {"light; medium", "error", "moved camera", "moved light"},
                     {},
                     ""};
   for (const LightKindRow& row : rows) {
