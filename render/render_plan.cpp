@@ -20,8 +20,9 @@ struct Content {
   std::size_t lights_beyond_paper = 0;
   bool far_light = false;
   bool surfaces, environment, gaussians, homogeneous, noise;
-  // Of Gaussians; has_emission also counts as light.
-  bool has_own_optics, has_emission;
+  // Of Gaussians; emission counts as light of methods that know it.
+  bool has_own_optics;
+  bool has_emission = false;
 
   Content(const Scene& scene, AirlightMethod method)
       : surfaces(!scene.surfaces.empty()),
@@ -29,10 +30,9 @@ struct Content {
         gaussians(std::ranges::any_of(scene.medium.densities(), [](double c) { return c > 0.0; })),
         homogeneous(scene.medium.homogeneous_density() > 0.0),
         noise(gaussians && scene.optics.noise.amplitude > 0.0),
-        has_own_optics(method != AirlightMethod::paper &&
-                       (scene.medium.has_albedos() || scene.medium.has_emission())),
-        has_emission(has_own_optics && gaussians && scene.medium.has_emission()) {
+        has_own_optics(scene.medium.has_albedos() || scene.medium.has_emission()) {
     const bool is_paper = method == AirlightMethod::paper;
+    has_emission = !is_paper && gaussians && scene.medium.has_emission();
     for (const Light& light : scene.lights) {
       if (!light.on) {
         ++lights_off;
@@ -225,8 +225,7 @@ std::vector<SkippedStage> skipped_stages(const Scene& scene, const Content& cont
   }
   if (content.lights_off > 0) skip(Stage::lights, Reason::lights_off, content.lights_off);
   if (content.black_lights > 0) skip(Stage::lights, Reason::black_lights, content.black_lights);
-  if (method == AirlightMethod::paper &&
-      (scene.medium.has_albedos() || scene.medium.has_emission())) {
+  if (method == AirlightMethod::paper && content.has_own_optics) {
     skip(Stage::airlight, Reason::optics_beyond_paper);
   }
   if (content.lights_beyond_paper > 0) {
@@ -250,7 +249,7 @@ RenderPlan::RenderPlan(const Scene& scene, const Film& film, const Settings& req
   settings = limit_light_map_memory(settings, content.lights.size(), content.surfaces);
   lights = content.lights;
   has_density = content.medium();
-  has_own_optics = content.has_own_optics;
+  has_own_optics = content.has_own_optics && method != AirlightMethod::paper;
   const bool wants_all_orders =
       method == AirlightMethod::sliced && settings.scattering == Scattering::multiple;
   const std::optional<Reason> why_once =

@@ -78,7 +78,10 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
   connect(optics_, &OpticsEditor::refused, this, &GaussianForm::refused);
   connect(optics_, &OpticsEditor::edited, this, &GaussianForm::change_optics);
 
-  connect(&document_, &Document::part_changed, this, &GaussianForm::refresh);
+  // What Gaussians without their own albedo show.
+  connect(&document_, &Document::part_changed, this, [this] {
+    if (document_.scene().optics.albedo != shown_albedo_) refresh();
+  });
   connect(&document_, &Document::scene_replaced, this, &GaussianForm::refresh);
   connect(&document_, &Document::medium_changed, this, &GaussianForm::refresh);
   connect(&document_, &Document::selection_changed, this, &GaussianForm::refresh);
@@ -96,8 +99,8 @@ void GaussianForm::refresh() {
     }
     fields_[k]->setEnabled(any);
   }
-  optics_->show_optics(any ? std::optional(common.optics) : std::nullopt,
-                       document_.scene().optics.albedo);
+  shown_albedo_ = document_.scene().optics.albedo;
+  optics_->show_optics(any ? std::optional(common.optics) : std::nullopt, shown_albedo_);
 }
 
 void GaussianForm::change_optics(const OpticsEditor::Change& change, MergeId gesture) {

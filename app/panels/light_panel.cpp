@@ -43,10 +43,7 @@ LightPanel::LightPanel(Document& document, std::function<const View&()> active_v
   connect(environment, &EnvironmentPanel::refused, this, &LightPanel::refused);
   connect(&document_, &Document::active_light_changed, this, &LightPanel::refresh);
   connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
-  connect(&reading_, &BackgroundJob::failed, this, [this](const QString& problem) {
-    refresh();
-    Q_EMIT refused(problem);
-  });
+  connect(&reading_, &BackgroundJob::failed, this, &LightPanel::refused);
   refresh();
 }
 

@@ -91,7 +91,7 @@ std::array<double, 4> LightFalloff::edges(const glm::dvec3& light, const glm::dv
                                           const glm::dvec3& w) const {
   std::array<double, 4> found{infinity, infinity, infinity, infinity};
   if (is_isotropic()) return found;
-  if (shape_ != Shape::cone && shape_ != Shape::profile) {
+  if (!has_cone()) {
     const double slope = glm::dot(w, axis_);
     if (slope != 0.0) found[0] = glm::dot(light - origin, axis_) / slope;
     return found;

@@ -37,6 +37,8 @@ class LightFalloff {
   [[nodiscard]] const std::shared_ptr<const PhotometricProfile>& profile() const {
     return profile_;
   }
+  // Of a profile without a spot, the cone holds all directions.
+  [[nodiscard]] bool has_cone() const { return shape_ == Shape::cone || shape_ == Shape::profile; }
   // Of a cone, and of a profile within one: the falloff is clamp((cos t - dark_cosine) *
   // per_cosine, 0, 1)^2.
   [[nodiscard]] double dark_cosine() const { return dark_cosine_; }

@@ -38,21 +38,14 @@ double MediumIndex::density(const glm::dvec3& x) const {
 }
 
 RelativeOptics MediumIndex::optics_at(const glm::dvec3& x, double fog) const {
-  RelativeOptics mean;
-  if (optics_.empty()) return mean;
-  double sum = fog;
-  double albedo = fog;
-  glm::dvec3 emission(0.0);
+  if (optics_.empty()) return {};
+  OpticsMean mean(fog);
   bvh_.query(RaySegment{x, {0.0, 0.0, 1.0}, 0.0}, [&](std::uint32_t i) {
     const GaussianTerm<double>& g = gaussians_[i];
     const glm::dvec3 q = g.a * (x - g.b);
-    const double density = g.c * std::exp(-glm::dot(q, q));
-    sum += density;
-    albedo += density * optics_[i].albedo;
-    emission += density * optics_[i].emission;
+    mean.add(g.c * std::exp(-glm::dot(q, q)), optics_[i]);
   });
-  if (!(sum > 0.0)) return mean;
-  return {albedo / sum, emission / sum};
+  return mean.mean();
 }
 
 double MediumIndex::depth(const RaySegment& segment) const {

@@ -18,6 +18,25 @@ struct RelativeOptics {
   glm::dvec3 emission{0.0};
 };
 
+// The mean of optics, weighted by density [1/u], beginning with fog.
+class OpticsMean {
+ public:
+  explicit OpticsMean(double fog) : density_(fog), albedo_(fog) {}
+  void add(double density, const RelativeOptics& optics) {
+    density_ += density;
+    albedo_ += density * optics.albedo;
+    emission_ += density * optics.emission;
+  }
+  [[nodiscard]] RelativeOptics mean() const {
+    if (!(density_ > 0.0)) return {};
+    return {albedo_ / density_, emission_ / density_};
+  }
+
+ private:
+  double density_, albedo_;
+  glm::dvec3 emission_{0.0};
+};
+
 // A medium prepared for queries: its Gaussians in the paper's symbols, their cutoff radii and a
 // bounding-volume hierarchy. Indices are the medium's.
 class MediumIndex {

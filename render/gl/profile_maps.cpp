@@ -7,8 +7,8 @@ namespace brume::gl {
 namespace {
 
 constexpr int side = PhotometricProfile::side;
-// Columns of maps: with 63 rows of them a texture of 16384 texels a side holds all that scenes may
-// have.
+// Columns of maps: 32 rows of them hold one for each light that a scene may have, in 8224 texels a
+// side.
 constexpr int columns = 32;
 
 glm::ivec2 place_of(std::size_t index) {

@@ -20,11 +20,7 @@ int solution_bands(const MultipleScattering::Input& input) {
 std::optional<glm::vec3> common_color(const MultipleScattering::Input& input) {
   if (input.environment_scale > 0.0) return std::nullopt;
   for (const SourceGrid::Level& level : input.grid.levels()) {
-    for (std::size_t c = 1; c < level.optics.size(); ++c) {
-      if (std::ranges::any_of(level.optics[c], [](float x) { return x > 0.0f; })) {
-        return std::nullopt;
-      }
-    }
+    if (!level.emission[0].empty()) return std::nullopt;
     if (level.surfaces && !level.surfaces->is_grey()) return std::nullopt;
   }
   glm::dvec3 color(0.0);
@@ -98,13 +94,13 @@ void add(std::span<const float> values, std::span<float> sums) {
 std::optional<NodeLight> add_emitted(const MultipleScattering::Input& input,
                                      const SourceGrid::Level& level, const GridMedium& medium,
                                      double extinction, UnscatteredLight& light, const Job& job) {
-  if (level.optics[1].empty() || light.incident.channels != 3) return std::nullopt;
+  if (level.emission[0].empty()) return std::nullopt;
   // As light that arrives from everywhere would be scattered; emission is divided by the albedo.
   NodeLight sent(1, 3, level.nodes.size());
   const double mean_of_band = 2.0 * std::sqrt(std::numbers::pi);
   const auto factor = static_cast<float>(input.albedo / extinction * mean_of_band);
   for (std::size_t c = 0; c < 3; ++c) {
-    std::ranges::transform(level.optics[c + 1], sent.row(c, 0).begin(),
+    std::ranges::transform(level.emission[c], sent.row(c, 0).begin(),
                            [factor](float x) { return factor * x; });
   }
   NodeLight arriving(light.incident.bands, 3, level.nodes.size());
@@ -224,15 +220,15 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
   const std::optional<glm::vec3> color = common_color(input);
   color_ = color.value_or(glm::vec3(1.0f));
 
+  const auto levels = input.grid.levels();
   const TruncatedScattering truncation(input.albedo, input.anisotropy,
                                        input.anisotropy == 0.0 ? 1 : grid_bands,
-                                       input.albedo_varies);
-  const auto levels = input.grid.levels();
+                                       !levels.front().albedo.empty());
   std::vector<std::vector<float>> extinctions;
   std::vector<GridMedium> media;
   for (const SourceGrid::Level& level : levels) {
     extinctions.push_back(density_with_fog(level, truncation.extinction * input.fog_density));
-    media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get(), level.optics[0]});
+    media.push_back({level.nodes, extinctions.back(), 0.0, level.surfaces.get(), level.albedo});
   }
   std::vector<double> phase = truncation.phase;
   for (double& factor : phase) factor *= truncation.albedo;

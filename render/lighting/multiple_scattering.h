@@ -35,7 +35,6 @@ class MultipleScattering {
     const RayCaster* surfaces;  // null: none
     Revision surfaces_revision;
     ScatteringLimits limits;
-    bool albedo_varies;  // with the grid's optics
   };
   // False, and empty, if the job was stopped.
   bool update(const Input& input, const Job& job);

@@ -67,7 +67,7 @@ struct FalloffRays {
     }
     // As LightFalloff::edges() has them; those that are missing are far away.
     const FloatVec far = Floats(1e30f);
-    if (!falloff.has_cone()) {
+    if (!falloff.has_cone) {
       const FloatVec at_plane =
           hn::IfThenElse(hn::Ne(along, hn::Zero(d)), hn::Div(across, along), far);
       edges[0] = hn::Max(hn::Min(at_plane, far), hn::Neg(far));

@@ -183,7 +183,7 @@ bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, 
   const double scale = weight_parts().scale;
   if (!multiple_.update({*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.albedo,
                          anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
-                         occlusion_.revision(), multiple.limits, input.medium.has_albedos()},
+                         occlusion_.revision(), multiple.limits},
                         job)) {
     return false;
   }

@@ -250,26 +250,41 @@ double escaping_share(const GaussianTerm<double>& g, float spacing) {
   return entire_exponential_integral(depth) * share * share / entire_exponential_integral(widened);
 }
 
-// Sets the optics of a level from its density and fog.
+// Means over what is around the nodes of a level, weighted by density: of the Gaussians by
+// weight(i), of fog and of nothing `of_rest`.
+template <class Weight>
+std::vector<float> node_means(std::span<const GaussianTerm<double>> gaussians, Weight weight,
+                              float of_rest, double fog_density, const SourceGrid::Level& level,
+                              const Job& job) {
+  std::vector<GaussianTerm<double>> weighted(gaussians.begin(), gaussians.end());
+  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i].c *= weight(i);
+  std::vector<float> means = density_on_grid(weighted, level.first, level.nodes, job);
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const float fog = static_cast<float>(fog_density) * (level.fog.empty() ? 1.0f : level.fog[i]);
+    const float sum = level.density[i] + fog;
+    means[i] = sum > 0.0f ? (means[i] + of_rest * fog) / sum : of_rest;
+  }
+  return means;
+}
+
+// Sets albedo and emission of a level from its density and fog.
 void add_optics(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content,
                 SourceGrid::Level& level, const Job& job) {
-  const auto fog = static_cast<float>(content.fog_density);
-  for (std::size_t k = 0; k < level.optics.size(); ++k) {
-    std::vector<GaussianTerm<double>> weighted(gaussians.begin(), gaussians.end());
-    for (std::size_t i = 0; i < weighted.size(); ++i) {
-      const RelativeOptics& optics = content.optics[i];
-      if (k > 0) weighted[i].c *= escaping_share(gaussians[i], level.nodes.spacing);
-      weighted[i].c *= k == 0 ? optics.albedo : optics.emission[static_cast<int>(k) - 1];
-    }
-    std::vector<float>& values = level.optics[k];
-    values = density_on_grid(weighted, level.first, level.nodes, job);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const float here = fog * (level.fog.empty() ? 1.0f : level.fog[i]);
-      const float sum = level.density[i] + here;
-      const float white = k == 0 ? here : 0.0f;
-      values[i] =
-          sum > 0.0f ? (values[i] + white) / sum : 1.0f - std::min(static_cast<float>(k), 1.0f);
-    }
+  const std::span<const RelativeOptics> all = content.optics;
+  if (std::ranges::any_of(all, [](const RelativeOptics& own) { return own.albedo != 1.0; })) {
+    const auto albedo = [&](std::size_t i) { return all[i].albedo; };
+    level.albedo = node_means(gaussians, albedo, 1.0f, content.fog_density, level, job);
+  }
+  if (std::ranges::all_of(
+          all, [](const RelativeOptics& own) { return own.emission == glm::dvec3(0.0); })) {
+    return;
+  }
+  for (int c = 0; c < 3; ++c) {
+    const auto emission = [&](std::size_t i) {
+      return all[i].emission[c] * escaping_share(gaussians[i], level.nodes.spacing);
+    };
+    level.emission[static_cast<std::size_t>(c)] =
+        node_means(gaussians, emission, 0.0f, content.fog_density, level, job);
   }
 }
 
@@ -436,7 +451,8 @@ std::size_t SourceGrid::bytes() const {
   std::size_t floats = 0;
   for (const Level& level : levels_) {
     floats += level.density.size() + level.fog.size() + level.values.size() + level.distant.size() +
-              level.incident.size() + level.transmitted.values.size() + level.reflected.size();
+              level.incident.size() + level.transmitted.values.size() + level.reflected.size() +
+              level.albedo.size() + 3 * level.emission[0].size();
   }
   return sizeof(float) * floats;
 }

@@ -122,8 +122,10 @@ class SourceGrid {
     GridNodes nodes;
     std::vector<float> density;  // of the Gaussians, per node [1/u]
     std::vector<float> fog;      // share of what is around each node that has fog; empty: 1
-    // Optics of what is around each node: albedo, and emission R, G, B; empty if none have any.
-    std::array<std::vector<float>, 4> optics;
+    // Of what is around each node: its relative albedo, empty if it is 1 everywhere, and its
+    // emission R, G, B, empty if there is none.
+    std::vector<float> albedo;
+    std::array<std::vector<float>, 3> emission;
     std::vector<float> values;  // J
     // J of distant light alone, if there is more.
     std::vector<float> distant;

@@ -7,10 +7,6 @@ namespace brume {
 
 namespace {
 
-bool is_plain(const Medium& medium) {
-  return !medium.has_albedos() && !medium.has_emission();
-}
-
 // Whether a channel's albedos are those of another.
 bool are_equal(const Scene& scene, bool with_own_albedos, int a, int b) {
   if (scene.optics.albedo[a] != scene.optics.albedo[b]) return false;
@@ -44,7 +40,7 @@ std::vector<AlbedoGroup> albedo_groups(const Scene& scene, bool with_own_optics)
 
 Medium extinction_medium(const Scene& scene, const AlbedoGroup& group) {
   const Medium& scattering = scene.medium;
-  if (group.albedo == 1.0 && is_plain(scattering)) return scattering;
+  if (group.albedo == 1.0 && !scattering.has_albedos()) return scattering;
   const int channel = static_cast<int>(group.channels.front());
   return scattering.changed(scattering.homogeneous_density() / group.albedo, [&](Gaussian g) {
     if (!group.has_own_optics) g.optics = {};
@@ -83,7 +79,7 @@ void copy_channels(const AlbedoGroup& group, const Frame& group_frame, Frame& fr
 std::optional<Frame> render_groups(const Scene& scene, std::span<const AlbedoGroup> groups,
                                    ExtinctionMedia& media, const Job& job,
                                    const RenderGroup& render) {
-  if (groups.size() == 1 && groups[0].albedo == 1.0 && is_plain(scene.medium)) {
+  if (groups.size() == 1 && groups[0].albedo == 1.0 && !scene.medium.has_albedos()) {
     return render(scene, 0, groups[0], job);
   }
   std::optional<Frame> frame;

@@ -61,19 +61,12 @@ typename Crossings<Real>::Sums ViewRayMedium<Real>::at(Real t) const {
 template <class Real>
 RelativeOptics ViewRayMedium<Real>::optics_at(Real t) const {
   if (optics_.empty()) return {};
-  const auto fog = static_cast<double>(b0);
-  double sum = fog;
-  double albedo = fog;
-  glm::dvec3 emission(0.0);
+  OpticsMean mean(static_cast<double>(b0));
   for (const OpticsCrossing& c : optics_) {
     const Real u = c.a * (t - c.t0);
-    const auto density = static_cast<double>(c.peak * std::exp(-u * u));
-    sum += density;
-    albedo += density * c.optics.albedo;
-    emission += density * c.optics.emission;
+    mean.add(static_cast<double>(c.peak * std::exp(-u * u)), c.optics);
   }
-  if (!(sum > 0.0)) return {};
-  return {albedo / sum, emission / sum};
+  return mean.mean();
 }
 
 template <class Real>

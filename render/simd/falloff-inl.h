@@ -71,6 +71,7 @@ struct FalloffFloats {
   const float* profile = nullptr;      // its map
   FloatVec dark_cosine, per_cosine;
   LightFalloff::Shape shape = LightFalloff::Shape::isotropic;
+  bool has_cone = false;
 
   FalloffFloats() = default;
   HWY_INLINE explicit FalloffFloats(const LightFalloff& falloff)
@@ -80,11 +81,8 @@ struct FalloffFloats {
         profile(falloff.profile() ? falloff.profile()->map().data() : nullptr),
         dark_cosine(Floats(static_cast<float>(falloff.dark_cosine()))),
         per_cosine(Floats(static_cast<float>(falloff.per_cosine()))),
-        shape(falloff.shape()) {}
-
-  [[nodiscard]] HWY_INLINE bool has_cone() const {
-    return shape == LightFalloff::Shape::cone || shape == LightFalloff::Shape::profile;
-  }
+        shape(falloff.shape()),
+        has_cone(falloff.has_cone()) {}
 
   // In the unit direction w.
   [[nodiscard]] HWY_INLINE FloatVec Towards(const V3<FloatVec>& w) const {
@@ -97,7 +95,7 @@ struct FalloffFloats {
   // At the cosine of the angle from the axis, but for a profile.
   [[nodiscard]] HWY_INLINE FloatVec At(FloatVec cosine) const {
     const FloatTag d;
-    if (!has_cone()) {
+    if (!has_cone) {
       const FloatVec positive = shape == LightFalloff::Shape::two_cosines
                                     ? hn::Abs(cosine)
                                     : hn::Max(cosine, hn::Zero(d));

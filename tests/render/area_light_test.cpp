@@ -148,14 +148,11 @@ TEST(AreaLight, ReferenceIsTheIntegral) {
 }
 
 TEST(AreaLight, SlicedAndMarchMatchTheReference) {
-  Settings march;
-  march.airlight = AirlightMethod::march;
-  march.march_steps = 200;
   for (const Shape shape : {Shape::rectangle, Shape::disk, Shape::sphere}) {
     for (const bool two_sided : {false, true}) {
       const Scene scene = lit_by(area_light(shape, {1.6, 1.2, 0.9}, 0.8, two_sided), 2.0);
       const Frame truth = render_frame(scene, reference_settings(1e-4));
-      for (const Settings& settings : {sliced(24), march}) {
+      for (const Settings& settings : {sliced(24), marched(200)}) {
         const Frame frame = render_frame(scene, settings);
         EXPECT_LT(difference(frame.airlight, truth.airlight).relative_rmse, 0.01)
             << name_of(shape) << " sides " << 1 + two_sided;
@@ -198,11 +195,8 @@ TEST(AreaLight, LightsAWallAsInClosedForm) {
     scene.lights[0].area->direction = {0.0, 0.0, -1.0};
     const double square = shape == Shape::disk ? r * r + d * d : d * d;
     const double expected = 0.5 * disk_radiance * r * r / square;  // albedo 0.5
-    Settings paths;
-    paths.airlight = AirlightMethod::path;
-    paths.paths = 64;
     for (const auto& [settings, bound] :
-         {std::pair(sliced(24), 0.01), {reference_settings(), 2e-3}, {paths, 0.02}}) {
+         {std::pair(sliced(24), 0.01), {reference_settings(), 2e-3}, {path_traced(64), 0.02}}) {
       const Frame frame = render_frame(scene, settings);
       EXPECT_NEAR(static_cast<double>(frame.beauty[3 * 40]), expected, bound * expected)
           << name_of(shape);
@@ -214,10 +208,7 @@ TEST(AreaLight, LightsAWallAsInClosedForm) {
 TEST(AreaLight, AllOrdersMatchPaths) {
   Scene scene = lit_by(area_light(Shape::rectangle, {1.6, 1.2, 0.9}, 0.8), 3.0);
   scene.film = {16, 12};
-  Settings paths;
-  paths.airlight = AirlightMethod::path;
-  paths.paths = 512;
-  const Frame truth = render_frame(scene, paths);
+  const Frame truth = render_frame(scene, path_traced(512));
   const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
   double sum = 0.0;
   double expected = 0.0;

@@ -33,13 +33,6 @@ Scene lit_by_sun(double depth = 1.0, double angular_diameter = 0.0) {
   return scene;
 }
 
-Settings paths(int count) {
-  Settings settings;
-  settings.airlight = AirlightMethod::path;
-  settings.paths = count;
-  return settings;
-}
-
 // The integral of the radiance that a ray of the camera scatters of parallel light, by small steps.
 double integral(const Scene& scene, const glm::dvec3& w, double end) {
   const glm::dvec3 to_light = -glm::normalize(scene.lights[0].directional->direction);
@@ -101,10 +94,7 @@ TEST(DirectionalLight, MarchMatchesTheReference) {
   for (const double b0 : {0.0, 0.05}) {
     Scene scene = lit_by_sun();
     scene.medium.set_homogeneous_density(b0);
-    Settings march;
-    march.airlight = AirlightMethod::march;
-    march.march_steps = 400;
-    EXPECT_LT(difference(render_frame(scene, march).airlight,
+    EXPECT_LT(difference(render_frame(scene, marched(400)).airlight,
                          render_frame(scene, reference_settings()).airlight)
                   .relative_rmse,
               0.005);
@@ -132,7 +122,7 @@ TEST(DirectionalLight, AllOrdersMatchPaths) {
     scene.film = {16, 12};
     scene.medium.set_homogeneous_density(b0);
     scene.surfaces = {wall(-1.2, 1.5)};
-    const Frame truth = render_frame(scene, paths(1024));
+    const Frame truth = render_frame(scene, path_traced(1024));
     const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
     const Difference airlight = difference(frame.airlight, truth.airlight);
     const double noise = relative_noise(truth)->airlight;
@@ -156,7 +146,7 @@ TEST(DirectionalLight, LightsSurfacesAsSaid) {
     };
     EXPECT_NEAR(radiance(sliced(8)), expected, 1e-3 * expected) << diameter;
     // Paths choose points of the disc at random.
-    EXPECT_NEAR(radiance(paths(1024)), expected, (diameter > 1.0 ? 1e-2 : 1e-3) * expected)
+    EXPECT_NEAR(radiance(path_traced(1024)), expected, (diameter > 1.0 ? 1e-2 : 1e-3) * expected)
         << diameter;
   }
 }
@@ -171,7 +161,7 @@ TEST(DirectionalLight, ADiscHasPenumbras) {
   scene.surfaces[1].translate = {-1.0, 0.0, 6.0};  // behind the eye
   const auto between = [&](double diameter) {
     scene.lights = {sun({0.0, 0.0, -1.0}, diameter)};
-    const Frame frame = render_frame(scene, paths(64));
+    const Frame frame = render_frame(scene, path_traced(64));
     int count = 0;
     const double full = 0.5 * irradiance.x / std::numbers::pi;
     for (std::size_t k = 0; k < 64; ++k) {
@@ -251,7 +241,7 @@ TEST(DirectionalLight, HardCasesAreFinite) {
         scene.lights = {sun(direction, 89.0)};
         expect_finite(render_frame(scene, sliced(8)));
         expect_finite(render_frame(scene, small_grid));
-        expect_finite(render_frame(scene, paths(1)));
+        expect_finite(render_frame(scene, path_traced(1)));
         scene.surfaces.clear();
         scene.medium = Medium();
         scene.medium.set_homogeneous_density(b0);

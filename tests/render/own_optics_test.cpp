@@ -17,20 +17,6 @@ const glm::dvec3 red(0.9, 0.3, 0.2);
 const glm::dvec3 blue(0.2, 0.6, 0.95);
 const Settings all_orders = sliced(24, Scattering::multiple);
 
-Settings path_traced(int paths) {
-  Settings settings;
-  settings.airlight = AirlightMethod::path;
-  settings.paths = paths;
-  return settings;
-}
-
-Settings marched(int steps) {
-  Settings settings;
-  settings.airlight = AirlightMethod::march;
-  settings.march_steps = steps;
-  return settings;
-}
-
 // Changes the optics of each Gaussian.
 template <class OpticsOf>
 Scene with_optics(Scene scene, OpticsOf&& optics_of) {
@@ -255,14 +241,7 @@ TEST(OwnOptics, AllOrdersMatchPaths) {
     scene.optics.anisotropy = anisotropy;
     if (has_wall) scene.surfaces = {wall(-1.2, 1.5)};
     if (!is_lit) scene.lights.clear();
-    const Frame truth = render_frame(scene, path_traced(1024));
-    const Frame frame = render_frame(scene, all_orders);
-    const Difference airlight = difference(frame.airlight, truth.airlight);
-    const double noise = relative_noise(truth)->airlight;
-    EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise)) << b0 << " " << anisotropy;
-    EXPECT_LT(std::abs(airlight.bias), 0.02) << b0 << " " << anisotropy;
-    EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03)
-        << b0 << " " << anisotropy;
+    expect_all_orders_match_paths(scene, "anisotropy " + std::to_string(anisotropy));
   }
 }
 

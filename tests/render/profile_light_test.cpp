@@ -80,10 +80,7 @@ TEST(ProfileLight, SlicedMatchesTheReference) {
 
 TEST(ProfileLight, MarchMatchesTheReference) {
   const Scene scene = lit(lobed_profile(40.0));
-  Settings march;
-  march.airlight = AirlightMethod::march;
-  march.march_steps = 400;
-  EXPECT_LT(difference(render_frame(scene, march).airlight,
+  EXPECT_LT(difference(render_frame(scene, marched(400)).airlight,
                        render_frame(scene, reference_settings()).airlight)
                 .relative_rmse,
             0.005);
@@ -93,16 +90,7 @@ TEST(ProfileLight, AllOrdersMatchPaths) {
   Scene scene = lit(lobed_profile(0.0), std::nullopt, 3.0);
   scene.film = {16, 12};
   scene.surfaces = {wall(-1.2, 1.5)};
-  Settings paths;
-  paths.airlight = AirlightMethod::path;
-  paths.paths = 1024;
-  const Frame truth = render_frame(scene, paths);
-  const Frame frame = render_frame(scene, all_orders);
-  const Difference airlight = difference(frame.airlight, truth.airlight);
-  const double noise = relative_noise(truth)->airlight;
-  EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise));
-  EXPECT_LT(std::abs(airlight.bias), 0.02);
-  EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03);
+  expect_all_orders_match_paths(scene, "profile");
 }
 
 // Turning the profile about its axis by a turn's half is turning the light: the lobes change sides.

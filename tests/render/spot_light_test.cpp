@@ -101,10 +101,7 @@ TEST(SpotLight, SlicedMatchesTheReference) {
 
 TEST(SpotLight, MarchMatchesTheReference) {
   const Scene scene = lit_by_spot(smooth);
-  Settings march;
-  march.airlight = AirlightMethod::march;
-  march.march_steps = 400;
-  EXPECT_LT(difference(render_frame(scene, march).airlight,
+  EXPECT_LT(difference(render_frame(scene, marched(400)).airlight,
                        render_frame(scene, reference_settings()).airlight)
                 .relative_rmse,
             0.005);
@@ -130,16 +127,7 @@ TEST(SpotLight, AllOrdersMatchPaths) {
     Scene scene = lit_by_spot(cone, 3.0);
     scene.film = {16, 12};
     scene.surfaces = {wall(-1.2, 1.5)};
-    Settings paths;
-    paths.airlight = AirlightMethod::path;
-    paths.paths = 1024;
-    const Frame truth = render_frame(scene, paths);
-    const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
-    const Difference airlight = difference(frame.airlight, truth.airlight);
-    const double noise = relative_noise(truth)->airlight;
-    EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise)) << cone.outer_angle;
-    EXPECT_LT(std::abs(airlight.bias), 0.02) << cone.outer_angle;
-    EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03) << cone.outer_angle;
+    expect_all_orders_match_paths(scene, "to " + std::to_string(cone.outer_angle) + " degrees");
   }
 }
 
@@ -148,15 +136,12 @@ TEST(SpotLight, NarrowBeamsAreNotLostBetweenNodes) {
   Scene scene = cloud_scene(5, 2.0);
   scene.film = {12, 9};
   scene.lights = {{{0.0, 40.0, 0.0}, glm::dvec3(4000.0), SpotCone{{0.0, -1.0, 0.0}, 0.05, 0.1}}};
-  Settings paths;
-  paths.airlight = AirlightMethod::path;
-  paths.paths = 4096;
   const auto mean = [](const Frame& frame) {
     double sum = 0.0;
     for (const float value : frame.airlight) sum += static_cast<double>(value);
     return sum / static_cast<double>(frame.airlight.size());
   };
-  const double expected = mean(render_frame(scene, paths));
+  const double expected = mean(render_frame(scene, path_traced(4096)));
   EXPECT_NEAR(mean(render_frame(scene, sliced(24, Scattering::multiple))), expected,
               0.05 * expected);
 }

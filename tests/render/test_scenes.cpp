@@ -138,6 +138,30 @@ Settings sliced(int slices, Scattering scattering) {
   return settings;
 }
 
+Settings marched(int steps) {
+  Settings settings;
+  settings.airlight = AirlightMethod::march;
+  settings.march_steps = steps;
+  return settings;
+}
+
+Settings path_traced(int paths) {
+  Settings settings;
+  settings.airlight = AirlightMethod::path;
+  settings.paths = paths;
+  return settings;
+}
+
+void expect_all_orders_match_paths(const Scene& scene, const std::string& name) {
+  const Frame truth = render_frame(scene, path_traced(1024));
+  const Frame frame = render_frame(scene, sliced(24, Scattering::multiple));
+  const Difference airlight = difference(frame.airlight, truth.airlight);
+  const double noise = relative_noise(truth)->airlight;
+  EXPECT_LT(airlight.relative_rmse, std::hypot(0.03, 1.2 * noise)) << name;
+  EXPECT_LT(std::abs(airlight.bias), 0.02) << name;
+  EXPECT_LT(std::abs(difference(frame.beauty, truth.beauty).bias), 0.03) << name;
+}
+
 double plain_depth(const Medium& medium, const glm::dvec3& x, const glm::dvec3& w, double length) {
   double sum = 0.0;
   for (std::size_t i = 0; i < medium.size(); ++i) {
