@@ -20,6 +20,7 @@
 #include "render/geometry/tiles.h"
 #include "render/gl/arithmetic_peak.h"
 #include "render/lighting/environment_light.h"
+#include "render/lighting/lobe_broadening.h"
 #include "render/lighting/slice_boundaries.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/lighting/source_grid.h"
@@ -110,6 +111,9 @@ void add_kernels(Constants& constants) {
   constants.add("small_exponent", coefficient::small_exponent);
   constants.add("visible_depth", coefficient::visible_depth);
   constants.add("table_end", coefficient::table_end);
+  constants.add("broadening_angles", LobeBroadening::angles);
+  constants.add("broadening_depths", LobeBroadening::depths);
+  constants.add("broadening_depth_scale", LobeBroadening::depth_scale);
   constants.add("min_map_cosine", DirectionMap::min_cosine);
   constants.add("map_border_share", DirectionMap::border_share);
   constants.add("noise_period", RayNoise::period);

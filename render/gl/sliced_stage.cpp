@@ -45,6 +45,7 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
   program.set("anisotropy", scattering.anisotropy);
   program.set("view_extinction", scattering.view_extinction);
   program.set("truncated_phase", scattering.truncated_phase);
+  program.set("albedo", scattering.albedo);
   program.set("light_extinction", source ? static_cast<float>(source->light_extinction()) : 1.0f);
   upload_source(source, eye, program);
   return film_.run(
@@ -77,6 +78,7 @@ void SlicedStage::make_shadows(const FrameStages& stages, const FrameContext& wo
 void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& eye,
                                 const Program& program) {
   program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
+  program.set("source_broadening_at", 0);
   if (!source) return;
   const SourceFunction::WeightParts parts = source->weight_parts();
   const bool is_new = source_revision_ != source->grid().revision();
@@ -115,6 +117,15 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
   for (const auto& lobe : parts.lobes) {
     for (std::size_t i = 0; is_new && i < lobe->pixels.size(); ++i) {
       values.emplace_back(lobe->pixels[i], 0.0f);
+    }
+  }
+  const std::vector<float>& broadening = source->lobe_broadening().values();
+  if (!broadening.empty()) {
+    for (const auto& lobe : parts.lobes) at += lobe->pixels.size();
+    program.set("source_broadening_at", static_cast<int>(at));
+    static_assert(LobeBroadening::depths % 4 == 0);
+    for (std::size_t i = 0; is_new && i < broadening.size(); i += 4) {
+      values.emplace_back(broadening[i], broadening[i + 1], broadening[i + 2], broadening[i + 3]);
     }
   }
   if (!is_new) return;

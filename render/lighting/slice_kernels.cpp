@@ -288,6 +288,32 @@ HWY_INLINE V TruncatedPhase(const SliceScattering& scattering, V cosine) {
   return sum;
 }
 
+// What a LobeBroadening's table holds, bilinear.
+HWY_INLINE V LobeLoss(const float* table, V cosine, V depth) {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  constexpr auto angles = static_cast<float>(LobeBroadening::angles);
+  constexpr auto depths = static_cast<float>(LobeBroadening::depths);
+  const V half_sine_2 = hn::NegMulAdd(set(0.5f), cosine, set(0.5f));
+  const V angle = hn::Mul(set(angles - 1.0f), hn::Sqrt(hn::Max(half_sine_2, hn::Zero(d))));
+  const V share = hn::Div(depth, hn::Add(depth, set(LobeBroadening::depth_scale)));
+  const V x = hn::Min(angle, set(angles - coefficient::table_end));
+  const V y = hn::Min(hn::Mul(share, set(depths)), set(depths - coefficient::table_end));
+  const auto xi = hn::ConvertTo(di, x);
+  const auto yi = hn::ConvertTo(di, y);
+  const V fx = hn::Sub(x, hn::ConvertTo(d, xi));
+  const V fy = hn::Sub(y, hn::ConvertTo(d, yi));
+  const auto first = hn::Add(hn::Mul(xi, hn::Set(di, LobeBroadening::depths)), yi);
+  const auto at_angle = [&](int offset) HWY_ATTR {
+    const auto index = hn::Add(first, hn::Set(di, offset));
+    const V low = hn::GatherIndex(d, table, index);
+    const V high = hn::GatherIndex(d, table, hn::Add(index, hn::Set(di, 1)));
+    return hn::MulAdd(fy, hn::Sub(high, low), low);
+  };
+  const V narrow = at_angle(0);
+  return hn::MulAdd(fx, hn::Sub(at_angle(LobeBroadening::depths), narrow), narrow);
+}
+
 void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* increments, float b0,
                const SliceScattering& scattering, float negligible,
                std::span<const SliceLight> lights, float* depths, const SliceWeights& weights,
@@ -387,14 +413,19 @@ void SumSlices(const PathBatch& rays, const RaySlices& slices, const float* incr
           if (tables[l].depths) {
             light_depth = hn::Add(light_depth, Lookup(tables[l], q, lights[l].in_table, distance));
           }
-          light_depth = hn::Mul(light_depth, set(-lights[l].extinction));
-          V light = hn::Mul(falloff, hn::Exp(d, light_depth));
+          V light = hn::Mul(falloff, hn::Exp(d, hn::Mul(light_depth, set(-lights[l].extinction))));
           if (lights[l].shadows)
             light = hn::Mul(light, Lit(*lights[l].shadows, q, lights[l].in_shadows, distance));
           V fraction = scattered_fraction;
           if (scattering.anisotropy != 0.0f) {
             const V cosine = CosTheta(d, along, distance);
-            fraction = hn::Mul(fraction, HenyeyGreenstein(d, cosine, scattering.anisotropy));
+            V phase = HenyeyGreenstein(d, cosine, scattering.anisotropy);
+            if (scattering.lobe_broadening) {
+              const V path = hn::MulAdd(set(0.5f), increment, hn::Add(depth, light_depth));
+              phase = hn::Sub(phase, LobeLoss(scattering.lobe_broadening, cosine,
+                                              hn::Mul(set(scattering.albedo), path)));
+            }
+            fraction = hn::Mul(fraction, phase);
             if (has_view_extinction) {
               const V more = hn::Sub(truncated_fraction, scattered_fraction);
               fraction = hn::MulAdd(more, TruncatedPhase(scattering, cosine), fraction);

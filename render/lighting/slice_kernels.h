@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/scene/light_falloff.h"
+#include "render/lighting/lobe_broadening.h"
 #include "render/lighting/optical_depth_table.h"
 #include "render/lighting/ray_slices.h"
 #include "render/lighting/shadow_map.h"
@@ -68,6 +69,8 @@ struct SliceScattering {
   float view_extinction = 1.0f;
   // The truncated phase function times 4 pi, see PhaseBands: coefficients of powers of the cosine.
   std::array<float, 4> truncated_phase{};
+  const float* lobe_broadening = nullptr;  // LobeBroadening::values(); null: none
+  float albedo = 1.0f;                     // of the medium, for it
 };
 
 // What slices of Gaussians with optics do, beside light from point lights.
@@ -95,8 +98,8 @@ struct SliceWeights {
 //   (times henyey_greenstein() at the slice's center x_k)
 // where the mean is of the falloff over r^2 for a spot, x_k then the middle of what it lights, and
 // with a view extinction e below 1 for the truncated phase function
-//   exp(-e T_k) (1 - exp(-e dT_k)) / e, as for look-ups, and for the rest of it the same as
-//   without.
+//   exp(-e T_k) (1 - exp(-e dT_k)) / e, as for look-ups, and for the rest of it, less what a lobe
+//   broadening takes from it, the same as without.
 // and with optics the fraction times the slice's mean albedo; emission[c][i] is set to the sum of
 // exp(-T_k) (1 - exp(-dT_k)) times its mean emission.
 // radiance[l][i] += that, per unit of radiant intensity [1/u^2]; depths[i] = T(v, p) of Gaussians

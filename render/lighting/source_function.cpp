@@ -155,6 +155,9 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   fog_ball_ = input.fog_ball;
   in_fog_ = input.in_fog;
   extinction_ = extinction;
+  albedo_ = input.multiple ? input.multiple->albedo : 1.0;
+  lobe_broadening_ =
+      extinction < 1.0 ? LobeBroadening(input.anisotropy, PhaseBands::max_bands) : LobeBroadening();
   keeps_transmitted_ = input.multiple.has_value();
   surfaces_revision_ = surfaces_revision;
   anisotropy_ = input.anisotropy;
@@ -295,6 +298,9 @@ SliceScattering slice_scattering(double anisotropy, const SourceFunction* source
   scattering.view_extinction = static_cast<float>(source->view_extinction());
   std::ranges::transform(source->phase().phase_powers(), scattering.truncated_phase.begin(),
                          [](double power) { return static_cast<float>(power); });
+  if (!source->lobe_broadening().empty())
+    scattering.lobe_broadening = source->lobe_broadening().values().data();
+  scattering.albedo = static_cast<float>(source->albedo());
   return scattering;
 }
 

@@ -66,6 +66,9 @@ class SourceFunction {
   // they send, only those bands hold what the forward lobe scatters to the eye.
   [[nodiscard]] double view_extinction() const { return surfaces_revision_ ? 1.0 : extinction_; }
   [[nodiscard]] const PhaseBands& phase() const { return phase_; }
+  // Of light that is scattered more than once; empty if there is none.
+  [[nodiscard]] const LobeBroadening& lobe_broadening() const { return lobe_broadening_; }
+  [[nodiscard]] double albedo() const { return albedo_; }
   // Of light that is scattered more than once; of no sweeps if there is none.
   [[nodiscard]] Convergence convergence() const { return multiple_.convergence(); }
   // Memory of the light on the grid.
@@ -110,6 +113,8 @@ class SourceFunction {
   FogBall fog_ball_;
   Box in_fog_;
   double extinction_ = 1.0;
+  double albedo_ = 1.0;
+  LobeBroadening lobe_broadening_;
   bool keeps_transmitted_ = false;
   Revision surfaces_revision_ = 0;
   double anisotropy_ = 0.0;

@@ -20,6 +20,7 @@ uniform float negligible;
 uniform float light_extinction;  // factor of optical depths towards lights
 uniform float view_extinction;   // see SliceScattering
 uniform float truncated_phase[4];
+uniform float albedo;
 
 // The length of a ray without an end, whose products with exponents are still floats.
 const float endless_line = 1e18;
@@ -205,7 +206,12 @@ void main() {
           float fraction = whole_fraction;
           if (anisotropy != 0.0) {
             const float c = cos_theta(along, distance_);
-            fraction *= henyey_greenstein(c, anisotropy);
+            float phase_function = henyey_greenstein(c, anisotropy);
+            if (source_broadening_at > 0) {
+              const float path_depth = depth + 0.5 * increment + light_depth;
+              phase_function -= lobe_loss(c, albedo * path_depth);
+            }
+            fraction *= phase_function;
             if (view_extinction != 1.0) {
               float truncated = truncated_phase[3];
               for (int i = 2; i >= 0; --i) truncated = truncated * c + truncated_phase[i];

@@ -28,6 +28,27 @@ uniform int source_beams;  // bit f: family f is a beam
 uniform ivec2 source_map_size;
 uniform vec2 source_rotation;  // of the maps: cosine and sine
 
+// LobeBroadening: four optical depths a value, from here on; 0: none.
+uniform int source_broadening_at;
+
+// LobeLoss() of render/lighting/slice_kernels.
+float lobe_loss(float cosine, float depth) {
+  const float x = min(sqrt(max(0.5 - 0.5 * cosine, 0.0)) * float(broadening_angles - 1),
+                      float(broadening_angles) - table_end);
+  const float y = min(depth / (depth + broadening_depth_scale) * float(broadening_depths),
+                      float(broadening_depths) - table_end);
+  const ivec2 low = ivec2(x, y);
+  const vec2 f = vec2(x, y) - vec2(low);
+  vec2 at_angle;
+  for (int i = 0; i < 2; ++i) {
+    const int first = (low.x + i) * broadening_depths + low.y;
+    const float a = source_values[source_broadening_at + first / 4][first % 4];
+    const float b = source_values[source_broadening_at + (first + 1) / 4][(first + 1) % 4];
+    at_angle[i] = mix(a, b, f.y);
+  }
+  return mix(at_angle.x, at_angle.y, f.x);
+}
+
 // What a view ray makes of a node.
 float source_weights[grid_functions];
 vec3 source_cluster_weights[source_clusters];

@@ -12,7 +12,7 @@ namespace {
 
 // Both backends look the same grid up; surfaces hide nodes from each other.
 TEST_F(GlFrames, MultipleScattering) {
-  for (const double anisotropy : {0.0, 0.6}) {
+  for (const double anisotropy : {0.0, 0.6, 0.85}) {
     Scene scene = cloud_scene(10, 3.0);
     scene.film = {16, 12};
     scene.optics.anisotropy = anisotropy;

@@ -11,6 +11,7 @@
 
 #include "core/io/scene/scene_file.h"
 #include "core/scene/mesh_arrays.h"
+#include "render/output/compare.h"
 #include "render/renderer.h"
 #include "tests/render/golden_rays.h"
 #include "tests/render/test_scenes.h"
@@ -164,6 +165,26 @@ void expect_mean_of_paths(const Scene& scene, int paths_per_pixel, double share)
   paths.paths = paths_per_pixel;
   const double expected = mean_airlight(render_frame(scene, paths));
   EXPECT_NEAR(mean_airlight(render_frame(scene, multiple_settings())), expected, share * expected);
+}
+
+// Around a light behind a cloud, with a wall far away and without. With a lobe as narrow as that of
+// light that was scattered once the error is 22%.
+TEST(MultipleScattering, LobesWidenAroundLightsBehindClouds) {
+  Scene scene = load_scene(BRUME_SCENES "/dense_cloud.brume");
+  scene.film = {16, 12};
+  scene.optics.anisotropy = 0.85;
+  scene.lights = {{{0.5, 0.8, -7.0}, glm::dvec3(600.0), {}}};
+  for (const bool has_wall : {false, true}) {
+    if (has_wall) scene.surfaces.push_back(wall(-20.0, 1.0));
+    Settings paths;
+    paths.airlight = AirlightMethod::path;
+    paths.paths = 1024;
+    const Frame expected = render_frame(scene, paths);
+    const Frame actual = render_frame(scene, multiple_settings());
+    const ChannelPair pair{actual.airlight, expected.airlight};
+    // 3.5% are the noise of the paths.
+    EXPECT_LT(compare(std::span(&pair, 1)).rel_rmse, 0.06) << has_wall;
+  }
 }
 
 // A cloud in a hollow ball under a sky.
