@@ -18,7 +18,6 @@ struct Content {
   std::size_t lights_off = 0;
   std::size_t black_lights = 0;
   std::size_t lights_beyond_paper = 0;
-  bool far_light = false;
   bool surfaces, environment, gaussians, homogeneous, noise;
   // Of Gaussians; emission counts as light of methods that know it.
   bool has_own_optics;
@@ -41,8 +40,6 @@ struct Content {
       } else if (is_paper &&
                  (light.spot || light.directional || light.area || light.profile.content)) {
         ++lights_beyond_paper;  // its closed form is that of isotropic lights nearby
-      } else {
-        far_light |= light.directional.has_value();
       }
     }
     const bool is_truth = method == AirlightMethod::reference || method == AirlightMethod::path;
@@ -115,9 +112,6 @@ std::optional<Reason> why_scattered_once(const Scene& scene, const Content& cont
   constexpr double negligible = 0.1;
   if (!content.light()) return Reason::no_light;
   if (!content.medium()) return Reason::no_medium;
-  // Nothing says where fog under an open sky ends: on any grid there would be too much of it.
-  const bool is_lit_from_afar = content.environment || content.far_light;
-  if (!content.gaussians && !content.surfaces && is_lit_from_afar) return Reason::no_gaussians;
   // Surfaces light each other, however thin the medium is.
   if (!content.surfaces && max_multiple_share(scene) < negligible * settings.max_error) {
     return Reason::thin_medium;

@@ -31,13 +31,8 @@ bool has_indirect_light(const PlanCase& c) {
   return !c.is(Method::path) && (c.has_sky() || (c.has_lights() && c.has_medium()));
 }
 
-// Fog and sky, and nothing else but lights.
-bool is_open_fog(const PlanCase& c) {
-  return c.has_medium() && !c.has_gaussians() && !c.surfaces && c.has_sky();
-}
-
 bool has_all_orders(const PlanCase& c) {
-  return c.is_multiple() && c.has_any_light() && c.has_medium() && !is_open_fog(c);
+  return c.is_multiple() && c.has_any_light() && c.has_medium();
 }
 
 bool uses_transfer(const PlanCase& c) {
@@ -182,8 +177,6 @@ const SkipRule skip_rules[] = {
      [](const PlanCase& c) { return c.lights == PlanCase::Part::idle; }, 1},
     {Stage::scattering, Reason::no_light,
      [](const PlanCase& c) { return c.is_multiple() && !c.has_any_light(); }},
-    {Stage::scattering, Reason::no_gaussians,
-     [](const PlanCase& c) { return c.is_multiple() && is_open_fog(c); }},
     {Stage::scattering, Reason::no_medium,
      [](const PlanCase& c) { return c.is_multiple() && c.has_any_light() && !c.has_medium(); }},
 };

@@ -247,6 +247,26 @@ TEST(MultipleScattering, FogUnderASkyMatchesPaths) {
   expect_mean_of_paths(scene, 1024, 0.04);
 }
 
+// With nothing in it the ball is a mean free path around the origin.
+TEST(MultipleScattering, FogAloneUnderASkyMatchesPaths) {
+  Scene scene;
+  scene.medium.set_homogeneous_density(0.1);
+  scene.optics.albedo = glm::dvec3(0.95);
+  scene.camera.eye = {0, 0, 8};
+  scene.film = {12, 9};
+  for (const bool has_sky : {true, false}) {
+    if (has_sky) {
+      scene.environment.emplace().map = gradient_sky();
+    } else {
+      scene.environment.reset();
+      Light& sun = scene.lights.emplace_back();
+      sun.directional = Directional{{1.0, -1.0, -0.5}};
+      sun.intensity = glm::dvec3(1.0);
+    }
+    expect_mean_of_paths(scene, 1024, 0.02);
+  }
+}
+
 TEST(MultipleScattering, ClosedWallsKeepTheSkyOutOfFog) {
   Scene scene;
   scene.medium.set_homogeneous_density(0.2);

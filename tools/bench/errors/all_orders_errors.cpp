@@ -115,6 +115,8 @@ std::vector<AllOrdersRow> measure_all_orders(bool quick) {
   Scene backlit = thick_cloud(10.0, 0.999, 0.0);
   backlit.lights[0].position = 2.0 * backlit.camera.target - backlit.camera.eye;
   rows.push_back(measure("the same as the first, lit from behind", backlit, frames));
+  backlit.optics.anisotropy = 0.85;
+  rows.push_back(measure("the same, anisotropy 0.85", backlit, frames));
   for (const char* name :
        {"bunny_fog", "ground_fog", "evening_mist", "courtyard", "room", "tunnel"}) {
     rows.push_back(measure(
