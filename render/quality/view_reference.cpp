@@ -9,8 +9,10 @@ namespace brume {
 ViewReference::ViewReference(const Scene& scene, const Camera& camera, const Film& film,
                              double tolerance, Scattering scattering) {
   const bool is_single = scattering == Scattering::single;
-  const bool is_occluded = scene.environment && !scene.surfaces.empty();
-  if (is_single || !is_occluded) reference_.emplace(scene, camera, film, tolerance);
+  // Neither surfaces nor the end of the fog are on the way of the integral's environment.
+  const bool has_other_environment =
+      scene.environment && (!scene.surfaces.empty() || scene.medium.homogeneous_density() > 0.0);
+  if (is_single || !has_other_environment) reference_.emplace(scene, camera, film, tolerance);
   if (!is_single) {
     path_pixels_.emplace(scene, camera, film,
                          reference_ ? PathPixels::Orders::after_first : PathPixels::Orders::all);

@@ -14,7 +14,7 @@ namespace brume {
 class ViewReference {
  public:
   // Scattered once: converged, see ReferencePixels. More often: by PathPixels, which are noisy; all
-  // orders where surfaces keep an environment out, which the former do not know.
+  // orders where surfaces keep an environment out or fog ends, which the former do not know.
   ViewReference(const Scene& scene, const Camera& camera, const Film& film, double tolerance,
                 Scattering scattering = Scattering::single);
 
