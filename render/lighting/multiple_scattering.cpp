@@ -24,12 +24,18 @@ std::optional<glm::vec3> common_color(const MultipleScattering::Input& input) {
     if (level.surfaces && !level.surfaces->is_grey()) return std::nullopt;
   }
   glm::dvec3 color(0.0);
-  for (const MultipleScattering::Light& light : input.lights) {
-    const double max = std::max({light.intensity.x, light.intensity.y, light.intensity.z});
-    if (!(max > 0.0)) continue;
-    const glm::dvec3 own = light.intensity / max;
+  const auto is_common = [&](const glm::dvec3& intensity) {
+    const double max = std::max({intensity.x, intensity.y, intensity.z});
+    if (!(max > 0.0)) return true;
+    const glm::dvec3 own = intensity / max;
     if (color == glm::dvec3(0.0)) color = own;
-    if (!glm::all(glm::lessThan(glm::abs(own - color), glm::dvec3(1e-9)))) return std::nullopt;
+    return glm::all(glm::lessThan(glm::abs(own - color), glm::dvec3(1e-9)));
+  };
+  for (const MultipleScattering::Light& light : input.lights) {
+    if (!is_common(light.intensity)) return std::nullopt;
+  }
+  for (const EmissionLights::Light& light : input.emission) {
+    if (!is_common(light.source.intensity)) return std::nullopt;
   }
   return glm::vec3(color);
 }
@@ -57,6 +63,22 @@ void add_environment(const SourceGrid::Level& level, double scale, NodeLight& li
   }
 }
 
+// Adds a light's that is unscattered, or reflected by surfaces then. In one channel the colour of
+// all is common.
+void add_light(const MultipleScattering::Input& input, const SourceGrid::Level& level,
+               double extinction, const PointSource& source, const OpticalDepthTable* table,
+               UnscatteredLight& light, const Job& job) {
+  const glm::vec3 intensity(source.intensity);
+  NodePointLight point{source,     {intensity.x, intensity.y, intensity.z}, table,
+                       extinction, extinction * input.fog_density,          input.surfaces};
+  const std::size_t channels = light.incident.channels;
+  if (channels == 1) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
+  add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
+  if (!level.surfaces) return;
+  add_reflected_point_light(point, *level.surfaces, level.first, level.nodes, light.reflected,
+                            channels, job);
+}
+
 // Unscattered light in a level, in a medium whose extinction is `extinction` times that of the
 // lights' tables.
 UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::size_t k,
@@ -73,14 +95,7 @@ UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::
     }
   }
   for (const MultipleScattering::Light& source : input.lights) {
-    const glm::vec3 intensity(source.intensity);
-    NodePointLight point{source,     {intensity.x, intensity.y, intensity.z}, source.table,
-                         extinction, extinction * input.fog_density,          input.surfaces};
-    if (color) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
-    add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
-    if (!level.surfaces) continue;
-    add_reflected_point_light(point, *level.surfaces, level.first, level.nodes, light.reflected,
-                              channels, job);
+    add_light(input, level, extinction, source, source.table, light, job);
   }
   return light;
 }
@@ -89,12 +104,10 @@ void add(std::span<const float> values, std::span<float> sums) {
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
 }
 
-// Adds light that the Gaussians of a level emit to that which arrives unscattered at its nodes, and
-// which surfaces have reflected. Returns what it has added.
-std::optional<NodeLight> add_emitted(const MultipleScattering::Input& input,
-                                     const SourceGrid::Level& level, const GridMedium& medium,
-                                     double extinction, UnscatteredLight& light, const Job& job) {
-  if (level.emission[0].empty()) return std::nullopt;
+// Light that the Gaussians of a level emit and its nodes hold.
+void add_held_emission(const MultipleScattering::Input& input, const SourceGrid::Level& level,
+                       const GridMedium& medium, double extinction, UnscatteredLight& light,
+                       const Job& job) {
   // As light that arrives from everywhere would be scattered; emission is divided by the albedo.
   NodeLight sent(1, 3, level.nodes.size());
   const double mean_of_band = 2.0 * std::sqrt(std::numbers::pi);
@@ -103,14 +116,30 @@ std::optional<NodeLight> add_emitted(const MultipleScattering::Input& input,
     std::ranges::transform(level.emission[c], sent.row(c, 0).begin(),
                            [factor](float x) { return factor * x; });
   }
-  NodeLight arriving(light.incident.bands, 3, level.nodes.size());
   GridMedium emitting = medium;
   emitting.albedo = {};
-  const std::vector<float> dark(level.surfaces ? 3 * level.surfaces->surfels().size() : 0, 0.0f);
-  scatter_once(emitting, sent, dark, std::vector{1.0}, input.limits.light_degree, arriving, job);
-  add(arriving.values, light.incident.values);
-  if (level.surfaces) add(reflected_light(*level.surfaces, arriving), light.reflected);
-  return arriving;
+  const std::vector<float> dark(light.reflected.size(), 0.0f);
+  scatter_once(emitting, sent, dark, std::vector{1.0}, input.limits.light_degree, light.incident,
+               job);
+  if (level.surfaces) light.reflected = reflected_light(*level.surfaces, light.incident);
+}
+
+// Light that Gaussians emit as it arrives unscattered at the nodes of a level, and as surfaces
+// reflect it.
+std::optional<UnscatteredLight> emitted_light(const MultipleScattering::Input& input,
+                                              const SourceGrid::Level& level,
+                                              const GridMedium& medium, double extinction,
+                                              const UnscatteredLight& others, const Job& job) {
+  const bool is_held = !level.emission[0].empty();
+  if (!is_held && input.emission.empty()) return std::nullopt;
+  UnscatteredLight light{
+      NodeLight(others.incident.bands, others.incident.channels, level.nodes.size()),
+      std::vector<float>(others.reflected.size(), 0.0f)};
+  if (is_held) add_held_emission(input, level, medium, extinction, light, job);
+  for (const EmissionLights::Light& emission : input.emission) {
+    add_light(input, level, extinction, emission.source, emission.table.get(), light, job);
+  }
+  return light;
 }
 
 // Whether a point is in the bounds of a level, at least `margin` from its border.
@@ -169,11 +198,13 @@ bool is_in_medium(const SourceGrid::Level& level, double fog, const glm::dvec3& 
 SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceGrid::Level& level) {
   SweepDegrees degrees{input.limits.degree, input.limits.degree};
   if (input.surfaces) degrees.first = std::max(degrees.first, input.limits.light_degree);
-  for (const MultipleScattering::Light& light : input.lights) {
+  const auto add = [&](const PointSource& light) {
     if (is_in_medium(level, input.fog_density, light.position)) {
       degrees.first = std::max(degrees.first, input.limits.light_degree);
     }
-  }
+  };
+  std::ranges::for_each(input.lights, add);
+  std::ranges::for_each(input.emission, add, &EmissionLights::Light::source);
   return degrees;
 }
 
@@ -214,6 +245,10 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     key.lights.push_back({light.position, light.intensity,
                           light.table ? light.table->revision() : 0, light.falloff, light.fog});
   }
+  for (const EmissionLights::Light& light : input.emission) {
+    key.lights.push_back(
+        {light.source.position, light.source.intensity, light.table->revision(), {}, {}});
+  }
   if (!levels_.empty() && key == key_) return true;
   key_ = std::move(key);
   levels_.clear();
@@ -239,8 +274,12 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
     const SourceGrid::Level& level = levels[k];
     const SweepDegrees degrees = sweep_degrees(input, level);
     UnscatteredLight light = unscattered_light(input, k, truncation.extinction, color, job);
-    const std::optional<NodeLight> emitted =
-        add_emitted(input, level, media[k], truncation.extinction, light, job);
+    const std::optional<UnscatteredLight> emitted =
+        emitted_light(input, level, media[k], truncation.extinction, light, job);
+    if (emitted) {
+      add(emitted->incident.values, light.incident.values);
+      add(emitted->reflected, light.reflected);
+    }
     std::optional<NodeLight> outside;
     if (!outer.empty()) {
       outside = scatter_into(media[k], outer, phase, degrees.rest, job);
@@ -268,7 +307,7 @@ bool MultipleScattering::update(const Input& input, const Job& job) {
                                    Resampling(level.first, level.nodes, finer.first, finer.nodes)});
     }
     if (outside) add(outside->values, scattered.values);
-    if (emitted) add(emitted->values, scattered.values);
+    if (emitted) add(emitted->incident.values, scattered.values);
     solved[k] = std::move(scattered);
   }
   levels_ = std::move(solved);

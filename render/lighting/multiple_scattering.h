@@ -7,6 +7,7 @@
 
 #include "core/revision.h"
 #include "render/geometry/point_source.h"
+#include "render/lighting/emission_lights.h"
 #include "render/lighting/incident_point_light.h"
 #include "render/lighting/scattering_solver.h"
 #include "render/lighting/source_grid.h"
@@ -29,6 +30,7 @@ class MultipleScattering {
     const SourceGrid& grid;
     double environment_scale;  // of the light in the grid; 0: none
     std::span<const Light> lights;
+    std::span<const EmissionLights::Light> emission;
     double albedo;
     double anisotropy;
     double fog_density;         // [1/u]

@@ -134,13 +134,15 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
     occlusion_.set(*input.multiple->ray_caster, input.multiple->surfaces);
   }
   const Revision surfaces_revision = surfaces ? occlusion_.revision() : 0;
+  const Revision emission = input.multiple ? input.multiple->emission->revision() : 0;
   const bool same_light =
       grid_ && same_map && anisotropy_ == input.anisotropy && size_ == input.size;
-  const bool same =
-      same_light && (!environment || environment_->rotation == environment->rotation) &&
-      has_same(input.receivers) && medium_ == input.medium.revision() &&
-      fog_ball_ == input.fog_ball && in_fog_ == input.in_fog && extinction_ == extinction &&
-      keeps_transmitted_ == input.multiple.has_value() && surfaces_revision_ == surfaces_revision;
+  const bool same = same_light &&
+                    (!environment || environment_->rotation == environment->rotation) &&
+                    has_same(input.receivers) && medium_ == input.medium.revision() &&
+                    fog_ball_ == input.fog_ball && in_fog_ == input.in_fog &&
+                    extinction_ == extinction && keeps_transmitted_ == input.multiple.has_value() &&
+                    emission_ == emission && surfaces_revision_ == surfaces_revision;
   environment_.reset();
   if (environment) environment_ = *environment;
   if (same) return true;
@@ -159,17 +161,19 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   lobe_broadening_ =
       extinction < 1.0 ? LobeBroadening(input.anisotropy, PhaseBands::max_bands) : LobeBroadening();
   keeps_transmitted_ = input.multiple.has_value();
+  emission_ = emission;
   surfaces_revision_ = surfaces_revision;
   anisotropy_ = input.anisotropy;
   receivers_ = input.receivers;
   size_ = input.size;
 
-  grid_.emplace(gaussian_terms(input.medium, extinction), lights_in_world(),
-                SourceGrid::Content{
-                    phase_.count(), input.medium.homogeneous_density(), input.fog_ball,
-                    input.in_fog, receivers_, surfaces, input.multiple.has_value(),
-                    input.multiple ? relative_optics(input.medium) : std::vector<RelativeOptics>{}},
-                input.size, job);
+  grid_.emplace(
+      gaussian_terms(input.medium, extinction), lights_in_world(),
+      SourceGrid::Content{
+          phase_.count(), input.medium.homogeneous_density(), input.fog_ball, input.in_fog,
+          receivers_, surfaces, input.multiple.has_value(),
+          input.multiple ? input.multiple->emission->others() : std::span<const RelativeOptics>{}},
+      input.size, job);
   added_ = 0;
   return !job.stop.stop_requested();
 }
@@ -184,10 +188,11 @@ std::vector<SourceLight> SourceFunction::lights_in_world() const {
 
 bool SourceFunction::add_multiple(const Input& input, const Multiple& multiple, const Job& job) {
   const double scale = weight_parts().scale;
-  if (!multiple_.update({*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.albedo,
-                         anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
-                         occlusion_.revision(), multiple.limits},
-                        job)) {
+  if (!multiple_.update(
+          {*grid_, environment_ ? scale : 0.0, multiple.lights, multiple.emission->lights(),
+           multiple.albedo, anisotropy_, input.medium.homogeneous_density(), multiple.ray_caster,
+           occlusion_.revision(), multiple.limits},
+          job)) {
     return false;
   }
   if (added_ == multiple_.revision() && added_scale_ == scale) return true;

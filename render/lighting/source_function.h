@@ -11,6 +11,7 @@
 #include "core/revision.h"
 #include "core/scene/scene.h"
 #include "render/lighting/distant_lights.h"
+#include "render/lighting/emission_lights.h"
 #include "render/lighting/multiple_scattering.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/lighting/source_grid.h"
@@ -35,6 +36,7 @@ class SourceFunction {
   // For light that is scattered more than once.
   struct Multiple {
     std::vector<MultipleScattering::Light> lights;
+    const EmissionLights* emission;  // of the medium
     double albedo;
     const RayCaster* ray_caster;  // of the surfaces; null: there are none
     std::span<const Surface> surfaces;
@@ -116,6 +118,7 @@ class SourceFunction {
   double albedo_ = 1.0;
   LobeBroadening lobe_broadening_;
   bool keeps_transmitted_ = false;
+  Revision emission_ = 0;
   Revision surfaces_revision_ = 0;
   double anisotropy_ = 0.0;
   std::optional<SourceGrid::Receivers> receivers_;

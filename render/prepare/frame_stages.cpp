@@ -128,12 +128,15 @@ bool FrameStages::prepare_source(FrameContext& work, StageClock& clock) {
 }
 
 SourceFunction::Multiple FrameStages::multiple_scattering(FrameContext& work, StageClock& clock) {
-  SourceFunction::Multiple multiple{
-      {},
-      work.group.albedo,
-      work.plan.runs(Stage::visibility) ? &prepared_.ray_caster() : nullptr,
-      work.scene.surfaces,
-      work.settings.scattering_limits};
+  const bool has_surfaces = work.plan.runs(Stage::visibility);
+  emission_lights_.update(prepared_.medium(), work.group.albedo,
+                          has_surfaces ? prepared_.ray_caster().bounds() : Box{}, work.job);
+  SourceFunction::Multiple multiple{{},
+                                    &emission_lights_,
+                                    work.group.albedo,
+                                    has_surfaces ? &prepared_.ray_caster() : nullptr,
+                                    work.scene.surfaces,
+                                    work.settings.scattering_limits};
   for (PointSource& source : work.sources()) {
     const OpticalDepthTable* const table =
         work.plan.runs(Stage::light_table)

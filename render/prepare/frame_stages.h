@@ -135,6 +135,7 @@ class FrameStages {
 
   PreparedScene prepared_;
   PreparedShading shading_;
+  EmissionLights emission_lights_;
   SourceFunction source_;
   // Members to reuse their memory.
   std::vector<RasterPixel> hits_;

@@ -255,6 +255,29 @@ TEST(OwnOptics, EmissionLightsSurfaces) {
   EXPECT_LT(std::abs(beauty.bias), 0.02);
 }
 
+// In a few hundred directions their light would be in patches: 24%.
+TEST(OwnOptics, SmallOnesLightAsPoints) {
+  Scene scene = one_gaussian(0.01, {std::nullopt, glm::dvec3(2000.0)}, 0.03);
+  scene.medium.append({{0.0, 0.0, 0.0}, 0.8, 0.2});
+  scene.surfaces = {wall(-1.0, 2.0)};
+  Scene lit = with_optics(scene, [](std::size_t) { return GaussianOptics{}; });
+  const Gaussian g = scene.medium.gaussian(0);
+  const double volume = std::pow(std::sqrt(std::numbers::pi) * g.radius, 3.0);
+  lit.lights = {{g.center, g.density * volume * g.optics.emission}};
+  const Frame frame = render_frame(scene, all_orders);
+  const Frame expected = render_frame(lit, all_orders);
+  std::vector<float> on_wall[2];
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    // Not through the Gaussian itself.
+    if (frame.airlight[3 * i] > 2.0f * expected.airlight[3 * i]) continue;
+    on_wall[0].push_back(frame.beauty[4 * i]);
+    on_wall[1].push_back(expected.beauty[4 * i]);
+  }
+  EXPECT_GT(on_wall[0].size(), frame.depth.size() / 2);
+  // A surface finds it between nodes, in four bands.
+  EXPECT_LT(difference(on_wall[0], on_wall[1]).relative_rmse, 0.08);
+}
+
 // The grid widens what is smaller than its nodes are apart; of an opaque one it must not let out
 // what is inside. A cloud beside it makes the grid as coarse as a scene's.
 TEST(OwnOptics, SmallOpaqueEmissionLightsNoMoreThanItsSurface) {
