@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -73,24 +74,25 @@ class OpticsReader {
     });
   }
 
-  // Values times `scale`.
+  // Values times `scale`; none of them counts if all are below `min_value`.
   std::optional<FieldGrid> field(const std::string& name, std::size_t components, double scale,
-                                 const NumberDomain& domain) {
+                                 const NumberDomain& domain, double min_value) {
     const VdbGrid& grid = grid_named(path_, grids_, name);
     require_fog(path_, grid, components);
     FieldGrid field = covered(grid);
     for (std::size_t k = 0; k < components; ++k) add(field, grid, k, scale, domain);
-    return not_zero(std::move(field));
+    return with_values_from(min_value, std::move(field));
   }
 
-  std::optional<FieldGrid> split_color(const std::string& name, const NumberDomain& domain) {
+  std::optional<FieldGrid> split_color(const std::string& name, const NumberDomain& domain,
+                                       double min_value) {
     FieldGrid field = covered(grid_named(path_, grids_, name + channel_suffixes[0]));
     for (const char* suffix : channel_suffixes) {
       const VdbGrid& grid = grid_named(path_, grids_, name + suffix);
       require_fog(path_, grid, 1);
       add(field, grid, 0, 1.0, domain);
     }
-    return not_zero(std::move(field));
+    return with_values_from(min_value, std::move(field));
   }
 
   std::optional<DensityGrid> density(const std::string& name) {
@@ -125,10 +127,13 @@ class OpticsReader {
     field.components.push_back(std::move(blocks));
   }
 
-  static std::optional<FieldGrid> not_zero(FieldGrid field) {
-    const bool is_zero = std::ranges::all_of(
-        field.components, [](const DensityGrid& component) { return component.blocks.empty(); });
-    return is_zero ? std::nullopt : std::optional(std::move(field));
+  static std::optional<FieldGrid> with_values_from(double min_value, FieldGrid field) {
+    const bool has_values = std::ranges::any_of(field.components, [&](const DensityGrid& grid) {
+      return std::ranges::any_of(grid.blocks, [&](const DensityGrid::Block& block) {
+        return static_cast<double>(std::ranges::max(block.values)) >= min_value;
+      });
+    });
+    return has_values ? std::optional(std::move(field)) : std::nullopt;
   }
 
   const std::filesystem::path& path_;
@@ -170,18 +175,21 @@ std::string default_grid(OpticsRole role, const std::vector<std::string>& possib
 VolumeOptics read_volume_optics(const std::filesystem::path& path, const VolumeOpticsNames& names,
                                 double temperature_scale, std::size_t max_blocks) {
   OpticsReader reader(path, max_blocks);
+  constexpr double more_than_0 = std::numeric_limits<float>::denorm_min();
   VolumeOptics optics;
   if (const auto name = reader.chosen(OpticsRole::color, names.color); name != no_grid) {
     optics.is_color_of_density = reader.is_split(name);
-    optics.color = optics.is_color_of_density ? reader.split_color(name, color_domain)
-                                              : reader.field(name, 3, 1.0, color_domain);
+    optics.color = optics.is_color_of_density
+                       ? reader.split_color(name, color_domain, more_than_0)
+                       : reader.field(name, 3, 1.0, color_domain, more_than_0);
   }
   if (const auto name = reader.chosen(OpticsRole::emission, names.emission); name != no_grid) {
-    optics.emission = reader.field(name, 3, 1.0, domain::intensity);
+    optics.emission = reader.field(name, 3, 1.0, domain::intensity, more_than_0);
   }
   if (const auto name = reader.chosen(OpticsRole::temperature, names.temperature);
       name != no_grid) {
-    optics.temperature = reader.field(name, 1, temperature_scale, kelvin_domain);
+    optics.temperature =
+        reader.field(name, 1, temperature_scale, kelvin_domain, domain::temperature.min_value);
   }
   if (const auto name = reader.chosen(OpticsRole::flame, names.flame); name != no_grid) {
     optics.flame = reader.density(name);
