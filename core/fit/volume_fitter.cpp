@@ -47,6 +47,19 @@ VolumeOptics read_optics(const std::filesystem::path& file, const VolumeFit& how
   return optics;
 }
 
+// Of the blocks of both.
+double flame_share(const DensityGrid& smoke, const DensityGrid& flame) {
+  const auto blocks = static_cast<double>(smoke.blocks.size());
+  const auto flame_blocks = static_cast<double>(flame.blocks.size());
+  return flame_blocks > 0.0 ? flame_blocks / (blocks + flame_blocks) : 0.0;
+}
+
+// At least one of each that there is, if `count` allows.
+std::size_t flame_count(std::size_t count, double share) {
+  const auto flames = static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
+  return share < 1.0 && count > 1 ? std::min(flames, count - 1) : flames;
+}
+
 // Extinctions become densities.
 void make_flames(Fit& fit, const DensityGrid& extinction, const OpticsTargets& targets) {
   fit_optics(extinction, targets, fit.gaussians);
@@ -79,13 +92,10 @@ std::optional<FittedVolume> VolumeFitter::next(const std::filesystem::path& file
   if (velocity) rotate(*velocity, turn(how_));
   const double seconds = 1.0 / how_.frames_per_second;
 
-  const auto blocks = static_cast<double>(fitted.grid.blocks.size());
-  const auto flame_blocks = static_cast<double>(flame.blocks.size());
-  const double share = flame_blocks > 0.0 ? flame_blocks / (blocks + flame_blocks) : 0.0;
-  const auto count = static_cast<double>(how_.options.count);
+  const double share = flame_share(fitted.grid, flame);
   FitOptions smoke_options = how_.options;
   FitOptions flame_options = how_.options;
-  flame_options.count = static_cast<std::size_t>(std::ceil(share * count));
+  flame_options.count = flame_count(how_.options.count, share);
   smoke_options.count -= flame_options.count;
   const auto progress_in = [&](double begin, double end) {
     return [&progress, begin, end](double p) {

@@ -67,6 +67,13 @@ TEST_F(VolumeFitterTest, FlamesShineWithoutSmoke) {
   // A flame of 1; the fit's error is 1%.
   EXPECT_NEAR(extinction, 0.1, 0.003);
 
+  // However few Gaussians there may be, smoke and flames have one each.
+  VolumeFit few = how_;
+  few.options.count = 2;
+  const FittedVolume two = fitted({ball("density", 0.7, 0.01), ball("flame", -0.7)}, few);
+  EXPECT_EQ(two.fit.gaussians.size(), 1u);
+  EXPECT_EQ(two.flames->gaussians.size(), 1u);
+
   VolumeFit flames_alone = how_;
   flames_alone.grid = no_grid;
   const FittedVolume alone = fitted({ball("flame", -0.7)}, flames_alone);
