@@ -11,6 +11,7 @@
 #include "core/io/volume/vdb_file.h"
 #include "core/io/volume/vdb_tree.h"
 #include "core/limits.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
