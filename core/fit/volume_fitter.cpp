@@ -84,7 +84,7 @@ std::optional<FittedVolume> VolumeFitter::next(const std::filesystem::path& file
   fitted.grid = read_density(file, how_);
   const VolumeOptics optics = read_optics(file, how_);
   const DensityGrid flame = optics.flame.value_or(DensityGrid());
-  if (how_.grid == no_grid && flame.blocks.empty()) {
+  if (how_.grid == no_grid && !optics.flame) {
     throw InputError(file, "", "has no flames; allowed without a density: a grid of flames");
   }
   std::optional<VelocityGrid> velocity;

@@ -161,11 +161,11 @@ std::optional<VolumeColors> MediumSampling::sample_colors(
     const std::function<void(double)>& progress) const {
   const double ratios = static_cast<double>(channels(*medium_)) - 1.0;
   double finished = 0.0;
-  const auto ratio = [&](const Factor& above, const Factor& below) {
+  const auto ratio = [&](const Factor& numerator, const Factor& denominator) {
     const auto ratio_progress = [&, begin = finished++](double p) {
       if (progress) progress((begin + p) / ratios);
     };
-    return sample(std::array{above, below}, stop, ratio_progress,
+    return sample(std::array{numerator, denominator}, stop, ratio_progress,
                   [](const std::array<Sums, 2>& sums, std::size_t i) {
                     // Where single precision has a density.
                     const bool has_matter = static_cast<float>(sums[1][i]) > 0.0f;

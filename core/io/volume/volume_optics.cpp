@@ -95,11 +95,8 @@ class OpticsReader {
     return with_values_from(min_value, std::move(field));
   }
 
-  std::optional<DensityGrid> density(const std::string& name) {
-    DensityGrid grid =
-        at_most(read_vdb_density(path_, bytes_, grid_named(path_, grids_, name)), max_blocks_);
-    if (grid.blocks.empty()) return std::nullopt;
-    return grid;
+  DensityGrid density(const std::string& name) {
+    return at_most(read_vdb_density(path_, bytes_, grid_named(path_, grids_, name)), max_blocks_);
   }
 
  private:

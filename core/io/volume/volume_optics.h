@@ -38,12 +38,12 @@ struct VolumeOptics {
   bool is_color_of_density = false;      // the colour is multiplied by the density (NAME_r, ...)
   std::optional<FieldGrid> emission;     // RGB, [W/(sr u^2)] per unit of extinction optical depth
   std::optional<FieldGrid> temperature;  // [K], somewhere from 800 K, where matter glows
-  std::optional<DensityGrid> flame;      // >= 0
+  std::optional<DensityGrid> flame;      // >= 0, maybe nowhere more
 };
 
-// Reads these grids, each downsampled by two until it has at most `max_blocks`; grids without a
-// value that is not zero are none, nor are temperatures at which nothing glows. A temperature of 1
-// in the file is `temperature_scale` K. Negative numbers become 0. Throws InputError: not such a
+// Reads these grids, each downsampled by two until it has at most `max_blocks`; fields without
+// a value that is not zero are none, nor are temperatures at which nothing glows. A temperature of
+// 1 in the file is `temperature_scale` K. Negative numbers become 0. Throws InputError: not such a
 // grid, damaged, numbers that are not finite or beyond their domain.
 VolumeOptics read_volume_optics(const std::filesystem::path& file, const VolumeOpticsNames& names,
                                 double temperature_scale, std::size_t max_blocks);

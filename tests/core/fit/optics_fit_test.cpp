@@ -72,8 +72,8 @@ TEST(OpticsFit, SampledColoursAreThoseOfTheMatter) {
       // Where what is cut off of each Gaussian, 1e-4 of its peak, hardly matters.
       if (density.blocks[b].values[i] < 0.1f) continue;
       const auto v = static_cast<int>(i);
-      const glm::ivec3 at = density.blocks[b].corner + glm::ivec3(v / 64, v / 8 % 8, v % 8);
-      const Matter matter = matter_at(gaussians_of(medium), density.to_world(glm::dvec3(at)));
+      const glm::ivec3 place = density.blocks[b].corner + glm::ivec3(v / 64, v / 8 % 8, v % 8);
+      const Matter matter = matter_at(gaussians_of(medium), density.to_world(glm::dvec3(place)));
       for (std::size_t k = 0; k < 3; ++k) {
         const auto c = static_cast<int>(k);
         EXPECT_NEAR((*grids.colors.albedo)[k].blocks[b].values[i], matter.albedo[c], 0.01);

@@ -79,6 +79,7 @@ TEST_F(VolumeFitterTest, FlamesShineWithoutSmoke) {
   const FittedVolume alone = fitted({ball("flame", -0.7)}, flames_alone);
   EXPECT_TRUE(alone.fit.gaussians.empty());
   EXPECT_EQ(alone.gaussians().size(), 20u);
+  EXPECT_TRUE(fitted({constant("flame", 0.0)}, flames_alone).gaussians().empty());
   EXPECT_TRUE(contains(error_of([&] { fitted({ball("smoke", 0.0)}, flames_alone); }), "no flames"));
 }
 

@@ -99,7 +99,10 @@ TEST_F(VolumeOpticsFile, ReadsTemperaturesEmissionsAndFlames) {
   EXPECT_NEAR(others.flame->at(glm::dvec3(0.0)), 7.0, 1e-6);
   // Ambient temperatures below 0, and grids without anything.
   EXPECT_FALSE(read({some_numbers("temperature", -3.0f)}).temperature);
-  EXPECT_FALSE(read({some_numbers("flame", 0.0f)}).flame);
+  EXPECT_FALSE(read({vdb_cube<openvdb::Vec3SGrid>("Cd", half, voxel, [](const glm::dvec3&) {
+                 return openvdb::Vec3s(0.0f);
+               })}).color);
+  EXPECT_TRUE(read({some_numbers("flame", 0.0f)}).flame->blocks.empty());
   // What Blender's caches call emission is a single number, of another thing.
   EXPECT_FALSE(read({some_numbers("emission")}).emission);
 }
