@@ -40,9 +40,13 @@ bool write(const MediumExport& request, const std::filesystem::path& file, doubl
                          (sufficient ? "voxels of " + quoted_text(*sufficient) + " or more"
                                      : std::string("larger voxels")));
   }
-  const auto grid = plan->sample(job.stop, job.progress);
-  if (!grid) return false;
-  write_volume(file, *grid, request.half);
+  const Job density_job = job.subrange(0.0, 0.5);
+  const Job color_job = job.subrange(0.5, 1.0);
+  const auto density = plan->sample(density_job.stop, density_job.progress);
+  if (!density) return false;
+  const auto colors = plan->sample_colors(scene.optics.albedo, color_job.stop, color_job.progress);
+  if (!colors) return false;
+  write_volume(file, *density, request.half, *colors);
   return true;
 }
 

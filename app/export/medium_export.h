@@ -13,7 +13,7 @@ namespace brume {
 // Parameters of exporting a scene's Gaussians. The homogeneous density is unbounded and excluded.
 struct MediumExport {
   std::shared_ptr<const Scene> scene;  // with all its times
-  std::filesystem::path file;          // .vdb (a fog volume, grid `density`), .ply or .csv
+  std::filesystem::path file;          // .vdb (grids as write_volume() names them), .ply or .csv
   double voxel_size = 0.0;             // of a .vdb; 0: half the least radius
   bool half = false;                   // a .vdb in half precision
   double time = 0.0;                   // [s]

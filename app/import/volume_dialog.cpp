@@ -3,15 +3,17 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QDoubleValidator>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <algorithm>
 #include <exception>
+#include <vector>
 
 #include "app/document/paths.h"
+#include "app/import/appearance_fields.h"
 #include "app/import/folder_dialog.h"
 #include "app/widgets/plain_text.h"
 #include "core/io/volume/volume_file.h"
@@ -24,17 +26,17 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
       grid_(new QComboBox(this)),
       count_(new QSpinBox(this)),
       error_(new QDoubleSpinBox(this)),
-      scale_(new QLineEdit("1", this)),
+      scale_(number_edit("volume_scale", 1.0, 1e-12, 1e12, this)),
       up_(new QComboBox(this)) {
   setWindowTitle(tr("Import %1").arg(to_qstring(file.filename())));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* form = new QFormLayout(this);
   grid_->setObjectName("volume_grid");
   QString problem;
+  std::vector<VolumeGridInfo> grids;
   try {
-    for (const VolumeGridInfo& grid : volume_grids(file)) {
-      grid_->addItem(QString::fromStdString(grid.name));
-    }
+    grids = volume_grids(file);
+    for (const VolumeGridInfo& grid : grids) grid_->addItem(QString::fromStdString(grid.name));
     grid_->setCurrentIndex(std::max(0, grid_->findText("density")));
   } catch (const std::exception& error) {
     problem = QString::fromUtf8(error.what());
@@ -49,14 +51,11 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
   error_->setSuffix(" %");
   error_->setSpecialValueText(tr("minimum"));
   if (!run) form->addRow(tr("Max density error"), error_);
-  scale_->setObjectName("volume_scale");
-  auto* domain = new QDoubleValidator(1e-12, 1e12, 12, scale_);
-  domain->setLocale(QLocale::c());
-  scale_->setValidator(domain);
   form->addRow(tr("Density scale, 1/u"), scale_);
   up_->setObjectName("volume_up");
   up_->addItems({tr("y"), tr("z (rotated to y)")});
   form->addRow(tr("Up axis"), up_);
+  appearance_ = new AppearanceFields(form, grids);
   if (run) folder_ = add_folder_row(form, file, *run);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   QPushButton* import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
@@ -68,9 +67,12 @@ VolumeDialog::VolumeDialog(const std::filesystem::path& file, const std::optiona
     form->addRow(why);
   }
   form->addRow(buttons);
-  connect(scale_, &QLineEdit::textChanged, this, [this, import] {
-    import->setEnabled(scale_->hasAcceptableInput() && grid_->count() > 0);
-  });
+  const auto update = [this, import] {
+    import->setEnabled(scale_->hasAcceptableInput() && appearance_->is_acceptable() &&
+                       grid_->count() > 0);
+  };
+  connect(scale_, &QLineEdit::textChanged, this, update);
+  connect(appearance_, &AppearanceFields::changed, this, update);
   connect(buttons, &QDialogButtonBox::accepted, this, &VolumeDialog::confirm);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -86,6 +88,7 @@ void VolumeDialog::confirm() {
   how.options.max_error = 0.01 * error_->value();
   how.density_scale = scale_->text().toDouble();
   how.z_up = up_->currentIndex() == 1;
+  how.appearance = appearance_->options();
   Q_EMIT requested(how);
   accept();
 }

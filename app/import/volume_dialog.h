@@ -14,6 +14,8 @@ class QSpinBox;
 
 namespace brume {
 
+class AppearanceFields;
+
 // Dialog for the fit options of a volume or sequence.
 class VolumeDialog : public QDialog {
   Q_OBJECT
@@ -35,6 +37,7 @@ class VolumeDialog : public QDialog {
   QDoubleSpinBox* error_;
   QLineEdit* scale_;
   QComboBox* up_;
+  AppearanceFields* appearance_;
   QLineEdit* folder_ = nullptr;  // sequences only
 };
 

@@ -26,7 +26,7 @@ std::optional<std::vector<Gaussian>> fit_volume(const std::filesystem::path& fil
                                                 const VolumeFit& how, const Job& job) {
   auto fitted = VolumeFitter(how).next(file, job.stop, job.progress);
   if (!fitted) return std::nullopt;
-  return std::move(fitted->fit.gaussians);
+  return fitted->gaussians();
 }
 
 std::vector<SequenceFrame> fit_volumes(const std::vector<std::filesystem::path>& files,
@@ -39,7 +39,7 @@ std::vector<SequenceFrame> fit_volumes(const std::vector<std::filesystem::path>&
         job.subrange(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
     const auto fitted = fitter.next(files[k], sub_job.stop, sub_job.progress);
     if (!fitted) break;
-    frames.push_back(to_frame(fitted->fit.gaussians, fitter.ids()));
+    frames.push_back(to_frame(fitted->gaussians(), fitter.ids()));
   }
   return frames;
 }

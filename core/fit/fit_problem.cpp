@@ -148,25 +148,35 @@ FitProblem::FitProblem(const DensityGrid& grid) : spacing_(grid.spacing) {
       corners.emplace(c.x, c.y, c.z);
     }
   }
-  targets_.reserve(2 * corners.size() * DensityGrid::block_size);
   for (const auto& [x, y, z] : corners) {
     const glm::ivec3 corner(x, y, z);
     corners_.blocks.push_back({corner, {}});
     blocks_.push_back({spacing_ * glm::dvec3(corner), 1.0f});
-    const auto index = grid.find(corner);
-    const DensityGrid::Values values = index ? grid.blocks[*index].values : DensityGrid::Values{};
-    targets_.insert(targets_.end(), values.begin(), values.end());
   }
-  sum_of_squares_ = square_sum(targets_);
+  for (const DensityGrid::Block& block : corners_.blocks) {
+    blocks_.push_back({spacing_ * (glm::dvec3(block.corner) + 0.5), between});
+  }
+  targets_ = sampled(grid);
+  sum_of_squares_ = square_sum(std::span(targets_).first(targets_.size() / 2));
+}
+
+std::vector<float> FitProblem::sampled(const DensityGrid& grid) const {
+  std::vector<float> values;
+  values.reserve(blocks_.size() * DensityGrid::block_size);
+  for (const DensityGrid::Block& block : corners_.blocks) {
+    const auto index = grid.find(block.corner);
+    const DensityGrid::Values found = index ? grid.blocks[*index].values : DensityGrid::Values{};
+    values.insert(values.end(), found.begin(), found.end());
+  }
   for (const DensityGrid::Block& block : corners_.blocks) {
     const glm::dvec3 first = glm::dvec3(block.corner) + 0.5;
-    blocks_.push_back({spacing_ * first, between});
     for (std::size_t i = 0; i < DensityGrid::block_size; ++i) {
       const auto v = static_cast<int>(i);
       const glm::dvec3 offset(v / (side * side), v / side % side, v % side);
-      targets_.push_back(between * static_cast<float>(grid.at(first + offset)));
+      values.push_back(between * static_cast<float>(grid.at(first + offset)));
     }
   }
+  return values;
 }
 
 template <class Visit>

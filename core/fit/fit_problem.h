@@ -42,6 +42,10 @@ class FitProblem {
   // Sum of squared densities.
   [[nodiscard]] double sum_of_squares() const { return sum_of_squares_; }
 
+  // Values of a grid with the same transform where the residuals are, times the roots of their
+  // weights.
+  [[nodiscard]] std::vector<float> sampled(const DensityGrid& grid) const;
+
   // Sets the Gaussians. Their a times the spacing is clamped to `sharpest`.
   void set(std::span<const FitGaussian> gaussians);
   static constexpr double sharpest = 1.4;

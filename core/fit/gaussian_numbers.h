@@ -8,21 +8,21 @@
 namespace brume {
 
 // Persistent ids of a sequence's Gaussians: kept from frame to frame, except that relocated
-// Gaussians get new, unused ids.
+// Gaussians get new ids, counted up by `counter`.
 class GaussianNumbers {
  public:
   // Starts a sequence.
-  void begin(std::size_t count) {
+  void begin(std::size_t count, GaussianNumber& counter) {
     ids_.resize(count);
-    for (GaussianNumber& id : ids_) id = next_++;
+    for (GaussianNumber& id : ids_) id = counter++;
   }
 
   // Advances to the next frame; returns the number of new ids.
-  std::size_t relocate(const std::vector<bool>& renewed) {
+  std::size_t relocate(const std::vector<bool>& renewed, GaussianNumber& counter) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < renewed.size(); ++i) {
       if (!renewed[i]) continue;
-      ids_[i] = next_++;
+      ids_[i] = counter++;
       ++count;
     }
     return count;
@@ -32,7 +32,6 @@ class GaussianNumbers {
 
  private:
   std::vector<GaussianNumber> ids_;
-  GaussianNumber next_ = 0;
 };
 
 }  // namespace brume

@@ -1,8 +1,11 @@
 #include "core/fit/volume_fitter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
 
-#include "core/fit/next_start.h"
+#include "core/error.h"
 #include "core/io/volume/volume_file.h"
 
 namespace brume {
@@ -17,38 +20,107 @@ glm::dquat turn(const VolumeFit& how) {
                   : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
-DensityGrid read(const std::filesystem::path& file, const VolumeFit& how) {
-  DensityGrid grid = read_volume(file, how.grid);
-  while (grid.blocks.size() > max_blocks) grid = coarser(grid);
+// Turned, times `scale`.
+DensityGrid prepared(DensityGrid grid, double scale, const VolumeFit& how) {
   for (DensityGrid::Block& block : grid.blocks) {
-    for (float& value : block.values) value *= static_cast<float>(how.density_scale);
+    for (float& value : block.values) value *= static_cast<float>(scale);
   }
   rotate(grid, turn(how));
   return grid;
 }
 
+DensityGrid read_density(const std::filesystem::path& file, const VolumeFit& how) {
+  if (how.grid == no_grid) return {};
+  return prepared(at_most(read_volume(file, how.grid), max_blocks), how.density_scale, how);
+}
+
+VolumeOptics read_optics(const std::filesystem::path& file, const VolumeFit& how) {
+  const AppearanceOptions& appearance = how.appearance;
+  VolumeOptics optics =
+      read_volume_optics(file, appearance.grids, appearance.temperature_scale, max_blocks);
+  for (std::optional<FieldGrid>* field : {&optics.color, &optics.emission, &optics.temperature}) {
+    if (*field) rotate(**field, turn(how));
+  }
+  if (optics.flame) {
+    optics.flame = prepared(std::move(*optics.flame), appearance.flame_scale, how);
+  }
+  return optics;
+}
+
+// Of the blocks of both.
+double flame_share(const DensityGrid& smoke, const DensityGrid& flame) {
+  const auto blocks = static_cast<double>(smoke.blocks.size());
+  const auto flame_blocks = static_cast<double>(flame.blocks.size());
+  return flame_blocks > 0.0 ? flame_blocks / (blocks + flame_blocks) : 0.0;
+}
+
+// At least one of each that there is, if `count` allows.
+std::size_t flame_count(std::size_t count, double share) {
+  const auto flames = static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
+  return share < 1.0 && count > 1 ? std::min(flames, count - 1) : flames;
+}
+
+// Extinctions become densities.
+void make_flames(Fit& fit, const DensityGrid& extinction, const OpticsTargets& targets) {
+  fit_optics(extinction, targets, fit.gaussians);
+  for (Gaussian& gaussian : fit.gaussians) {
+    gaussian.density *= flame_albedo;
+    gaussian.optics.albedo = glm::dvec3(flame_albedo);
+  }
+}
+
 }  // namespace
+
+std::vector<Gaussian> FittedVolume::gaussians() const {
+  std::vector<Gaussian> all = fit.gaussians;
+  if (flames) all.insert(all.end(), flames->gaussians.begin(), flames->gaussians.end());
+  return all;
+}
 
 std::optional<FittedVolume> VolumeFitter::next(const std::filesystem::path& file,
                                                const std::stop_token& stop,
                                                const std::function<void(double)>& progress) {
-  FittedVolume fitted{read(file, how_), {}, 0};
-  if (last_.empty() || fitted.grid.blocks.empty()) {
-    auto fit = fit_gaussians(fitted.grid, how_.options, stop, progress);
-    if (!fit) return std::nullopt;
-    fitted.fit = std::move(*fit);
-    numbers_.begin(fitted.fit.gaussians.size());
-  } else {
-    if (auto velocity = read_velocity(last_file_)) {
-      rotate(*velocity, turn(how_));
-      last_ = next_start(fitted.grid, last_, *velocity, 1.0 / how_.frames_per_second);
-    }
-    auto refit = refit_gaussians(fitted.grid, last_, stop, progress);
-    if (!refit) return std::nullopt;
-    fitted.fit = std::move(refit->fit);
-    fitted.renewed = numbers_.relocate(refit->renewed);
+  FittedVolume fitted;
+  fitted.grid = read_density(file, how_);
+  const VolumeOptics optics = read_optics(file, how_);
+  const DensityGrid flame = optics.flame.value_or(DensityGrid());
+  if (how_.grid == no_grid && !optics.flame) {
+    throw InputError(file, "", "has no flames; allowed without a density: a grid of flames");
   }
-  last_ = fitted.fit.gaussians;
+  std::optional<VelocityGrid> velocity;
+  if (smoke_.is_running() || flames_.is_running()) velocity = read_velocity(last_file_);
+  if (velocity) rotate(*velocity, turn(how_));
+  const double seconds = 1.0 / how_.frames_per_second;
+
+  const double share = flame_share(fitted.grid, flame);
+  FitOptions smoke_options = how_.options;
+  FitOptions flame_options = how_.options;
+  flame_options.count = flame_count(how_.options.count, share);
+  smoke_options.count -= flame_options.count;
+  const auto progress_in = [&](double begin, double end) {
+    return [&progress, begin, end](double p) {
+      if (progress) progress(begin + (end - begin) * p);
+    };
+  };
+
+  auto smoke = smoke_.next(fitted.grid, smoke_options, velocity, seconds, counter_, stop,
+                           progress_in(0.0, 1.0 - share));
+  if (!smoke) return std::nullopt;
+  fitted.fit = std::move(smoke->fit);
+  fitted.renewed = smoke->renewed;
+  fitted.errors = fit_optics(
+      fitted.grid, smoke_targets(fitted.grid, how_.density_scale, optics, how_.appearance),
+      fitted.fit.gaussians);
+  auto flames = flames_.next(flame, flame_options, velocity, seconds, counter_, stop,
+                             progress_in(1.0 - share, 1.0));
+  if (!flames) return std::nullopt;
+  if (!flames->fit.gaussians.empty()) {
+    fitted.flames = std::move(flames->fit);
+    fitted.renewed += flames->renewed;
+    make_flames(*fitted.flames, flame, flame_targets(flame, optics, how_.appearance));
+  }
+  ids_.assign(smoke_.ids().begin(), smoke_.ids().end());
+  ids_.insert(ids_.end(), flames_.ids().begin(), flames_.ids().end());
   last_file_ = file;
   return fitted;
 }

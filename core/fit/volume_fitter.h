@@ -9,29 +9,36 @@
 #include <vector>
 
 #include "core/fit/gaussian_fit.h"
-#include "core/fit/gaussian_numbers.h"
+#include "core/fit/sequence_fitter.h"
+#include "core/fit/volume_appearance.h"
 #include "core/volume/density_grid.h"
-#include "core/volume/velocity_grid.h"
 
 namespace brume {
 
 // Parameters of fitting a volume.
 struct VolumeFit {
-  std::string grid = "density";
-  FitOptions options;
+  std::string grid = "density";     // no_grid: none, for flames alone
+  FitOptions options;               // `count` is of smoke and flames together
   double density_scale = 1.0;       // scattering coefficient of density 1 [1/u]
   bool z_up = false;                // rotates z to y
   double frames_per_second = 30.0;  // for sequences with velocities
+  AppearanceOptions appearance;
 };
 
 struct FittedVolume {
-  DensityGrid grid;  // as fitted
-  Fit fit;
-  std::size_t renewed = 0;  // Gaussians without a predecessor in the previous frame
+  DensityGrid grid;         // of the density, as fitted
+  Fit fit;                  // of the density, with optics if the volume has some
+  std::size_t renewed = 0;  // Gaussians without a predecessor in the previous frame, of all
+  std::optional<Fit> flames;
+  OpticsErrors errors;  // of the optics of `fit`
+
+  // Those of the density, then those of the flames.
+  [[nodiscard]] std::vector<Gaussian> gaussians() const;
 };
 
 // Fits one OpenVDB file, or those of a sequence in order, each starting from the previous frame's
 // advected Gaussians. Grids of more than 200,000 blocks are downsampled by two until they fit.
+// Flames become Gaussians of their own: their share of the count is their share of the blocks.
 class VolumeFitter {
  public:
   explicit VolumeFitter(VolumeFit how) : how_(std::move(how)) {}
@@ -42,13 +49,15 @@ class VolumeFitter {
                                    const std::function<void(double)>& progress = {});
 
   // Persistent ids of the last frame's Gaussians.
-  [[nodiscard]] std::span<const GaussianNumber> ids() const { return numbers_.ids(); }
+  [[nodiscard]] std::span<const GaussianNumber> ids() const { return ids_; }
 
  private:
   VolumeFit how_;
-  std::vector<Gaussian> last_;  // previous frame
-  std::filesystem::path last_file_;
-  GaussianNumbers numbers_;
+  SequenceFitter smoke_;
+  SequenceFitter flames_;
+  std::filesystem::path last_file_;  // of the previous frame
+  GaussianNumber counter_ = 0;
+  std::vector<GaussianNumber> ids_;
 };
 
 }  // namespace brume

@@ -7,9 +7,17 @@
 namespace brume {
 namespace {
 
+// The medium's albedo, which a Gaussian without its own has, is not known here: halfway it changes.
+GaussianOptics between(const GaussianOptics& a, const GaussianOptics& b, double u) {
+  const bool have_albedos = a.albedo && b.albedo;
+  return {have_albedos ? std::optional(glm::mix(*a.albedo, *b.albedo, u))
+                       : (u < 0.5 ? a.albedo : b.albedo),
+          glm::mix(a.emission, b.emission, u)};
+}
+
 Gaussian between(const Gaussian& a, const Gaussian& b, double u) {
   return {glm::mix(a.center, b.center, u), a.radius * std::pow(b.radius / a.radius, u),
-          std::lerp(a.density, b.density, u)};
+          std::lerp(a.density, b.density, u), between(a.optics, b.optics, u)};
 }
 
 Gaussian faded(Gaussian gaussian, double share) {

@@ -30,8 +30,8 @@ struct MediumSequence {
   bool operator==(const MediumSequence&) const = default;
 };
 
-// Interpolates between frames, u in [0, 1]: center and density linearly, radius geometrically;
-// Gaussians present in one frame only fade in place.
+// Interpolates between frames, u in [0, 1]: center, density, albedo and emission linearly, radius
+// geometrically; Gaussians present in one frame only fade in place.
 std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame& b, double u);
 
 // The Gaussians at a time [s], clamped to the first and last frame.

@@ -10,12 +10,12 @@ namespace brume {
 namespace {
 
 // Where x lies between ascending values: x = values[low] + share * (values[low + 1] - values[low]).
-struct Between {
+struct AngleInterval {
   std::size_t low = 0;
   double share = 0.0;
 };
 
-Between between(const std::vector<double>& values, double x) {
+AngleInterval interval_of(const std::vector<double>& values, double x) {
   if (values.size() < 2) return {};
   const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, x);
   const auto low = static_cast<std::size_t>(above - values.begin()) - 1;
@@ -86,8 +86,8 @@ double PhotometricProfile::at(const glm::dvec3& w) const {
   if (polar < polar_angles_.front() - room || polar > polar_angles_.back() + room) return 0.0;
   double azimuth = across > 0.0 ? glm::degrees(std::atan2(w.y, w.x)) : 0.0;
   if (azimuth < 0.0) azimuth += 360.0;
-  const Between p = between(polar_angles_, polar);
-  const Between a = between(azimuths_, azimuth);
+  const AngleInterval p = interval_of(polar_angles_, polar);
+  const AngleInterval a = interval_of(azimuths_, azimuth);
   const std::size_t rows = polar_angles_.size();
   const std::size_t next = rows > 1 ? 1 : 0;
   const auto along = [&](std::size_t column) {

@@ -33,11 +33,39 @@ glm::dvec3 observer(double nm) {
           1.217 * lobe(nm, 437.0, 0.0845, 0.0278) + 0.681 * lobe(nm, 459.0, 0.0385, 0.0725)};
 }
 
+constexpr double second_constant = 1.438776877e7;  // hc / k [nm K]
+
 // Planck's law relative to its value at 560 nm: at low temperatures the rest is all that remains.
 double black_body(double nm, double temperature) {
-  constexpr double second_constant = 1.438776877e7;  // hc / k [nm K]
   const auto exponent = [&](double x) { return second_constant / (x * temperature); };
   return std::pow(560.0 / nm, 5) * std::expm1(exponent(560.0)) / std::expm1(exponent(nm));
+}
+
+constexpr double wavelength_step = 5.0;  // [nm]
+
+// A black body's light, linear Rec. 709, relative to its radiance at 560 nm in a wavelength_step.
+glm::dvec3 relative_black_body(double temperature) {
+  glm::dvec3 xyz(0.0);
+  for (double nm = 380.0; nm <= 780.0; nm += wavelength_step) {
+    xyz += black_body(nm, temperature) * observer(nm);
+  }
+  // To Rec. 709; columns.
+  constexpr double m[3][3] = {{3.2404542, -0.9692660, 0.0556434},
+                              {-1.5371385, 1.8760108, -0.2040259},
+                              {-0.4985314, 0.0415560, 1.0572252}};
+  glm::dvec3 rgb(0.0);
+  for (int k = 0; k < 3; ++k) rgb += xyz[k] * glm::dvec3(m[k][0], m[k][1], m[k][2]);
+  return glm::max(rgb, 0.0);
+}
+
+// Evenly in mireds, as the eye tells temperatures apart. `share` of the way from the hottest to the
+// coldest.
+double temperature_at(double share) {
+  return 1.0 / (1.0 / max_temperature + share * (1.0 / min_temperature - 1.0 / max_temperature));
+}
+double share_of(double temperature) {
+  return (1.0 / temperature - 1.0 / max_temperature) /
+         (1.0 / min_temperature - 1.0 / max_temperature);
 }
 
 // The solid angle of a cone, weighted by its falloff: clamp(x, 0, 1)^2, x linear in the cosine.
@@ -93,30 +121,39 @@ std::optional<double> luminous_flux(const Light& light) {
 
 glm::dvec3 black_body_color(double temperature) {
   temperature = std::clamp(temperature, min_temperature, max_temperature);
-  glm::dvec3 xyz(0.0);
-  for (double nm = 380.0; nm <= 780.0; nm += 5.0) {
-    xyz += black_body(nm, temperature) * observer(nm);
-  }
-  // To Rec. 709; columns.
-  constexpr double m[3][3] = {{3.2404542, -0.9692660, 0.0556434},
-                              {-1.5371385, 1.8760108, -0.2040259},
-                              {-0.4985314, 0.0415560, 1.0572252}};
-  glm::dvec3 rgb(0.0);
-  for (int k = 0; k < 3; ++k) rgb += xyz[k] * glm::dvec3(m[k][0], m[k][1], m[k][2]);
-  rgb = glm::max(rgb, 0.0);
+  const glm::dvec3 rgb = relative_black_body(temperature);
   return rgb / std::max({rgb.x, rgb.y, rgb.z});
 }
 
-double nearest_temperature(const glm::dvec3& color) {
-  // Evenly in mireds, as the eye tells temperatures apart; then between the neighbours.
-  constexpr int count = 128;
-  const auto temperature = [](double share) {
-    return 1.0 / (1.0 / max_temperature + share * (1.0 / min_temperature - 1.0 / max_temperature));
-  };
-  static const auto colors = [&] {
+glm::dvec3 black_body_radiance(double temperature) {
+  if (!(temperature >= min_temperature)) return glm::dvec3(0.0);
+  temperature = std::min(temperature, max_temperature);
+  // Relative to 560 nm it hardly varies; the rest is one exponential.
+  constexpr int count = 256;
+  static const auto table = [] {
     std::array<glm::dvec3, count + 1> all;
     for (int i = 0; i <= count; ++i) {
-      all[static_cast<std::size_t>(i)] = black_body_color(temperature(1.0 * i / count));
+      all[static_cast<std::size_t>(i)] = relative_black_body(temperature_at(1.0 * i / count));
+    }
+    return all;
+  }();
+  const double place = count * share_of(temperature);
+  const int i = std::clamp(static_cast<int>(place), 0, count - 1);
+  const auto k = static_cast<std::size_t>(i);
+  const glm::dvec3 relative = glm::mix(table[k], table[k + 1], place - i);
+  constexpr double first_constant = 1.191042972e20;  // 2 h c^2 [W nm^4/(sr m^2)]
+  const double at_560 =
+      first_constant / std::pow(560.0, 5) / std::expm1(second_constant / (560.0 * temperature));
+  return wavelength_step * at_560 * relative;
+}
+
+double nearest_temperature(const glm::dvec3& color) {
+  // The nearest of a table, then between its neighbours.
+  constexpr int count = 128;
+  static const auto colors = [] {
+    std::array<glm::dvec3, count + 1> all;
+    for (int i = 0; i <= count; ++i) {
+      all[static_cast<std::size_t>(i)] = black_body_color(temperature_at(1.0 * i / count));
     }
     return all;
   }();
@@ -126,7 +163,7 @@ double nearest_temperature(const glm::dvec3& color) {
   double low = std::max(i - 1, 0) / static_cast<double>(count);
   double high = std::min(i + 1, count) / static_cast<double>(count);
   const auto error = [&](double share) {
-    return glm::distance(black_body_color(temperature(share)), color);
+    return glm::distance(black_body_color(temperature_at(share)), color);
   };
   for (int k = 0; k < 30; ++k) {
     const double a = low + (high - low) / 3.0;
@@ -137,7 +174,7 @@ double nearest_temperature(const glm::dvec3& color) {
       low = a;
     }
   }
-  return temperature(0.5 * (low + high));
+  return temperature_at(0.5 * (low + high));
 }
 
 }  // namespace brume

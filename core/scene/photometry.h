@@ -29,6 +29,12 @@ std::optional<double> luminous_flux(const Light& light);
 // by Wyman, Sloan and Shirley (2013): chromaticities are within 0.003.
 glm::dvec3 black_body_color(double temperature);
 
+// Radiance of a black body, linear Rec. 709 [W/(sr m^2)], in the RGB watts of lumens_per_watt;
+// channels outside that gamut are 0. Black below 800 K, where nothing glows visibly (the Draper
+// point); clamped to domain::temperature above [K]. Interpolated: within 0.1% of the sum over
+// wavelengths.
+glm::dvec3 black_body_radiance(double temperature);
+
 // The temperature whose colour is nearest to a colour whose greatest channel is 1 [K].
 double nearest_temperature(const glm::dvec3& color);
 

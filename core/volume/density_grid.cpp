@@ -102,4 +102,14 @@ DensityGrid coarser(const DensityGrid& grid) {
   return result;
 }
 
+DensityGrid at_most(DensityGrid grid, std::size_t max_blocks) {
+  while (grid.blocks.size() > max_blocks) grid = coarser(grid);
+  return grid;
+}
+
+void rotate(DensityGrid& grid, const glm::dquat& turn) {
+  grid.rotation = turn * grid.rotation;
+  grid.origin = turn * grid.origin;
+}
+
 }  // namespace brume

@@ -41,8 +41,22 @@ struct DensityGrid {
   void sort();
 };
 
+// Three channels, RGB, with the same blocks.
+using ColorGrid = std::array<DensityGrid, 3>;
+
+// What colours the matter of a density grid, on the same voxels.
+struct VolumeColors {
+  std::optional<ColorGrid> albedo;    // in (0, 1], 0 where there is no matter
+  std::optional<ColorGrid> emission;  // [W/(sr u^2)] per unit of extinction optical depth
+};
+
 // Downsamples by two: each voxel is the mean of eight, preserving mass.
 DensityGrid coarser(const DensityGrid& grid);
+// The grid, downsampled until it has at most `max_blocks`.
+DensityGrid at_most(DensityGrid grid, std::size_t max_blocks);
+
+// Rotates a grid about the world origin.
+void rotate(DensityGrid& grid, const glm::dquat& turn);
 
 // The corner of the block that contains a voxel.
 glm::ivec3 block_corner(const glm::ivec3& voxel);

@@ -56,8 +56,12 @@ bool each_block(const Gaussian& g, double voxel_size, std::size_t max_blocks, Vi
   return true;
 }
 
+using Sums = std::array<double, DensityGrid::block_size>;
+
+// Adds a Gaussian times each of some factors to the sums of the factor.
+template <std::size_t count>
 void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
-         std::array<double, DensityGrid::block_size>& values) {
+         const std::array<double, count>& factors, std::array<Sums, count>& sums) {
   std::array<std::array<double, side>, 3> along;
   for (int axis = 0; axis < 3; ++axis) {
     for (int k = 0; k < side; ++k) {
@@ -69,7 +73,10 @@ void add(const Gaussian& g, const glm::ivec3& corner, double voxel_size,
   for (const double ex : along[0]) {
     for (const double ey : along[1]) {
       const double e = g.density * ex * ey;
-      for (const double ez : along[2]) values[i++] += e * ez;
+      for (const double ez : along[2]) {
+        for (std::size_t k = 0; k < count; ++k) sums[k][i] += factors[k] * (e * ez);
+        ++i;
+      }
     }
   }
 }
@@ -88,6 +95,7 @@ double fitting_voxel_size(const Medium& medium) {
 std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double voxel_size,
                                                    std::size_t max_blocks) {
   MediumSampling result(medium, voxel_size);
+  max_blocks /= channels(medium);
   const std::size_t max_pairs = max_blocks * (sizeof(DensityGrid::Block) / sizeof(std::uint32_t));
   std::unordered_map<glm::ivec3, std::size_t, CornerHash> places;
   for (std::size_t i = 0; i < medium.size(); ++i) {
@@ -108,30 +116,84 @@ std::optional<MediumSampling> MediumSampling::plan(const Medium& medium, double 
   return result;
 }
 
-std::optional<DensityGrid> MediumSampling::sample(
-    const std::stop_token& stop, const std::function<void(double)>& progress) const {
+template <std::size_t count, class BlockValues>
+std::optional<DensityGrid> MediumSampling::sample(const std::array<Factor, count>& factors,
+                                                  const std::stop_token& stop,
+                                                  const std::function<void(double)>& progress,
+                                                  BlockValues block_values) const {
   DensityGrid grid;
   grid.spacing = glm::dvec3(voxel_size_);
   grid.blocks.resize(blocks());
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(std::size_t{0}, blocks(), [&](std::size_t b) {
     if (stop.stop_requested()) return;
-    std::array<double, DensityGrid::block_size> values{};
+    std::array<Sums, count> sums{};
     for (const std::uint32_t i : gaussians_[b]) {
-      add(medium_->gaussian(i), corners_[b], voxel_size_, values);
+      const Gaussian g = medium_->gaussian(i);
+      std::array<double, count> weights;
+      for (std::size_t k = 0; k < count; ++k) weights[k] = factors[k](g);
+      add(g, corners_[b], voxel_size_, weights, sums);
     }
     DensityGrid::Block& block = grid.blocks[b];
     block.corner = corners_[b];
-    std::transform(values.begin(), values.end(), block.values.begin(),
-                   [](double v) { return static_cast<float>(v); });
-    const std::size_t count = ++done;
-    if (progress && count % 256 == 0) {
-      progress(static_cast<double>(count) / static_cast<double>(blocks()));
+    for (std::size_t i = 0; i < block.values.size(); ++i) {
+      block.values[i] = static_cast<float>(block_values(sums, i));
+    }
+    const std::size_t so_far = ++done;
+    if (progress && so_far % 256 == 0) {
+      progress(static_cast<double>(so_far) / static_cast<double>(blocks()));
     }
   });
   if (stop.stop_requested()) return std::nullopt;
   grid.sort();
   return grid;
+}
+
+std::optional<DensityGrid> MediumSampling::sample(
+    const std::stop_token& stop, const std::function<void(double)>& progress) const {
+  const std::array<Factor, 1> one{[](const Gaussian&) { return 1.0; }};
+  return sample(one, stop, progress,
+                [](const std::array<Sums, 1>& sums, std::size_t i) { return sums[0][i]; });
+}
+
+std::optional<VolumeColors> MediumSampling::sample_colors(
+    const glm::dvec3& medium_albedo, const std::stop_token& stop,
+    const std::function<void(double)>& progress) const {
+  const double ratios = static_cast<double>(channels(*medium_)) - 1.0;
+  double finished = 0.0;
+  const auto ratio = [&](const Factor& numerator, const Factor& denominator) {
+    const auto ratio_progress = [&, begin = finished++](double p) {
+      if (progress) progress((begin + p) / ratios);
+    };
+    return sample(std::array{numerator, denominator}, stop, ratio_progress,
+                  [](const std::array<Sums, 2>& sums, std::size_t i) {
+                    // Where single precision has a density.
+                    const bool has_matter = static_cast<float>(sums[1][i]) > 0.0f;
+                    return has_matter ? sums[0][i] / sums[1][i] : 0.0;
+                  });
+  };
+  VolumeColors colors;
+  if (medium_->has_albedos()) colors.albedo.emplace();
+  if (medium_->has_emission()) colors.emission.emplace();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto channel = static_cast<int>(k);
+    const Factor extinction = [=](const Gaussian& g) {
+      return 1.0 / g.optics.albedo.value_or(medium_albedo)[channel];
+    };
+    if (colors.albedo) {
+      auto grid = ratio([](const Gaussian&) { return 1.0; }, extinction);
+      if (!grid) return std::nullopt;
+      (*colors.albedo)[k] = std::move(*grid);
+    }
+    if (colors.emission) {
+      auto grid =
+          ratio([=](const Gaussian& g) { return g.optics.emission[channel] * extinction(g); },
+                extinction);
+      if (!grid) return std::nullopt;
+      (*colors.emission)[k] = std::move(*grid);
+    }
+  }
+  return colors;
 }
 
 std::optional<double> sufficient_voxel_size(const Medium& medium, double voxel_size,

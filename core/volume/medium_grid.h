@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -22,21 +23,42 @@ double fitting_voxel_size(const Medium& medium);
 // b0 is excluded, being unbounded.
 class MediumSampling {
  public:
-  // Finds the blocks; nullopt if there are more than `max_blocks`, or if the lists of Gaussians per
-  // block need more memory than `max_blocks` blocks. voxel_size > 0.
+  // Finds the blocks; nullopt if there are more than `max_blocks`, each counted for every channel
+  // of what is sampled, or if the lists of Gaussians per block need more memory than `max_blocks`
+  // blocks. voxel_size > 0.
   static std::optional<MediumSampling> plan(const Medium& medium, double voxel_size,
                                             std::size_t max_blocks);
 
   [[nodiscard]] std::size_t blocks() const { return corners_.size(); }
   [[nodiscard]] std::uintmax_t bytes() const {
-    return blocks() * sizeof(DensityGrid::Block) + pairs_ * sizeof(std::uint32_t);
+    return blocks() * channels(*medium_) * sizeof(DensityGrid::Block) +
+           pairs_ * sizeof(std::uint32_t);
   }
 
   // In parallel, deterministic; nullopt if stopped. The medium must outlive this.
   [[nodiscard]] std::optional<DensityGrid> sample(
       const std::stop_token& stop = {}, const std::function<void(double)>& progress = {}) const;
 
+  // Albedo and emission of the medium where it has matter, if a Gaussian has its own; on the blocks
+  // of sample(). Albedo: scattering over extinction; emission: per unit of extinction optical
+  // depth. `medium_albedo`: of Gaussians without their own. As sample() otherwise.
+  [[nodiscard]] std::optional<VolumeColors> sample_colors(
+      const glm::dvec3& medium_albedo, const std::stop_token& stop = {},
+      const std::function<void(double)>& progress = {}) const;
+
  private:
+  using Factor = std::function<double(const Gaussian&)>;
+  // Of the density, three of an albedo and three of an emission.
+  static std::size_t channels(const Medium& medium) {
+    return 1 + (medium.has_albedos() ? 3 : 0) + (medium.has_emission() ? 3 : 0);
+  }
+  // Calls block_values(sums) for each block, with the sums of the Gaussians times `factors`.
+  template <std::size_t count, class BlockValues>
+  [[nodiscard]] std::optional<DensityGrid> sample(const std::array<Factor, count>& factors,
+                                                  const std::stop_token& stop,
+                                                  const std::function<void(double)>& progress,
+                                                  BlockValues block_values) const;
+
   MediumSampling(const Medium& medium, double voxel_size)
       : medium_(&medium), voxel_size_(voxel_size) {}
 

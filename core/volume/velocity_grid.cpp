@@ -11,11 +11,6 @@ glm::dvec3 VelocityGrid::at(const glm::dvec3& world) const {
   return turn * velocity;
 }
 
-void rotate(DensityGrid& grid, const glm::dquat& turn) {
-  grid.rotation = turn * grid.rotation;
-  grid.origin = turn * grid.origin;
-}
-
 void rotate(VelocityGrid& grid, const glm::dquat& turn) {
   for (DensityGrid& component : grid.components) rotate(component, turn);
   grid.turn = turn * grid.turn;

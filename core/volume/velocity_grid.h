@@ -19,8 +19,7 @@ struct VelocityGrid {
   [[nodiscard]] glm::dvec3 at(const glm::dvec3& world) const;
 };
 
-// Rotates a grid about the world origin.
-void rotate(DensityGrid& grid, const glm::dquat& turn);
+// Rotates a grid and its velocities about the world origin.
 void rotate(VelocityGrid& grid, const glm::dquat& turn);
 
 // Advects centers through a steady velocity field for a time [s] (fourth-order Runge-Kutta); radii

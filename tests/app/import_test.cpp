@@ -26,6 +26,8 @@
 #include "core/io/scene/scene_file.h"
 #include "core/io/volume/volume_file.h"
 #include "core/scene/at_time.h"
+#include "core/scene/photometry.h"
+#include "core/volume/medium_grid.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -73,6 +75,14 @@ void write_vtp(const fs::path& file, const std::string& points, const std::strin
 std::string array(const std::string& name, const std::string& values) {
   return "<DataArray type=\"Float32\" Name=\"" + name + "\" format=\"ascii\">" + values +
          "</DataArray>";
+}
+
+// A ball of smoke of one albedo (1, `albedo`, 0.25) that emits (3, 2, 1).
+void write_fire(const fs::path& file, double albedo) {
+  Medium medium;
+  medium.append({{0, 0, 0}, 0.5, 1.0, {glm::dvec3(1.0, albedo, 0.25), glm::dvec3(3.0, 2.0, 1.0)}});
+  const MediumSampling plan = *MediumSampling::plan(medium, 0.125, 100'000);
+  write_volume(file, *plan.sample(), false, *plan.sample_colors(glm::dvec3(1.0)));
 }
 
 // Waits for what is done in the background; what went wrong, or nothing.
@@ -240,6 +250,69 @@ class ImportTest : public QObject {
     QVERIFY(document.scene() == before);
   }
 
+  void colours_and_flames_of_a_volume_come_in_as_the_dialog_says() {
+    TestWindow window;
+    Document& document = window->document();
+    const fs::path file = window.file("fire.vdb");
+    write_fire(file, 0.5);
+    drop(window, {file});
+    auto* dialog = shown<VolumeDialog>(window);
+    QVERIFY(dialog);
+    const auto combo = [&](const char* name) { return dialog->findChild<QComboBox*>(name); };
+    const auto edit = [&](const char* name) { return dialog->findChild<QLineEdit*>(name); };
+    auto* import = dialog->findChild<QPushButton*>("import_volume");
+    QCOMPARE(combo("volume_color")->currentText(), QString("Automatic: albedo"));
+    QCOMPARE(combo("volume_emission")->currentText(), QString("Automatic: emission"));
+    QCOMPARE(combo("volume_flame")->currentText(), QString("Automatic: none"));
+    QCOMPARE(combo("volume_color")->findText("density"), -1);
+    dialog->findChild<QSpinBox*>("volume_count")->setValue(10);
+    combo("volume_emission")->setCurrentIndex(combo("volume_emission")->findText("None"));
+    combo("volume_flame")->setCurrentIndex(combo("volume_flame")->findText("density"));
+    edit("volume_flame_scale")->setText("2");
+    edit("volume_emission_scale")->setText("0.25");
+    edit("volume_flame_temperature")->setText("100");
+    QVERIFY(!import->isEnabled());
+    edit("volume_flame_temperature")->setText("1500");
+    QVERIFY(import->isEnabled());
+    const std::size_t before = document.medium().size();
+    QTest::mouseClick(import, Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    const Medium& medium = document.medium();
+    QCOMPARE(medium.size(), before + 10);
+    // Half of them are the smoke's, which is red, and half the flames'.
+    for (std::size_t i = before; i < before + 5; ++i) {
+      QVERIFY(glm::length(*medium.optics(i).albedo - glm::dvec3(1.0, 0.5, 0.25)) < 1e-4);
+      QVERIFY(medium.optics(i).emission == glm::dvec3(0.0));
+      const glm::dvec3 radiance = 0.25 * black_body_radiance(1500.0);
+      const GaussianOptics flame = medium.optics(i + 5);
+      QVERIFY(glm::length(flame.emission - radiance) < 1e-4 * glm::length(radiance));
+      QVERIFY(flame.albedo->r < 0.1);
+    }
+    document.undo_stack().undo();
+    QCOMPARE(document.medium().size(), before);
+  }
+
+  void colours_of_a_sequence_of_volumes_are_kept() {
+    TestWindow window;
+    for (const auto& [name, albedo] : {std::pair("f_1.vdb", 0.5), std::pair("f_2.vdb", 0.75)}) {
+      write_fire(window.file(name), albedo);
+    }
+    const fs::path folder = window.file("made");
+    VolumeFit how;
+    how.options.count = 5;
+    window->import().import_volumes(frames_around(window.file("f_1.vdb")), how, folder);
+    QCOMPARE(wait(window), QString());
+    const auto& frames = *window->document().scene().sequences.at(0).frames;
+    QCOMPARE(frames.size(), std::size_t{2});
+    for (const Gaussian& g : read_gaussians(folder / "f_2.ply")) {
+      QVERIFY(std::abs(g.optics.albedo->g - 0.75) < 1e-4);
+      QVERIFY(std::abs(g.optics.emission.r - 3.0) < 1e-3);
+    }
+    for (const Gaussian& g : frames[0].gaussians) {
+      QVERIFY(std::abs(g.optics.albedo->g - 0.5) < 1e-4);
+    }
+  }
+
   void fitting_can_be_cancelled() {
     TestWindow window;
     VolumeFit how;
@@ -364,6 +437,27 @@ class ImportTest : public QObject {
     QCOMPARE(wait(window), QString());
     QCOMPARE(volume_grids(window.file("m_0005.vdb")).at(0).name, std::string("density"));
     QVERIFY(fs::exists(window.file("m_0004.vdb")));
+  }
+
+  void exported_volumes_have_the_colours_of_gaussians() {
+    TestWindow window;
+    const Gaussian g{{0, 0, 0}, 0.5, 1.0, {glm::dvec3(0.5, 0.25, 1.0), glm::dvec3(1.0, 2.0, 3.0)}};
+    write_gaussians(window.file("g.csv"), std::vector{g});
+    drop(window, {window.file("g.csv")});
+    QCOMPARE(wait(window), QString());
+    for (QAction* action : window->findChildren<QAction*>()) {
+      if (action->text().contains("Export Me")) action->trigger();
+    }
+    auto* dialog = shown<MediumDialog>(window);
+    QVERIFY(dialog);
+    const fs::path file = window.file("m.vdb");
+    dialog->findChild<QLineEdit*>("medium_file")->setText(to_qstring(file));
+    dialog->findChild<QLineEdit*>("medium_voxel")->setText("0.2");
+    QTest::mouseClick(dialog->findChild<QPushButton*>("export_medium"), Qt::LeftButton);
+    QCOMPARE(wait(window), QString());
+    std::vector<std::string> names;
+    for (const VolumeGridInfo& grid : volume_grids(file)) names.push_back(grid.name);
+    QCOMPARE(names, (std::vector<std::string>{"density", "albedo", "emission"}));
   }
 
   void gathered_scenes_open_elsewhere() {

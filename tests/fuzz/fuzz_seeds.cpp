@@ -93,6 +93,8 @@ void write_seeds(const std::filesystem::path& folder) {
   const DensityGrid grid = *MediumSampling::plan(medium, 0.25, 1000)->sample();
   write_volume(folder / "vdb/float.vdb", grid, false);
   write_volume(folder / "vdb/half.vdb", grid, true);
+  const VolumeColors colors{ColorGrid{grid, grid, grid}, ColorGrid{grid, grid, grid}};
+  write_volume(folder / "vdb/colors.vdb", grid, false, colors);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@
 #include "core/io/merl_file.h"
 #include "core/io/mesh/mesh_file.h"
 #include "core/io/scene/scene_file.h"
-#include "core/io/volume/volume_file.h"
+#include "core/io/volume/volume_optics.h"
 
 namespace brume {
 namespace {
@@ -54,6 +54,7 @@ constexpr Parser parsers[] = {
        volume_grids(file);
        read_velocity(file);
        read_volume(file, "density");
+       read_volume_optics(file, {.temperature = "density", .flame = "density"}, 1.0, 1000);
      }},
 };
 

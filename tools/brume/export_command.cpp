@@ -1,5 +1,6 @@
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -36,7 +37,8 @@ class ExportCommand final : public Command {
            "a scene (.brume) or Gaussians (.ply, .csv; with %04d for the frame, a sequence)")
         ->required();
     app.add_option("-o,--output", output_,
-                   "output: .vdb (a fog volume with the grid density), .ply or .csv")
+                   "output: .vdb (a fog volume with the grid density, and albedo and emission if "
+                   "Gaussians have their own), .ply or .csv")
         ->required();
     app.add_option("--voxel", voxel_size_,
                    "voxel size of the .vdb; default: half the smallest radius")
@@ -108,15 +110,15 @@ class ExportCommand final : public Command {
                         ", has no bounds and is not exported"});
       }
     }
-    return evaluate_at(*scene_, time).medium;
+    Scene scene = evaluate_at(*scene_, time);
+    albedo_ = scene.optics.albedo;
+    return std::move(scene.medium);
   }
 
   void write(const Medium& medium, const std::string& output) {
     check_interrupted();
     if (lower_case_extension(output) == ".vdb") {
-      const DensityGrid grid = sample(medium, output);
-      const ProgressLine line("writing " + output);
-      write_volume(output, grid, half_);
+      write_grids(medium, output);
       return;
     }
     std::vector<Gaussian> gaussians;
@@ -124,17 +126,26 @@ class ExportCommand final : public Command {
     write_gaussians(output, gaussians);
   }
 
-  // Reports the size of the grid in advance. All frames use the voxel size of the first non-empty
+  // Reports the size of the grids in advance. All frames use the voxel size of the first non-empty
   // one.
-  [[nodiscard]] DensityGrid sample(const Medium& medium, const std::string& output) {
+  void write_grids(const Medium& medium, const std::string& output) {
     if (!(voxel_size_ > 0.0)) voxel_size_ = fitting_voxel_size(medium);
     const double size = voxel_size_ > 0.0 ? voxel_size_ : 1.0;  // nothing to sample
     const auto plan = MediumSampling::plan(medium, size, max_blocks);
     if (!plan) refuse(medium, size);
     print_note("voxels of " + quoted_text(size) + ", " + in_megabytes(plan->bytes()) +
                " of memory");
-    const ProgressLine line("sampling " + output);
-    return finished(plan->sample(interruption(), line.progress()));
+    const auto sampled = [&](auto sample) {
+      const ProgressLine line("sampling " + output);
+      return finished(sample(line.progress()));
+    };
+    const DensityGrid density =
+        sampled([&](const auto& progress) { return plan->sample(interruption(), progress); });
+    const VolumeColors colors = sampled([&](const auto& progress) {
+      return plan->sample_colors(albedo_, interruption(), progress);
+    });
+    const ProgressLine line("writing " + output);
+    write_volume(output, density, half_, colors);
   }
 
   [[noreturn]] void refuse(const Medium& medium, double size) const {
@@ -154,6 +165,7 @@ class ExportCommand final : public Command {
   double fps_ = 30.0;  // as the timeline
   CommandFiles files_;
   std::optional<Scene> scene_;  // once read
+  glm::dvec3 albedo_{1.0};      // the medium's
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/text_scanner.h"
+#include "core/number_domain.h"
 #include "tools/brume/command.h"
 #include "tools/brume/command_files.h"
 #include "tools/brume/finite_in.h"
@@ -34,7 +35,8 @@ class FitCommand final : public Command {
         app.add_option("--max-error", how_.options.max_error,
                        "relative RMS error of density to reach with as few Gaussians as possible");
     error->check(finite_in(1e-4, 1.0));
-    app.add_option("--grid", how_.grid, "the grid to fit")->capture_default_str();
+    app.add_option("--grid", how_.grid, "the grid to fit; none: flames only")
+        ->capture_default_str();
     app.add_option("--up", up_, "up axis of the volume: y, or z, which is rotated to y")
         ->check(CLI::IsMember({"y", "z"}))
         ->capture_default_str();
@@ -47,12 +49,15 @@ class FitCommand final : public Command {
                    "frames per second of a sequence with velocities")
         ->check(finite_in(1e-3, 1e6))
         ->capture_default_str();
+    add_appearance(app, how_.appearance);
     app.footer(
         "Prints one line of JSON per frame: the relative RMS errors of density and of optical\n"
-        "depth along 10,000 random lines, the mass over the volume's, and seconds. A frame of a\n"
-        "sequence starts from the Gaussians of the previous frame, which keep their number in "
-        "the\ncolumn id. Renewed ones were moved to where the residual is largest and get a new "
-        "number.");
+        "depth along 10,000 random lines, the mass over the volume's, the errors of extinction,\n"
+        "emission and flames if the volume has these, and seconds. A frame of a sequence starts\n"
+        "from the Gaussians of the previous frame, which keep their number in the column id.\n"
+        "Renewed ones were moved to where the residual is largest and get a new number.\n"
+        "--color, --emission, --temperature and --flame: auto takes the first grid that programs\n"
+        "use for it, none takes no grid.");
   }
 
   ExitCode run() override {
@@ -90,6 +95,31 @@ class FitCommand final : public Command {
   }
 
  private:
+  static void add_appearance(CLI::App& app, AppearanceOptions& appearance) {
+    const auto add_grid = [&](const char* option, std::string& name, const char* help) {
+      app.add_option(option, name, help)->capture_default_str();
+    };
+    add_grid("--color", appearance.grids.color, "the grid of the albedo");
+    add_grid("--emission", appearance.grids.emission,
+             "the grid of the radiance per unit of extinction optical depth");
+    add_grid("--temperature", appearance.grids.temperature, "the grid of the temperature");
+    add_grid("--flame", appearance.grids.flame, "the grid of where fire is");
+    const auto add_number = [&](const char* option, double& number, const NumberDomain& domain,
+                                const char* help) {
+      app.add_option(option, number, help)
+          ->check(finite_in(domain.min_value, domain.max_value))
+          ->capture_default_str();
+    };
+    constexpr NumberDomain factor{1e-12, 1e12, "a number from 1e-12 to 1e12"};
+    add_number("--temperature-scale", appearance.temperature_scale, factor,
+               "temperature of a value of 1 [K]");
+    add_number("--emission-scale", appearance.emission_scale, factor,
+               "factor of emission and of black bodies' radiance");
+    add_number("--flame-scale", appearance.flame_scale, factor, "extinction of a flame of 1 [1/u]");
+    add_number("--flame-temperature", appearance.flame_temperature, domain::temperature,
+               "temperature of flames without one at which matter glows [K]");
+  }
+
   FittedVolume fitted_volume(const std::string& volume) {
     const ProgressLine line("fitting " + volume);
     return finished(fitter_->next(volume, interruption(), line.progress()));
@@ -99,7 +129,7 @@ class FitCommand final : public Command {
     const auto start = std::chrono::steady_clock::now();
     const FittedVolume fitted = fitted_volume(volume);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    const std::vector<Gaussian>& gaussians = fitted.fit.gaussians;
+    const std::vector<Gaussian> gaussians = fitted.gaussians();
     write_gaussians(output, gaussians, frame ? fitter_->ids() : std::span<const GaussianNumber>());
 
     nlohmann::ordered_json json;
@@ -107,8 +137,15 @@ class FitCommand final : public Command {
     json["gaussians"] = gaussians.size();
     if (frame) json["renewed"] = fitted.renewed;
     json["density_error"] = fitted.fit.density_error;
-    json["depth_error"] = depth_error(fitted.grid, gaussians);
-    json["mass_ratio"] = fitted.grid.blocks.empty() ? 1.0 : mass_ratio(fitted.grid, gaussians);
+    const std::vector<Gaussian>& smoke = fitted.fit.gaussians;
+    json["depth_error"] = depth_error(fitted.grid, smoke);
+    json["mass_ratio"] = fitted.grid.blocks.empty() ? 1.0 : mass_ratio(fitted.grid, smoke);
+    if (fitted.errors.extinction) json["extinction_error"] = *fitted.errors.extinction;
+    if (fitted.errors.emission) json["emission_error"] = *fitted.errors.emission;
+    if (fitted.flames) {
+      json["flames"] = fitted.flames->gaussians.size();
+      json["flame_error"] = fitted.flames->density_error;
+    }
     json["seconds"] = seconds.count();
     print_result(json.dump() + "\n");
   }

@@ -7,7 +7,10 @@
 #include <glm/matrix.hpp>
 #include <span>
 
+#include "core/error.h"
+#include "core/io/text_scanner.h"
 #include "core/limits.h"
+#include "core/number_domain.h"
 
 namespace brume {
 namespace {
@@ -123,6 +126,16 @@ class BlockReader {
   std::vector<DensityGrid::Block> blocks_;
 };
 
+// Of a volume, to 0 or more.
+float to_density(const Path& path, const std::string& name, double value) {
+  if (!std::isfinite(value) || value > limits::density) {
+    throw InputError(path, name,
+                     "found a density of " + quoted_text(value) + "; allowed: 0 to " +
+                         quoted_text(limits::density));
+  }
+  return static_cast<float>(std::max(value, 0.0));
+}
+
 }  // namespace
 
 ByteReader vdb_tree(const Path& path, std::string_view bytes, const VdbGrid& grid) {
@@ -142,6 +155,23 @@ DensityGrid read_vdb_blocks(const Path& path, std::string_view bytes, const VdbG
   result.blocks = BlockReader(path, bytes, grid, component, to_value).read();
   result.sort();
   return result;
+}
+
+DensityGrid read_vdb_density(const Path& path, std::string_view bytes, const VdbGrid& grid) {
+  require_fog(path, grid, 1);
+  return read_vdb_blocks(path, bytes, grid, 0,
+                         [&](double value) { return to_density(path, grid.name, value); });
+}
+
+void require_fog(const Path& path, const VdbGrid& grid, std::size_t components) {
+  if (grid.kind == "level set") {
+    throw InputError(path, grid.name, "found a level set; allowed: a fog volume");
+  }
+  if (grid.transform && (!grid.values || grid.values->components != components)) {
+    throw InputError(path, grid.name,
+                     "found values of type " + quoted_text(grid.type) + "; allowed: " +
+                         (components == 1 ? "one number each" : "three numbers each"));
+  }
 }
 
 }  // namespace brume

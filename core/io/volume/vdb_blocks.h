@@ -18,4 +18,14 @@ DensityGrid read_vdb_blocks(const std::filesystem::path& file, std::string_view 
                             const VdbGrid& grid, std::size_t component,
                             const std::function<float(double)>& to_value);
 
+// The same of a density: a fog volume of one number per voxel, negative ones, as solvers leave
+// them, become 0. Throws InputError for other grids, and for numbers that are not finite or more
+// than limits::density.
+DensityGrid read_vdb_density(const std::filesystem::path& file, std::string_view bytes,
+                             const VdbGrid& grid);
+
+// Refuses grids other than fog volumes of `components` numbers per voxel, 1 or 3. Throws
+// InputError.
+void require_fog(const std::filesystem::path& file, const VdbGrid& grid, std::size_t components);
+
 }  // namespace brume

@@ -112,6 +112,15 @@ void read_grid(ByteReader& reader, Descriptor& descriptor) {
   grid.tree = reader.position();
 }
 
+std::string names_of(const std::vector<VdbGrid>& grids) {
+  std::string names;
+  for (const VdbGrid& grid : grids) {
+    if (!names.empty()) names += ", ";
+    names += quoted_text(grid.name);
+  }
+  return names.empty() ? "none" : names;
+}
+
 }  // namespace
 
 std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& file, std::string_view bytes) {
@@ -160,6 +169,17 @@ std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& file, std::stri
     grids.push_back(std::move(grid));
   }
   return grids;
+}
+
+const VdbGrid& grid_named(const std::filesystem::path& path, const std::vector<VdbGrid>& grids,
+                          const std::string& name) {
+  const auto it = std::find_if(grids.begin(), grids.end(),
+                               [&](const VdbGrid& grid) { return grid.name == name; });
+  if (it == grids.end()) {
+    throw InputError(path, "",
+                     "has no grid " + quoted_text(name) + "; its grids: " + names_of(grids));
+  }
+  return *it;
 }
 
 }  // namespace brume

@@ -31,4 +31,8 @@ struct VdbGrid {
 // 222 to 224, damaged, or written as a stream (without the places of the grids).
 std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& file, std::string_view bytes);
 
+// The first grid of a name. Throws InputError naming the grids of the file if there is none.
+const VdbGrid& grid_named(const std::filesystem::path& file, const std::vector<VdbGrid>& grids,
+                          const std::string& name);
+
 }  // namespace brume

@@ -1,20 +1,12 @@
 #include "core/io/volume/volume_file.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/matrix.hpp>
 #include <limits>
-#include <span>
-#include <string_view>
 
 #include "core/error.h"
-#include "core/io/atomic_file.h"
 #include "core/io/file_bytes.h"
-#include "core/io/text_scanner.h"
-#include "core/io/volume/openvdb_grid.h"
 #include "core/io/volume/vdb_blocks.h"
 #include "core/io/volume/vdb_file.h"
 #include "core/io/volume/vdb_tree.h"
@@ -25,36 +17,6 @@ namespace brume {
 namespace {
 
 using Path = std::filesystem::path;
-
-std::string names_of(const std::vector<VdbGrid>& grids) {
-  std::string names;
-  for (const VdbGrid& grid : grids) {
-    if (!names.empty()) names += ", ";
-    names += quoted_text(grid.name);
-  }
-  return names.empty() ? "none" : names;
-}
-
-// Of a volume, to 0 or more.
-float to_density(const Path& path, const std::string& name, double value) {
-  if (!std::isfinite(value) || value > limits::density) {
-    throw InputError(path, name,
-                     "found a density of " + quoted_text(value) + "; allowed: 0 to " +
-                         quoted_text(limits::density));
-  }
-  return static_cast<float>(std::max(value, 0.0));
-}
-
-const VdbGrid& grid_named(const Path& path, const std::vector<VdbGrid>& grids,
-                          const std::string& name) {
-  const auto it = std::find_if(grids.begin(), grids.end(),
-                               [&](const VdbGrid& grid) { return grid.name == name; });
-  if (it == grids.end()) {
-    throw InputError(path, "",
-                     "has no grid " + quoted_text(name) + "; its grids: " + names_of(grids));
-  }
-  return *it;
-}
 
 // The box around active voxels, and how many they are.
 struct Extent {
@@ -86,28 +48,12 @@ Extent extent_of(ByteReader reader, const VdbValues& values) {
   return extent;
 }
 
-// OpenVDB's own file ignores what becomes of its stream: on a full disk it is truncated, unsaid.
-class VdbArchive final : public openvdb::io::Archive {
- public:
-  using Archive::write;
-};
-
 }  // namespace
 
 DensityGrid read_volume(const Path& path, const std::string& name) {
   const std::string bytes = read_bytes(path);
   const std::vector<VdbGrid> grids = read_vdb_grids(path, bytes);
-  const VdbGrid& source = grid_named(path, grids, name);
-  if (source.kind == "level set") {
-    throw InputError(path, name, "found a level set; allowed: a fog volume");
-  }
-  if (source.transform && (!source.values || source.values->components != 1)) {
-    throw InputError(
-        path, name,
-        "found values of type " + quoted_text(source.type) + "; allowed: one number each");
-  }
-  return read_vdb_blocks(path, bytes, source, 0,
-                         [&](double value) { return to_density(path, name, value); });
+  return read_vdb_density(path, bytes, grid_named(path, grids, name));
 }
 
 std::optional<VelocityGrid> read_velocity(const Path& path) {
@@ -162,38 +108,6 @@ std::vector<VolumeGridInfo> volume_grids(const Path& path) {
     }
   }
   return result;
-}
-
-void write_volume(const Path& path, const DensityGrid& grid, bool half) {
-  const auto result = new_grid<openvdb::FloatGrid>();
-  result->setName("density");
-  result->setGridClass(openvdb::GRID_FOG_VOLUME);
-  result->setSaveFloatAsHalf(half);
-  openvdb::math::Mat4d matrix = openvdb::math::Mat4d::identity();
-  for (int k = 0; k < 3; ++k) {
-    glm::dvec3 unit(0.0);
-    unit[k] = grid.spacing[k];
-    const glm::dvec3 axis = grid.rotation * unit;
-    // OpenVDB's matrices are applied to rows.
-    matrix.setRow(k, openvdb::Vec4d(axis.x, axis.y, axis.z, 0.0));
-  }
-  matrix.setRow(3, openvdb::Vec4d(grid.origin.x, grid.origin.y, grid.origin.z, 1.0));
-  result->setTransform(openvdb::math::Transform::createLinearTransform(matrix));
-  for (const DensityGrid::Block& block : grid.blocks) {
-    using Leaf = openvdb::FloatTree::LeafNodeType;
-    auto* leaf = new Leaf(openvdb::Coord(block.corner.x, block.corner.y, block.corner.z), 0.0f);
-    for (openvdb::Index i = 0; i < DensityGrid::block_size; ++i) {
-      if (block.values[i] > 0.0f) leaf->setValueOn(i, block.values[i]);
-    }
-    result->tree().addLeaf(leaf);  // which takes it
-  }
-  write_atomically(path, [&](std::ostream& out) {
-    try {
-      VdbArchive().write(out, openvdb::GridCPtrVec{result}, /*seekable=*/true);
-    } catch (const openvdb::Exception& error) {
-      throw InputError(path, "", std::string("cannot be written (") + error.what() + ")");
-    }
-  });
 }
 
 }  // namespace brume

@@ -34,8 +34,10 @@ struct VolumeGridInfo {
 // Lists the grids of a file. Throws InputError.
 std::vector<VolumeGridInfo> volume_grids(const std::filesystem::path& file);
 
-// Writes a fog volume of the grid `density`, sparse, in half precision (11 bits) if asked for.
+// Writes fog volumes, sparse: the grid `density`, and the grids `albedo` and `emission` of three
+// components where there are any; densities and albedos in half precision (11 bits) if asked for.
 // Throws InputError if the file cannot be written.
-void write_volume(const std::filesystem::path& file, const DensityGrid& grid, bool half);
+void write_volume(const std::filesystem::path& file, const DensityGrid& density, bool half,
+                  const VolumeColors& colors = {});
 
 }  // namespace brume

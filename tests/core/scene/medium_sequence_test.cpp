@@ -26,6 +26,18 @@ TEST(MediumSequence, InterpolatesByIdAndFadesTheRest) {
   EXPECT_EQ(middle[3], (Gaussian{{5, 0, 0}, 0.5, 2.0})) << "it is born where it will be";
 }
 
+TEST(MediumSequence, InterpolatesOptics) {
+  SequenceFrame a{{1, 2}, {{{0, 0, 0}, 1.0, 1.0}, {{1, 0, 0}, 1.0, 1.0}}};
+  SequenceFrame b = a;
+  a.gaussians[0].optics = {glm::dvec3(0.5), {4.0, 0.0, 8.0}};
+  b.gaussians[0].optics = {glm::dvec3(1.0), {0.0, 4.0, 8.0}};
+  b.gaussians[1].optics.albedo = glm::dvec3(0.25);
+  const auto early = between_frames(a, b, 0.25);
+  EXPECT_EQ(early[0].optics, (GaussianOptics{glm::dvec3(0.625), {3.0, 1.0, 8.0}}));
+  EXPECT_EQ(early[1].optics, GaussianOptics());
+  EXPECT_EQ(between_frames(a, b, 0.75)[1].optics.albedo, glm::dvec3(0.25));
+}
+
 MediumSequence smoke() {
   MediumSequence sequence;
   sequence.first = 11;
@@ -61,9 +73,10 @@ TEST(MediumSequence, BelongsToTheSceneAtATime) {
 
 TEST(GaussianNumbers, AreNeverReused) {
   GaussianNumbers numbers;
-  numbers.begin(3);
-  EXPECT_EQ(numbers.relocate({false, true, false}), 1u);
-  EXPECT_EQ(numbers.relocate({false, true, true}), 2u);
+  GaussianNumber counter = 0;
+  numbers.begin(3, counter);
+  EXPECT_EQ(numbers.relocate({false, true, false}, counter), 1u);
+  EXPECT_EQ(numbers.relocate({false, true, true}, counter), 2u);
   EXPECT_EQ(std::vector(numbers.ids().begin(), numbers.ids().end()),
             (std::vector<GaussianNumber>{0, 4, 5}));
 }

@@ -41,6 +41,21 @@ TEST(Photometry, BlackBodiesAreRedWhenColdAndBlueWhenHot) {
   }
 }
 
+// The candela was defined by 60 cd/cm^2 at the freezing point of platinum, 2041.4 K (the fitted
+// observer's efficiency errs by up to 1% there); and 800 K is where bodies begin to glow.
+TEST(Photometry, BlackBodiesHaveTheirLuminance) {
+  EXPECT_NEAR(lumens_per_watt * luminance(black_body_radiance(2041.4)), 6e5, 0.02 * 6e5);
+  EXPECT_EQ(black_body_radiance(799.0), glm::dvec3(0.0));
+  EXPECT_EQ(black_body_radiance(std::nan("")), glm::dvec3(0.0));
+  EXPECT_GT(black_body_radiance(801.0).r, 0.0);
+  EXPECT_EQ(black_body_radiance(1e9), black_body_radiance(40000.0));
+  for (const double t : {801.0, 1234.5, 1850.0, 6500.0, 39999.0}) {
+    const glm::dvec3 radiance = black_body_radiance(t);
+    const glm::dvec3 color = radiance / std::max({radiance.r, radiance.g, radiance.b});
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(color[k], black_body_color(t)[k], 1e-3) << t;
+  }
+}
+
 TEST(Photometry, FindsTheTemperatureOfAColour) {
   for (const double t : {850.0, 1850.0, 2856.0, 5500.0, 6504.0, 12000.0, 39000.0}) {
     EXPECT_NEAR(nearest_temperature(black_body_color(t)), t, 1e-3 * t);

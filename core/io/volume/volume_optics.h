@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/volume/volume_file.h"
+#include "core/volume/density_grid.h"
+#include "core/volume/field_grid.h"
+
+namespace brume {
+
+// What the grids of an OpenVDB file say of its matter besides the density: its colour, and how it
+// shines.
+enum class OpticsRole { color, emission, temperature, flame };
+
+// In place of a grid's name: the first that is there under a name that programs use, or no grid.
+inline constexpr const char* auto_grid = "auto";
+inline constexpr const char* no_grid = "none";
+
+// Names of grids: auto_grid, no_grid, or a name in the file.
+struct VolumeOpticsNames {
+  std::string color = auto_grid;
+  std::string emission = auto_grid;
+  std::string temperature = auto_grid;
+  std::string flame = auto_grid;
+};
+
+// The grids of a file that can have a role, by their types: a colour has three components, or is
+// three grids NAME_r, NAME_g and NAME_b; an emission has three, a temperature and a flame one.
+std::vector<std::string> possible_grids(OpticsRole role, const std::vector<VolumeGridInfo>& grids);
+// Which of these auto_grid takes; no_grid if none.
+std::string default_grid(OpticsRole role, const std::vector<std::string>& possible);
+
+struct VolumeOptics {
+  std::optional<FieldGrid> color;        // RGB >= 0
+  bool is_color_of_density = false;      // the colour is multiplied by the density (NAME_r, ...)
+  std::optional<FieldGrid> emission;     // RGB, [W/(sr u^2)] per unit of extinction optical depth
+  std::optional<FieldGrid> temperature;  // [K], somewhere from 800 K, where matter glows
+  std::optional<DensityGrid> flame;      // >= 0, maybe nowhere more
+};
+
+// Reads these grids, each downsampled by two until it has at most `max_blocks`; fields without
+// a value that is not zero are none, nor are temperatures at which nothing glows. A temperature of
+// 1 in the file is `temperature_scale` K. Negative numbers become 0. Throws InputError: not such a
+// grid, damaged, numbers that are not finite or beyond their domain.
+VolumeOptics read_volume_optics(const std::filesystem::path& file, const VolumeOpticsNames& names,
+                                double temperature_scale, std::size_t max_blocks);
+
+}  // namespace brume
