@@ -72,13 +72,13 @@ class ColoursTest : public QObject {
     TestWindow window(scene);
     auto* table = window->findChild<QTableView*>();
     QVERIFY(table);
-    QCOMPARE(table->model()->columnCount(), 6);
+    QCOMPARE(table->model()->columnCount(), 7);
     QCOMPARE(table->model()->rowCount(), 5);
     auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
     QTest::keyClicks(filter, "emission > 1");
     QCOMPARE(table->model()->rowCount(), 3);
     // What is typed into a cell keeps the colour.
-    table->model()->setData(table->model()->index(0, 5), "6");
+    table->model()->setData(table->model()->index(0, 6), "6");
     QCOMPARE(window->document().medium().optics(0).emission, glm::dvec3(1.0, 6.0, 2.0));
   }
 
