@@ -49,7 +49,9 @@ Common common_values(const Document& document) {
 }  // namespace
 
 GaussianForm::GaussianForm(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), optics_(new OpticsEditor("gaussian", this)) {
+    : QWidget(parent),
+      document_(document),
+      optics_(new OpticsEditor(tr("Emission"), "gaussian", this)) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const GaussianAttribute field = gaussian_attributes[k];
     const bool is_center = k < 3;

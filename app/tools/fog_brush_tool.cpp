@@ -76,7 +76,7 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
   button->setToolTip(tr("Albedo and emission of what is added: coloured smoke, fire"));
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(new QMenu(button));
-  auto* editor = new OpticsEditor(prefix, button);
+  auto* editor = new OpticsEditor(tr("Emission"), prefix, button);
   editor->setContentsMargins(8, 8, 8, 8);
   // As panels are: on a menu's ground an empty box would not be seen.
   editor->setBackgroundRole(QPalette::Window);

@@ -12,15 +12,15 @@ class QCheckBox;
 namespace brume {
 
 class ColorButton;
-class ValueField;
+class EmissionEditor;
 
 // Edits the optics of a Gaussian, or of many: whether they have an albedo of their own, its colour,
-// and the strength, colour or temperature of their emission.
+// and their emission.
 class OpticsEditor : public QWidget {
   Q_OBJECT
  public:
   // `prefix`: of the widgets' object names.
-  explicit OpticsEditor(const QString& prefix, QWidget* parent = nullptr);
+  OpticsEditor(const QString& emission_title, const QString& prefix, QWidget* parent = nullptr);
 
   // nullopt: disabled. `medium_albedo`: what those without their own have.
   void show_optics(const std::optional<GaussianOptics>& optics, const glm::dvec3& medium_albedo);
@@ -34,9 +34,7 @@ class OpticsEditor : public QWidget {
  private:
   QCheckBox* has_albedo_;
   ColorButton* albedo_;
-  ValueField* emission_;
-  ColorButton* emission_color_;
-  ValueField* temperature_;
+  EmissionEditor* emission_;
   glm::dvec3 medium_albedo_{1.0};
 };
 
