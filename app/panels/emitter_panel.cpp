@@ -120,9 +120,8 @@ void EmitterPanel::add_fields(QFormLayout& form) {
 }
 
 void EmitterPanel::add_optics(QFormLayout& form) {
-  auto* optics = new OpticsEditor(tr("Emission at birth"), "emitter", this);
+  auto* optics = new OpticsEditor(form, tr("Emission at birth"), "emitter", this);
   auto* at_death = new EmissionEditor(tr("at death"), "emitter_death", this);
-  form.addRow(optics);
   form.addRow(at_death->title(), at_death);
   connect(optics, &OpticsEditor::edited, this,
           [this](const OpticsEditor::Change& change, MergeId gesture) {

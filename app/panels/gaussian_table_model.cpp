@@ -47,11 +47,18 @@ bool is_shown_alike(const Gaussian& a, const Gaussian& b, GaussianAttribute fiel
 
 // What its albedo or emission looks like; nothing where the Gaussian has none of its own.
 QVariant swatch(const GaussianOptics& optics, GaussianAttribute field) {
-  if (field == GaussianAttribute::albedo && optics.albedo) return to_color(*optics.albedo);
+  if (field == GaussianAttribute::albedo && optics.albedo) return color_swatch(*optics.albedo);
   if (field == GaussianAttribute::emission && optics.emission != glm::dvec3(0.0)) {
-    return to_color(emission_color(optics.emission));
+    return color_swatch(emission_color(optics.emission));
   }
   return {};
+}
+
+// Beside a swatch there is little room; the tool tip has more digits.
+QString cell_text(double value, GaussianAttribute field) {
+  const bool has_swatch =
+      field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
+  return has_swatch ? QString::number(value, 'g', 3) : number_text(value);
 }
 
 QString channels_text(const glm::dvec3& rgb) {
@@ -172,7 +179,7 @@ QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
   const bool is_of_medium = field == GaussianAttribute::albedo && !own.albedo;
   switch (role) {
     case Qt::DisplayRole:
-      return number_text(attribute_value(gaussian, field));
+      return cell_text(attribute_value(gaussian, field), field);
     case Qt::EditRole:
       // As text: the editor that Qt offers for numbers rounds them.
       return exact_number_text(attribute_value(gaussian, field));
@@ -208,6 +215,8 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return QAbstractTableModel::headerData(section, orientation, role);
   }
+  // Seven titles beside each other.
+  if (section < 3) return QString("XYZ"[section]);
   return attribute_title(gaussian_attributes[static_cast<std::size_t>(section)]);
 }
 

@@ -11,18 +11,17 @@
 
 namespace brume {
 
-OpticsEditor::OpticsEditor(const QString& emission_title, const QString& prefix, QWidget* parent)
-    : QWidget(parent),
-      has_albedo_(new QCheckBox(tr("Own albedo"), this)),
-      albedo_(new ColorButton(this)),
-      emission_(new EmissionEditor(emission_title, prefix, this)) {
+OpticsEditor::OpticsEditor(QFormLayout& form, const QString& emission_title, const QString& prefix,
+                           QWidget* parent)
+    : QObject(parent),
+      has_albedo_(new QCheckBox(tr("Own albedo"), parent)),
+      albedo_(new ColorButton(parent)),
+      emission_(new EmissionEditor(emission_title, prefix, parent)) {
   has_albedo_->setObjectName(prefix + "_has_albedo");
   has_albedo_->setToolTip(tr("An albedo of its own instead of the medium's: coloured smoke"));
   albedo_->setObjectName(prefix + "_albedo");
-  auto* layout = new QFormLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addRow(has_albedo_, albedo_);
-  layout->addRow(emission_->title(), emission_);
+  form.addRow(has_albedo_, albedo_);
+  form.addRow(emission_->title(), emission_);
 
   connect(has_albedo_, &QCheckBox::clicked, this, [this](bool has) {
     const glm::dvec3 start = medium_albedo_;
@@ -47,11 +46,11 @@ void OpticsEditor::show_optics(const std::optional<GaussianOptics>& optics,
                                const glm::dvec3& medium_albedo) {
   medium_albedo_ = medium_albedo;
   const std::optional<glm::dvec3> albedo = optics ? optics->albedo : std::nullopt;
+  has_albedo_->setEnabled(optics.has_value());
   has_albedo_->setChecked(albedo.has_value());
   albedo_->show_color(albedo.value_or(medium_albedo));
   albedo_->setEnabled(albedo.has_value());
   emission_->show_emission(optics ? std::optional(optics->emission) : std::nullopt);
-  setEnabled(optics.has_value());
 }
 
 }  // namespace brume

@@ -232,7 +232,8 @@ class InspectorTest : public QObject {
     QVERIFY(albedo->isVisible() && emission->isVisible());
     QCOMPARE(column(table, 5), (std::vector<double>{1.0, 0.25, 1.0, 1.0, 1.0}));
     QCOMPARE(column(table, 6), (std::vector<double>{0.0, 4.0, 0.0, 0.0, 0.0}));
-    QCOMPARE(cell(1, 6, Qt::DecorationRole).value<QColor>(), QColor(Qt::white));
+    const QImage swatch = cell(1, 6, Qt::DecorationRole).value<QPixmap>().toImage();
+    QCOMPARE(swatch.pixelColor(6, 6), QColor(Qt::white));
     QCOMPARE(cell(1, 5, Qt::ToolTipRole).toString(), QString("0.25, 0.25, 0.25"));
     QVERIFY(!cell(0, 6, Qt::DecorationRole).isValid());
     click_header(table, 5);
