@@ -33,7 +33,7 @@ class GaussianHistogram : public QWidget {
   GaussianHistogram(Document& document, GaussianAttribute field, QWidget* parent);
 
   [[nodiscard]] Axis axis() const { return Axis(values_); }
-  [[nodiscard]] QSize sizeHint() const override { return {120, 58}; }
+  [[nodiscard]] QSize sizeHint() const override { return {120, 48}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -71,7 +71,7 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
   table_->setAlternatingRowColors(true);
-  table_->setMinimumHeight(60);
+  table_->setMinimumHeight(44);  // the head and a row
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->verticalHeader()->hide();

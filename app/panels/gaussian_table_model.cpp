@@ -45,11 +45,14 @@ bool is_shown_alike(const Gaussian& a, const Gaussian& b, GaussianAttribute fiel
   }
 }
 
+constexpr QSize swatch_size(8, 12);  // columns are narrow
+
 // What its albedo or emission looks like; nothing where the Gaussian has none of its own.
 QVariant swatch(const GaussianOptics& optics, GaussianAttribute field) {
-  if (field == GaussianAttribute::albedo && optics.albedo) return color_swatch(*optics.albedo);
+  if (field == GaussianAttribute::albedo && optics.albedo)
+    return color_swatch(*optics.albedo, swatch_size);
   if (field == GaussianAttribute::emission && optics.emission != glm::dvec3(0.0)) {
-    return color_swatch(emission_color(optics.emission));
+    return color_swatch(emission_color(optics.emission), swatch_size);
   }
   return {};
 }
