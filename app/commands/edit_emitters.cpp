@@ -52,7 +52,7 @@ void freeze_particles(Document& document, double time) {
     frozen.insert(frozen.end(), particles.begin(), particles.end());
   }
   for (const MediumSequence& sequence : document.scene().sequences) {
-    const auto gaussians = sequence_at(sequence, time);
+    const auto gaussians = sequence_at(sequence, time, document.scene().optics.albedo);
     frozen.insert(frozen.end(), gaussians.begin(), gaussians.end());
   }
   add_gaussians(document, frozen, undo_text("Bake"));

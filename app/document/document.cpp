@@ -130,6 +130,12 @@ void Document::set_time(double time) {
   Q_EMIT part_changed();
 }
 
+Gaussian Document::effective_gaussian(std::size_t index) const {
+  Gaussian gaussian = medium().gaussian(index);
+  gaussian.optics.albedo = gaussian.optics.albedo.value_or(scene_.optics.albedo);
+  return gaussian;
+}
+
 bool Document::is_selected(GaussianId id) const {
   return contains(selection_, id);
 }

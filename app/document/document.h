@@ -23,6 +23,8 @@ class Document : public QObject {
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Medium& medium() const { return scene_.medium; }
+  // A Gaussian of the medium, with the medium's albedo if it has none of its own.
+  [[nodiscard]] Gaussian effective_gaussian(std::size_t index) const;
   // An immutable snapshot for other threads; copied only after changes.
   [[nodiscard]] std::shared_ptr<const Scene> snapshot() const;
   // A snapshot without hidden Gaussians.

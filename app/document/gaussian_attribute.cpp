@@ -4,15 +4,22 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "app/document/arithmetic.h"
+#include "core/scene/photometry.h"
 
 namespace brume {
 namespace {
 
 QString attribute_text(const char* text) {
   return QCoreApplication::translate("GaussianField", text);
+}
+
+// Of grey not even rounded.
+double albedo_luminance(const glm::dvec3& albedo) {
+  return albedo == glm::dvec3(albedo.x) ? albedo.x : luminance(albedo);
 }
 
 }  // namespace
@@ -23,6 +30,8 @@ const NumberDomain& attribute_domain(GaussianAttribute field) {
       return domain::length;
     case GaussianAttribute::density:
       return domain::density;
+    case GaussianAttribute::albedo:
+      return domain::albedo;
     case GaussianAttribute::emission:
       return domain::intensity;
     default:
@@ -42,6 +51,8 @@ QString attribute_title(GaussianAttribute field) {
       return attribute_text("Radius");
     case GaussianAttribute::density:
       return attribute_text("Density");
+    case GaussianAttribute::albedo:
+      return attribute_text("Albedo");
     case GaussianAttribute::emission:
       return attribute_text("Emission");
   }
@@ -64,6 +75,8 @@ double attribute_value(const Gaussian& gaussian, GaussianAttribute field) {
       return gaussian.radius;
     case GaussianAttribute::density:
       return gaussian.density;
+    case GaussianAttribute::albedo:
+      return albedo_luminance(gaussian.optics.albedo.value_or(glm::dvec3(1.0)));
     case GaussianAttribute::emission:
       return emission_strength(gaussian.optics.emission);
   }
@@ -87,6 +100,9 @@ void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double val
     case GaussianAttribute::density:
       gaussian.density = value;
       break;
+    case GaussianAttribute::albedo:
+      gaussian.optics.albedo = glm::dvec3(value);
+      break;
     case GaussianAttribute::emission:
       if (value == emission_strength(gaussian.optics.emission)) break;  // not even rounded
       gaussian.optics.emission = value * emission_color(gaussian.optics.emission);
@@ -97,9 +113,13 @@ void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double val
 Gaussian within_domains(const Gaussian& gaussian) {
   Gaussian result = gaussian;
   for (const GaussianAttribute field : gaussian_attributes) {
+    if (field == GaussianAttribute::albedo) continue;  // by channel
     const NumberDomain& domain = attribute_domain(field);
     const double value = attribute_value(gaussian, field);
     set_attribute_value(result, field, std::clamp(value, domain.min_value, domain.max_value));
+  }
+  if (auto& albedo = result.optics.albedo) {
+    albedo = glm::clamp(*albedo, domain::albedo.min_value, domain::albedo.max_value);
   }
   return result;
 }

@@ -8,13 +8,14 @@
 
 namespace brume {
 
-// The editable attributes of a Gaussian that are numbers, in display order. Its emission is that of
-// the brightest channel; it keeps its colour.
-enum class GaussianAttribute { center_x, center_y, center_z, radius, density, emission };
+// The editable attributes of a Gaussian that are numbers, in display order. Its albedo is the
+// luminance; a new one is grey. Its emission is that of the brightest channel; it keeps its colour.
+enum class GaussianAttribute { center_x, center_y, center_z, radius, density, albedo, emission };
 
 inline constexpr std::array gaussian_attributes{
     GaussianAttribute::center_x, GaussianAttribute::center_y, GaussianAttribute::center_z,
-    GaussianAttribute::radius,   GaussianAttribute::density,  GaussianAttribute::emission};
+    GaussianAttribute::radius,   GaussianAttribute::density,  GaussianAttribute::albedo,
+    GaussianAttribute::emission};
 // Those without its optics.
 inline constexpr std::size_t shape_attributes = 5;
 
@@ -24,6 +25,7 @@ QString attribute_name(GaussianAttribute field);   // "center x", for use inside
 // The domain in files, so everything edited can be loaded again.
 const NumberDomain& attribute_domain(GaussianAttribute field);
 
+// Without an albedo of its own it has that of Document::effective_gaussian().
 double attribute_value(const Gaussian& gaussian, GaussianAttribute field);
 void set_attribute_value(Gaussian& gaussian, GaussianAttribute field, double value);
 

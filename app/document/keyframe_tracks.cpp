@@ -28,6 +28,8 @@ void visit_values(auto& part, auto&& visit) {
           visit_keyed_density(value.density, value.keys, each);
         } else if constexpr (std::is_same_v<Part, Lights>) {
           for (auto& light : value) visit_keyed_light(light, each);
+        } else if constexpr (std::is_same_v<Part, Emitters>) {
+          for (auto& emitter : value) visit_keyed_emitter(emitter, each);
         } else if constexpr (std::is_same_v<Part, std::optional<Environment>>) {
           if (value) visit_keyed_environment(*value, each);
         } else if constexpr (std::is_same_v<Part, MediumOptics>) {
@@ -48,6 +50,27 @@ void visit_row(auto& part, const Track& row, auto&& visit) {
 template <class T>
 std::size_t index_of() {
   return ScenePart(T{}).index();
+}
+
+// In the order of visit_keyed_emitter().
+void add_emitter_tracks(std::vector<Track>& rows, const Emitters& emitters) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < emitters.size(); ++k) {
+    const auto add = [&](const QString& title) {
+      rows.push_back({title.arg(k + 1), index_of<Emitters>(), count++, 1});
+    };
+    add(track_text("Emitter %1 position"));
+    add(track_text("Emitter %1 rate"));
+    add(track_text("Emitter %1 lifetime"));
+    add(track_text("Emitter %1 velocity"));
+    add(track_text("Emitter %1 spread"));
+    add(track_text("Emitter %1 acceleration"));
+    add(track_text("Emitter %1 radius"));
+    add(track_text("Emitter %1 density"));
+    if (emitters[k].optics.albedo) add(track_text("Emitter %1 albedo"));
+    add(track_text("Emitter %1 emission"));
+    add(track_text("Emitter %1 emission at death"));
+  }
 }
 
 }  // namespace
@@ -96,6 +119,9 @@ std::vector<Track> tracks(const Scene& scene) {
   rows.push_back({track_text("Albedo"), optics, 0, 1});
   rows.push_back({track_text("Anisotropy"), optics, 1, 1});
   rows.push_back({track_text("Noise amplitude"), optics, 2, 1});
+  rows.push_back({track_text("Noise frequency"), optics, 3, 1});
+  rows.push_back({track_text("Wind"), optics, 4, 1});
+  add_emitter_tracks(rows, scene.emitters);
   return rows;
 }
 
@@ -169,6 +195,7 @@ void apply_keys(ScenePart& part, double time) {
 void key_changes(const ScenePart& before, ScenePart& after, double time) {
   if (before.index() != after.index()) return;
   using Visited = std::variant<std::pair<const double*, const Keys<double>*>,
+                               std::pair<const glm::dvec2*, const Keys<glm::dvec2>*>,
                                std::pair<const glm::dvec3*, const Keys<glm::dvec3>*>>;
   std::vector<Visited> were;
   visit_values(before, [&were]<class T>(std::size_t, const T& value, const Keys<T>& keys) {

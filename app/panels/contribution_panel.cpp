@@ -63,7 +63,7 @@ void ContributionPanel::compute() {
   const auto surface = view_->surfaces().hit(rays.eye(), direction);
   const auto scene = view_->shown_scene();
   const std::vector<Contribution> met =
-      contributions(scene->medium, rays.eye(), direction,
+      contributions(scene->medium, scene->optics.albedo, rays.eye(), direction,
                     surface ? glm::distance(surface->position, rays.eye())
                             : std::numeric_limits<double>::infinity());
   if (met.empty()) return;
@@ -75,7 +75,7 @@ void ContributionPanel::compute() {
   facts.contribution = selected != met.end() ? *selected : met.front();
   facts.id = id(facts.contribution);
   for (std::size_t k = 0; k < std::min(met.size(), max_met); ++k) {
-    facts.met.emplace_back(id(met[k]), met[k].fraction);
+    facts.met.emplace_back(id(met[k]), met[k]);
   }
   const glm::dvec3 place = rays.eye() + facts.contribution.distance * direction;
   // Both read all vertices.
@@ -143,26 +143,35 @@ void ContributionPanel::paintEvent(QPaintEvent* /*event*/) {
   painter.setFont(font());
   y += row_height();
   const QColor plain = palette().color(QPalette::PlaceholderText);
-  row(tr("Optical depth"), f.contribution.optical_depth / deepest,
-      QString::number(f.contribution.optical_depth, 'g', 3), plain);
+  const double optical_depth = luminance(f.contribution.optical_depth);
+  row(tr("Optical depth"), optical_depth / deepest, QString::number(optical_depth, 'g', 3), plain);
   row(tr("Attenuates"), f.contribution.fraction, percent(f.contribution.fraction), plain);
-  double max_value = 0.0;
+  const glm::dvec3& emitted = f.contribution.emitted;
+  double max_value = luminance(emitted);
   for (const LightShare& light : f.lights)
     max_value = std::max(max_value, luminance(light.radiance));
-  for (const LightShare& light : f.lights) {
-    const double radiance = luminance(light.radiance);
-    row(light.name, max_value > 0.0 ? radiance / max_value : 0.0, QString::number(radiance, 'g', 3),
-        light.color);
+  const auto radiance_row = [&](const QString& title, const glm::dvec3& rgb, const QColor& color) {
+    const double radiance = luminance(rgb);
+    row(title, max_value > 0.0 ? radiance / max_value : 0.0, QString::number(radiance, 'g', 3),
+        color);
+  };
+  if (emitted != glm::dvec3(0.0)) {
+    radiance_row(tr("Emission"), emitted, to_color(emission_color(emitted)));
   }
+  for (const LightShare& light : f.lights) radiance_row(light.name, light.radiance, light.color);
   y += 4;
   painter.drawText(inside.left(), y, inside.width(), row_height(), Qt::AlignVCenter,
                    f.met.size() == 1 ? tr("No other Gaussians on this ray")
                                      : tr("%1 Gaussians on this ray").arg(f.met.size()));
   y += row_height();
   first_met_row_ = y;
-  for (const auto& [id, share] : f.met) {
+  for (const auto& [id, met] : f.met) {
     if (y + row_height() > height()) break;
-    row(name_of(id), share, percent(share), document_.is_selected(id) ? accent_color() : plain);
+    const bool shines = met.effect() > met.fraction;  // more than it attenuates
+    const QColor color = shines ? to_color(emission_color(met.emitted)) : plain;
+    row(name_of(id), met.effect(),
+        shines ? QString::number(met.effect(), 'g', 3) : percent(met.fraction),
+        document_.is_selected(id) ? accent_color() : color);
   }
 }
 

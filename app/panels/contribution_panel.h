@@ -14,8 +14,8 @@ class Document;
 class View;
 
 // Shows what a Gaussian contributes to the pixel under the mouse: optical depth, absorbed fraction
-// of the background, and scattered radiance per light. Shows the selected Gaussian, or the dominant
-// one; others on the ray are listed and can be selected.
+// of the background, emitted radiance, and scattered radiance per light. Shows the selected
+// Gaussian, or the dominant one; others on the ray are listed and can be selected.
 class ContributionPanel : public QWidget {
   Q_OBJECT
  public:
@@ -33,7 +33,7 @@ class ContributionPanel : public QWidget {
     GaussianId id = 0;
     Contribution contribution;
     std::vector<LightShare> lights;
-    std::vector<std::pair<GaussianId, double>> met;  // with their shares, descending
+    std::vector<std::pair<GaussianId, Contribution>> met;  // by their effect, descending
   };
   // At the last mouse position; nullopt: no Gaussian.
   [[nodiscard]] const std::optional<Facts>& facts() const { return facts_; }

@@ -7,6 +7,8 @@
 
 #include "app/commands/edit_emitters.h"
 #include "app/document/document.h"
+#include "app/widgets/emission_editor.h"
+#include "app/widgets/optics_editor.h"
 
 namespace brume {
 namespace {
@@ -111,9 +113,37 @@ void EmitterPanel::add_fields(QFormLayout& form) {
   number(
       tr("at death"), "emitter_density_death", domain::density, Scale::logarithmic, 0.01,
       [](Emitter& e) -> double& { return e.density.y; }, tr("Set density of %1"));
+  add_optics(form);
   number(
       tr("Seed"), "emitter_seed", seed_domain, Scale::linear, 1.0,
       [](Emitter& e) -> std::int64_t& { return e.seed; }, tr("Set seed of %1"));
+}
+
+void EmitterPanel::add_optics(QFormLayout& form) {
+  auto* optics = new OpticsEditor(form, tr("Emission at birth"), "emitter", this);
+  auto* at_death = new EmissionEditor(tr("at death"), "emitter_death", this);
+  form.addRow(at_death->title(), at_death);
+  connect(optics, &OpticsEditor::edited, this,
+          [this](const OpticsEditor::Change& change, MergeId gesture) {
+            change_emitter(document_, document_.active_emitter(), tr("Set colours of %1"), gesture,
+                           [&](Emitter& e) {
+                             change(e.optics);
+                             if (!e.optics.albedo) e.keys.albedo.clear();
+                           });
+          });
+  connect(at_death, &EmissionEditor::edited, this,
+          [this](const EmissionEditor::Change& change, MergeId gesture) {
+            change_emitter(document_, document_.active_emitter(), tr("Set emission of %1"), gesture,
+                           [&](Emitter& e) { change(e.emission_at_death); });
+          });
+  connect(optics, &OpticsEditor::refused, this, &EmitterPanel::refused);
+  connect(at_death, &EmissionEditor::refused, this, &EmitterPanel::refused);
+  on_refresh([this, optics, at_death] {
+    const Emitter* shown = emitter();
+    optics->show_optics(shown ? std::optional(shown->optics) : std::nullopt,
+                        document_.scene().optics.albedo);
+    at_death->show_emission(shown ? std::optional(shown->emission_at_death) : std::nullopt);
+  });
 }
 
 }  // namespace brume

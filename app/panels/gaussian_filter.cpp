@@ -13,8 +13,8 @@ QString filter_text(const char* text) {
 }
 
 std::optional<GaussianAttribute> field_called(const QString& name) {
-  constexpr std::array names{"x",      "y",       "z",
-                             "radius", "density", "emission"};  // as gaussian_attributes
+  // As gaussian_attributes.
+  constexpr std::array names{"x", "y", "z", "radius", "density", "albedo", "emission"};
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (QString(names[k]).startsWith(name)) return gaussian_attributes[k];
   }

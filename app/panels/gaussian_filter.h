@@ -11,9 +11,9 @@ namespace brume {
 // A conjunction of conditions on a Gaussian's attributes: "radius < 0.5, density > 0.2".
 class GaussianFilter {
  public:
-  // Conditions are separated by commas or "and"; fields are x, y, z, radius, density and emission,
-  // or as many of their letters as tell them apart; comparisons are < <= > >= =. Empty text lets
-  // all pass. nullopt where the text is something else; `problem` then says what.
+  // Conditions are separated by commas or "and"; fields are x, y, z, radius, density, albedo and
+  // emission, or as many of their letters as tell them apart; comparisons are < <= > >= =. Empty
+  // text lets all pass. nullopt where the text is something else; `problem` then says what.
   static std::optional<GaussianFilter> parse(const QString& text, QString& problem);
 
   [[nodiscard]] bool passes(const Gaussian& gaussian) const;

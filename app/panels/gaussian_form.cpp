@@ -49,7 +49,7 @@ Common common_values(const Document& document) {
 }  // namespace
 
 GaussianForm::GaussianForm(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), optics_(new OpticsEditor("gaussian", this)) {
+    : QWidget(parent), document_(document) {
   for (std::size_t k = 0; k < fields_.size(); ++k) {
     const GaussianAttribute field = gaussian_attributes[k];
     const bool is_center = k < 3;
@@ -74,7 +74,7 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
     layout->addRow(title, fields_[k]);
   }
 
-  layout->addRow(optics_);
+  optics_ = new OpticsEditor(*layout, tr("Emission"), "gaussian", this);
   connect(optics_, &OpticsEditor::refused, this, &GaussianForm::refused);
   connect(optics_, &OpticsEditor::edited, this, &GaussianForm::change_optics);
 

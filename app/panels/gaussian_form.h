@@ -27,8 +27,8 @@ class GaussianForm : public QWidget {
 
   Document& document_;
   std::array<ValueField*, shape_attributes> fields_{};
-  OpticsEditor* optics_;          // shows the first of the selection
-  glm::dvec3 shown_albedo_{0.0};  // of the medium
+  OpticsEditor* optics_ = nullptr;  // shows the first of the selection
+  glm::dvec3 shown_albedo_{0.0};    // of the medium
 };
 
 }  // namespace brume

@@ -40,15 +40,29 @@ GaussianHistogram::GaussianHistogram(Document& document, GaussianAttribute field
   setToolTip(tr("Drag to select the Gaussians in a range; Shift adds, Ctrl removes"));
   setCursor(Qt::CrossCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  const auto redraw = [this] { update(); };
-  connect(&document_, &Document::scene_replaced, this, redraw);
-  connect(&document_, &Document::medium_changed, this, redraw);
-  connect(&document_, &Document::selection_changed, this, redraw);
+  connect(&document_, &Document::scene_replaced, this, &GaussianHistogram::refresh);
+  connect(&document_, &Document::medium_changed, this, &GaussianHistogram::refresh);
+  connect(&document_, &Document::selection_changed, this, [this] { update(); });
+  if (field_ == GaussianAttribute::albedo) {
+    connect(&document_, &Document::part_changed, this, [this] {
+      if (document_.scene().optics.albedo != shown_albedo_) refresh();
+    });
+  }
+  refresh();
 }
 
-std::span<const double> GaussianHistogram::values() const {
-  return field_ == GaussianAttribute::radius ? document_.medium().radii()
-                                             : document_.medium().densities();
+void GaussianHistogram::refresh() {
+  const Medium& medium = document_.medium();
+  const bool is_shown = field_ == GaussianAttribute::albedo     ? medium.has_albedos()
+                        : field_ == GaussianAttribute::emission ? medium.has_emission()
+                                                                : true;
+  shown_albedo_ = document_.scene().optics.albedo;
+  values_.clear();
+  for (std::size_t i = 0; is_shown && i < medium.size(); ++i) {
+    values_.push_back(attribute_value(document_.effective_gaussian(i), field_));
+  }
+  setVisible(is_shown);
+  update();
 }
 
 QRect GaussianHistogram::bars() const {
@@ -61,9 +75,9 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
   std::array<std::size_t, bins> all{};
   std::array<std::size_t, bins> selected{};
   auto next = document_.selection().begin();
-  for (std::size_t i = 0; i < values().size(); ++i) {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
     const auto bin =
-        static_cast<std::size_t>(std::clamp(axis.position(values()[i]) * bins, 0.0, bins - 1.0));
+        static_cast<std::size_t>(std::clamp(axis.position(values_[i]) * bins, 0.0, bins - 1.0));
     ++all[bin];
     // Both are sorted by id.
     if (next != document_.selection().end() && *next == document_.medium().ids()[i]) {
@@ -100,7 +114,7 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
   const QRect below(area.left(), area.bottom() + 1, area.width(), fontMetrics().height());
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(below, Qt::AlignHCenter, attribute_title(field_));
-  if (values().empty()) return;
+  if (values_.empty()) return;
   const double left = dragging_ ? std::min(start_, end_) : 0.0;
   const double right = dragging_ ? std::max(start_, end_) : 1.0;
   const auto text = [&](double at) { return QString::number(axis.at(at), 'g', 3); };
@@ -109,7 +123,7 @@ void GaussianHistogram::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void GaussianHistogram::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || values().empty()) return;
+  if (event->button() != Qt::LeftButton || values_.empty()) return;
   dragging_ = true;
   drag_axis_ = axis();
   modifiers_ = event->modifiers();
@@ -135,8 +149,8 @@ void GaussianHistogram::select_range(QPointF to) {
   const double low = drag_axis_.at(left);
   const double high = drag_axis_.at(right);
   std::vector<GaussianId> inside;
-  for (std::size_t i = 0; i < values().size(); ++i) {
-    if (values()[i] >= low && values()[i] <= high) inside.push_back(document_.medium().ids()[i]);
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (values_[i] >= low && values_[i] <= high) inside.push_back(document_.medium().ids()[i]);
   }
   const SelectMode mode = modifiers_.testFlag(Qt::ShiftModifier)     ? SelectMode::add
                           : modifiers_.testFlag(Qt::ControlModifier) ? SelectMode::remove

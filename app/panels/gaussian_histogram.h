@@ -11,7 +11,8 @@ namespace brume {
 
 class Document;
 
-// Histogram of radius or density with the selection marked. Dragging selects a range; Shift adds,
+// Histogram of an attribute with the selection marked; of albedo or emission, hidden while no
+// Gaussian has any. Dragging selects a range; Shift adds,
 // Ctrl removes.
 class GaussianHistogram : public QWidget {
   Q_OBJECT
@@ -29,11 +30,10 @@ class GaussianHistogram : public QWidget {
     [[nodiscard]] double position(double value) const;  // inverse of at()
   };
 
-  // `field`: radius or density.
   GaussianHistogram(Document& document, GaussianAttribute field, QWidget* parent);
 
-  [[nodiscard]] Axis axis() const { return Axis(values()); }
-  [[nodiscard]] QSize sizeHint() const override { return {120, 58}; }
+  [[nodiscard]] Axis axis() const { return Axis(values_); }
+  [[nodiscard]] QSize sizeHint() const override { return {120, 48}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -42,12 +42,14 @@ class GaussianHistogram : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
-  [[nodiscard]] std::span<const double> values() const;
+  void refresh();
   [[nodiscard]] QRect bars() const;
   void select_range(QPointF to);
 
   Document& document_;
   GaussianAttribute field_;
+  std::vector<double> values_;    // of all Gaussians
+  glm::dvec3 shown_albedo_{0.0};  // of the medium
   // State of a drag.
   bool dragging_ = false;
   Axis drag_axis_;

@@ -71,7 +71,7 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
   table_->setAlternatingRowColors(true);
-  table_->setMinimumHeight(60);
+  table_->setMinimumHeight(44);  // the head and a row
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->verticalHeader()->hide();
@@ -88,12 +88,15 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   layout->addWidget(form);
-  auto* histograms = new QHBoxLayout;
-  histograms->setContentsMargins(6, 0, 6, 0);
-  for (const GaussianAttribute field : {GaussianAttribute::radius, GaussianAttribute::density}) {
-    histograms->addWidget(new GaussianHistogram(document, field, this));
+  using Attribute = GaussianAttribute;
+  for (const auto& pair : {std::pair(Attribute::radius, Attribute::density),
+                           std::pair(Attribute::albedo, Attribute::emission)}) {
+    auto* histograms = new QHBoxLayout;
+    histograms->setContentsMargins(6, 0, 6, 0);
+    histograms->addWidget(new GaussianHistogram(document, pair.first, this));
+    histograms->addWidget(new GaussianHistogram(document, pair.second, this));
+    layout->addLayout(histograms);
   }
-  layout->addLayout(histograms);
   add_filter(*layout);
   layout->addWidget(table_, 1);
 
@@ -114,6 +117,14 @@ GaussianPanel::GaussianPanel(Document& document, QWidget* parent)
     syncing_ = was_syncing;
     if (!edit.added().empty() || !edit.removed().empty()) select_rows();
   });
+  connect(&document_, &Document::part_changed, this, [this] {
+    const glm::dvec3& albedo = document_.scene().optics.albedo;
+    if (std::exchange(shown_albedo_, albedo) == albedo) return;
+    const bool was_syncing = std::exchange(syncing_, true);
+    rows_->follow_albedo();
+    syncing_ = was_syncing;
+    select_rows();
+  });
 }
 
 void GaussianPanel::add_filter(QLayout& layout) {
@@ -128,8 +139,9 @@ void GaussianPanel::add_filter(QLayout& layout) {
     QPalette colors = palette();
     if (!parsed) colors.setColor(QPalette::Text, QColor(226, 92, 92));
     filter->setPalette(colors);
-    filter->setToolTip(parsed ? tr("Filter the table by x, y, z, radius, density or emission")
-                              : plain_tool_tip(problem));
+    filter->setToolTip(parsed
+                           ? tr("Filter the table by x, y, z, radius, density, albedo or emission")
+                           : plain_tool_tip(problem));
     if (!parsed) return;
     const bool was_syncing = std::exchange(syncing_, true);
     model_->set_filter(*parsed);

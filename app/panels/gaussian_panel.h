@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QWidget>
+#include <glm/vec3.hpp>
 
 namespace brume {
 
@@ -32,6 +33,7 @@ class GaussianPanel : public QWidget {
   GaussianSortModel* model_;
   QTableView* table_;
   bool syncing_ = false;
+  glm::dvec3 shown_albedo_{0.0};  // of the medium
 };
 
 }  // namespace brume

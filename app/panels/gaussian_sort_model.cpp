@@ -31,7 +31,7 @@ void GaussianSortModel::cache_keys(int column) {
   const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(column)];
   for (int row = 0; row < rows_.rowCount(); ++row) {
     const auto index = index_of(row);
-    keys_.push_back(index ? attribute_value(document_.medium().gaussian(*index), field)
+    keys_.push_back(index ? attribute_value(document_.effective_gaussian(*index), field)
                           : -std::numeric_limits<double>::infinity());
   }
 }
@@ -64,7 +64,7 @@ std::optional<std::size_t> GaussianSortModel::index_of(int source_row) const {
 bool GaussianSortModel::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
   if (filter_.is_empty()) return true;
   const auto index = index_of(row);
-  return !index || filter_.passes(document_.medium().gaussian(*index));
+  return !index || filter_.passes(document_.effective_gaussian(*index));
 }
 
 bool GaussianSortModel::lessThan(const QModelIndex& left, const QModelIndex& right) const {
@@ -75,9 +75,9 @@ bool GaussianSortModel::lessThan(const QModelIndex& left, const QModelIndex& rig
   const auto a = index_of(left.row());
   const auto b = index_of(right.row());
   if (!a || !b) return b.has_value();
-  const Medium& medium = document_.medium();
   const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(left.column())];
-  return attribute_value(medium.gaussian(*a), field) < attribute_value(medium.gaussian(*b), field);
+  return attribute_value(document_.effective_gaussian(*a), field) <
+         attribute_value(document_.effective_gaussian(*b), field);
 }
 
 }  // namespace brume

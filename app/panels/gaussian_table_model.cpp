@@ -1,11 +1,14 @@
 #include "app/panels/gaussian_table_model.h"
 
+#include <QGuiApplication>
+#include <QPalette>
 #include <algorithm>
 #include <array>
 #include <numeric>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
+#include "app/widgets/color_button.h"
 
 namespace brume {
 namespace {
@@ -29,6 +32,40 @@ std::vector<Run> runs_of(const std::vector<int>& rows) {
     }
   }
   return runs;
+}
+
+bool is_shown_alike(const Gaussian& a, const Gaussian& b, GaussianAttribute field) {
+  switch (field) {
+    case GaussianAttribute::albedo:
+      return a.optics.albedo == b.optics.albedo;
+    case GaussianAttribute::emission:
+      return a.optics.emission == b.optics.emission;
+    default:
+      return attribute_value(a, field) == attribute_value(b, field);
+  }
+}
+
+constexpr QSize swatch_size(8, 12);  // columns are narrow
+
+// What its albedo or emission looks like; nothing where the Gaussian has none of its own.
+QVariant swatch(const GaussianOptics& optics, GaussianAttribute field) {
+  if (field == GaussianAttribute::albedo && optics.albedo)
+    return color_swatch(*optics.albedo, swatch_size);
+  if (field == GaussianAttribute::emission && optics.emission != glm::dvec3(0.0)) {
+    return color_swatch(emission_color(optics.emission), swatch_size);
+  }
+  return {};
+}
+
+// Beside a swatch there is little room; the tool tip has more digits.
+QString cell_text(double value, GaussianAttribute field) {
+  const bool has_swatch =
+      field == GaussianAttribute::albedo || field == GaussianAttribute::emission;
+  return has_swatch ? QString::number(value, 'g', 3) : number_text(value);
+}
+
+QString channels_text(const glm::dvec3& rgb) {
+  return QString("%1, %2, %3").arg(number_text(rgb.r), number_text(rgb.g), number_text(rgb.b));
 }
 
 }  // namespace
@@ -71,8 +108,7 @@ void GaussianTableModel::announce_changes(const MediumEdit& edit) {
   for (const auto& change : edit.changed()) {
     for (std::size_t k = 0; k < changed.size(); ++k) {
       const GaussianAttribute field = gaussian_attributes[k];
-      changed[k] = changed[k] ||
-                   attribute_value(change.before, field) != attribute_value(change.after, field);
+      changed[k] = changed[k] || !is_shown_alike(change.before, change.after, field);
     }
   }
   for (const Run& run : runs) {
@@ -82,6 +118,13 @@ void GaussianTableModel::announce_changes(const MediumEdit& edit) {
       }
     }
   }
+}
+
+void GaussianTableModel::follow_albedo() {
+  if (ids_.empty()) return;
+  const auto at = std::ranges::find(gaussian_attributes, GaussianAttribute::albedo);
+  const auto column = static_cast<int>(at - gaussian_attributes.begin());
+  Q_EMIT dataChanged(index(0, column), index(rowCount() - 1, column));
 }
 
 void GaussianTableModel::remove_rows(const MediumEdit& edit) {
@@ -131,13 +174,31 @@ int GaussianTableModel::columnCount(const QModelIndex& parent) const {
 QVariant GaussianTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-  if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
   const auto at = document_.medium().index_of(id(index.row()));
   if (!at) return {};
   const GaussianAttribute field = gaussian_attributes[static_cast<std::size_t>(index.column())];
-  const double value = attribute_value(document_.medium().gaussian(*at), field);
-  // As text: the editor that Qt offers for numbers rounds them.
-  return role == Qt::DisplayRole ? number_text(value) : exact_number_text(value);
+  const GaussianOptics own = document_.medium().optics(*at);
+  const Gaussian gaussian = document_.effective_gaussian(*at);
+  const bool is_of_medium = field == GaussianAttribute::albedo && !own.albedo;
+  switch (role) {
+    case Qt::DisplayRole:
+      return cell_text(attribute_value(gaussian, field), field);
+    case Qt::EditRole:
+      // As text: the editor that Qt offers for numbers rounds them.
+      return exact_number_text(attribute_value(gaussian, field));
+    case Qt::DecorationRole:
+      return swatch(own, field);
+    case Qt::ForegroundRole:
+      return is_of_medium ? QGuiApplication::palette().brush(QPalette::PlaceholderText)
+                          : QVariant();
+    case Qt::ToolTipRole:
+      if (is_of_medium)
+        return tr("The medium's albedo: %1").arg(channels_text(*gaussian.optics.albedo));
+      if (field == GaussianAttribute::albedo) return channels_text(*own.albedo);
+      return field == GaussianAttribute::emission ? channels_text(own.emission) : QVariant();
+    default:
+      return {};
+  }
 }
 
 bool GaussianTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -157,6 +218,8 @@ QVariant GaussianTableModel::headerData(int section, Qt::Orientation orientation
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return QAbstractTableModel::headerData(section, orientation, role);
   }
+  // Seven titles beside each other.
+  if (section < 3) return QString("XYZ"[section]);
   return attribute_title(gaussian_attributes[static_cast<std::size_t>(section)]);
 }
 

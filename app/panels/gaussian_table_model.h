@@ -12,7 +12,8 @@ namespace brume {
 
 class Document;
 
-// Table model of the medium's Gaussians, in medium order.
+// Table model of the medium's Gaussians, in medium order. Albedo and emission have swatches; the
+// medium's albedo is grey text.
 class GaussianTableModel : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -24,6 +25,8 @@ class GaussianTableModel : public QAbstractTableModel {
   // Updates the rows after an edit; or resets the model.
   void follow(const MediumEdit& edit);
   void reload();
+  // After a change of the medium's albedo, which Gaussians without their own show.
+  void follow_albedo();
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -158,9 +158,7 @@ void LightPanel::show_lights() {
                            light_unit(lights[k])));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     item->setCheckState(lights[k].on ? Qt::Checked : Qt::Unchecked);
-    QPixmap swatch(12, 12);
-    swatch.fill(to_color(light_color(lights[k])));
-    item->setIcon(swatch);
+    item->setIcon(color_swatch(light_color(lights[k])));
   }
   list_->setCurrentRow(light() ? static_cast<int>(document_.active_light()) : -1);
   showing_ = false;

@@ -1,5 +1,6 @@
 #include "app/tools/fog_brush_tool.h"
 
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
@@ -76,22 +77,23 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
   button->setToolTip(tr("Albedo and emission of what is added: coloured smoke, fire"));
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(new QMenu(button));
-  auto* editor = new OpticsEditor(prefix, button);
-  editor->setContentsMargins(8, 8, 8, 8);
+  auto* panel = new QWidget(button);
   // As panels are: on a menu's ground an empty box would not be seen.
-  editor->setBackgroundRole(QPalette::Window);
-  editor->setAutoFillBackground(true);
+  panel->setBackgroundRole(QPalette::Window);
+  panel->setAutoFillBackground(true);
+  auto* form = new QFormLayout(panel);
+  form->setContentsMargins(8, 8, 8, 8);
+  auto* editor = new OpticsEditor(*form, tr("Emission"), prefix, panel);
   auto* action = new QWidgetAction(button);
-  action->setDefaultWidget(editor);
+  action->setDefaultWidget(panel);
   button->menu()->addAction(action);
   row.addWidget(button);
   const auto show = [this, editor, button] {
     editor->show_optics(optics_, document_.scene().optics.albedo);
-    QPixmap swatch(12, 12);
     const bool shines = emission_strength(optics_.emission) > 0.0;
-    swatch.fill(to_color(shines ? emission_color(optics_.emission)
-                                : optics_.albedo.value_or(document_.scene().optics.albedo)));
-    button->setIcon(swatch);
+    button->setIcon(color_swatch(shines
+                                     ? emission_color(optics_.emission)
+                                     : optics_.albedo.value_or(document_.scene().optics.albedo)));
   };
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   connect(this, &Tool::options_changed, editor, show);

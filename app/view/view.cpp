@@ -17,7 +17,7 @@
 namespace brume {
 namespace {
 
-constexpr double min_depth = 0.02;  // optical depth of a Gaussian that can be pointed at
+constexpr double min_effect = 0.02;  // of a Gaussian that can be pointed at
 
 }  // namespace
 
@@ -87,8 +87,8 @@ std::optional<GaussianId> View::max_visible(QPointF position) {
   const double distance = surface ? glm::distance(surface->position, view.eye())
                                   : std::numeric_limits<double>::infinity();
   const auto scene = document_.visible_snapshot();
-  for (const Contribution& met :
-       contributions(scene->medium, view.eye(), direction, distance, min_depth)) {
+  for (const Contribution& met : contributions(scene->medium, scene->optics.albedo, view.eye(),
+                                               direction, distance, min_effect)) {
     const GaussianId id = scene->medium.ids()[met.index];
     if (document_.is_editable(id)) return id;
   }

@@ -1,7 +1,7 @@
 #include "app/widgets/color_button.h"
 
 #include <QColorDialog>
-#include <QPixmap>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +30,15 @@ glm::dvec3 to_linear(const QColor& color) {
   return {decoded(color.redF()), decoded(color.greenF()), decoded(color.blueF())};
 }
 
+QPixmap color_swatch(const glm::dvec3& linear, const QSize& size) {
+  QPixmap swatch(size);
+  swatch.fill(to_color(linear));
+  QPainter painter(&swatch);
+  painter.setPen(QColor(128, 128, 128));
+  painter.drawRect(0, 0, size.width() - 1, size.height() - 1);
+  return swatch;
+}
+
 ColorButton::ColorButton(QWidget* parent) : QToolButton(parent) {
   setIconSize({34, 16});
   show_color(color_);
@@ -38,9 +47,7 @@ ColorButton::ColorButton(QWidget* parent) : QToolButton(parent) {
 
 void ColorButton::show_color(const glm::dvec3& linear) {
   color_ = linear;
-  QPixmap swatch(iconSize());
-  swatch.fill(to_color(linear));
-  setIcon(swatch);
+  setIcon(color_swatch(linear, iconSize()));
 }
 
 void ColorButton::open_dialog() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPixmap>
 #include <QToolButton>
 #include <glm/vec3.hpp>
 
@@ -10,6 +11,9 @@ namespace brume {
 // Conversion between sRGB of colour dialogs and linear RGB in [0, 1].
 QColor to_color(const glm::dvec3& linear);
 glm::dvec3 to_linear(const QColor& color);
+
+// A swatch with a border, to be seen on any background.
+QPixmap color_swatch(const glm::dvec3& linear, const QSize& size = {12, 12});
 
 // A colour swatch, linear RGB in [0, 1]; opens a modeless colour dialog.
 class ColorButton : public QToolButton {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QWidget>
+#include <QObject>
 #include <functional>
 #include <optional>
 
@@ -8,19 +8,22 @@
 #include "core/medium/gaussian.h"
 
 class QCheckBox;
+class QFormLayout;
+class QWidget;
 
 namespace brume {
 
 class ColorButton;
-class ValueField;
+class EmissionEditor;
 
-// Edits the optics of a Gaussian, or of many: whether they have an albedo of their own, its colour,
-// and the strength, colour or temperature of their emission.
-class OpticsEditor : public QWidget {
+// Rows of a form that edit the optics of a Gaussian, or of many: whether they have an albedo of
+// their own, its colour, and their emission.
+class OpticsEditor : public QObject {
   Q_OBJECT
  public:
-  // `prefix`: of the widgets' object names.
-  explicit OpticsEditor(const QString& prefix, QWidget* parent = nullptr);
+  // Adds them to the form of a widget. `prefix`: of the widgets' object names.
+  OpticsEditor(QFormLayout& form, const QString& emission_title, const QString& prefix,
+               QWidget* parent);
 
   // nullopt: disabled. `medium_albedo`: what those without their own have.
   void show_optics(const std::optional<GaussianOptics>& optics, const glm::dvec3& medium_albedo);
@@ -34,9 +37,7 @@ class OpticsEditor : public QWidget {
  private:
   QCheckBox* has_albedo_;
   ColorButton* albedo_;
-  ValueField* emission_;
-  ColorButton* emission_color_;
-  ValueField* temperature_;
+  EmissionEditor* emission_;
   glm::dvec3 medium_albedo_{1.0};
 };
 

@@ -2,41 +2,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include "core/scene/light_falloff.h"
+#include "core/scene/photometry.h"
 #include "core/transport/optical_depth.h"
 #include "core/transport/phase_function.h"
 
 namespace brume {
 
-std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& eye,
-                                        const glm::dvec3& direction, double distance,
-                                        double min_optical_depth) {
+namespace {
+
+double max_channel(const glm::dvec3& rgb) {
+  return std::max({rgb.r, rgb.g, rgb.b});
+}
+
+glm::dvec3 opacity(const glm::dvec3& optical_depth) {
+  return {-std::expm1(-optical_depth.r), -std::expm1(-optical_depth.g),
+          -std::expm1(-optical_depth.b)};
+}
+
+}  // namespace
+
+double Contribution::effect() const {
+  return std::max(fraction, luminance(emitted));
+}
+
+std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& medium_albedo,
+                                        const glm::dvec3& eye, const glm::dvec3& direction,
+                                        double distance, double min_effect) {
   std::vector<Contribution> result;
   for (std::size_t i = 0; i < medium.size(); ++i) {
-    const GaussianTerm<double> g(medium.gaussian(i));
+    const Gaussian gaussian = medium.gaussian(i);
+    const glm::dvec3 albedo = gaussian.optics.albedo.value_or(medium_albedo);
+    const GaussianTerm<double> g(gaussian);
     const LineProfile<double> line = line_profile(g, eye, direction);
+    // What a scattering optical depth of 1 may change.
+    const double scale =
+        max_channel(1.0 / albedo) * std::max(1.0, max_channel(gaussian.optics.emission));
     // At most this: most Gaussians are far from the ray.
-    if (1.7725 * medium.radii()[i] * medium.densities()[i] * std::exp(-line.e) < min_optical_depth)
+    if (1.7725 * scale * gaussian.radius * gaussian.density * std::exp(-line.e) < min_effect) {
       continue;
-    const double depth = optical_depth(g, line, distance);
-    if (depth >= min_optical_depth) {
-      result.push_back(
-          {.index = i, .optical_depth = depth, .distance = truncated_mean(g, line, distance)});
     }
+    const double scattering = optical_depth(g, line, distance);
+    if (scale * scattering < min_effect) continue;
+    result.push_back({.index = i,
+                      .optical_depth = scattering / albedo,
+                      .distance = truncated_mean(g, line, distance)});
   }
   std::sort(result.begin(), result.end(),
             [](const Contribution& a, const Contribution& b) { return a.distance < b.distance; });
-  double depth_in_front = 0.0;
+  glm::dvec3 gaussians_in_front(0.0);
   for (Contribution& c : result) {
-    c.fraction = -std::exp(-depth_in_front) * std::expm1(-c.optical_depth);
-    c.depth_in_front = depth_in_front;
-    depth_in_front += c.optical_depth;
+    c.depth_in_front =
+        gaussians_in_front + medium.homogeneous_density() * c.distance / medium_albedo;
+    const glm::dvec3 attenuated = glm::exp(-c.depth_in_front) * opacity(c.optical_depth);
+    c.fraction = luminance(attenuated);
+    c.emitted = medium.optics(c.index).emission * attenuated;
+    gaussians_in_front += c.optical_depth;
   }
   std::stable_sort(result.begin(), result.end(), [](const Contribution& a, const Contribution& b) {
-    return a.fraction > b.fraction;
+    return a.effect() > b.effect();
   });
   return result;
 }
@@ -49,12 +77,9 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
   const glm::dvec3 from_light = point - light.position;
   const double distance = glm::length(from_light);
   if (!(distance > 0.0)) return glm::dvec3(0.0);
-  const double scattering =
-      contribution.depth_in_front +
-      medium.homogeneous_density() * (contribution.distance + std::min(distance, fog_length));
-  // What is lost is more than what is scattered, by the albedo; in front by the medium's.
   const glm::dvec3& shared = scene.optics.albedo;
-  glm::dvec3 depth = scattering / shared;
+  glm::dvec3 depth = contribution.depth_in_front +
+                     medium.homogeneous_density() * std::min(distance, fog_length) / shared;
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const Gaussian g = medium.gaussian(i);
     depth += optical_depth(GaussianTerm<double>(g), light.position, point) /
@@ -65,12 +90,8 @@ glm::dvec3 scattered_radiance(const Scene& scene, const Contribution& contributi
   const double falloff = light.falloff.at(from_light / distance);
   const double phase =
       henyey_greenstein(cosine, scene.optics.anisotropy) / (4.0 * glm::pi<double>());
-  glm::dvec3 radiance(0.0);
-  for (int k = 0; k < 3; ++k) {
-    radiance[k] = falloff * light.intensity[k] / (distance * distance) * phase * own[k] *
-                  std::exp(-depth[k]) * -std::expm1(-contribution.optical_depth / own[k]);
-  }
-  return radiance;
+  return falloff * phase / (distance * distance) * light.intensity * own * glm::exp(-depth) *
+         opacity(contribution.optical_depth);
 }
 
 }  // namespace brume

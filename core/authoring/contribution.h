@@ -8,22 +8,27 @@
 
 namespace brume {
 
-// The contribution of one Gaussian to a view ray.
+// The contribution of one Gaussian to a view ray. Optical depths are of extinction, RGB.
 struct Contribution {
-  std::size_t index = 0;        // index in the medium
-  double optical_depth = 0.0;   // of this Gaussian on the ray
-  double fraction = 0.0;        // fraction of unit background light that it absorbs
-  double depth_in_front = 0.0;  // optical depth in front of it
-  double distance = 0.0;        // from the eye to its mean on the ray
+  std::size_t index = 0;           // index in the medium
+  glm::dvec3 optical_depth{0.0};   // of this Gaussian on the ray
+  glm::dvec3 depth_in_front{0.0};  // of the Gaussians and the homogeneous fog in front of it
+  glm::dvec3 emitted{0.0};         // radiance that it emits to the eye
+  double fraction = 0.0;           // of white light from behind that it attenuates, by luminance
+  double distance = 0.0;           // from the eye to its mean on the ray
+
+  // What it changes of a pixel whose background has the luminance 1.
+  [[nodiscard]] double effect() const;
 };
 
-// The Gaussians on a ray (unit direction) up to `distance` [u], in descending order of fraction.
-// Each is concentrated at its mean on the ray, attenuated by those in front. Gaussians of optical
-// depth below `min_optical_depth` are skipped.
-std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& eye,
-                                        const glm::dvec3& direction,
+// The Gaussians on a ray (unit direction) up to `distance` [u], in descending order of effect.
+// Each is concentrated at its mean on the ray, attenuated by those in front. Those are skipped
+// whose optical depth, and what they emit unattenuated, is below `min_effect`. `medium_albedo`: of
+// Gaussians without their own.
+std::vector<Contribution> contributions(const Medium& medium, const glm::dvec3& medium_albedo,
+                                        const glm::dvec3& eye, const glm::dvec3& direction,
                                         double distance = std::numeric_limits<double>::infinity(),
-                                        double min_optical_depth = 1e-3);
+                                        double min_effect = 1e-3);
 
 // RGB radiance that the Gaussian scatters towards the eye from one point light, evaluated at its
 // mean on the ray and attenuated by the whole medium including b0 on both segments; surfaces are

@@ -78,6 +78,25 @@ void visit_keyed_density(D& homogeneous_density, K& keys, auto&& visit) {
 template <class N>
 void visit_keyed_noise(N& noise, auto&& visit) {
   visit("amplitude", noise.amplitude, noise.keys.amplitude, domain::not_negative);
+  visit("frequency", noise.frequency, noise.keys.frequency, domain::not_negative);
+  visit("velocity", noise.velocity, noise.keys.velocity, domain::coordinate);
+}
+
+template <class E>
+void visit_keyed_emitter(E& emitter, auto&& visit) {
+  auto& keys = emitter.keys;
+  auto& optics = emitter.optics;
+  visit("position", emitter.position, keys.position, domain::coordinate);
+  visit("rate", emitter.rate, keys.rate, domain::not_negative);
+  visit("lifetime", emitter.lifetime, keys.lifetime, domain::not_negative);
+  visit("velocity", emitter.velocity, keys.velocity, domain::coordinate);
+  visit("spread", emitter.spread, keys.spread, domain::not_negative);
+  visit("acceleration", emitter.acceleration, keys.acceleration, domain::coordinate);
+  visit("radius", emitter.radius, keys.radius, domain::length);
+  visit("density", emitter.density, keys.density, domain::density);
+  if (optics.albedo) visit("albedo", *optics.albedo, keys.albedo, domain::albedo);
+  visit("emission", optics.emission, keys.emission, domain::intensity);
+  visit("emission_at_death", emitter.emission_at_death, keys.emission_at_death, domain::intensity);
 }
 
 // Whether any value has keyframes.

@@ -30,12 +30,18 @@ Scene evaluate_at(const Scene& scene, double time) {
   Scene result = scene;
   result.time = time;
   apply_keys(result, time);
+  Noise& noise = result.optics.noise;
+  // Noise drifts by velocity * time: the mean velocity gives the way that the wind has gone.
+  if (!noise.keys.velocity.empty() && time != 0.0) {
+    noise.velocity = integral(noise.keys.velocity, 0.0, time) / time;
+  }
   clear_keys(result);
   for (const Emitter& emitter : scene.emitters) {
     for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);
   }
   for (const MediumSequence& sequence : scene.sequences) {
-    for (const Gaussian& gaussian : sequence_at(sequence, time)) result.medium.append(gaussian);
+    for (const Gaussian& gaussian : sequence_at(sequence, time, result.optics.albedo))
+      result.medium.append(gaussian);
   }
   result.emitters.clear();
   result.sequences.clear();

@@ -9,6 +9,9 @@ namespace {
 double component(double value, int) {
   return value;
 }
+double component(const glm::dvec2& value, int k) {
+  return value[k];
+}
 double component(const glm::dvec3& value, int k) {
   return value[k];
 }
@@ -52,12 +55,16 @@ double between(const Keys<T>& keys, std::size_t i, double time, int k) {
   return std::clamp(value, min_value, max_value);  // rounding
 }
 
+template <class T>
+typename Keys<T>::const_iterator first_after(const Keys<T>& keys, double time) {
+  return std::upper_bound(keys.begin(), keys.end(), time,
+                          [](double t, const Key<T>& key) { return t < key.time; });
+}
+
 // Index of the last key that is not after `time`; there is one.
 template <class T>
 std::size_t last_until(const Keys<T>& keys, double time) {
-  const auto after = std::upper_bound(keys.begin(), keys.end(), time,
-                                      [](double t, const Key<T>& key) { return t < key.time; });
-  return static_cast<std::size_t>(after - keys.begin()) - 1;
+  return static_cast<std::size_t>(first_after(keys, time) - keys.begin()) - 1;
 }
 
 template <class T>
@@ -70,6 +77,29 @@ const T& outside(const Keys<T>& keys, double time) {
   return time >= keys.back().time ? keys.back().value : keys.front().value;
 }
 
+// Simpson's rule between times without a key in between: exact, since values are cubic there.
+template <class T>
+T piece(const Keys<T>& keys, double low, double high) {
+  return (high - low) / 6.0 *
+         (value_at(keys, low) + 4.0 * value_at(keys, 0.5 * (low + high)) + value_at(keys, high));
+}
+
+template <class T>
+T sum_of_pieces(const Keys<T>& keys, double low, double high) {
+  T sum(0.0);
+  double last = low;
+  for (auto key = first_after(keys, low); key != keys.end() && key->time < high; ++key) {
+    sum += piece(keys, last, key->time);
+    last = key->time;
+  }
+  return sum + piece(keys, last, high);
+}
+
+template <class T>
+T any_order(const Keys<T>& keys, double begin, double end) {
+  return begin <= end ? sum_of_pieces(keys, begin, end) : -sum_of_pieces(keys, end, begin);
+}
+
 }  // namespace
 
 double value_at(const Keys<double>& keys, double time) {
@@ -77,10 +107,24 @@ double value_at(const Keys<double>& keys, double time) {
   return between(keys, last_until(keys, time), time, 0);
 }
 
+glm::dvec2 value_at(const Keys<glm::dvec2>& keys, double time) {
+  if (is_outside(keys, time)) return outside(keys, time);
+  const std::size_t i = last_until(keys, time);
+  return {between(keys, i, time, 0), between(keys, i, time, 1)};
+}
+
 glm::dvec3 value_at(const Keys<glm::dvec3>& keys, double time) {
   if (is_outside(keys, time)) return outside(keys, time);
   const std::size_t i = last_until(keys, time);
   return {between(keys, i, time, 0), between(keys, i, time, 1), between(keys, i, time, 2)};
+}
+
+double integral(const Keys<double>& keys, double begin, double end) {
+  return any_order(keys, begin, end);
+}
+
+glm::dvec3 integral(const Keys<glm::dvec3>& keys, double begin, double end) {
+  return any_order(keys, begin, end);
 }
 
 template <class T>
@@ -95,14 +139,14 @@ void set_key(Keys<T>& keys, const Key<T>& key) {
   std::erase_if(keys, [&key](const Key<T>& other) {
     return std::abs(other.time - key.time) < min_key_distance;
   });
-  const auto after = std::upper_bound(keys.begin(), keys.end(), key.time,
-                                      [](double t, const Key<T>& k) { return t < k.time; });
-  keys.insert(after, key);
+  keys.insert(first_after(keys, key.time), key);
 }
 
 template void set_key(Keys<double>&, const Key<double>&);
+template void set_key(Keys<glm::dvec2>&, const Key<glm::dvec2>&);
 template void set_key(Keys<glm::dvec3>&, const Key<glm::dvec3>&);
 template Keys<double>::const_iterator find_key(const Keys<double>&, double);
+template Keys<glm::dvec2>::const_iterator find_key(const Keys<glm::dvec2>&, double);
 template Keys<glm::dvec3>::const_iterator find_key(const Keys<glm::dvec3>&, double);
 
 }  // namespace brume

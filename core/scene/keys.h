@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -32,7 +33,12 @@ inline constexpr double min_key_distance = 1e-6;  // [s]
 // piecewise cubic interpolants", 1984) with zero slope at both ends: values stay between their
 // neighbouring keys, so densities never become negative. Vectors by component.
 double value_at(const Keys<double>& keys, double time);
+glm::dvec2 value_at(const Keys<glm::dvec2>& keys, double time);
 glm::dvec3 value_at(const Keys<glm::dvec3>& keys, double time);
+
+// Integral of the value from one time to another, in either order [s]; at least one key.
+double integral(const Keys<double>& keys, double begin, double end);
+glm::dvec3 integral(const Keys<glm::dvec3>& keys, double begin, double end);
 
 // Inserts a key, replacing one nearer than min_key_distance.
 template <class T>

@@ -7,17 +7,19 @@
 namespace brume {
 namespace {
 
-// The medium's albedo, which a Gaussian without its own has, is not known here: halfway it changes.
-GaussianOptics between(const GaussianOptics& a, const GaussianOptics& b, double u) {
-  const bool have_albedos = a.albedo && b.albedo;
-  return {have_albedos ? std::optional(glm::mix(*a.albedo, *b.albedo, u))
-                       : (u < 0.5 ? a.albedo : b.albedo),
-          glm::mix(a.emission, b.emission, u)};
+GaussianOptics between(const GaussianOptics& a, const GaussianOptics& b, double u,
+                       const glm::dvec3& medium_albedo) {
+  GaussianOptics optics;
+  if (a.albedo || b.albedo) {
+    optics.albedo = glm::mix(a.albedo.value_or(medium_albedo), b.albedo.value_or(medium_albedo), u);
+  }
+  optics.emission = glm::mix(a.emission, b.emission, u);
+  return optics;
 }
 
-Gaussian between(const Gaussian& a, const Gaussian& b, double u) {
+Gaussian between(const Gaussian& a, const Gaussian& b, double u, const glm::dvec3& medium_albedo) {
   return {glm::mix(a.center, b.center, u), a.radius * std::pow(b.radius / a.radius, u),
-          std::lerp(a.density, b.density, u), between(a.optics, b.optics, u)};
+          std::lerp(a.density, b.density, u), between(a.optics, b.optics, u, medium_albedo)};
 }
 
 Gaussian faded(Gaussian gaussian, double share) {
@@ -27,7 +29,8 @@ Gaussian faded(Gaussian gaussian, double share) {
 
 }  // namespace
 
-std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame& b, double u) {
+std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame& b, double u,
+                                     const glm::dvec3& medium_albedo) {
   std::vector<Gaussian> result;
   result.reserve(std::max(a.ids.size(), b.ids.size()));
   std::size_t i = 0;
@@ -38,13 +41,14 @@ std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame
     } else if (i == a.ids.size() || b.ids[j] < a.ids[i]) {
       result.push_back(faded(b.gaussians[j++], u));
     } else {
-      result.push_back(between(a.gaussians[i++], b.gaussians[j++], u));
+      result.push_back(between(a.gaussians[i++], b.gaussians[j++], u, medium_albedo));
     }
   }
   return result;
 }
 
-std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time) {
+std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time,
+                                  const glm::dvec3& medium_albedo) {
   const std::vector<SequenceFrame>& frames = *sequence.frames;
   if (frames.empty()) return {};
   const double last = static_cast<double>(frames.size()) - 1.0;
@@ -53,7 +57,8 @@ std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time) {
   const double nearest = std::round(at);
   if (std::abs(at - nearest) < 1e-6) return frames[static_cast<std::size_t>(nearest)].gaussians;
   const auto before = static_cast<std::size_t>(at);
-  return between_frames(frames[before], frames[before + 1], at - static_cast<double>(before));
+  return between_frames(frames[before], frames[before + 1], at - static_cast<double>(before),
+                        medium_albedo);
 }
 
 std::size_t gaussian_count(const MediumSequence& sequence) {

@@ -31,11 +31,14 @@ struct MediumSequence {
 };
 
 // Interpolates between frames, u in [0, 1]: center, density, albedo and emission linearly, radius
-// geometrically; Gaussians present in one frame only fade in place.
-std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame& b, double u);
+// geometrically; Gaussians present in one frame only fade in place. `medium_albedo`: what one of
+// them may have where the other has an albedo of its own.
+std::vector<Gaussian> between_frames(const SequenceFrame& a, const SequenceFrame& b, double u,
+                                     const glm::dvec3& medium_albedo);
 
 // The Gaussians at a time [s], clamped to the first and last frame.
-std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time);
+std::vector<Gaussian> sequence_at(const MediumSequence& sequence, double time,
+                                  const glm::dvec3& medium_albedo);
 
 // Sum over all frames, an upper bound at any time.
 std::size_t gaussian_count(const MediumSequence& sequence);

@@ -13,10 +13,10 @@ inline constexpr int particle_limit = 100'000;
 // Maximum number of live particles of an emitter.
 std::size_t max_particles(const Emitter& emitter);
 
-// The particles of an emitter at a time [s]. Particle k is born at k / rate and lives for the
-// lifetime; its state depends only on its seed and age, so any time can be evaluated. Radius and
-// density are interpolated linearly from birth to death. Values stay within the limits of scene
-// files.
+// The particles of an emitter at a time [s]. Particle k is born at k / rate, or where the rate has
+// keyframes, when its integral passes k; it has the emitter's values at its birth for life. Its
+// state depends only on seed and age, so any time can be evaluated. Radius, density and emission
+// are interpolated linearly from birth to death. Values stay within the limits of scene files.
 std::vector<Gaussian> particles_at(const Emitter& emitter, double time);
 
 }  // namespace brume

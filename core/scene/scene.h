@@ -150,6 +150,8 @@ struct Surface {
 
 struct NoiseKeys {
   Keys<double> amplitude;
+  Keys<double> frequency;
+  Keys<glm::dvec3> velocity;
 
   bool operator==(const NoiseKeys&) const = default;
 };

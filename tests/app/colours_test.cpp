@@ -1,12 +1,15 @@
-// Albedo and emission of Gaussians: in the inspector, in the brushes, and copied.
+// Albedo and emission of Gaussians: in the inspector, in brushes and emitters, and copied.
 
 #include <QCheckBox>
 #include <QColorDialog>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QTableView>
 #include <QToolButton>
 
 #include "app/commands/clipboard.h"
+#include "app/commands/edit_emitters.h"
+#include "app/document/timeline.h"
 #include "app/panels/gaussian_filter.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
@@ -72,13 +75,13 @@ class ColoursTest : public QObject {
     TestWindow window(scene);
     auto* table = window->findChild<QTableView*>();
     QVERIFY(table);
-    QCOMPARE(table->model()->columnCount(), 6);
+    QCOMPARE(table->model()->columnCount(), 7);
     QCOMPARE(table->model()->rowCount(), 5);
     auto* filter = window->findChild<QLineEdit*>("gaussian_filter");
     QTest::keyClicks(filter, "emission > 1");
     QCOMPARE(table->model()->rowCount(), 3);
     // What is typed into a cell keeps the colour.
-    table->model()->setData(table->model()->index(0, 5), "6");
+    table->model()->setData(table->model()->index(0, 6), "6");
     QCOMPARE(window->document().medium().optics(0).emission, glm::dvec3(1.0, 6.0, 2.0));
   }
 
@@ -106,6 +109,55 @@ class ColoursTest : public QObject {
     // Alt picks them, here those of a plain one.
     window.drag(window.handle(4), window.handle(4), Qt::LeftButton, Qt::AltModifier);
     QVERIFY(!own->isChecked());
+  }
+
+  void emitters_have_them() {
+    Scene scene = small_scene();
+    scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
+    TestWindow window(scene);
+    Document& document = window->document();
+    const Scene before = document.scene();
+    const auto emitter = [&]() -> const Emitter& { return document.scene().emitters[0]; };
+    auto* own = window->findChild<QCheckBox*>("emitter_has_albedo");
+    window->findChild<QDockWidget*>("emitters_dock")->raise();
+    QTRY_VERIFY(own->isVisible());
+    QTest::mouseClick(own, Qt::LeftButton, {}, QPoint(8, own->height() / 2));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set colours of emitter 1"));
+    QCOMPARE(*emitter().optics.albedo, before.optics.albedo);
+    auto* albedo = window->findChild<ColorButton*>("emitter_albedo");
+    QTest::mouseClick(albedo, Qt::LeftButton);
+    albedo->findChild<QColorDialog*>()->setCurrentColor(QColor(255, 0, 0));
+    albedo->findChild<QColorDialog*>()->close();
+    enter(window, "emitter_emission", "8");
+    enter(window, "emitter_temperature", "1850");
+    enter(window, "emitter_death_emission", "2");
+    QCOMPARE(document.undo_stack().undoText(), QString("Set emission of emitter 1"));
+    enter(window, "emitter_death_temperature", "1000");
+    QCOMPARE(*emitter().optics.albedo, glm::dvec3(1.0, 1e-6, 1e-6));
+    QCOMPARE(emitter().optics.emission, 8.0 * black_body_color(1850.0));
+    QCOMPARE(emitter().emission_at_death, 2.0 * black_body_color(1000.0));
+    const int steps = document.undo_stack().count();
+    QCOMPARE(steps, 6);
+    enter(window, "emitter_emission", "-1");  // refused
+    enter(window, "emitter_death_emission", "much");
+    QCOMPARE(document.undo_stack().count(), steps);
+
+    // The picture's particles have them, and what is baked.
+    window->timeline().set_frame(15);
+    QVERIFY(window.settle());
+    const Medium& shown = window->viewport().frames().shown()->request.scene->medium;
+    QCOMPARE(shown.optics(5).albedo, emitter().optics.albedo);
+    QVERIFY(shown.optics(5).emission.r > 2.0 && shown.optics(5).emission.r < 8.0);
+    freeze_particles(document, document.time());
+    QVERIFY(document.medium().optics(5) == shown.optics(5));
+    // The file keeps them.
+    const std::filesystem::path file = window.file("fire.brume");
+    document.save(file);
+    QVERIFY(load_scene(file).emitters == document.scene().emitters);
+    QVERIFY(!document.is_modified());
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.is_modified());
+    QVERIFY(document.scene() == before);
   }
 
   void copies_keep_them() {

@@ -8,8 +8,12 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <cstdio>
 
+#include "app/commands/edit_emitters.h"
+#include "app/commands/edit_medium.h"
+#include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
 #include "app/tools/tool_box.h"
@@ -40,6 +44,7 @@ class Pictures {
     make_views();
     make_help();
     take_light_theme();
+    make_coloured_panels();
   }
 
   [[nodiscard]] bool failed() const { return failed_; }
@@ -140,16 +145,43 @@ class Pictures {
   void make_panels() {
     Document& document = window_.document();
     document.select({document.medium().ids()[2], document.medium().ids()[3]});
-    hover(QPoint(view().width() / 4, view().height() / 2));
-    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
-      dock->show();
-      dock->raise();
-      QTest::qWait(100);
-      hover(QPoint(view().width() / 4, view().height() / 2 + 3));
-      QTest::qWait(300);
-      take("panel_" + dock->objectName(), area(dock));
-    }
+    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) take_panel(*dock);
     document.select({});
+  }
+
+  // Again those that show albedo and emission, of coloured smoke that glows, and of fire. It is the
+  // last, since `auto` learns from what is shown.
+  void make_coloured_panels() {
+    Document& document = window_.document();
+    const std::vector<GaussianId> two{document.medium().ids()[2], document.medium().ids()[3]};
+    document.select(two);
+    std::vector<Gaussian> glowing{document.medium().gaussian(2), document.medium().gaussian(3)};
+    glowing[0].optics = {glm::dvec3(0.9, 0.4, 0.2), {2.0, 0.6, 0.1}};
+    glowing[1].optics = {glm::dvec3(0.3, 0.4, 0.8), {0.2, 0.4, 1.5}};
+    change_gaussians(document, two, glowing, "Set colours", no_merge);
+    add_emitter(document, {0.0, 0.0, 2.0}, 6.0);
+    change_emitter(document, 0, "Set colours of %1", no_merge, [](Emitter& emitter) {
+      emitter.optics.emission = {9.0, 2.2, 0.1};
+      emitter.emission_at_death = {1.0, 0.1, 0.0};
+    });
+    auto* emitters = window_.findChild<QDockWidget*>("emitters_dock");
+    take_panel(*window_.findChild<QDockWidget*>("gaussians"));
+    take_panel(*window_.findChild<QDockWidget*>("at_cursor"));
+    emitters->raise();
+    QScrollBar* bar = emitters->findChild<QScrollArea*>()->verticalScrollBar();
+    QTest::qWait(100);
+    bar->setValue(bar->maximum());
+    take_panel(*emitters);
+  }
+
+  void take_panel(QDockWidget& dock) {
+    dock.show();
+    dock.raise();
+    hover(QPoint(view().width() / 4, view().height() / 2));
+    QTest::qWait(100);
+    hover(QPoint(view().width() / 4, view().height() / 2 + 3));
+    QTest::qWait(300);
+    take("panel_" + dock.objectName(), area(&dock));
   }
 
   void make_views() {

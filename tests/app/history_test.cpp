@@ -147,8 +147,12 @@ class RandomHands {
       case 2:
         return below(4) == 0 ? freeze_particles(document_, number()) : void();
       default:
-        return change_emitter(document_, below(2), "Change %1", no_merge,
-                              [this](Emitter& emitter) { emitter.velocity = point(); });
+        return change_emitter(document_, below(2), "Change %1", no_merge, [this](Emitter& emitter) {
+          emitter.velocity = point();
+          emitter.optics.emission = point();
+          emitter.optics.albedo =
+              below(2) == 0 ? std::optional(glm::dvec3(0.4 * point())) : std::nullopt;
+        });
     }
   }
   void whole_medium() {

@@ -381,7 +381,8 @@ class ImportTest : public QObject {
     const Scene& scene = window->document().scene();
     QCOMPARE(window->document().undo_stack().undoText(), QString("Import sequence p_%02d.ply"));
     QCOMPARE(scene.sequences.size(), std::size_t{1});
-    const std::vector<Gaussian> halfway = sequence_at(scene.sequences[0], 0.5 / 30.0);
+    const std::vector<Gaussian> halfway =
+        sequence_at(scene.sequences[0], 0.5 / 30.0, glm::dvec3(1.0));
     QCOMPARE(halfway.size(), std::size_t{2});
     QVERIFY(halfway[0].center == glm::dvec3(0, 1, 0));
     QVERIFY(halfway[1].center == glm::dvec3(8, 1, 0));

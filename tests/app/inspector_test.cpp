@@ -42,6 +42,30 @@ void set_filter(MainWindow& window, const QString& text) {
   QTest::keyClicks(filter, text);
 }
 
+// From one position along its axis to another.
+void drag_in(GaussianHistogram& histogram, double from, double to,
+             Qt::KeyboardModifiers modifiers = {}) {
+  const auto at = [&](double position) {
+    return QPointF(2.0 + position * (histogram.width() - 4), 10.0);
+  };
+  QTest::mousePress(&histogram, Qt::LeftButton, modifiers, at(from).toPoint());
+  for (const double part : {0.3, 0.6, 1.0}) {
+    const QPointF to_now = at(from + part * (to - from));
+    QMouseEvent move(QEvent::MouseMove, to_now, histogram.mapToGlobal(to_now), Qt::NoButton,
+                     Qt::LeftButton, modifiers);
+    QApplication::sendEvent(&histogram, &move);
+  }
+  QTest::mouseRelease(&histogram, Qt::LeftButton, modifiers, at(to).toPoint());
+}
+
+ContributionPanel& cursor_panel(TestWindow& window) {
+  auto* panel = window->findChild<ContributionPanel*>();
+  auto* dock = qobject_cast<QWidget*>(panel->parent());
+  dock->show();
+  dock->raise();
+  return *panel;
+}
+
 std::vector<double> radii_of(const Document& document) {
   return {document.medium().radii().begin(), document.medium().radii().end()};
 }
@@ -159,19 +183,6 @@ class InspectorTest : public QObject {
     const auto radii = radii_of(document);
     QCOMPARE(axis.low, *std::min_element(radii.begin(), radii.end()));
     QCOMPARE(axis.high, *std::max_element(radii.begin(), radii.end()));
-    const auto drag = [&](double from, double to, Qt::KeyboardModifiers modifiers) {
-      const auto at = [&](double position) {
-        return QPointF(2.0 + position * (histogram->width() - 4), 10.0);
-      };
-      QTest::mousePress(histogram, Qt::LeftButton, modifiers, at(from).toPoint());
-      for (const double part : {0.3, 0.6, 1.0}) {
-        const QPointF to_now = at(from + part * (to - from));
-        QMouseEvent move(QEvent::MouseMove, to_now, histogram->mapToGlobal(to_now), Qt::NoButton,
-                         Qt::LeftButton, modifiers);
-        QApplication::sendEvent(histogram, &move);
-      }
-      QTest::mouseRelease(histogram, Qt::LeftButton, modifiers, at(to).toPoint());
-    };
     const auto in_range = [&](double low, double high) {
       std::vector<GaussianId> ids;
       for (std::size_t k = 0; k < radii.size(); ++k) {
@@ -180,20 +191,74 @@ class InspectorTest : public QObject {
       return ids;
     };
     // No Gaussian lies within a pixel of this.
-    drag(0.45, 1.2, {});
+    drag_in(*histogram, 0.45, 1.2);
     const auto upper = in_range(axis.at(0.45), axis.high);
     QVERIFY(!upper.empty() && upper.size() < 5);
     QCOMPARE(document.selection(), upper);
     QCOMPARE(document.undo_stack().count(), 1);
     QVERIFY(!document.is_modified());
-    drag(0.3, -0.1, Qt::ShiftModifier);
+    drag_in(*histogram, 0.3, -0.1, Qt::ShiftModifier);
     QVERIFY(document.selection().size() > upper.size());
-    drag(0.45, 1.2, Qt::ControlModifier);
+    drag_in(*histogram, 0.45, 1.2, Qt::ControlModifier);
     QCOMPARE(document.selection(), in_range(axis.low, axis.at(0.3)));
     document.undo_stack().setIndex(1);
     QCOMPARE(document.selection(), upper);
     document.undo_stack().setIndex(0);
     QVERIFY(document.selection().empty());
+  }
+
+  void albedo_and_emission_have_columns_filters_and_histograms() {
+    TestWindow window;
+    Document& document = window->document();
+    const Scene before = document.scene();
+    QTableView* table = table_of(*window);
+    auto* albedo = window->findChild<GaussianHistogram*>("histogram_albedo");
+    auto* emission = window->findChild<GaussianHistogram*>("histogram_emission");
+    QVERIFY(!albedo->isVisible() && !emission->isVisible());
+    const auto cell = [&](int row, int k, int role) {
+      return table->model()->index(row, k).data(role);
+    };
+    QVERIFY(!cell(1, 5, Qt::DecorationRole).isValid());
+    QVERIFY(cell(1, 5, Qt::ToolTipRole).toString().contains("medium"));
+
+    // Typed into a cell, an albedo is grey.
+    document.select({2});
+    QVERIFY(table->model()->setData(table->model()->index(1, 5), "0.25"));
+    QCOMPARE(document.undo_stack().undoText(), QString("Set albedo of Gaussian to 0.25"));
+    QVERIFY(!table->model()->setData(table->model()->index(1, 5), "1.5"));
+    QVERIFY(!table->model()->setData(table->model()->index(1, 5), "0"));
+    QCOMPARE(document.medium().optics(1).albedo, std::optional(glm::dvec3(0.25)));
+    enter(window, "gaussian_emission", "4");
+    QVERIFY(albedo->isVisible() && emission->isVisible());
+    QCOMPARE(column(table, 5), (std::vector<double>{1.0, 0.25, 1.0, 1.0, 1.0}));
+    QCOMPARE(column(table, 6), (std::vector<double>{0.0, 4.0, 0.0, 0.0, 0.0}));
+    const QImage swatch = cell(1, 6, Qt::DecorationRole).value<QPixmap>().toImage();
+    QCOMPARE(swatch.pixelColor(4, 6), QColor(Qt::white));
+    QCOMPARE(cell(1, 5, Qt::ToolTipRole).toString(), QString("0.25, 0.25, 0.25"));
+    QVERIFY(!cell(0, 6, Qt::DecorationRole).isValid());
+    click_header(table, 5);
+    QCOMPARE(column(table, 5).front(), 0.25);
+    click_header(table, 5);
+    QCOMPARE(column(table, 5).back(), 0.25);
+    drag_in(*emission, 0.5, 1.2);
+    QCOMPARE(document.selection(), std::vector<GaussianId>{2});
+
+    // The others follow the medium's albedo.
+    set_filter(*window, "albedo < 0.5");
+    QCOMPARE(table->model()->rowCount(), 1);
+    for (const char* field : {"albedo_x", "albedo_y", "albedo_z"}) enter(window, field, "0.2");
+    QCOMPARE(table->model()->rowCount(), 5);
+    QCOMPARE(column(table, 5), (std::vector<double>{0.25, 0.2, 0.2, 0.2, 0.2}));
+    QCOMPARE(albedo->axis().low, 0.2);
+    QCOMPARE(albedo->axis().high, 0.25);
+    drag_in(*albedo, 0.5, -0.1);
+    QCOMPARE(document.selection(), (std::vector<GaussianId>{1, 3, 4, 5}));
+    QVERIFY(document.is_modified());
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == before);
+    QVERIFY(!document.is_modified());
+    QVERIFY(!albedo->isVisible() && !emission->isVisible());
+    QCOMPARE(table->model()->rowCount(), 0);
   }
 
   void far_apart_values_are_spread_by_factors() {
@@ -210,10 +275,7 @@ class InspectorTest : public QObject {
     TestWindow window;
     Document& document = window->document();
     Viewport& view = window->viewport();
-    auto* panel = window->findChild<ContributionPanel*>();
-    auto* dock = qobject_cast<QWidget*>(panel->parent());
-    dock->show();
-    dock->raise();
+    ContributionPanel* panel = &cursor_panel(window);
     QTRY_VERIFY(panel->isVisible());
     QVERIFY(!panel->facts());
     QTest::mouseMove(&view, window.handle(1));
@@ -242,6 +304,40 @@ class InspectorTest : public QObject {
     QTRY_COMPARE(panel->facts()->id, last);
     QTest::mouseMove(&view, QPoint(3, 3));
     QTRY_VERIFY(!panel->facts());
+  }
+
+  void cursor_panel_shows_what_shines() {
+    Scene scene = small_scene();
+    scene.lights[0].on = false;
+    std::size_t index = 0;
+    scene.medium = scene.medium.changed(0.0, [&](Gaussian gaussian) {
+      if (index++ == 1) gaussian.optics = {glm::dvec3(0.5, 0.25, 0.5), {0.0, 6.0, 0.0}};
+      return gaussian;
+    });
+    TestWindow window(scene);
+    ContributionPanel& panel = cursor_panel(window);
+    QTRY_VERIFY(panel.isVisible());
+    const QPoint at = window.handle(1);
+    QTest::mouseMove(&window->viewport(), at);
+    QTRY_VERIFY(panel.facts());
+    const Contribution& contribution = panel.facts()->contribution;
+    QCOMPARE(contribution.optical_depth.g, 2.0 * contribution.optical_depth.r);
+    // Alone on its ray, and all the airlight of the pixel.
+    const Frame& frame = window->viewport().frames().shown()->frame;
+    const auto pixel = static_cast<std::size_t>(at.y() * frame.film.width + at.x());
+    const double shown = static_cast<double>(frame.airlight[3 * pixel + 1]);
+    QVERIFY(shown > 1.0);
+    QVERIFY2(std::abs(contribution.emitted.g - shown) < 0.02 * shown,
+             qPrintable(QString("%1 %2").arg(contribution.emitted.g).arg(shown)));
+    // Its bar is of its colour.
+    const QImage picture = panel.grab().toImage();
+    bool has_green = false;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        has_green = has_green || picture.pixelColor(x, y) == QColor(0, 255, 0);
+      }
+    }
+    QVERIFY(has_green);
   }
 };
 

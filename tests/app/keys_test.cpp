@@ -1,5 +1,6 @@
 // Values that have keys: on the timeline, with the mouse.
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QMenu>
@@ -15,7 +16,9 @@
 #include "app/widgets/number_field.h"
 #include "app/widgets/value_field.h"
 #include "core/io/scene/scene_file.h"
+#include "core/scene/animation.h"
 #include "core/scene/at_time.h"
+#include "core/scene/particles.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -253,6 +256,54 @@ class KeysTest : public QObject {
     document.undo_stack().undo();
     QCOMPARE(document.medium().homogeneous_density(), 0.1);
     document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+  }
+
+  void every_number_of_an_emitter_has_keys() {
+    Scene scene = small_scene();
+    scene.emitters.push_back({.rate = 30.0, .lifetime = 1.0});
+    scene.emitters[0].optics = {glm::dvec3(0.5), glm::dvec3(4.0)};
+    TestWindow window(scene);
+    Document& document = window->document();
+    const Scene before = document.scene();
+    auto* box = window->findChild<QComboBox*>("key_target");
+    std::size_t count = 0;
+    for (int k = 0; k < box->count(); ++k) {
+      if (!box->itemText(k).startsWith("Emitter 1")) continue;
+      box->setCurrentIndex(k);
+      set_key_at(window, 0);
+      ++count;
+    }
+    const auto emitter = [&]() -> const Emitter& { return document.scene().emitters[0]; };
+    QCOMPARE(count, std::size_t{11});
+    visit_keyed_emitter(
+        emitter(), [&](const char* name, const auto& value, const auto& keys, const NumberDomain&) {
+          QVERIFY2(keys.size() == 1 && keys[0].value == value, name);
+        });
+    QCOMPARE(strip(window).rows().size(), count);
+    // Edits set a keyframe of now.
+    window->timeline().set_frame(60);
+    enter(window, "emitter_rate", "60");
+    enter(window, "emitter_radius_death", "2");
+    enter(window, "emitter_emission", "8");
+    QCOMPARE(emitter().keys.rate.size(), std::size_t{2});
+    QCOMPARE(emitter().keys.radius[1].value, glm::dvec2(0.1, 2.0));
+    QCOMPARE(emitter().keys.emission[1].value, glm::dvec3(8.0));
+    QCOMPARE(emitter().keys.density.size(), std::size_t{1});
+    window->timeline().set_frame(30);
+    QCOMPARE(value(window, "emitter_rate"), QString("45"));
+    QCOMPARE(value(window, "emitter_emission"), QString("6"));
+    QVERIFY(window.settle());
+    const Medium& shown = window->viewport().frames().shown()->request.scene->medium;
+    QCOMPARE(shown.size(), 5 + particles_at(emitter(), 1.0).size());
+    QVERIFY(window->files().save_to(window.file("keys.brume")));
+    QVERIFY(load_scene(window.file("keys.brume")).emitters[0].keys == emitter().keys);
+    // Without an albedo of its own there are no keyframes of it.
+    window->findChild<QCheckBox*>("emitter_has_albedo")->click();
+    QVERIFY(emitter().keys.albedo.empty());
+    QCOMPARE(strip(window).rows().size(), count - 1);
+    document.undo_stack().setIndex(0);
+    window->timeline().set_frame(0);
     QVERIFY(document.scene() == before);
   }
 

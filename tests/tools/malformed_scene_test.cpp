@@ -93,6 +93,12 @@ TEST_F(MalformedScene, EachValueOfALightIsRefusedInOneLine) {
   expect_refused(all);
 }
 
+TEST_F(MalformedScene, EachValueOfAnEmitterIsRefusedInOneLine) {
+  const std::vector<MalformedCase> all = malformed_emitters();
+  ASSERT_GE(all.size(), 140u);
+  expect_refused(all);
+}
+
 TEST_F(MalformedScene, RefusesFoldersAndDevices) {
   const std::string out = (folder_ / "o.exr").string();
   for (const std::string& scene :

@@ -81,6 +81,10 @@ std::string scene_with_light(const std::string& members) {
   return with(&Parts::lights, "[{" + members + "}]");
 }
 
+std::string scene_with_emitter(const std::string& members) {
+  return medium(R"("emitters": [{)" + members + "}]");
+}
+
 std::string good_scene() {
   return Parts{}.text();
 }
@@ -431,6 +435,10 @@ std::vector<MalformedCase> malformed_cases() {
              [{"time": 1, "value": 1}, {"time": 0.5, "value": 1}]}})"),
        "medium.noise.keys.amplitude[1].time",
        {"0.5 after 1", "increase"}},
+      {"a number for the wind at a key",
+       medium(R"("noise": {"keys": {"velocity": [{"time": 1, "value": 1}]}})"),
+       "medium.noise.keys.velocity[0].value",
+       {"3 numbers"}},
       {"two keys at one time",
        camera(R"("keys": {"vertical_fov": [{"time": 1, "value": 40}, {"time": 1, "value": 50}]})"),
        "camera.keys.vertical_fov[1].time",

@@ -16,9 +16,12 @@ struct MalformedCase {
 std::vector<MalformedCase> malformed_cases();
 // Every key of every type of light with values of the wrong kind, length and size.
 std::vector<MalformedCase> malformed_lights();
+// Every key of an emitter, and keyframes of it, with such values.
+std::vector<MalformedCase> malformed_emitters();
 
-// The text of a scene with one light.
+// The text of a scene with one light, with one emitter.
 std::string scene_with_light(const std::string& members);
+std::string scene_with_emitter(const std::string& members);
 
 // The scene they are made from; it needs good.obj.
 std::string good_scene();

@@ -91,6 +91,14 @@ std::int64_t JsonObject::integer(std::string_view key, std::int64_t min_value,
   return number;
 }
 
+glm::dvec2 JsonObject::pair(std::string_view key, const NumberDomain& domain,
+                            std::optional<glm::dvec2> fallback) {
+  const Json* value = fallback ? find(key) : &required(key);
+  if (value == nullptr) return *fallback;
+  const std::vector<double> v = read_numbers(context_, *value, path_of(key), 2, domain);
+  return {v[0], v[1]};
+}
+
 glm::dvec3 JsonObject::vector(std::string_view key, const NumberDomain& domain,
                               std::optional<glm::dvec3> fallback) {
   const Json* value = fallback ? find(key) : &required(key);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -70,6 +71,8 @@ class JsonObject {
   double number(std::string_view key, const NumberDomain& domain, std::optional<double> fallback);
   std::int64_t integer(std::string_view key, std::int64_t min_value, std::int64_t max_value,
                        std::int64_t fallback);
+  glm::dvec2 pair(std::string_view key, const NumberDomain& domain,
+                  std::optional<glm::dvec2> fallback);
   glm::dvec3 vector(std::string_view key, const NumberDomain& domain,
                     std::optional<glm::dvec3> fallback);
   bool boolean(std::string_view key, bool fallback);

@@ -5,6 +5,10 @@
 
 namespace brume {
 
+Json to_json(const glm::dvec2& v) {
+  return Json::array({v.x, v.y});
+}
+
 Json to_json(const glm::dvec3& v) {
   return Json::array({v.x, v.y, v.z});
 }
@@ -13,6 +17,10 @@ namespace {
 
 void read_value(JsonObject& object, const NumberDomain& domain, double& value) {
   value = object.number("value", domain, {});
+}
+
+void read_value(JsonObject& object, const NumberDomain& domain, glm::dvec2& value) {
+  value = object.pair("value", domain, {});
 }
 
 void read_value(JsonObject& object, const NumberDomain& domain, glm::dvec3& value) {
@@ -52,6 +60,9 @@ void read_all(JsonContext& context, JsonObject& object, const char* name,
 Json value_to_json(double value) {
   return value;
 }
+Json value_to_json(const glm::dvec2& value) {
+  return to_json(value);
+}
 Json value_to_json(const glm::dvec3& value) {
   return to_json(value);
 }
@@ -79,11 +90,20 @@ void read_keys(JsonContext& context, JsonObject& object, const char* name,
 }
 
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<glm::dvec2>& keys, UnknownKeys& unknown_keys) {
+  read_all(context, object, name, domain, keys, unknown_keys);
+}
+
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
                const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys) {
   read_all(context, object, name, domain, keys, unknown_keys);
 }
 
 Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys) {
+  return all_to_json(keys, unknown_keys);
+}
+
+Json keys_to_json(const Keys<glm::dvec2>& keys, const UnknownKeys& unknown_keys) {
   return all_to_json(keys, unknown_keys);
 }
 

@@ -11,10 +11,14 @@ namespace brume {
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
                const NumberDomain& domain, Keys<double>& keys, UnknownKeys& unknown_keys);
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
+               const NumberDomain& domain, Keys<glm::dvec2>& keys, UnknownKeys& unknown_keys);
+void read_keys(JsonContext& context, JsonObject& object, const char* name,
                const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys);
 
+Json to_json(const glm::dvec2& v);
 Json to_json(const glm::dvec3& v);
 Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys);
+Json keys_to_json(const Keys<glm::dvec2>& keys, const UnknownKeys& unknown_keys);
 Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys);
 
 }  // namespace brume

@@ -147,10 +147,16 @@ class SceneLoader {
     gaussian.center = object.vector("center", domain::coordinate, {});
     gaussian.radius = object.number("radius", domain::length, {});
     gaussian.density = object.number("density", domain::density, {});
-    if (object.find("albedo")) gaussian.optics.albedo = object.vector("albedo", domain::albedo, {});
-    gaussian.optics.emission =
-        object.vector("emission", domain::intensity, gaussian.optics.emission);
+    gaussian.optics = load_optics(object);
     unknown_keys_.add_of_gaussian(scene_.medium.append(gaussian), object.unknown_keys());
+  }
+
+  // Of a Gaussian, or of an emitter's.
+  static GaussianOptics load_optics(JsonObject& object) {
+    GaussianOptics optics;
+    if (object.find("albedo")) optics.albedo = object.vector("albedo", domain::albedo, {});
+    optics.emission = object.vector("emission", domain::intensity, optics.emission);
+    return optics;
   }
 
   void load_medium_file(JsonObject& object) {
@@ -188,9 +194,15 @@ class SceneLoader {
     emitter.velocity = object.vector("velocity", domain::coordinate, emitter.velocity);
     emitter.spread = object.number("spread", domain::not_negative, emitter.spread);
     emitter.acceleration = object.vector("acceleration", domain::coordinate, emitter.acceleration);
-    emitter.radius = load_pair(object, "radius", domain::length, emitter.radius);
-    emitter.density = load_pair(object, "density", domain::density, emitter.density);
+    emitter.radius = object.pair("radius", domain::length, emitter.radius);
+    emitter.density = object.pair("density", domain::density, emitter.density);
+    emitter.optics = load_optics(object);
+    emitter.emission_at_death =
+        object.vector("emission_at_death", domain::intensity, emitter.optics.emission);
     emitter.seed = object.integer("seed", INT64_MIN, INT64_MAX, emitter.seed);
+    unknown_keys_.add(emitter.id, "keys", load_keys(object, [&](auto&& visit) {
+                        visit_keyed_emitter(emitter, visit);
+                      }));
     unknown_keys_.add(emitter.id, "", object.unknown_keys());
     budget_.reserve_gaussians(path, max_particles(emitter));
     scene_.emitters.push_back(emitter);
@@ -215,15 +227,6 @@ class SceneLoader {
     budget_.reserve_gaussians(file, gaussian_count(sequence));
     unknown_keys_.add(sequence.id, "", object.unknown_keys());
     scene_.sequences.push_back(std::move(sequence));
-  }
-
-  // At birth and at death.
-  glm::dvec2 load_pair(JsonObject& object, const char* key, const NumberDomain& domain,
-                       const glm::dvec2& absent) {
-    const Json* value = object.find(key);
-    if (value == nullptr) return absent;
-    const auto numbers = read_numbers(context_, *value, object.path_of(key), 2, domain);
-    return {numbers[0], numbers[1]};
   }
 
   void load_light(const Json& value, const JsonPath& path) {

@@ -36,6 +36,12 @@ bool is_unchanged(const MediumFile& loaded, const Medium& medium) {
   return true;
 }
 
+// Of a Gaussian, or of an emitter's.
+void add_optics(Json& entry, const GaussianOptics& optics) {
+  if (optics.albedo) entry["albedo"] = to_json(*optics.albedo);
+  if (optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(optics.emission);
+}
+
 Json emitter_to_json(const Emitter& emitter, const UnknownKeys& unknown_keys) {
   Json entry{{"position", to_json(emitter.position)},
              {"rate", emitter.rate},
@@ -43,9 +49,15 @@ Json emitter_to_json(const Emitter& emitter, const UnknownKeys& unknown_keys) {
              {"velocity", to_json(emitter.velocity)},
              {"spread", emitter.spread},
              {"acceleration", to_json(emitter.acceleration)},
-             {"radius", Json::array({emitter.radius.x, emitter.radius.y})},
-             {"density", Json::array({emitter.density.x, emitter.density.y})},
+             {"radius", to_json(emitter.radius)},
+             {"density", to_json(emitter.density)},
              {"seed", emitter.seed}};
+  add_optics(entry, emitter.optics);
+  if (emitter.emission_at_death != emitter.optics.emission) {
+    entry["emission_at_death"] = to_json(emitter.emission_at_death);
+  }
+  add_keys(entry, unknown_keys, unknown_keys.of(emitter.id, "keys"),
+           [&emitter](auto&& visit) { visit_keyed_emitter(emitter, visit); });
   add_unknown_keys(entry, unknown_keys.of(emitter.id, ""));
   return entry;
 }
@@ -65,8 +77,7 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
     if (file != nullptr && std::binary_search(file->ids.begin(), file->ids.end(), id)) continue;
     const Gaussian g = medium.gaussian(i);
     Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
-    if (g.optics.albedo) entry["albedo"] = to_json(*g.optics.albedo);
-    if (g.optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(g.optics.emission);
+    add_optics(entry, g.optics);
     add_unknown_keys(entry, unknown_keys.of_gaussian(id));
     gaussians.push_back(std::move(entry));
   }

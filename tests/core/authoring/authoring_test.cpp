@@ -4,11 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <random>
 
 #include "core/authoring/contribution.h"
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
 #include "core/authoring/smooth_path.h"
+#include "core/math/infinity.h"
 #include "core/transport/optical_depth.h"
 
 namespace brume {
@@ -217,22 +219,22 @@ TEST(Contributions, SharesAreWhatTheRayLoses) {
   medium.append({{0, 0, -20}, 1.0, 5.0});
   medium.append({{0.3, 0, -10}, 1.0, 1.0});
   medium.append({{9, 0, -10}, 1.0, 1.0});
-  const auto met = contributions(medium, {0, 0, 0}, {0, 0, -1});
+  const auto met = contributions(medium, glm::dvec3(1.0), {0, 0, 0}, {0, 0, -1});
   ASSERT_EQ(met.size(), 2u);
   double sum = 0.0;
   double depth = 0.0;
   for (const Contribution& c : met) {
     const double expected = optical_depth(GaussianTerm<double>(medium.gaussian(c.index)),
                                           glm::dvec3(0), glm::dvec3(0, 0, -1000));
-    EXPECT_NEAR(c.optical_depth, expected, 1e-12);
+    EXPECT_NEAR(c.optical_depth.g, expected, 1e-12);
     sum += c.fraction;
-    depth += c.optical_depth;
+    depth += c.optical_depth.g;
   }
   EXPECT_NEAR(sum, 1.0 - std::exp(-depth), 1e-12);
   EXPECT_EQ(met[0].index, 1u);  // the thinner one, but it stands before the other
   EXPECT_GT(met[0].fraction, met[1].fraction);
   // A surface between them hides the far one.
-  EXPECT_EQ(contributions(medium, {0, 0, 0}, {0, 0, -1}, 15.0).size(), 1u);
+  EXPECT_EQ(contributions(medium, glm::dvec3(1.0), {0, 0, 0}, {0, 0, -1}, 15.0).size(), 1u);
 }
 
 // A small thin Gaussian is a point that scatters: (I / d^2) tau albedo / 4 pi, less what b0 and the
@@ -247,19 +249,76 @@ TEST(Contributions, RadianceOfALightIsThatOfAPointInThinFog) {
   light.position = {3, 0, -10};
   light.intensity = {7.0, 7.0, 14.0};
   const glm::dvec3 towards(0, 0, -1);
-  const auto met = contributions(scene.medium, {0, 0, 0}, towards);
+  const auto met = contributions(scene.medium, scene.optics.albedo, {0, 0, 0}, towards);
   ASSERT_EQ(met.size(), 2u);
   const auto& far = met[0].index == 0 ? met[0] : met[1];
   EXPECT_NEAR(far.distance, 10.0, 1e-3);
-  EXPECT_NEAR(far.depth_in_front, std::sqrt(M_PI) * 0.5 * 0.4, 1e-9);
+  const double in_front = std::sqrt(M_PI) * 0.5 * 0.4;
+  EXPECT_NEAR(far.depth_in_front.r, in_front + 0.02 * 10.0, 1e-4);
+  EXPECT_NEAR(far.depth_in_front.g, 2.0 * far.depth_in_front.r, 1e-12);
   const glm::dvec3 radiance = scattered_radiance(scene, far, {0, 0, 0}, towards, light);
   const auto expected = [&](double intensity, double albedo) {
-    const double taken = (far.depth_in_front + 0.02 * 13.0) / albedo;
-    return intensity / 9.0 * far.optical_depth / (4.0 * M_PI) * std::exp(-taken);
+    const double taken = (in_front + 0.02 * 13.0) / albedo;
+    return intensity / 9.0 * far.optical_depth.r / (4.0 * M_PI) * std::exp(-taken);
   };
   EXPECT_NEAR(radiance.r, expected(7.0, 1.0), 0.01 * radiance.r);
   EXPECT_NEAR(radiance.g, expected(7.0, 0.5), 0.02 * radiance.g);
   EXPECT_NEAR(radiance.b, 2.0 * radiance.g, 1e-12);
+}
+
+// Gaussians of any albedo and emission in a row along a ray, against sums over all pairs.
+TEST(Contributions, EmissionIsAttenuatedByTheExtinctionInFront) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const glm::dvec3 medium_albedo(0.9, 0.6, 0.3);
+  for (int round = 0; round < 20; ++round) {
+    Medium medium;
+    medium.set_homogeneous_density(0.05 * uniform(random));
+    for (int i = 0; i < 6; ++i) {
+      GaussianOptics optics;
+      if (i % 2 == 0) optics.albedo = glm::dvec3(1.0, uniform(random), 0.5) * 0.9 + 0.1;
+      if (i % 3 != 0) optics.emission = 9.0 * glm::dvec3(uniform(random), uniform(random), 0.0);
+      medium.append({{uniform(random), 0, -10.0 * uniform(random) - 3.0}, 0.9, 2.0, optics});
+    }
+    const glm::dvec3 eye(0.0);
+    const glm::dvec3 direction(0, 0, -1);
+    const auto met = contributions(medium, medium_albedo, eye, direction, infinity, 0.0);
+    ASSERT_EQ(met.size(), 6u);
+    // Its optical depth up to a distance, and where on the ray it is.
+    const auto depth = [&](std::size_t i) {
+      const Gaussian g = medium.gaussian(i);
+      return optical_depth(GaussianTerm<double>(g), eye, glm::dvec3(0, 0, -1000)) /
+             g.optics.albedo.value_or(medium_albedo);
+    };
+    const auto place = [&](std::size_t i) { return -medium.centers()[i].z; };
+    for (std::size_t k = 0; k < met.size(); ++k) {
+      const std::size_t i = met[k].index;
+      glm::dvec3 in_front = medium.homogeneous_density() * met[k].distance / medium_albedo;
+      EXPECT_NEAR(met[k].distance, place(i), 1e-2);  // some begin behind the eye
+      for (std::size_t j = 0; j < medium.size(); ++j) {
+        if (place(j) < place(i)) in_front += depth(j);
+      }
+      for (int c = 0; c < 3; ++c) {
+        const double attenuated = std::exp(-in_front[c]) * (1.0 - std::exp(-depth(i)[c]));
+        EXPECT_NEAR(met[k].emitted[c], medium.optics(i).emission[c] * attenuated, 1e-9);
+        EXPECT_NEAR(met[k].depth_in_front[c], in_front[c], 1e-9);
+      }
+      if (k > 0) {
+        EXPECT_LE(met[k].effect(), met[k - 1].effect());
+      }
+    }
+  }
+}
+
+// Too thin to be seen against a background, but bright.
+TEST(Contributions, ThinGaussiansThatShineAreMet) {
+  Medium medium;
+  medium.append({{0, 0, -5}, 1.0, 1e-4});
+  medium.append({{0, 0, -5}, 1.0, 1e-4, {.emission = {0, 0, 1000}}});
+  const auto met = contributions(medium, glm::dvec3(1.0), {0, 0, 0}, {0, 0, -1});
+  ASSERT_EQ(met.size(), 1u);
+  EXPECT_EQ(met[0].index, 1u);
+  EXPECT_NEAR(met[0].emitted.b, 0.1772, 1e-4);
 }
 
 }  // namespace

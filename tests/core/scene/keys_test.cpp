@@ -87,6 +87,32 @@ TEST(Keys, VectorsGoByComponents) {
   EXPECT_EQ(value_at(keys, 1.0), glm::dvec3(2, 1, 1));
 }
 
+// Against sums of a hundred thousand values; begin and end before, between, at and after the keys.
+TEST(Keys, IntegralsAreSumsOfValues) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int round = 0; round < 10; ++round) {
+    Keys<glm::dvec3> keys;
+    double time = -1.0;
+    for (int k = 0; k < 5; ++k) {
+      time += 0.05 + uniform(random);
+      keys.push_back({.time = time,
+                      .value = {uniform(random), uniform(random) - 0.5, 0.0},
+                      .interpolation = static_cast<Interpolation>(k % 2)});
+    }
+    for (const auto& [begin, end] : {std::pair(-3.0, 9.0), std::pair(0.3, -0.2),
+                                     std::pair(keys[1].time, keys[3].time), std::pair(8.0, 9.0)}) {
+      constexpr int count = 100'000;
+      glm::dvec3 sum(0.0);
+      for (int k = 0; k < count; ++k) {
+        sum += value_at(keys, std::lerp(begin, end, (k + 0.5) / count)) * (end - begin) / 1e5;
+      }
+      const glm::dvec3 exact = integral(keys, begin, end);
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(exact[k], sum[k], 1e-7);
+    }
+  }
+}
+
 TEST(Keys, AreSortedAndReplaceKeysOfTheSameTime) {
   Keys<double> keys;
   for (const double time : {2.0, 0.0, 1.0}) set_key(keys, {.time = time, .value = time});
@@ -148,6 +174,27 @@ TEST(Animation, NoiseMovesWithTheWindOnly) {
   EXPECT_TRUE(is_animated(scene));
   scene.optics.noise.amplitude = 0.0;
   EXPECT_FALSE(is_animated(scene));
+}
+
+// Noise is at frequency * (x - velocity * time): with keyframes the product is the way of the wind.
+TEST(Animation, WindWithKeyframesHasNoJumps) {
+  Scene scene;
+  Noise& noise = scene.optics.noise;
+  noise.keys.velocity = {{.time = 1.0, .value = {2, 0, 0}, .interpolation = Interpolation::linear},
+                         {.time = 3.0, .value = {0, 0, 4}}};
+  noise.keys.frequency = {{.time = 0.0, .value = 1.0}, {.time = 2.0, .value = 3.0}};
+  const auto way = [&](double time) {
+    return evaluate_at(scene, time).optics.noise.velocity * time;
+  };
+  const auto expect_near = [](const glm::dvec3& a, const glm::dvec3& b) {
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-12);
+  };
+  expect_near(way(0.5), {1, 0, 0});
+  expect_near(way(2.0), {2.0 + 1.5, 0, 1});
+  expect_near(way(4.0), {4, 0, 8});
+  expect_near(way(-1.0), {-2, 0, 0});
+  EXPECT_EQ(evaluate_at(scene, 0.0).optics.noise.velocity, glm::dvec3(2, 0, 0));
+  EXPECT_EQ(evaluate_at(scene, 1.0).optics.noise.frequency, 2.0);
 }
 
 TEST(Animation, KeepsEyeAndTargetApart) {

@@ -10,13 +10,14 @@
 namespace brume {
 namespace {
 
+const glm::dvec3 white(1.0);
 const SequenceFrame frame_11{{1, 4, 7},
                              {{{0, 0, 0}, 1.0, 2.0}, {{1, 0, 0}, 2.0, 1.0}, {{2, 0, 0}, 1.0, 4.0}}};
 const SequenceFrame frame_12{{4, 7, 9},
                              {{{3, 0, 0}, 8.0, 3.0}, {{2, 2, 0}, 1.0, 0.0}, {{5, 0, 0}, 0.5, 8.0}}};
 
 TEST(MediumSequence, InterpolatesByIdAndFadesTheRest) {
-  const auto middle = between_frames(frame_11, frame_12, 0.25);
+  const auto middle = between_frames(frame_11, frame_12, 0.25, white);
   ASSERT_EQ(middle.size(), 4u);
   EXPECT_EQ(middle[0], (Gaussian{{0, 0, 0}, 1.0, 1.5})) << "it dies where it was";
   EXPECT_EQ(middle[1].center, glm::dvec3(1.5, 0, 0));
@@ -26,16 +27,26 @@ TEST(MediumSequence, InterpolatesByIdAndFadesTheRest) {
   EXPECT_EQ(middle[3], (Gaussian{{5, 0, 0}, 0.5, 2.0})) << "it is born where it will be";
 }
 
-TEST(MediumSequence, InterpolatesOptics) {
-  SequenceFrame a{{1, 2}, {{{0, 0, 0}, 1.0, 1.0}, {{1, 0, 0}, 1.0, 1.0}}};
-  SequenceFrame b = a;
-  a.gaussians[0].optics = {glm::dvec3(0.5), {4.0, 0.0, 8.0}};
-  b.gaussians[0].optics = {glm::dvec3(1.0), {0.0, 4.0, 8.0}};
-  b.gaussians[1].optics.albedo = glm::dvec3(0.25);
-  const auto early = between_frames(a, b, 0.25);
-  EXPECT_EQ(early[0].optics, (GaussianOptics{glm::dvec3(0.625), {3.0, 1.0, 8.0}}));
-  EXPECT_EQ(early[1].optics, GaussianOptics());
-  EXPECT_EQ(between_frames(a, b, 0.75)[1].optics.albedo, glm::dvec3(0.25));
+TEST(MediumSequence, InterpolatesAlbedoAndEmission) {
+  const GaussianOptics red{glm::dvec3(1.0, 0.5, 0.5), {8, 4, 0}};
+  const GaussianOptics blue{glm::dvec3(0.2, 0.5, 1.0), {0, 4, 4}};
+  const SequenceFrame first{{1, 2, 3, 4},
+                            {{{}, 1, 1, red}, {{}, 1, 1, red}, {{}, 1, 1}, {{}, 1, 1}}};
+  const SequenceFrame second{{1, 2, 3}, {{{}, 1, 1, blue}, {{}, 1, 1}, {{}, 1, 1, blue}}};
+  const glm::dvec3 medium(0.8);
+  const auto optics = [&](std::size_t i) {
+    return between_frames(first, second, 0.25, medium)[i].optics;
+  };
+  const auto expect_near = [](const glm::dvec3& a, const glm::dvec3& b) {
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-15);
+  };
+  expect_near(*optics(0).albedo, {0.8, 0.5, 0.625});
+  expect_near(optics(0).emission, {6, 4, 1});
+  // Where one has none of its own it is the medium's.
+  expect_near(*optics(1).albedo, {0.95, 0.575, 0.575});
+  expect_near(optics(1).emission, {6, 3, 0});
+  expect_near(*optics(2).albedo, {0.65, 0.725, 0.85});
+  EXPECT_EQ(optics(3), GaussianOptics());
 }
 
 MediumSequence smoke() {
@@ -51,11 +62,11 @@ MediumSequence smoke() {
 
 TEST(MediumSequence, ShowsItsFramesAtTheirTimes) {
   const MediumSequence sequence = smoke();
-  EXPECT_EQ(sequence_at(sequence, 0.0), frame_11.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.0), frame_11.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.1), frame_12.gaussians) << "2.1 is no exact number";
-  EXPECT_EQ(sequence_at(sequence, 99.0), frame_12.gaussians);
-  EXPECT_EQ(sequence_at(sequence, 2.05).size(), 4u);
+  EXPECT_EQ(sequence_at(sequence, 0.0, white), frame_11.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.0, white), frame_11.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.1, white), frame_12.gaussians) << "2.1 is no exact number";
+  EXPECT_EQ(sequence_at(sequence, 99.0, white), frame_12.gaussians);
+  EXPECT_EQ(sequence_at(sequence, 2.05, white).size(), 4u);
   EXPECT_NEAR(end_of(sequence), 2.1, 1e-12);
 }
 
@@ -73,10 +84,9 @@ TEST(MediumSequence, BelongsToTheSceneAtATime) {
 
 TEST(GaussianNumbers, AreNeverReused) {
   GaussianNumbers numbers;
-  GaussianNumber counter = 0;
-  numbers.begin(3, counter);
-  EXPECT_EQ(numbers.relocate({false, true, false}, counter), 1u);
-  EXPECT_EQ(numbers.relocate({false, true, true}, counter), 2u);
+  numbers.begin(3);
+  EXPECT_EQ(numbers.relocate({false, true, false}), 1u);
+  EXPECT_EQ(numbers.relocate({false, true, true}), 2u);
   EXPECT_EQ(std::vector(numbers.ids().begin(), numbers.ids().end()),
             (std::vector<GaussianNumber>{0, 4, 5}));
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -47,6 +48,96 @@ TEST(Particles, FlyOnParabolasAndAge) {
   EXPECT_LT(glm::distance(old.center, expected), 1e-10);
   EXPECT_NEAR(young.radius, 0.1 + 0.4 * 0.01, 1e-12);
   EXPECT_NEAR(old.density, 2.0 * (1.0 - 0.51), 1e-12);
+}
+
+TEST(Particles, ShineAndFade) {
+  Emitter fire = steam;
+  fire.optics = {glm::dvec3(0.5, 0.25, 1.0), {8.0, 4.0, 0.0}};
+  fire.emission_at_death = {4.0, 0.0, 0.0};
+  for (const Gaussian& gaussian : particles_at(fire, 2.02)) {
+    EXPECT_EQ(gaussian.optics.albedo, fire.optics.albedo);
+    const double age = (2.0 - gaussian.density) / 2.0;  // of the lifetime
+    EXPECT_NEAR(gaussian.optics.emission.r, 8.0 - 4.0 * age, 1e-12);
+    EXPECT_NEAR(gaussian.optics.emission.g, 4.0 - 4.0 * age, 1e-12);
+    EXPECT_EQ(gaussian.optics.emission.b, 0.0);
+  }
+  for (const Gaussian& gaussian : particles_at(steam, 2.02)) {
+    EXPECT_EQ(gaussian.optics, GaussianOptics());
+  }
+}
+
+// Whose rate grows from 0 to 40 a second from 1 s to 3 s: its integral is 10 (t - 1)^2.
+TEST(Particles, AreBornAtAKeyedRate) {
+  Emitter emitter = steam;
+  emitter.spread = 0.0;
+  emitter.acceleration = {};
+  emitter.keys.rate = {{.time = 1.0, .value = 0.0, .interpolation = Interpolation::linear},
+                       {.time = 3.0, .value = 40.0}};
+  EXPECT_TRUE(particles_at(emitter, 0.99).empty());
+  const auto births = [&](double time) {
+    std::vector<double> times;
+    for (const Gaussian& gaussian : particles_at(emitter, time)) {
+      times.push_back(time - (gaussian.center.y - emitter.position.y) / emitter.velocity.y);
+    }
+    return times;
+  };
+  const std::vector<double> early = births(2.0001);
+  ASSERT_EQ(early.size(), 11u);  // numbers 0 to 10
+  for (std::size_t k = 0; k < early.size(); ++k) {
+    EXPECT_NEAR(early[k], 1.0 + std::sqrt(0.1 * static_cast<double>(k)), 1e-6);
+  }
+  // After the last key the rate stays.
+  const std::vector<double> late = births(9.0001);
+  ASSERT_EQ(late.size(), 80u);
+  EXPECT_NEAR(late.back(), 9.0, 1e-6);
+  EXPECT_NEAR(late[78], 9.0 - 1.0 / 40.0, 1e-6);
+  // When it falls to 0, no more are born.
+  emitter.keys.rate = {{.time = 0.0, .value = 20.0}, {.time = 1.0, .value = 0.0}};
+  EXPECT_EQ(births(1.5).size(), 10u);
+  EXPECT_TRUE(births(3.5).empty());
+}
+
+TEST(Particles, KeepWhatTheyWereBornWith) {
+  Emitter emitter = steam;
+  emitter.optics.albedo = glm::dvec3(1.0);
+  const auto keyed = [](auto a, auto b) {
+    return Keys<decltype(a)>{{.time = 0.0, .value = a, .interpolation = Interpolation::linear},
+                             {.time = 4.0, .value = b}};
+  };
+  using Pair = glm::dvec2;
+  using Vector = glm::dvec3;
+  emitter.keys = {.position = keyed(Vector(0, 0, 0), Vector(4, 0, 0)),
+                  .rate = {},
+                  .lifetime = keyed(2.0, 1.0),
+                  .velocity = keyed(Vector(0, 1, 0), Vector(0, 5, 0)),
+                  .spread = keyed(0.0, 0.0),
+                  .acceleration = keyed(Vector(0, 0, 2), Vector(0, 0, 4)),
+                  .radius = keyed(Pair(1, 2), Pair(5, 10)),
+                  .density = keyed(Pair(2, 0), Pair(2, 4)),
+                  .albedo = keyed(Vector(0.2), Vector(1.0)),
+                  .emission = keyed(Vector(8, 0, 0), Vector(0, 0, 8)),
+                  .emission_at_death = keyed(Vector(0, 0, 0), Vector(4, 0, 0))};
+  const std::vector<Gaussian> all = particles_at(emitter, 3.0);
+  // Born at t = 2, a quarter of a second before that the lifetime is over: 1.5 s at 2 s.
+  const auto number_40 = std::ranges::find_if(
+      all, [](const Gaussian& g) { return std::abs(g.center.x - 2.0) < 1e-9; });
+  ASSERT_NE(number_40, all.end());
+  const double age = 1.0 / 1.5;
+  EXPECT_NEAR(number_40->center.y, 3.0, 1e-9);
+  EXPECT_NEAR(number_40->center.z, 0.5 * 3.0, 1e-9);
+  EXPECT_NEAR(number_40->radius, 3.0 + 3.0 * age, 1e-9);
+  EXPECT_NEAR(number_40->density, 2.0 * (1.0 - age) + 2.0 * age, 1e-9);
+  EXPECT_NEAR(number_40->optics.albedo->g, 0.6, 1e-9);
+  EXPECT_NEAR(number_40->optics.emission.r, 4.0 * (1.0 - age) + 2.0 * age, 1e-9);
+  EXPECT_NEAR(number_40->optics.emission.b, 4.0 * (1.0 - age), 1e-9);
+  // The oldest alive was born when the lifetime was what it is old: b + 2 - b / 4 = 3.
+  EXPECT_NEAR(all.front().center.x, 4.0 / 3.0 + 1.0 / 60.0, 1e-9);  // number 27
+  EXPECT_LE(all.size(), max_particles(emitter));
+  // What the document shows at some moment plays no part.
+  Emitter shown = emitter;
+  shown.lifetime = 0.0;
+  shown.position = {9, 9, 9};
+  EXPECT_EQ(particles_at(shown, 3.0), all);
 }
 
 TEST(Particles, DependOnTheTimeOnly) {

@@ -40,6 +40,9 @@ class RandomScene {
                                 .radius = {number(0.1, 1), number(0.1, 9)},
                                 .density = {number(0, 1), number(0, 9)},
                                 .seed = integer(-1000, 1000)});
+      if (maybe()) scene.emitters.back().optics.albedo = glm::dvec3(number(0.01, 1));
+      if (maybe()) scene.emitters.back().optics.emission = {number(0, 9), 0.0, number(0, 1e9)};
+      if (maybe()) scene.emitters.back().emission_at_death = glm::dvec3(number(0, 9));
     }
     for (int i = integer(0, 5); i > 0; --i) {
       scene.lights.push_back(
@@ -76,6 +79,17 @@ class RandomScene {
     keys(scene.density_keys, 9.0);
     keys(scene.optics.keys.albedo, 1.0);
     keys(scene.optics.noise.keys.amplitude, 2.0);
+    keys(scene.optics.noise.keys.frequency, 9.0);
+    keys(scene.optics.noise.keys.velocity, 9.0);
+    for (Emitter& emitter : scene.emitters) {
+      keys(emitter.keys.position, 1e6);
+      keys(emitter.keys.rate, 9.0);
+      keys(emitter.keys.radius, 9.0);
+      keys(emitter.keys.density, 9.0);
+      if (emitter.optics.albedo) keys(emitter.keys.albedo, 1.0);
+      keys(emitter.keys.emission, 1e9);
+      keys(emitter.keys.emission_at_death, 1e9);
+    }
     for (Light& light : scene.lights) {
       keys(light.keys.intensity, 1e9);
       if (!light.directional) keys(light.keys.position, 1e6);
@@ -114,6 +128,9 @@ class RandomScene {
   bool maybe() { return integer(0, 1) == 0; }
   glm::dvec3 point() { return {number(-1e6, 1e6), number(-1, 1), number(-1e-6, 1e-6)}; }
   double up_to(double max_value, double) { return number(0.01, max_value); }
+  glm::dvec2 up_to(double max_value, const glm::dvec2&) {
+    return {number(0.01, max_value), number(0.01, max_value)};
+  }
   glm::dvec3 up_to(double max_value, const glm::dvec3&) {
     return {number(0.01, max_value), number(0.01, max_value), number(0.01, max_value)};
   }

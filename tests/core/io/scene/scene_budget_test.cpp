@@ -56,8 +56,22 @@ TEST(SceneBudget, CountsAllParticlesThatAreEverThere) {
     max_count = std::max(max_count, particles_at(emitter, 0.01 * i).size());
   EXPECT_LE(max_count, max_particles(emitter));
   EXPECT_LE(max_particles(emitter), max_count + 1);
+  // With keyframes, whatever is shown now.
   emitter.rate = 0.0;
   EXPECT_EQ(max_particles(emitter), 0u);
+  emitter.keys.rate = {{.time = 0.0, .value = 3.0}, {.time = 2.0, .value = 9.0}};
+  emitter.keys.lifetime = {{.time = 0.0, .value = 1.0}, {.time = 4.0, .value = 2.0}};
+  EXPECT_EQ(max_particles(emitter), 19u);
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_LE(particles_at(emitter, 0.01 * i).size(), max_particles(emitter));
+  }
+  const TemporaryFolder folder;
+  const std::string keyed = R"(, { "position": [0, 0, 0], "rate": 0,
+      "keys": { "rate": [ { "time": 5, "value": 1e9 } ] } })";
+  const std::string error = error_of([&] {
+    load_scene(folder.write("a.brume", scene_of(R"("medium": { )" + emitters(100, keyed) + " }")));
+  });
+  EXPECT_TRUE(contains(error, "medium.emitters[100]: found 10100000 Gaussians")) << error;
 }
 
 // Three are left to two frames of two.

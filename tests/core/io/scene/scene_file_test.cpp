@@ -10,6 +10,7 @@
 #include "core/io/image/image_file.h"
 #include "core/io/scene/missing_files.h"
 #include "core/medium/medium_edit.h"
+#include "core/scene/at_time.h"
 #include "core/scene/mesh.h"
 #include "core/scene/photometric_profile.h"
 #include "core/scene/radiance_map.h"
@@ -389,6 +390,31 @@ TEST(SceneFile, StoresThePlaybackRange) {
   EXPECT_TRUE(load(R"({"last": 0})").playback->loops);
   for (const char* bad : {R"({"first": 3, "last": 2})", R"({"first": 3})", R"({"last": 1e9})"}) {
     EXPECT_TRUE(contains(error_of([&] { load(bad); }), "timeline.last")) << bad;
+  }
+}
+
+TEST(SceneFile, SequencesCarryAlbedoAndEmission) {
+  const TemporaryFolder folder;
+  const std::vector<GaussianNumber> ids{7, 3};
+  const GaussianOptics first{glm::dvec3(0.25, 0.5, 1.0), {8, 0, 0}};
+  const GaussianOptics second{glm::dvec3(0.75, 0.5, 1.0), {0, 0, 4}};
+  for (const std::string type : {"ply", "csv"}) {
+    const auto write = [&](const char* number, const GaussianOptics& optics) {
+      const std::vector<Gaussian> gaussians{{{}, 1.0, 1.0, optics}, {{}, 1.0, 1.0}};
+      write_gaussians(folder / (number + type), gaussians, ids);
+    };
+    write("s_1.", first);
+    write("s_2.", second);
+    const std::string text =
+        R"({"format": "brume-scene", "version": 1, "medium": {"sequences": [
+           {"file": "s_%d.)" +
+        type + R"(", "first": 1, "last": 2, "frames_per_second": 1}]}})";
+    const Scene scene = load_scene(folder.write("a.brume", text));
+    EXPECT_EQ(evaluate_at(scene, 0.0).medium.optics(1), first) << type;
+    EXPECT_EQ(evaluate_at(scene, 1.0).medium.optics(1), second) << type;
+    const Medium halfway = evaluate_at(scene, 0.5).medium;
+    EXPECT_EQ(halfway.optics(1), (GaussianOptics{glm::dvec3(0.5, 0.5, 1.0), {4, 0, 2}})) << type;
+    EXPECT_EQ(halfway.optics(0), GaussianOptics()) << type;
   }
 }
 
