@@ -162,7 +162,8 @@ AirlightIntegrator Renderer::Impl::sliced(FrameContext& work, StageClock& clock)
                            source ? &*source : nullptr, rays, film_slices.nodes(rays.tile), out);
   };
   const auto prepare = [this, &work, lights](const FilmTiles& film) {
-    film_slices.choose(film, stages.prepared().medium(), *lights, work.settings.slices, work.job);
+    film_slices.choose(film, stages.prepared().medium(), stages.lit_from(work, *lights),
+                       work.settings.slices, work.job);
   };
   return {evaluate, prepare};
 }

@@ -14,4 +14,8 @@ extern template float erfcx(float);
 // relative error at most 1e-8. (Abramowitz and Stegun, 5.1.39 and 5.1.40.)
 double entire_exponential_integral(double x);
 
+// Dawson's integral exp(-x^2) times the integral of exp(t^2) over [0, x], x >= 0; relative error at
+// most 2e-7. (Rybicki's sum of exponentials, Computers in Physics 3, 85, 1989.)
+double dawson(double x);
+
 }  // namespace brume

@@ -29,9 +29,10 @@ std::size_t SlicedStage::run(FrameStages& stages, FrameContext& work, DeviceFram
         Stage::light_table, [&] { return lights_.build(device.programs, device.medium); });
   }
   make_shadows(stages, work, lights, maps, device);
-  lights_.upload(lights, &shadows_, eye);
+  const std::vector<SlicedLight> lit_from = stages.lit_from(work, lights);
+  lights_.upload(lit_from, &shadows_, eye);
 
-  slices_.choose(device.programs, device.clock, lights_, lights.size(), work.settings.slices,
+  slices_.choose(device.programs, device.clock, lights_, lit_from.size(), work.settings.slices,
                  device.lists, device.view, device.textures);
   std::string defined = device.medium.has_optics() ? "OPTICS" : "";
   if (lights_.has_profiles()) defined += " PROFILES";

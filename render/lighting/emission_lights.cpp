@@ -1,22 +1,24 @@
 #include "render/lighting/emission_lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <optional>
 
 #include "core/math/infinity.h"
+#include "core/math/special_functions.h"
 #include "core/math/sphere_rule.h"
 
 namespace brume {
 namespace {
 
+// Of Gaussians that are small in the scene, and as many of others.
 constexpr std::size_t max_lights = 16;
-// Of the diagonal of what they light: a light is no wider, and a Gaussian of a wider one is not
-// told apart from others.
-constexpr double max_share = 1.0 / 16.0;
+// Of the diagonal of what they light: small Gaussians have radii below, and lights less than this
+// wide are not split.
+constexpr double small_share = 1.0 / 32.0;
 constexpr double min_share = 1.0 / 64.0;
 constexpr OpticalDepthTableSize table_size{32, 32};
 
@@ -87,52 +89,48 @@ std::vector<Cluster> clusters_of(std::vector<EmittingGaussian> emitters, const M
   return clusters;
 }
 
-// The intensities of a cluster's emitters, as they leave it, over the share that passes from its
-// center; nullopt if hardly anything does.
-std::optional<glm::dvec3> escaping_intensity(const Cluster& cluster, const MediumIndex& medium) {
-  constexpr double min_passing = 1e-2;
+// The Gaussians of a medium that are in a cluster, or that are not.
+MediumIndex part_of(const MediumIndex& medium, const Cluster& cluster, bool is_in) {
+  std::vector<bool> in_cluster(medium.size());
+  for (const EmittingGaussian& emitter : cluster.emitters) in_cluster[emitter.index] = true;
+  Medium part;
+  for (std::size_t i = 0; i < medium.size(); ++i) {
+    const GaussianTerm<double>& g = medium.gaussians()[i];
+    if (in_cluster[i] == is_in) part.append({g.b, 1.0 / g.a, g.c});
+  }
+  return {part, medium.tolerance()};
+}
+
+// Of what a cluster emits, in the mean over directions, what it does not absorb itself.
+double escaping_share(const Cluster& cluster, const MediumIndex& medium) {
   constexpr std::size_t max_samples = 32;
   const std::vector<SphereNode> directions = sphere_rule(3);
-  const double reach = 2.0 * width(cluster);
-  std::vector<GaussianTerm<double>> near;
-  for (const GaussianTerm<double>& g : medium.gaussians()) {
-    if (glm::length(g.b - cluster.center) < reach + 3.0 / g.a) near.push_back(g);
-  }
-  const auto passing = [&](const glm::dvec3& x) {
-    double sum = 0.0;
-    for (const SphereNode& node : directions) {
-      double depth = 0.0;
-      for (const GaussianTerm<double>& g : near) {
-        depth += optical_depth(g, line_profile(g, x, node.direction), infinity);
-      }
-      sum += node.weight * std::exp(-depth);
-    }
-    return sum / (4.0 * std::numbers::pi);
-  };
-  const double from_center = passing(cluster.center);
-  if (!(from_center > min_passing)) return std::nullopt;
-
+  const MediumIndex own = part_of(medium, cluster, true);
   const std::size_t step = (cluster.emitters.size() + max_samples - 1) / max_samples;
-  double passed = 0.0;
+  double escaping = 0.0;
   double weight = 0.0;
-  glm::dvec3 intensity(0.0);
-  for (std::size_t i = 0; i < cluster.emitters.size(); ++i) {
-    const EmittingGaussian& emitter = cluster.emitters[i];
-    intensity += emitter.intensity;
-    if (i % step != 0) continue;
-    // Gauss' rule of two points a direction for a normal distribution in space.
-    const GaussianTerm<double>& g = medium.gaussians()[emitter.index];
-    const double offset = std::sqrt(1.5) / g.a;
+  for (std::size_t k = 0; k < cluster.emitters.size(); k += step) {
+    const EmittingGaussian& emitter = cluster.emitters[k];
     weight += emitter.weight;
+    // Of optical depth T through its center, it lets out Ein(T) / T. What others then let through
+    // is found from six points: Gauss' rule of two of a normal distribution, along each axis.
+    const GaussianTerm<double>& g = medium.gaussians()[emitter.index];
+    const double depth = g.c / g.a * std::sqrt(std::numbers::pi);
+    const double out = depth > 0.0 ? entire_exponential_integral(depth) / depth : 1.0;
+    const double offset = std::sqrt(1.5) / g.a;
     for (int axis = 0; axis < 3; ++axis) {
       for (const double side : {-offset, offset}) {
         glm::dvec3 x = g.b;
         x[axis] += side;
-        passed += emitter.weight / 6.0 * passing(x);
+        for (const SphereNode& node : directions) {
+          const double others = own.depth({x, node.direction, infinity}) -
+                                optical_depth(g, line_profile(g, x, node.direction), infinity);
+          escaping += emitter.weight * out * node.weight * std::exp(-std::max(others, 0.0));
+        }
       }
     }
   }
-  return passed / (weight * from_center) * intensity;
+  return escaping / (weight * 6.0 * 4.0 * std::numbers::pi);
 }
 
 double diagonal(const MediumIndex& medium, const Box& surfaces) {
@@ -161,34 +159,51 @@ void EmissionLights::update(const MediumIndex& medium, double albedo, const Box&
   surfaces_ = surfaces;
   revision_ = new_revision();
   lights_.clear();
-  others_.assign(medium.optics().begin(), medium.optics().end());
-  const double extent = others_.empty() ? 0.0 : diagonal(medium, surfaces);
-  std::vector<EmittingGaussian> emitters;
-  for (std::size_t i = 0; i < others_.size(); ++i) {
+  optics_.assign(medium.optics().begin(), medium.optics().end());
+  const double extent = optics_.empty() ? 0.0 : diagonal(medium, surfaces);
+  std::array<std::vector<EmittingGaussian>, 2> small_and_large;
+  for (std::size_t i = 0; i < optics_.size(); ++i) {
     const GaussianTerm<double>& g = medium.gaussians()[i];
     const double volume = std::pow(std::numbers::pi, 1.5) / (g.a * g.a * g.a);
-    const glm::dvec3 intensity = albedo * g.c * volume * others_[i].emission;
+    const glm::dvec3 intensity = albedo * g.c * volume * optics_[i].emission;
     const double weight = intensity.x + intensity.y + intensity.z;
-    const bool is_small = 1.0 / g.a < 0.5 * max_share * extent;
-    if (is_small && weight > 0.0 && weight < infinity) emitters.push_back({i, intensity, weight});
+    const bool is_large = 1.0 / g.a > small_share * extent;
+    if (weight > 0.0 && weight < infinity) {
+      small_and_large[is_large ? 1 : 0].push_back({i, intensity, weight});
+    }
   }
-  if (emitters.empty()) return;
-  for (const Cluster& cluster : clusters_of(std::move(emitters), medium, min_share * extent)) {
-    if (width(cluster) > max_share * extent) continue;
-    const std::optional<glm::dvec3> intensity = escaping_intensity(cluster, medium);
-    if (!intensity) continue;
-    Light& light = lights_.emplace_back();
-    light.source.position = cluster.center;
-    light.source.intensity = *intensity;
-    for (const EmittingGaussian& emitter : cluster.emitters) {
-      others_[emitter.index].emission = glm::dvec3(0.0);
+  std::vector<Cluster> clusters;
+  for (std::vector<EmittingGaussian>& emitters : small_and_large) {
+    if (emitters.empty()) continue;
+    for (Cluster& cluster : clusters_of(std::move(emitters), medium, min_share * extent)) {
+      Light& light = lights_.emplace_back();
+      light.source.position = cluster.center;
+      const double share = escaping_share(cluster, medium);
+      for (const EmittingGaussian& emitter : cluster.emitters) {
+        light.source.intensity += share * emitter.intensity;
+      }
+      light.width = width(cluster);
+      light.source.h_min = 0.5 * light.width;
+      for (const EmittingGaussian& emitter : cluster.emitters) {
+        light.gaussians.push_back(emitter.index);
+      }
+      clusters.push_back(std::move(cluster));
     }
   }
   job.parallel_for(lights_.size(), [&](std::size_t i) {
-    lights_[i].table =
-        std::make_unique<const OpticalDepthTable>(medium, lights_[i].source.position, table_size);
+    lights_[i].table = std::make_unique<const OpticalDepthTable>(
+        part_of(medium, clusters[i], false), lights_[i].source.position, table_size);
   });
   if (job.stop.stop_requested()) clear();
+}
+
+std::vector<RelativeOptics> EmissionLights::held(double spacing) const {
+  std::vector<RelativeOptics> optics = optics_;
+  for (const Light& light : lights_) {
+    if (!light.is_point(spacing)) continue;
+    for (const std::size_t i : light.gaussians) optics[i].emission = glm::dvec3(0.0);
+  }
+  return optics;
 }
 
 }  // namespace brume

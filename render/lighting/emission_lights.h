@@ -14,18 +14,23 @@
 
 namespace brume {
 
-// Small Gaussians that emit light, as point lights for the light scattered more than once. A grid
-// sends what it holds in a few hundred directions: what is small would light walls in patches.
-// Larger ones stay on the grid, which knows where within them they emit.
+// Gaussians that emit light, as point lights for the light scattered more than once. A grid sends
+// what it holds in a few hundred directions: what is small there would light walls in patches, and
+// what is smaller than its spacing is widened. What is larger stays on the grid, which knows where
+// within it light is emitted.
 //
-// Neighbours are one light, at their center of intensity. Its intensity makes up for what they
-// absorb of their own light: a table of optical depths from the center has it in all directions
-// alike, as if all were emitted there.
+// Neighbours are one light: a normal distribution around their center of intensity, of what they do
+// not absorb themselves. Its table of optical depths is of all others, from the center.
 class EmissionLights {
  public:
   struct Light {
     PointSource source;  // intensity times the medium's albedo; see RelativeOptics
     std::unique_ptr<const OpticalDepthTable> table;
+    double width = 0.0;  // of what it stands for [u]
+    std::vector<std::size_t> gaussians;
+
+    // Whether it is one to a grid, or what it stands for is held by it [u].
+    [[nodiscard]] bool is_point(double spacing) const { return width < 4.0 * spacing; }
   };
 
   // Of a medium in which surfaces are within `surfaces`; empty: there are none. Cached. Empty after
@@ -34,8 +39,8 @@ class EmissionLights {
   void clear() { *this = EmissionLights(); }
 
   [[nodiscard]] std::span<const Light> lights() const { return lights_; }
-  // What is not among the lights: optics() of the medium, without their emission.
-  [[nodiscard]] std::span<const RelativeOptics> others() const { return others_; }
+  // What a grid holds: optics() of the medium, without the emission of what are points to it.
+  [[nodiscard]] std::vector<RelativeOptics> held(double spacing) const;
   [[nodiscard]] Revision revision() const { return revision_; }
 
  private:
@@ -44,7 +49,7 @@ class EmissionLights {
   Box surfaces_;
   Revision revision_ = 0;
   std::vector<Light> lights_;
-  std::vector<RelativeOptics> others_;
+  std::vector<RelativeOptics> optics_;
 };
 
 }  // namespace brume

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/math/special_functions.h"
 #include "core/math/spherical_harmonics.h"
 #include "render/lighting/slice_kernels.h"
 #include "render/simd/gaussian_kernels.h"
@@ -45,6 +46,15 @@ std::vector<WeightedPoint> mean_rule(int count) {
   return rule;
 }
 
+// The mean of 1 / r^2 from points that are normally distributed, r^2 = r2 from their center.
+double mean_inverse_square(double r2, double deviation) {
+  const double variance = deviation * deviation;
+  const double ratio = variance / r2;
+  if (ratio < 1.0 / 36.0) return (1.0 + ratio * (1.0 + 3.0 * ratio)) / r2;
+  const double r = std::sqrt(r2);
+  return std::numbers::sqrt2 / (deviation * r) * dawson(r / (std::numbers::sqrt2 * deviation));
+}
+
 // Light at points per unit of intensity.
 class PointsAroundLight {
  public:
@@ -68,7 +78,7 @@ class PointsAroundLight {
       const double falloff = mean_falloff(points[k], r, spacing);
       if (!(falloff > 0.0)) continue;
       if (light_.surfaces && light_.surfaces->occluded(points[k], light_.source.position)) continue;
-      add(k, q / r, falloff * std::exp(-depth) / r2);
+      add(k, q / r, falloff * std::exp(-depth) * mean_inverse_square(r2, light_.deviation));
     }
   }
 

@@ -19,13 +19,15 @@ struct NodePointLight {
   double extinction = 1.0;                   // factor of the table's optical depths
   double fog = 0.0;                          // homogeneous extinction [1/u]
   const RayCaster* surfaces = nullptr;       // that occlude it; null: none
+  // Of a light that is normally distributed around its position, along each axis [u]; 0: a point.
+  double deviation = 0.0;
 };
 
-// Adds its unscattered light I exp(-T) / r^2 to `incident`, at nodes of which the first lies at
-// `first`; times its falloff, of which all nodes get the mean. Nodes near the light get
-// the mean over what they see of the cells around them, weighted by its share of a trilinear
-// interpolation: so the integral of 1 / r^2 is kept. `occlusion`: of the nodes; null: there are no
-// surfaces.
+// Adds its unscattered light I exp(-T) / r^2, or the mean of 1 / r^2, to `incident`, at nodes of
+// which the first lies at `first`; times its falloff, of which all nodes get the mean. Nodes near
+// the light get the mean over what they see of the cells around them, weighted by its share of a
+// trilinear interpolation: so the integral of 1 / r^2 is kept. `occlusion`: of the nodes; null:
+// there are no surfaces.
 void add_point_light(const NodePointLight& light, const glm::dvec3& first, const GridNodes& nodes,
                      const GridOcclusion* occlusion, NodeLight& incident, const Job& job);
 

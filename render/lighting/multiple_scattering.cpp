@@ -65,12 +65,10 @@ void add_environment(const SourceGrid::Level& level, double scale, NodeLight& li
 
 // Adds a light's that is unscattered, or reflected by surfaces then. In one channel the colour of
 // all is common.
-void add_light(const MultipleScattering::Input& input, const SourceGrid::Level& level,
-               double extinction, const PointSource& source, const OpticalDepthTable* table,
-               UnscatteredLight& light, const Job& job) {
-  const glm::vec3 intensity(source.intensity);
-  NodePointLight point{source,     {intensity.x, intensity.y, intensity.z}, table,
-                       extinction, extinction * input.fog_density,          input.surfaces};
+void add_light(NodePointLight point, const SourceGrid::Level& level, UnscatteredLight& light,
+               const Job& job) {
+  const glm::vec3 intensity(point.source.intensity);
+  point.intensity = {intensity.x, intensity.y, intensity.z};
   const std::size_t channels = light.incident.channels;
   if (channels == 1) point.intensity[0] = std::max({intensity.x, intensity.y, intensity.z});
   add_point_light(point, level.first, level.nodes, level.surfaces.get(), light.incident, job);
@@ -95,7 +93,9 @@ UnscatteredLight unscattered_light(const MultipleScattering::Input& input, std::
     }
   }
   for (const MultipleScattering::Light& source : input.lights) {
-    add_light(input, level, extinction, source, source.table, light, job);
+    add_light(
+        {source, {}, source.table, extinction, extinction * input.fog_density, input.surfaces},
+        level, light, job);
   }
   return light;
 }
@@ -130,14 +130,25 @@ std::optional<UnscatteredLight> emitted_light(const MultipleScattering::Input& i
                                               const SourceGrid::Level& level,
                                               const GridMedium& medium, double extinction,
                                               const UnscatteredLight& others, const Job& job) {
+  const auto is_point = [&](const EmissionLights::Light& emission) {
+    return emission.is_point(static_cast<double>(level.nodes.spacing));
+  };
   const bool is_held = !level.emission[0].empty();
-  if (!is_held && input.emission.empty()) return std::nullopt;
+  if (!is_held && std::ranges::none_of(input.emission, is_point)) return std::nullopt;
   UnscatteredLight light{
       NodeLight(others.incident.bands, others.incident.channels, level.nodes.size()),
       std::vector<float>(others.reflected.size(), 0.0f)};
   if (is_held) add_held_emission(input, level, medium, extinction, light, job);
   for (const EmissionLights::Light& emission : input.emission) {
-    add_light(input, level, extinction, emission.source, emission.table.get(), light, job);
+    if (!is_point(emission)) continue;
+    add_light({emission.source,
+               {},
+               emission.table.get(),
+               extinction,
+               extinction * input.fog_density,
+               input.surfaces,
+               0.5 * emission.width},
+              level, light, job);
   }
   return light;
 }
@@ -204,7 +215,9 @@ SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceG
     }
   };
   std::ranges::for_each(input.lights, add);
-  std::ranges::for_each(input.emission, add, &EmissionLights::Light::source);
+  for (const EmissionLights::Light& light : input.emission) {
+    if (light.is_point(static_cast<double>(level.nodes.spacing))) add(light.source);
+  }
   return degrees;
 }
 

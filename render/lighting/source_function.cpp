@@ -169,10 +169,9 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
 
   grid_.emplace(
       gaussian_terms(input.medium, extinction), lights_in_world(),
-      SourceGrid::Content{
-          phase_.count(), input.medium.homogeneous_density(), input.fog_ball, input.in_fog,
-          receivers_, surfaces, input.multiple.has_value(),
-          input.multiple ? input.multiple->emission->others() : std::span<const RelativeOptics>{}},
+      SourceGrid::Content{phase_.count(), input.medium.homogeneous_density(), input.fog_ball,
+                          input.in_fog, receivers_, surfaces, input.multiple.has_value(),
+                          input.multiple ? input.multiple->emission : nullptr},
       input.size, job);
   added_ = 0;
   return !job.stop.stop_requested();

@@ -270,7 +270,8 @@ std::vector<float> node_means(std::span<const GaussianTerm<double>> gaussians, W
 // Sets albedo and emission of a level from its density and fog.
 void add_optics(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content,
                 SourceGrid::Level& level, const Job& job) {
-  const std::span<const RelativeOptics> all = content.optics;
+  const std::vector<RelativeOptics> all =
+      content.emission->held(static_cast<double>(level.nodes.spacing));
   if (std::ranges::any_of(all, [](const RelativeOptics& own) { return own.albedo != 1.0; })) {
     const auto albedo = [&](std::size_t i) { return all[i].albedo; };
     level.albedo = node_means(gaussians, albedo, 1.0f, content.fog_density, level, job);
@@ -361,7 +362,7 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     Level& level = levels_[k];
     level.density = density_on_grid(gaussians, level.first, level.nodes, job);
     if (content.fog_density > 0.0) level.fog = fog_shares(level, content.fog_ball);
-    if (!content.optics.empty()) add_optics(gaussians, content, level, job);
+    if (content.emission) add_optics(gaussians, content, level, job);
     if (content.surfaces) level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {

@@ -14,6 +14,7 @@
 #include "render/geometry/fog_ball.h"
 #include "render/geometry/medium_index.h"
 #include "render/lighting/distant_lights.h"
+#include "render/lighting/emission_lights.h"
 #include "render/lighting/grid_occlusion.h"
 #include "render/lighting/incident_grid.h"
 #include "render/lighting/ordinates.h"
@@ -84,10 +85,9 @@ class SourceGrid {
     FogBall fog_ball;
     Box in_fog;  // bounds of what stands in it
     std::optional<Receivers> receivers;
-    LevelOcclusion* surfaces = nullptr;  // that occlude all light; null: none do
-    bool keeps_transmitted = false;      // see Level
-    // Of the Gaussians; empty if all are as by default.
-    std::span<const RelativeOptics> optics{};
+    LevelOcclusion* surfaces = nullptr;        // that occlude all light; null: none do
+    bool keeps_transmitted = false;            // see Level
+    const EmissionLights* emission = nullptr;  // null: none, and all albedos are the medium's
   };
 
   static constexpr std::size_t max_levels = 5;

@@ -7,6 +7,7 @@
 #include "core/scene/scene.h"
 #include "render/geometry/fog_ball.h"
 #include "render/geometry/point_source.h"
+#include "render/paths/emission_sampler.h"
 #include "render/paths/environment_sampler.h"
 #include "render/paths/material_sampler.h"
 #include "render/paths/path_medium.h"
@@ -61,6 +62,7 @@ struct PathScene {
   PathFog fog;
   std::vector<PathLight> lights{};
   const EnvironmentSampler* environment = nullptr;  // null: none, or black
+  EmissionSampler emission{};
   const RayCaster& ray_caster;
   std::span<const Surface> surfaces;
   std::vector<MaterialSampler> materials{};  // of the surfaces

@@ -150,6 +150,34 @@ glm::dvec3 PathTracer::environment_at(const Vertex& vertex, PathRandom& random) 
   return std::exp(-depth) / (pdf + direction_pdf(vertex, l)) * value * environment->radiance(l);
 }
 
+glm::dvec3 PathTracer::emission_at(const Vertex& vertex, PathRandom& random) const {
+  const glm::dvec3 none(0.0);
+  if (scene_.emission.empty()) return none;
+  const glm::dvec3 y = scene_.emission.sample(random);
+  const glm::dvec3 q = y - vertex.position;
+  const double r = glm::length(q);
+  if (!(r > 0.0)) return none;
+  const glm::dvec3 l = q / r;
+  const glm::dvec3 value = scattering(vertex, l);
+  if (!(max_component(value) > 0.0)) return none;
+  const Emission emission = emission_of({vertex.position, l, r}, direction_pdf(vertex, l));
+  if (!(emission.collision_pdf + emission.pdf > 0.0)) return none;
+  const SurfaceHit hit = scene_.ray_caster.first_hit(vertex.position, l);
+  if (hit && hit.distance < r) return none;
+  return emission.arriving / (emission.collision_pdf + emission.pdf) * value;
+}
+
+PathTracer::Emission PathTracer::emission_of(const RaySegment& way, double direction_pdf) const {
+  const glm::dvec3 y = way.origin + way.length * way.direction;
+  const double density = scene_.medium.density(y);
+  const glm::dvec3 emission = scene_.medium.index().optics_at(y, 0.0).emission;
+  const double fog = std::min(way.length, scene_.fog.length(way.origin, way.direction));
+  const double depth =
+      scene_.medium.depth(way.origin, way.direction, way.length) + scene_.fog.density * fog;
+  const double arriving = density * std::exp(-depth) / (way.length * way.length);
+  return {arriving * emission, direction_pdf * arriving, scene_.emission.pdf(density, emission)};
+}
+
 glm::dvec3 PathTracer::direct_light(const Vertex& vertex, PathRandom& random) const {
   const auto weight = [&](const PathLight& light, double r) {
     return vertex.is_surface ? 1.0 : 1.0 - equi_angular_weight(light, r);
@@ -314,7 +342,8 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       if (random.uniform() >= survival) return;
       throughput /= survival;
     }
-    sum.add(events + 1, scene_.albedo * throughput * lights_around(vertex, random));
+    sum.add(events + 1, scene_.albedo * throughput *
+                            (lights_around(vertex, random) + emission_at(vertex, random)));
     const Direction direction = sample_direction(vertex, random);
     if (!(direction.pdf > 0.0)) return;
     if (vertex.is_surface) {
@@ -338,7 +367,10 @@ void PathTracer::walk(Vertex vertex, glm::dvec3 throughput, PathRandom& random,
       throughput *= scene_.albedo;
       if (t < in_fog) {  // among the Gaussians
         const RelativeOptics optics = scene_.medium.index().optics_at(vertex.position, 0.0);
-        sum.add(events + 1, throughput * optics.emission);
+        if (optics.emission != glm::dvec3(0.0)) {
+          const double weight = emission_of({origin, w, t}, direction.pdf).weight();
+          sum.add(events + 1, weight * throughput * optics.emission);
+        }
         throughput *= optics.albedo;
       }
       const double now = scene_.fog.importance(vertex.position);

@@ -23,7 +23,7 @@ struct OrderedRadiance {
 // next-event estimation at every vertex, all orders, optical depths in closed form. Environments
 // are sampled by their radiance and by phase function or material, combined by the balance
 // heuristic (Veach); lights inside the medium by collisions and equi-angularly (Kulla and Fajardo
-// 2012).
+// 2012); light that Gaussians emit by collisions and by what they emit, combined likewise.
 //
 // What biases them: culling (PathMedium), h_min of lights and max_growth, all far below any noise,
 // and the end of endless fog (PathFog). Thread-safe.
@@ -88,7 +88,21 @@ class PathTracer {
   [[nodiscard]] glm::dvec3 light_at(const Vertex& vertex, Weight weight, PathRandom& random) const;
   // The same of the environment.
   [[nodiscard]] glm::dvec3 environment_at(const Vertex& vertex, PathRandom& random) const;
-  // The same of all, on a random walk.
+  // What Gaussians emit at the end of a segment, as it arrives at its origin per solid angle there
+  // and length; the densities of finding that point [1/u^3] by a collision, and by EmissionSampler.
+  struct Emission {
+    glm::dvec3 arriving;
+    double collision_pdf, pdf;
+
+    // Of collisions, by the balance heuristic.
+    [[nodiscard]] double weight() const {
+      return pdf > 0.0 ? collision_pdf / (collision_pdf + pdf) : 1.0;
+    }
+  };
+  [[nodiscard]] Emission emission_of(const RaySegment& way, double direction_pdf) const;
+  // The same as light_at() of what Gaussians emit, where EmissionSampler finds it.
+  [[nodiscard]] glm::dvec3 emission_at(const Vertex& vertex, PathRandom& random) const;
+  // The same of all lights, on a random walk.
   [[nodiscard]] glm::dvec3 direct_light(const Vertex& vertex, PathRandom& random) const;
   // Transmittance and visibility of a light from x, in the direction l at a distance r.
   [[nodiscard]] double visibility(const glm::dvec3& x, const PathLight& light, const glm::dvec3& l,

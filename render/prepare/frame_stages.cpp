@@ -223,6 +223,15 @@ std::vector<SlicedLight> FrameStages::lights_of(const FrameContext& work) {
   return lights;
 }
 
+std::vector<SlicedLight> FrameStages::lit_from(const FrameContext& work,
+                                               std::vector<SlicedLight> lights) const {
+  if (!work.plan.runs(Stage::scattering) || !work.plan.runs(Stage::homogeneous)) return lights;
+  for (const EmissionLights::Light& light : emission_lights_.lights()) {
+    lights.push_back({light.source, nullptr, nullptr});
+  }
+  return lights;
+}
+
 std::vector<SlicedLight> FrameStages::sliced_lights(FrameContext& work, StageClock& clock) {
   std::vector<SlicedLight> lights = lights_of(work);
   std::vector<DirectionMap> maps(lights.size());

@@ -112,6 +112,10 @@ class FrameStages {
   // The lights as `paper` and `sliced` need them; pairs are added to the frame's statistics.
   PaperLights paper_lights(FrameContext& work, StageClock& clock);
   std::vector<SlicedLight> sliced_lights(FrameContext& work, StageClock& clock);
+  // What slices are chosen for, after prepare_source(): the lights, then in fog what Gaussians
+  // emit.
+  [[nodiscard]] std::vector<SlicedLight> lit_from(const FrameContext& work,
+                                                  std::vector<SlicedLight> lights) const;
   // Parts of sliced_lights(): the lights without tables, and the directions of a light's shadow
   // map; `table` is the map of its table.
   static std::vector<SlicedLight> lights_of(const FrameContext& work);

@@ -278,6 +278,18 @@ TEST(OwnOptics, SmallOnesLightAsPoints) {
   EXPECT_LT(difference(on_wall[0], on_wall[1]).relative_rmse, 0.08);
 }
 
+// Fog far beside it, on grids as coarse as it is large: brighter by 64% where slices are as long as
+// it is far away.
+TEST(OwnOptics, EmissionLightsFogAround) {
+  Scene scene = in_fog(one_gaussian(0.01, {std::nullopt, glm::dvec3(2000.0)}, 0.3), 0.01);
+  scene.film = {8, 6};
+  scene.camera = {{0, 1, 5}, {1.5, 1, 0}, {0, 1, 0}, 15.0};
+  const Frame truth = render_frame(scene, path_traced(512));
+  // 2% are the noise of the paths.
+  EXPECT_LT(std::abs(difference(render_frame(scene, all_orders).airlight, truth.airlight).bias),
+            0.05);
+}
+
 // The grid widens what is smaller than its nodes are apart; of an opaque one it must not let out
 // what is inside. A cloud beside it makes the grid as coarse as a scene's.
 TEST(OwnOptics, SmallOpaqueEmissionLightsNoMoreThanItsSurface) {

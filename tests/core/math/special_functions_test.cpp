@@ -23,5 +23,22 @@ TEST(EntireExponentialIntegral, IsItsIntegral) {
   }
 }
 
+TEST(SpecialFunctions, Dawson) {
+  EXPECT_EQ(dawson(0.0), 0.0);
+  // Abramowitz and Stegun, table 7.5.
+  EXPECT_NEAR(dawson(0.1), 0.0993359924, 1e-9);
+  EXPECT_NEAR(dawson(1.0), 0.5380795069, 2e-7);
+  EXPECT_NEAR(dawson(2.0), 0.3013403889, 2e-7);
+  for (const double x : {0.19999, 0.20001, 0.9, 3.3, 12.0}) {
+    double sum = 0.0;
+    constexpr int steps = 200000;
+    for (int i = 0; i < steps; ++i) {
+      const double t = x * (i + 0.5) / steps;
+      sum += std::exp((t - x) * (t + x)) * x / steps;
+    }
+    EXPECT_NEAR(dawson(x), sum, 1e-6 * sum) << x;
+  }
+}
+
 }  // namespace
 }  // namespace brume

@@ -84,9 +84,10 @@ TEST(MediumSequence, BelongsToTheSceneAtATime) {
 
 TEST(GaussianNumbers, AreNeverReused) {
   GaussianNumbers numbers;
-  numbers.begin(3);
-  EXPECT_EQ(numbers.relocate({false, true, false}), 1u);
-  EXPECT_EQ(numbers.relocate({false, true, true}), 2u);
+  GaussianNumber counter = 0;
+  numbers.begin(3, counter);
+  EXPECT_EQ(numbers.relocate({false, true, false}, counter), 1u);
+  EXPECT_EQ(numbers.relocate({false, true, true}, counter), 2u);
   EXPECT_EQ(std::vector(numbers.ids().begin(), numbers.ids().end()),
             (std::vector<GaussianNumber>{0, 4, 5}));
 }

@@ -48,7 +48,7 @@ TEST(EmissionLights, NeighboursAreOneLight) {
   const double expected = unattenuated(a) + unattenuated(b);
   EXPECT_NEAR(source.intensity.x, expected, 0.01 * expected);
   EXPECT_NEAR(source.intensity.z, 0.25 * source.intensity.x, 1e-12);
-  for (const RelativeOptics& optics : made.lights.others()) {
+  for (const RelativeOptics& optics : made.lights.held(0.1)) {
     EXPECT_EQ(optics.emission, glm::dvec3(0.0));
   }
 }
@@ -59,18 +59,15 @@ TEST(EmissionLights, WhatIsFarApartIsSeveral) {
   EXPECT_EQ(made.lights.lights().size(), 3u);
 }
 
-TEST(EmissionLights, LargeOnesStayOnTheGrid) {
+TEST(EmissionLights, FineGridsHoldLargeOnes) {
   const Made made{hot({0.0, 0.0, 0.0}, 0.5), hot({1.0, 0.0, 0.0}, 0.02)};
-  ASSERT_EQ(made.lights.lights().size(), 1u);
-  EXPECT_NE(made.lights.others()[0].emission, glm::dvec3(0.0));
-  EXPECT_EQ(made.lights.others()[1].emission, glm::dvec3(0.0));
-}
-
-// Those in a smoke so dense that hardly anything leaves it, too.
-TEST(EmissionLights, OpaqueOnesStayOnTheGrid) {
-  const Made made{hot({0.0, 0.0, 0.0}, 0.02), {{0.0, 0.0, 0.0}, 0.1, 200.0}};
-  EXPECT_TRUE(made.lights.lights().empty());
-  EXPECT_NE(made.lights.others()[0].emission, glm::dvec3(0.0));
+  EXPECT_EQ(made.lights.lights().size(), 2u);
+  const auto is_held = [&](std::size_t gaussian, double spacing) {
+    return made.lights.held(spacing)[gaussian].emission != glm::dvec3(0.0);
+  };
+  EXPECT_TRUE(is_held(0, 0.1));
+  EXPECT_FALSE(is_held(1, 0.1));
+  EXPECT_FALSE(is_held(0, 0.5));
 }
 
 // A Gaussian of optical depth T through its center lets out Ein(T) / T of its light: 0.888 at 0.5.
@@ -79,10 +76,9 @@ TEST(EmissionLights, LeavesOutWhatIsAbsorbedInIt) {
   const Gaussian g = hot({}, radius, 0.5 / (radius * std::sqrt(std::numbers::pi)));
   const Made made{g};
   ASSERT_EQ(made.lights.lights().size(), 1u);
-  const double passes = std::exp(-0.25);  // from the center
-  const double escapes = passes * made.lights.lights()[0].source.intensity.x / unattenuated(g);
-  // By six points in it.
-  EXPECT_NEAR(escapes, 0.888, 0.03);
+  EXPECT_NEAR(made.lights.lights()[0].source.intensity.x, 0.888 * unattenuated(g),
+              1e-3 * unattenuated(g));
+  EXPECT_TRUE(made.lights.lights()[0].table->empty());
 }
 
 TEST(EmissionLights, KeepsItsRevisionWhileNothingChanges) {
