@@ -80,6 +80,7 @@ void SlicedStage::upload_source(const SourceFunction* source, const glm::dvec3& 
                                 const Program& program) {
   program.set("source_levels", source ? static_cast<int>(source->grid().levels().size()) : 0);
   program.set("source_broadening_at", 0);
+  program.set("source_map_size", glm::ivec2(0));
   if (!source) return;
   const SourceFunction::WeightParts parts = source->weight_parts();
   const bool is_new = source_revision_ != source->grid().revision();

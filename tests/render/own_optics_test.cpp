@@ -237,7 +237,7 @@ TEST(OwnOptics, AllOrdersMatchPaths) {
   };
   for (const auto& [b0, anisotropy, has_wall, is_lit] :
        {Case{0.0, 0.0, false, true}, Case{0.0, 0.5, true, true}, Case{0.05, 0.0, true, false}}) {
-    Scene scene = in_fog(glowing(3.0, 16), b0);
+    Scene scene = in_fog(glowing(3.0, 12), b0);
     scene.optics.anisotropy = anisotropy;
     if (has_wall) scene.surfaces = {wall(-1.2, 1.5)};
     if (!is_lit) scene.lights.clear();
@@ -282,10 +282,10 @@ TEST(OwnOptics, SmallOnesLightAsPoints) {
 // it is far away.
 TEST(OwnOptics, EmissionLightsFogAround) {
   Scene scene = in_fog(one_gaussian(0.01, {std::nullopt, glm::dvec3(2000.0)}, 0.3), 0.01);
-  scene.film = {8, 6};
+  scene.film = {6, 4};
   scene.camera = {{0, 1, 5}, {1.5, 1, 0}, {0, 1, 0}, 15.0};
-  const Frame truth = render_frame(scene, path_traced(512));
-  // 2% are the noise of the paths.
+  const Frame truth = render_frame(scene, path_traced(4096));
+  // One per cent is the noise of the paths.
   EXPECT_LT(std::abs(difference(render_frame(scene, all_orders).airlight, truth.airlight).bias),
             0.05);
 }

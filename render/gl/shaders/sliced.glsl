@@ -77,7 +77,7 @@ void main() {
   float boundary = last > 0 ? slice_boundary(position, 0) : 0.0;
   float t_begin = min(boundary, length_);
   // SliceWeights::along_rays.
-  const bool has_forward_lobe = source_levels > 0 && source_bands > 1;
+  const bool has_forward_lobe = source_levels > 0 && source_map_size.x > 0;
   const bool needs_line = has_forward_lobe && anisotropy > 0.0;
   float along_ray = 0.0;
   float line_depth = 0.0;  // of all Gaussians, also behind surfaces

@@ -25,7 +25,7 @@ uniform float source_scale;            // of the environment
 // lobe per cluster begin at source_map_at.
 uniform int source_map_at;
 uniform int source_beams;  // bit f: family f is a beam
-uniform ivec2 source_map_size;
+uniform ivec2 source_map_size;  // 0: there are none
 uniform vec2 source_rotation;  // of the maps: cosine and sine
 
 // LobeBroadening: four optical depths a value, from here on; 0: none.
@@ -62,7 +62,7 @@ void set_source_weights(vec3 w) {
       source_weights[i] = source_harmonics_scale * source_factors[l] * y[i];
     }
   }
-  if (source_bands == 1) return;
+  if (source_map_size.x == 0) return;
   const MapTexels texels = map_texels(source_map_size, turned_to_map(source_rotation, w));
   for (int f = 0; f < source_clusters; ++f) {
     const ivec4 index = source_map_at + f * source_map_size.x * source_map_size.y + texels.index;

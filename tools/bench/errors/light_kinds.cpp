@@ -122,6 +122,9 @@ std::vector<LightKindRow> measure_light_kinds(bool quick) {
   add_scene("point; every third Gaussian shines", with_thirds(lit_by(point), [](auto& optics) {
               optics.emission = {3.0, 1.0, 0.2};
             }));
+  add_scene("point; every third Gaussian is red", with_thirds(lit_by(point), [](auto& optics) {
+              optics.albedo = {0.9, 0.3, 0.2};
+            }));
   Light sun{.intensity = glm::dvec3(2.0), .directional = Directional{-from}};
   add("directional", sun);
   sun.directional->angular_diameter = 0.53;
