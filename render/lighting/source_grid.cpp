@@ -50,6 +50,11 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
 };
 
+bool contains(const glm::dvec3& low, const glm::dvec3& high, const Box& box) {
+  return glm::all(glm::lessThanEqual(low, box.low)) &&
+         glm::all(glm::greaterThanEqual(high, box.high));
+}
+
 double smallest(const glm::dvec3& v) {
   return std::min({v.x, v.y, v.z});
 }
@@ -345,17 +350,30 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     glm::dvec3 high = bounds.high;
     const auto add_level = [&](int nodes) {
       const double beyond = glm::length(high - low);
-      low -= beyond;
-      high += beyond;
+      glm::dvec3 max_low = low - beyond;
+      glm::dvec3 max_high = high + beyond;
+      if (content.surfaces && !(content.fog_density > 0.0)) {  // nothing is beyond them
+        max_low = glm::max(max_low, glm::min(low, content.surfaces->bounds().low));
+        max_high = glm::min(max_high, glm::max(high, content.surfaces->bounds().high));
+      }
+      low = max_low;
+      high = max_high;
       const double spacing = static_cast<double>(levels_.back().nodes.spacing);
       levels_.push_back(layout(low, high, 2.0 * spacing, nodes));
     };
     if (content.fog_density > 0.0 || goes_beyond) add_level(size.nodes / 2);
-    if (content.fog_density > 0.0) {
-      const double reach = std::min(1.0 / content.fog_density, content.fog_ball.radius);
-      while (levels_.size() < max_levels && 0.5 * smallest(high - low) < reach) {
-        add_level(size.nodes / 4);
-      }
+    const double reach = content.fog_density > 0.0
+                             ? std::min(1.0 / content.fog_density, content.fog_ball.radius)
+                             : 0.0;
+    // Surfaces beyond all levels are lit as those at the border are, which is too much of what
+    // Gaussians emit.
+    const auto holds_surfaces = [&] {
+      return !content.surfaces || !content.emission || content.emission->lights().empty() ||
+             contains(low, high, content.surfaces->bounds());
+    };
+    while (levels_.size() < max_levels &&
+           (0.5 * smallest(high - low) < reach || !holds_surfaces())) {
+      add_level(size.nodes / 4);
     }
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {
@@ -459,8 +477,7 @@ std::size_t SourceGrid::bytes() const {
 }
 
 bool SourceGrid::holds(const Box& box) const {
-  return glm::all(glm::lessThanEqual(core_.low, box.low)) &&
-         glm::all(glm::greaterThanEqual(core_.high, box.high));
+  return contains(core_.low, core_.high, box);
 }
 
 }  // namespace brume
