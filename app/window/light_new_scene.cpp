@@ -8,15 +8,16 @@
 
 namespace brume {
 
-void light_new_scene(Document& document, View& view) {
+void light_new_scene(Document& document, View& view, Camera& framed) {
   const Scene& scene = document.scene();
   if (scene.environment || scene.lights != new_scene().lights) return;
   const auto sphere = bounding_sphere(scene);
   if (!sphere) return;
   const bool is_new_camera = KeyedCamera{scene.camera, scene.camera_keys} == KeyedCamera{};
-  if (is_new_camera && view.camera() == scene.camera) {
+  if (is_new_camera && (view.camera() == scene.camera || view.camera() == framed)) {
     view.camera_controller().frame_all();
-    set_scene_part(document, KeyedCamera{view.camera(), {}}, {});
+    framed = view.camera();
+    set_scene_part(document, KeyedCamera{framed, {}}, {});
   }
   const Light light = light_outside(sphere->center, sphere->radius, view.camera().eye);
   set_scene_part(document, Lights{light}, {});

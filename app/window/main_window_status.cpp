@@ -42,7 +42,7 @@ void MainWindow::create_status_bar() {
   connect(file_job_, &BackgroundJob::failed, message_bar_, &MessageBar::show_error);
   connect(import_, &SceneImport::failed, message_bar_, &MessageBar::show_error);
   connect(import_, &SceneImport::surfaces_added, this,
-          [this] { light_new_scene(document_, *viewport_); });
+          [this, framed = Camera{}]() mutable { light_new_scene(document_, *viewport_, framed); });
   connect(&document_, &Document::refused, message_bar_, &MessageBar::show_error);
   statusBar()->addWidget(hint_, 1);
   for (BackgroundJob* job :

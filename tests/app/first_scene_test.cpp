@@ -6,8 +6,12 @@
 #include <numbers>
 
 #include "app/commands/scene_part_command.h"
+#include "app/document/paths.h"
+#include "app/export/frame_export.h"
+#include "app/frames/headlight.h"
 #include "app/import/scene_import.h"
 #include "app/view/bounds.h"
+#include "app/viewport/legend.h"
 #include "app/viewport/viewport.h"
 #include "tests/app/test_window.h"
 
@@ -18,6 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path bunny = BRUME_RESOURCES "/meshes/bunny.obj";
+
+// The share of a picture that is neither black nor nearly so.
+double bright_share_of(const QImage& picture) {
+  int bright = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) bright += qGray(picture.pixel(x, y)) > 50 ? 1 : 0;
+  }
+  return static_cast<double>(bright) / (picture.width() * picture.height());
+}
 
 // A window with a new scene.
 class NewScene : public TestWindow {
@@ -36,15 +49,8 @@ class NewScene : public TestWindow {
     QTRY_VERIFY(!job->is_running());
   }
 
-  // The share of the picture that is neither black nor nearly so.
   double bright_share() {
-    if (!settle()) return -1.0;
-    const QImage picture = (*this)->viewport().frames().shown()->picture;
-    int bright = 0;
-    for (int y = 0; y < picture.height(); ++y) {
-      for (int x = 0; x < picture.width(); ++x) bright += qGray(picture.pixel(x, y)) > 50 ? 1 : 0;
-    }
-    return static_cast<double>(bright) / (picture.width() * picture.height());
+    return settle() ? bright_share_of((*this)->viewport().frames().shown()->picture) : -1.0;
   }
 };
 
@@ -118,6 +124,16 @@ class FirstSceneTest : public QObject {
     QVERIFY(window.document().scene() == new_scene());
   }
 
+  void a_mesh_after_an_undone_one_is_framed() {
+    NewScene window;
+    std::ofstream(window.file("far.obj")) << "v 90 0 0\nv 91 0 0\nv 90 1 0\nf 1 2 3\n";
+    window.import({window.file("far.obj")});
+    window.document().undo_stack().undo();
+    window.import({bunny});
+    QVERIFY(window->viewport().camera() == window.document().scene().camera);
+    QVERIFY(window.bright_share() > 0.05);
+  }
+
   void what_the_user_has_changed_stays() {
     NewScene window;
     Document& document = window.document();
@@ -152,9 +168,73 @@ class FirstSceneTest : public QObject {
     window.import({BRUME_RESOURCES "/environments/sunset.exr"});
     import_leaves(true, true);
 
+    QVERIFY(document.scene() == new_scene());
     window.import({bunny, BRUME_RESOURCES "/environments/sunset.exr"});
     QVERIFY(document.scene().lights == new_scene().lights);
     QVERIFY(document.scene().camera == Camera());
+  }
+
+  void what_nothing_lights_is_shown_by_a_headlight() {
+    NewScene window;
+    Document& document = window.document();
+    window.import({bunny});
+    const auto* legend = window->viewport().findChild<Legend*>();
+    const auto says_so = [&] {
+      return legend->isVisible() && legend->scale().title.contains("shown by a headlight");
+    };
+    QVERIFY(window.bright_share() > 0.05);
+    QVERIFY(!says_so());
+
+    Lights lights = document.scene().lights;
+    lights[0].on = false;
+    set_scene_part(document, lights, "Turn off");
+    QVERIFY(window.bright_share() > 0.05);
+    QVERIFY(says_so());
+    QVERIFY(document.scene().lights == lights);
+
+    // From behind as well.
+    window->viewport().camera_controller().drag(NavigationDrag::orbit, {500.0, 0.0});
+    QVERIFY(window.bright_share() > 0.05);
+    window->viewport().frames().set_mode(ViewMode::airlight);
+    QVERIFY(says_so());
+    window->viewport().frames().set_mode(ViewMode::optical_depth);
+    QVERIFY(!says_so());
+    window->viewport().frames().set_mode(ViewMode::final);
+    window->findChild<QAction*>("airlight_paper")->trigger();
+    QCOMPARE(window.bright_share(), 0.0);
+    QVERIFY(!says_so());
+    window->findChild<QAction*>("airlight_auto")->trigger();
+    QVERIFY(window.settle());
+    QVERIFY(says_so());
+
+    QSignalSpy exported(window->findChild<FrameExport*>(), &FrameExport::finished);
+    window->export_frame_to(window.file("dark.png"));
+    QTRY_COMPARE(exported.count(), 1);
+    QCOMPARE(bright_share_of(QImage(to_qstring(window.file("dark.png")))), 0.0);
+
+    document.undo_stack().undo();
+    QVERIFY(window.settle());
+    QVERIFY(!says_so());
+  }
+
+  void light_from_anywhere_turns_the_headlight_off() {
+    Scene scene = small_scene();
+    QVERIFY(!is_unlit(scene));
+    scene.lights[0].on = false;
+    QVERIFY(is_unlit(scene));
+    const auto lit_by = [&](auto change) {
+      Scene lit = scene;
+      change(lit);
+      return !is_unlit(lit);
+    };
+    QVERIFY(lit_by([](Scene& s) { s.environment.emplace(); }));
+    QVERIFY(lit_by([](Scene& s) { s.emitters.emplace_back(); }));
+    QVERIFY(lit_by([](Scene& s) { s.sequences.emplace_back(); }));
+    QVERIFY(lit_by([](Scene& s) {
+      s.medium.append({glm::dvec3(0.0), 1.0, 1.0, {{}, glm::dvec3(1.0)}});
+    }));
+    QVERIFY(!lit_by([](Scene& s) { s.lights.clear(); }));
+    QVERIFY(!is_unlit(Scene()));  // nothing to see
   }
 };
 
