@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <utility>
 
 #include "app/commands/scene_part_command.h"
@@ -214,6 +215,15 @@ void add_preset(Document& document, const LightPreset& preset, const LightPlace&
     light.area = AreaLight{.direction = direction, .width = preset.width, .height = preset.height};
   }
   add(document, std::move(light));
+}
+
+Light light_outside(const glm::dvec3& center, double radius, const glm::dvec3& eye) {
+  const double distance = 4.0 * radius;
+  const glm::dvec3 position = center - distance * glm::normalize(sun_direction(center - eye));
+  Light light;
+  light.position = glm::clamp(position, -limits::coordinate, limits::coordinate);
+  light.intensity = glm::dvec3(std::min(std::numbers::pi * distance * distance, limits::intensity));
+  return light;
 }
 
 Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& target) {

@@ -41,6 +41,10 @@ struct LightPreset {
 };
 std::span<const LightPreset> light_presets();
 void add_preset(Document& document, const LightPreset& preset, const LightPlace& place);
+// A light for contents within `radius` of `center`: outside them, from above, behind the left
+// shoulder of an eye. White diffuse surfaces at the center that face it have a radiance of 1, which
+// is as bright as pictures get without a change of exposure: the intensity is pi distance^2.
+Light light_outside(const glm::dvec3& center, double radius, const glm::dvec3& eye);
 void delete_light(Document& document, std::size_t index);
 // `verb` is the text of the step, with %1 for the light's name.
 void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,

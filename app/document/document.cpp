@@ -9,14 +9,15 @@
 #include "core/scene/animation.h"
 
 namespace brume {
-namespace {
 
-// A light, so that the first Gaussian added can be seen.
 Scene new_scene() {
   Scene scene;
-  scene.lights.push_back({.position = {2.0, 3.0, 3.0}, .intensity = glm::dvec3(20.0)});
+  // So bright because thin fog scatters little of it to the eye.
+  scene.lights.push_back({.position = {2.0, 3.0, 3.0}, .intensity = glm::dvec3(150.0)});
   return scene;
 }
+
+namespace {
 
 void sort_unique(std::vector<GaussianId>& ids) {
   std::sort(ids.begin(), ids.end());

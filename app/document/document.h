@@ -14,6 +14,9 @@
 
 namespace brume {
 
+// What File > New makes: a light, so that the first Gaussian added can be seen.
+Scene new_scene();
+
 // The edited scene, its history and selection. Views read it and listen to its signals; all changes
 // are commands (app/commands) on the undo stack.
 class Document : public QObject {

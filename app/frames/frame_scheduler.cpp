@@ -5,6 +5,7 @@
 
 #include "app/document/document.h"
 #include "app/frames/frame_services.h"
+#include "app/frames/headlight.h"
 
 namespace brume {
 namespace {
@@ -144,8 +145,22 @@ Settings FrameScheduler::motion_settings(const std::shared_ptr<const Scene>& sce
   return settings;
 }
 
+std::shared_ptr<const Scene> FrameScheduler::lit_scene() const {
+  auto scene = view_.shown_scene();
+  const bool is_paper = quality_.settings().airlight == AirlightMethod::paper;
+  if (is_paper || !is_unlit(document_.scene())) return scene;  // it has no directional lights
+  if (headlit_from_ != scene || headlit_camera_ != view_.camera()) {
+    auto headlit = std::make_shared<Scene>(*scene);
+    headlit->lights.push_back(headlight(view_.camera()));
+    headlit_ = std::move(headlit);
+    headlit_from_ = std::move(scene);
+    headlit_camera_ = view_.camera();
+  }
+  return headlit_;
+}
+
 FrameRequest FrameScheduler::frame_request(bool moving) const {
-  const auto scene = view_.shown_scene();
+  const auto scene = lit_scene();
   const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
   FrameRequest request{.scene = scene,
                        .camera = view_.camera(),
@@ -156,7 +171,8 @@ FrameRequest FrameScheduler::frame_request(bool moving) const {
                        .view = index(),
                        .serial = serial_,
                        .moving = moving,
-                       .depth = view_.shown_handles().use_depth()};
+                       .depth = view_.shown_handles().use_depth(),
+                       .headlight = scene == headlit_};
   if (!moving && mode_ == ViewMode::path_traced) ask_for_paths(request);
   return request;
 }
@@ -165,7 +181,7 @@ void FrameScheduler::request() {
   ++serial_;
   forget_error_map();
   if (pane_.isHidden()) return;
-  quality_.picture_changes(*view_.shown_scene(), view_.camera());
+  quality_.picture_changes(*lit_scene(), view_.camera());
   services_.transfer_job.follow(document_.scene(), quality_.settings());
   services_.service.request(frame_request(true));
   rest_timer_.start(rest_after);

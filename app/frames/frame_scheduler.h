@@ -56,6 +56,7 @@ class FrameScheduler : public QObject {
   void ask_for_paths(FrameRequest& request) const;
   [[nodiscard]] Settings motion_settings(const std::shared_ptr<const Scene>& scene) const;
   [[nodiscard]] FrameRequest frame_request(bool moving) const;
+  [[nodiscard]] std::shared_ptr<const Scene> lit_scene() const;  // by a headlight if unlit
   [[nodiscard]] int index() const { return static_cast<int>(view_.projection()); }
   void request_at_rest();
   void use_frame(const std::shared_ptr<const RenderedFrame>& frame);
@@ -76,6 +77,10 @@ class FrameScheduler : public QObject {
   std::shared_ptr<const RenderedFrame> shown_;
   std::shared_ptr<const ErrorMap> error_map_;  // of the displayed frame
   std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest
+  // Cache of lit_scene(), and what it was made from.
+  mutable std::shared_ptr<const Scene> headlit_;
+  mutable std::shared_ptr<const Scene> headlit_from_;
+  mutable Camera headlit_camera_;
   QTimer rest_timer_;
   FrameQuality quality_;
 };

@@ -32,6 +32,7 @@ struct FrameRequest {
   bool moving = false;       // interactive: may reduce resolution and omit layers
   int divisor = 1;           // at rest: of the resolution
   bool depth = true;         // request the depth layer nevertheless
+  bool headlight = false;    // the scene has a light that the document lacks
 };
 
 struct RenderedFrame {

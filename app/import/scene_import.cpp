@@ -128,10 +128,7 @@ BackgroundJob::Apply SceneImport::read(const fs::path& file, const std::stop_tok
   }
   if (is_mesh(file)) {
     return [this, surface = read_surface(file)] {
-      Surfaces surfaces = document_.scene().surfaces;
-      surfaces.push_back(surface);
-      set_scene_part(document_, std::move(surfaces),
-                     tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
+      add_surfaces({surface}, tr("Import %1").arg(to_qstring(surface.mesh_file.filename())));
     };
   }
   return [this, gaussians = read_any_gaussians(file, stop)] {
@@ -196,14 +193,21 @@ void SceneImport::import_each(const std::vector<fs::path>& files,
         [this, files = read_at_once, run](const Job& job) -> BackgroundJob::Apply {
           if (run && !is_mesh(files.front())) return read(*run);
           std::vector<BackgroundJob::Apply> takes;
+          std::vector<Surface> surfaces;  // added together, after what else may light them
           for (const fs::path& file : files) {
             if (job.stop.stop_requested()) return {};
-            takes.push_back(read(file, job.stop));
-            job.progress(static_cast<double>(takes.size()) / static_cast<double>(files.size()));
+            if (is_mesh(file)) {
+              surfaces.push_back(read_surface(file));
+            } else {
+              takes.push_back(read(file, job.stop));
+            }
+            job.progress(static_cast<double>(takes.size() + surfaces.size()) /
+                         static_cast<double>(files.size()));
           }
-          return [this, takes] {
-            document_.undo_stack().beginMacro(tr("Import %1 files").arg(takes.size()));
+          return [this, takes, surfaces, text = tr("Import %1 files").arg(files.size())] {
+            document_.undo_stack().beginMacro(text);
             for (const BackgroundJob::Apply& take : takes) take();
+            if (!surfaces.empty()) add_surfaces(surfaces, text);
             document_.undo_stack().endMacro();
           };
         });
@@ -215,6 +219,15 @@ void SceneImport::import_volume(const fs::path& file, const VolumeFit& how) {
     if (!gaussians) return {};
     return [this, gaussians] { add_gaussians(document_, *gaussians, tr("Import")); };
   });
+}
+
+void SceneImport::add_surfaces(const std::vector<Surface>& added, const QString& text) {
+  document_.undo_stack().beginMacro(text);
+  Surfaces surfaces = document_.scene().surfaces;
+  surfaces.insert(surfaces.end(), added.begin(), added.end());
+  set_scene_part(document_, std::move(surfaces), text);
+  Q_EMIT surfaces_added();
+  document_.undo_stack().endMacro();
 }
 
 void SceneImport::add_sequence(MediumSequence sequence) {

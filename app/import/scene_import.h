@@ -10,6 +10,7 @@
 #include "app/import/volume_fit.h"
 #include "app/jobs/background_job.h"
 #include "core/scene/medium_sequence.h"
+#include "core/scene/scene.h"
 
 class QWidget;
 
@@ -46,6 +47,7 @@ class SceneImport : public QObject {
 
  Q_SIGNALS:
   void failed(const QString& message);
+  void surfaces_added();  // within the undo step of the import
 
  private:
   void start(const std::filesystem::path& file, const BackgroundJob::Work& work);
@@ -54,6 +56,7 @@ class SceneImport : public QObject {
   BackgroundJob::Apply read(const FrameRun& run);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
+  void add_surfaces(const std::vector<Surface>& added, const QString& text);
   void add_sequence(MediumSequence sequence);
   // In the background: writes the frames of `make`, numbered as in `run`, to a folder. Nothing is
   // written if it returns fewer.

@@ -90,7 +90,12 @@ void Viewport::show_picture() {
   const bool as_made = frame->request.exposure == exposure && frame->request.mode == mode;
   if (frame->on_device && !as_made) return;  // the one at rest, which is to come, will be as asked
   const ErrorMap* error_map = frames_.error_map();
-  legend_->show_scale(color_scale(frame->frame, mode, error_map));
+  ColorScale scale = color_scale(frame->frame, mode, error_map);
+  if (frame->request.headlight && scale.ticks.isEmpty()) {
+    const QString note = tr("Nothing lights this scene: shown by a headlight");
+    scale.title = scale.title.isEmpty() ? note : scale.title + " · " + note;
+  }
+  legend_->show_scale(scale);
   place_legend();
   if (error_map) {
     surface_->show_picture(error_picture(*error_map));

@@ -11,8 +11,10 @@
 #include "app/jobs/job_bar.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
+#include "app/viewport/viewport.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
+#include "app/window/light_new_scene.h"
 #include "app/window/main_window.h"
 #include "app/window/message_bar.h"
 
@@ -39,6 +41,8 @@ void MainWindow::create_status_bar() {
   connect(file_job_, &BackgroundJob::cancelled, this, [this] { show_status(tr("Cancelled")); });
   connect(file_job_, &BackgroundJob::failed, message_bar_, &MessageBar::show_error);
   connect(import_, &SceneImport::failed, message_bar_, &MessageBar::show_error);
+  connect(import_, &SceneImport::surfaces_added, this,
+          [this, framed = Camera{}]() mutable { light_new_scene(document_, *viewport_, framed); });
   connect(&document_, &Document::refused, message_bar_, &MessageBar::show_error);
   statusBar()->addWidget(hint_, 1);
   for (BackgroundJob* job :
