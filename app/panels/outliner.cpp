@@ -1,11 +1,17 @@
 #include "app/panels/outliner.h"
 
-#include <QEvent>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QTreeWidgetItemIterator>
 
+#include "app/commands/edit_emitters.h"
 #include "app/commands/edit_lights.h"
+#include "app/commands/edit_surfaces.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/widgets/frame_text.h"
+#include "app/widgets/keys.h"
 
 namespace brume {
 namespace {
@@ -18,6 +24,10 @@ QTreeWidgetItem* new_item(const QString& text, Outliner::Kind kind, std::size_t 
   item->setData(0, kind_role, static_cast<int>(kind));
   item->setData(0, index_role, qulonglong{index});
   return item;
+}
+
+bool is_key_of(const char* action, const QKeyEvent& event) {
+  return keys_of(action).contains(QKeySequence(event.keyCombination()));
 }
 
 }  // namespace
@@ -37,6 +47,7 @@ Outliner::Outliner(Document& document, QWidget* parent) : QTreeWidget(parent), d
 
 void Outliner::rebuild() {
   const Scene& scene = document_.scene();
+  const std::optional<Object> current = object_of(currentItem());
   clear();
   auto* medium = new_item(tr("Medium"), Kind::medium);
   gaussians_ = new_item({}, Kind::gaussians);
@@ -65,13 +76,80 @@ void Outliner::rebuild() {
       scene.environment ? to_qstring(scene.environment->file.filename()) : tr("none");
   addTopLevelItem(new_item(tr("Environment: %1").arg(environment), Kind::environment));
   auto* surfaces = new_item(tr("Surfaces"), Kind::surface);
-  for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
-    surfaces->addChild(
-        new_item(to_qstring(scene.surfaces[k].mesh_file.filename()), Kind::surface, k));
+  std::size_t surface_index = 0;
+  for (const QString& name : surface_names(scene.surfaces)) {
+    surfaces->addChild(new_item(name, Kind::surface, surface_index++));
   }
   addTopLevelItem(surfaces);
   expandAll();
   count_gaussians();
+  if (current) set_current(*current);
+}
+
+std::optional<Outliner::Object> Outliner::object_of(const QTreeWidgetItem* item) {
+  if (!item || !item->parent()) return std::nullopt;
+  const auto kind = static_cast<Kind>(item->data(0, kind_role).toInt());
+  if (kind != Kind::emitter && kind != Kind::light && kind != Kind::surface) return std::nullopt;
+  return Object{kind, static_cast<std::size_t>(item->data(0, index_role).toULongLong())};
+}
+
+void Outliner::set_current(const Object& object) {
+  QTreeWidgetItem* current = nullptr;
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const std::optional<Object> other = object_of(*it);
+    if (other && other->kind == object.kind && other->index <= object.index) current = *it;
+  }
+  setCurrentItem(current);
+}
+
+void Outliner::delete_object(const Object& object) {
+  switch (object.kind) {
+    case Kind::emitter:
+      return delete_emitter(document_, object.index);
+    case Kind::light:
+      return delete_light(document_, object.index);
+    default:
+      return delete_surface(document_, object.index);
+  }
+}
+
+void Outliner::duplicate_object(const Object& object) {
+  if (object.kind != Kind::surface) return;
+  duplicate_surface(document_, object.index);
+  const Object copy{Kind::surface, document_.scene().surfaces.size() - 1};
+  set_current(copy);
+  Q_EMIT asked_for(copy.kind, copy.index);
+}
+
+// They are shortcuts of the window too, for Gaussians.
+bool Outliner::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && object_of(currentItem())) {
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    if (is_key_of("edit.delete", key) || is_key_of("edit.duplicate", key)) {
+      event->accept();
+      return true;
+    }
+  }
+  return QTreeWidget::event(event);
+}
+
+void Outliner::keyPressEvent(QKeyEvent* event) {
+  const std::optional<Object> object = object_of(currentItem());
+  if (object && is_key_of("edit.delete", *event)) return delete_object(*object);
+  if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(*object);
+  QTreeWidget::keyPressEvent(event);
+}
+
+void Outliner::contextMenuEvent(QContextMenuEvent* event) {
+  const std::optional<Object> object = object_of(itemAt(event->pos()));
+  if (!object) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (object->kind == Kind::surface) {
+    menu->addAction(tr("Duplicate"), this, [this, object] { duplicate_object(*object); });
+  }
+  menu->addAction(tr("Delete"), this, [this, object] { delete_object(*object); });
+  menu->popup(event->globalPos());
 }
 
 void Outliner::count_gaussians() {
