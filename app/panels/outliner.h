@@ -7,8 +7,9 @@ namespace brume {
 
 class Document;
 
-// The scene as a tree; a click requests the panel of an item. The keys and the context menu delete
-// emitters, lights and surfaces, and duplicate surfaces.
+// The scene as a tree; a click requests the panel of an item, one on the eye of a surface hides or
+// shows it. The keys and the context menu delete emitters, lights and surfaces, and duplicate
+// surfaces.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
@@ -36,6 +37,7 @@ class Outliner : public QTreeWidget {
   void count_gaussians();
   // Or the last of its kind, if there are fewer.
   void set_current(const Object& object);
+  void toggle_visible(const Object& object);  // of a surface
   void delete_object(const Object& object);
   void duplicate_object(const Object& object);
 

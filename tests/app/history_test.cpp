@@ -171,7 +171,7 @@ class RandomHands {
     const auto change = [&](const std::function<void(Surface&)>& how) {
       change_surface(document_, index, "Change %1", no_merge, how);
     };
-    switch (below(4)) {
+    switch (below(5)) {
       case 0:
         return count > 1 ? delete_surface(document_, index) : void();
       case 1:
@@ -182,6 +182,8 @@ class RandomHands {
           s.rotate = from_euler_angles(100.0 * point());
           s.scale = number();
         });
+      case 3:
+        return change([](Surface& s) { s.visible = !s.visible; });
       default:
         return change([&](Surface& s) { s.material.reflectance = 0.4 * point(); });
     }

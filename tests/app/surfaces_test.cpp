@@ -11,9 +11,11 @@
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
 #include "app/document/euler_angles.h"
+#include "app/view/surface_picker.h"
 #include "app/viewport/viewport.h"
 #include "core/io/scene/scene_file.h"
 #include "core/medium/medium.h"
+#include "core/scene/at_time.h"
 #include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 
@@ -151,6 +153,41 @@ class SurfacesTest : public QObject {
     QVERIFY(!window.choose(window.tree().topLevelItem(environment_group), "Delete"));
     for (int k = 0; k < 4; ++k) window.document().undo_stack().undo();
     QVERIFY(!window.choose(window.item(light_group, 0), "Duplicate"));
+    QCOMPARE(window.saved(), before);
+  }
+
+  void the_eye_hides_and_shows() {
+    SurfacesWindow window;
+    const std::string before = window.saved();
+    const auto shown = [&] { return window->viewport().shown_scene()->surfaces.size(); };
+    const auto hits_teapot = [&] {
+      SurfacePicker& picker = window->viewport().surfaces();
+      return QTest::qWaitFor([&] { return picker.is_ready(); }, patience) &&
+             picker.hit({0.5, 0.3, 9.0}, {0.0, 0.0, -1.0});
+    };
+    QCOMPARE(shown(), std::size_t{3});
+    QVERIFY(hits_teapot());
+    const auto click_eye = [&] {
+      const QPoint row = window.item_position(window.item(surface_group, 1));
+      const int x = window.tree().columnViewportPosition(1) + window.tree().columnWidth(1) / 2;
+      QTest::mouseClick(window.tree().viewport(), Qt::LeftButton, {}, {x, row.y()});
+    };
+    click_eye();
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Hide teapot.obj"));
+    QCOMPARE(shown(), std::size_t{2});
+    QCOMPARE(evaluate_at(window.document().scene(), 0.0).surfaces.size(), std::size_t{2});
+    QVERIFY(!hits_teapot());
+    QVERIFY(window.settle());
+    window.document().save(window.file("hidden.brume"));
+    QVERIFY(!load_scene(window.file("hidden.brume")).surfaces[1].visible);
+    click_eye();
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Show teapot.obj"));
+    QCOMPARE(shown(), std::size_t{3});
+    QCOMPARE(window.saved(), before);
+    QVERIFY(window.choose(window.item(surface_group, 0), "Hide"));
+    QVERIFY(!window.surfaces()[0].visible);
+    QVERIFY(window.choose(window.item(surface_group, 0), "Show"));
+    window.document().undo_stack().setIndex(0);
     QCOMPARE(window.saved(), before);
   }
 
