@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <algorithm>
+#include <functional>
 
 #include "app/document/paths.h"
 #include "core/io/atomic_file.h"
@@ -38,10 +39,11 @@ std::shared_ptr<const Scene> Document::snapshot() const {
 }
 
 std::shared_ptr<const Scene> Document::visible_snapshot() const {
-  if (hidden_.empty()) return snapshot();
+  if (hidden_.empty() && std::ranges::all_of(scene_.surfaces, &Surface::visible)) return snapshot();
   if (!visible_) {
     auto scene = std::make_shared<Scene>(scene_);
-    scene->medium = visible_medium();
+    if (!hidden_.empty()) scene->medium = visible_medium();
+    std::erase_if(scene->surfaces, std::not_fn(&Surface::visible));
     visible_ = std::move(scene);
   }
   return visible_;

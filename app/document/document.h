@@ -30,7 +30,7 @@ class Document : public QObject {
   [[nodiscard]] Gaussian effective_gaussian(std::size_t index) const;
   // An immutable snapshot for other threads; copied only after changes.
   [[nodiscard]] std::shared_ptr<const Scene> snapshot() const;
-  // A snapshot without hidden Gaussians.
+  // A snapshot without hidden Gaussians and surfaces.
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }

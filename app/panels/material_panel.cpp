@@ -4,9 +4,9 @@
 #include <QFormLayout>
 #include <algorithm>
 
-#include "app/commands/scene_part_command.h"
+#include "app/commands/edit_surfaces.h"
 #include "app/document/document.h"
-#include "app/document/paths.h"
+#include "app/document/euler_angles.h"
 #include "app/files/file_dialogs.h"
 #include "core/io/merl_file.h"
 
@@ -28,7 +28,6 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
   form->addRow(tr("Surface"), surfaces_);
-  form->addRow(tr("Material"), type_);
   connect(surfaces_, &QComboBox::currentIndexChanged, this, &MaterialPanel::refresh);
   connect(type_, &QComboBox::activated, this, &MaterialPanel::choose_type);
   on_refresh([this] {
@@ -36,9 +35,7 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     const QSignalBlocker blocker(surfaces_);
     const int index = surfaces_->currentIndex();
     surfaces_->clear();
-    for (const Surface& surface : surfaces) {
-      surfaces_->addItem(to_qstring(surface.mesh_file.filename()));
-    }
+    surfaces_->addItems(surface_names(surfaces));
     surfaces_->setCurrentIndex(
         std::clamp(index, std::min(0, surfaces_->count() - 1), surfaces_->count() - 1));
     surfaces_->setEnabled(!surfaces.empty());
@@ -48,13 +45,15 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     if (surface()) transfer_->setCurrentIndex(static_cast<int>(surface()->transfer));
   });
   connect(transfer_, &QComboBox::activated, this, [this](int index) {
-    change_surface(tr("Set radiance transfer of %1"), no_merge,
-                   [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
+    change_shown(tr("Set radiance transfer of %1"), no_merge,
+                 [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
   connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
   // After the list, which says what surface the fields are about.
-  add_fields(*form);
+  add_placement_fields(*form);
+  form->addRow(tr("Material"), type_);
+  add_material_fields(*form);
   transfer_->setToolTip(tr("Where light is scattered once; all orders shadow and reflect anyway"));
   form->addRow(tr("Radiance transfer"), transfer_);
   refresh();
@@ -74,20 +73,56 @@ const Material* MaterialPanel::material() const {
   return surface() ? &surface()->material : nullptr;
 }
 
+void MaterialPanel::change_shown(const QString& text, MergeId gesture,
+                                 const std::function<void(Surface&)>& how) {
+  if (!surface()) return;
+  change_surface(document_, static_cast<std::size_t>(surfaces_->currentIndex()), text, gesture,
+                 how);
+}
+
 void MaterialPanel::change(const QString& text, MergeId gesture,
                            const std::function<void(Material&)>& how) {
-  change_surface(text, gesture, [&](Surface& s) { how(s.material); });
+  change_shown(text, gesture, [&](Surface& s) { how(s.material); });
 }
 
-void MaterialPanel::change_surface(const QString& text, MergeId gesture,
-                                   const std::function<void(Surface&)>& how) {
-  if (!surface()) return;
-  Surfaces surfaces = document_.scene().surfaces;
-  how(surfaces[static_cast<std::size_t>(surfaces_->currentIndex())]);
-  set_scene_part(document_, std::move(surfaces), text.arg(surfaces_->currentText()), gesture);
+// As entered, while they give the surface's rotation: other angles may give it, too.
+glm::dvec3 MaterialPanel::angles() const {
+  return from_euler_angles(entered_angles_) == surface()->rotate
+             ? entered_angles_
+             : to_euler_angles(surface()->rotate);
 }
 
-void MaterialPanel::add_fields(QFormLayout& form) {
+void MaterialPanel::add_placement_fields(QFormLayout& form) {
+  add_vector(form, tr("Position"),
+             {"surface_position", domain::coordinate, 0.01,
+              [this]() -> std::optional<glm::dvec3> {
+                return surface() ? std::optional(surface()->translate) : std::nullopt;
+              },
+              [this](const glm::dvec3& position, MergeId gesture) {
+                change_shown(tr("Move %1"), gesture,
+                             [position](Surface& s) { s.translate = position; });
+              }});
+  add_vector(form, tr("Rotation"),
+             {"surface_rotation", domain::degrees, 0.5,
+              [this]() -> std::optional<glm::dvec3> {
+                return surface() ? std::optional(angles()) : std::nullopt;
+              },
+              [this](const glm::dvec3& degrees, MergeId gesture) {
+                entered_angles_ = degrees;
+                change_shown(tr("Rotate %1"), gesture,
+                             [degrees](Surface& s) { s.rotate = from_euler_angles(degrees); });
+              }});
+  add_number(form, tr("Scale"),
+             {"surface_scale", domain::length, ValueField::Scale::logarithmic, 0.01,
+              [this]() -> std::optional<double> {
+                return surface() ? std::optional(surface()->scale) : std::nullopt;
+              },
+              [this](double scale, MergeId gesture) {
+                change_shown(tr("Scale %1"), gesture, [scale](Surface& s) { s.scale = scale; });
+              }});
+}
+
+void MaterialPanel::add_material_fields(QFormLayout& form) {
   add_color(form, tr("Reflectance"),
             {"reflectance",
              [this]() -> std::optional<glm::dvec3> {
@@ -143,14 +178,12 @@ void MaterialPanel::load_measured(const std::filesystem::path& file) {
 
 void MaterialPanel::set_type(int index, Material::Type type, const std::filesystem::path& file,
                              const std::shared_ptr<const MeasuredBrdf>& measured) {
-  Surfaces surfaces = document_.scene().surfaces;
-  if (index < 0 || static_cast<std::size_t>(index) >= surfaces.size()) return;
-  Material& material = surfaces[static_cast<std::size_t>(index)].material;
-  material.type = type;
-  material.file = file;
-  material.measured = measured;
-  set_scene_part(document_, std::move(surfaces),
-                 tr("Set material of %1").arg(surfaces_->itemText(index)));
+  change_surface(document_, static_cast<std::size_t>(index), tr("Set material of %1"), no_merge,
+                 [&](Surface& s) {
+                   s.material.type = type;
+                   s.material.file = file;
+                   s.material.measured = measured;
+                 });
 }
 
 }  // namespace brume

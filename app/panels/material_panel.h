@@ -8,7 +8,7 @@ class QComboBox;
 
 namespace brume {
 
-// Material and radiance transfer of a surface.
+// Placement, material and radiance transfer of a surface.
 class MaterialPanel : public SceneForm {
   Q_OBJECT
  public:
@@ -19,16 +19,19 @@ class MaterialPanel : public SceneForm {
   void load_measured(const std::filesystem::path& file);
 
  private:
-  void add_fields(QFormLayout& form);
+  void add_placement_fields(QFormLayout& form);
+  void add_material_fields(QFormLayout& form);
   void choose_type(int type);
   void set_type(int index, Material::Type type, const std::filesystem::path& file,
                 const std::shared_ptr<const MeasuredBrdf>& measured);
-  void change_surface(const QString& text, MergeId gesture,
-                      const std::function<void(Surface&)>& how);
+  void change_shown(const QString& text, MergeId gesture, const std::function<void(Surface&)>& how);
   void change(const QString& text, MergeId gesture, const std::function<void(Material&)>& how);
   [[nodiscard]] const Surface* surface() const;    // the current one; may be null
   [[nodiscard]] const Material* material() const;  // of the current surface
 
+  [[nodiscard]] glm::dvec3 angles() const;  // of its rotation [degrees]
+
+  glm::dvec3 entered_angles_{0.0};
   QComboBox* surfaces_;
   QComboBox* type_;
   QComboBox* transfer_;

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <QTreeWidget>
+#include <optional>
 
 namespace brume {
 
 class Document;
 
-// The scene as a tree; a click requests the panel of an item.
+// The scene as a tree; a click requests the panel of an item, one on the eye of a surface hides or
+// shows it. The keys and the context menu delete emitters, lights and surfaces, and duplicate
+// surfaces.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
@@ -17,11 +20,26 @@ class Outliner : public QTreeWidget {
   void asked_for(brume::Outliner::Kind kind, std::size_t index);
 
  protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
+  // One of several emitters, lights or surfaces.
+  struct Object {
+    Kind kind;
+    std::size_t index;
+  };
+  static std::optional<Object> object_of(const QTreeWidgetItem* item);
+
   void rebuild();
   void count_gaussians();
+  // Or the last of its kind, if there are fewer.
+  void set_current(const Object& object);
+  void toggle_visible(const Object& object);  // of a surface
+  void delete_object(const Object& object);
+  void duplicate_object(const Object& object);
 
   Document& document_;
   QTreeWidgetItem* gaussians_ = nullptr;

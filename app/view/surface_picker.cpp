@@ -1,5 +1,7 @@
 #include "app/view/surface_picker.h"
 
+#include <functional>
+
 #include "app/document/document.h"
 
 namespace brume {
@@ -11,8 +13,9 @@ SurfacePicker::SurfacePicker(const Document& document) : document_(document) {
 }
 
 void SurfacePicker::prepare() {
-  if (document_.scene().surfaces == surfaces_) return;
-  surfaces_ = document_.scene().surfaces;
+  if (document_.scene().surfaces == all_) return;
+  all_ = surfaces_ = document_.scene().surfaces;
+  std::erase_if(surfaces_, std::not_fn(&Surface::visible));
   caster_.reset();
   job_.start([this, surfaces = surfaces_](const Job&) {
     return [this, built = std::make_shared<const RayCaster>(surfaces)] { caster_ = built; };

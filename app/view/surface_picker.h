@@ -24,7 +24,8 @@ class SurfacePicker : public QObject {
   void prepare();
 
   const Document& document_;
-  std::vector<Surface> surfaces_;  // of caster_
+  std::vector<Surface> all_;       // of the document
+  std::vector<Surface> surfaces_;  // of caster_: the visible ones
   std::shared_ptr<const RayCaster> caster_;
   BackgroundJob job_{BackgroundJob::Policy::latest_wins};
 };

@@ -51,7 +51,7 @@ void MainWindow::create_docks() {
   QDockWidget* gaussians = dock(tr("Gaussians"), "gaussians", scrolled(gaussian_panel_));
   QDockWidget* lights = dock(tr("Lighting"), "lighting", scrolled(light_panel));
   QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
-  QDockWidget* material = dock(tr("Material"), "material", scrolled(material_panel));
+  QDockWidget* material = dock(tr("Surface"), "material", scrolled(material_panel));
   QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
   auto* performance_panel =

@@ -1,6 +1,7 @@
 #include "core/scene/at_time.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/scene/animation.h"
 #include "core/scene/particles.h"
@@ -36,6 +37,7 @@ Scene evaluate_at(const Scene& scene, double time) {
     noise.velocity = integral(noise.keys.velocity, 0.0, time) / time;
   }
   clear_keys(result);
+  std::erase_if(result.surfaces, std::not_fn(&Surface::visible));
   for (const Emitter& emitter : scene.emitters) {
     for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);
   }

@@ -15,7 +15,8 @@ double last_moment(const Scene& scene);
 std::size_t gaussian_count(const Scene& scene);
 
 // Evaluates a scene at a time [s]: keyframed values are evaluated, particles and sequences are
-// added to the medium; the result has no keys, emitters or sequences, and shows this time.
+// added to the medium; the result has no keys, emitters, sequences or hidden surfaces, and shows
+// this time.
 Scene evaluate_at(const Scene& scene, double time);
 
 }  // namespace brume

@@ -143,6 +143,7 @@ struct Surface {
   double scale = 1.0;                     // > 0
   Material material;
   Transfer transfer = Transfer::none;
+  bool visible = true;  // else no frame has it: evaluate_at() leaves it out
   ObjectId id = 0;
 
   bool operator==(const Surface&) const = default;

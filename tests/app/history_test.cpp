@@ -10,13 +10,16 @@
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_surfaces.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
 #include "app/document/document.h"
+#include "app/document/euler_angles.h"
 #include "core/authoring/eraser.h"
 #include "core/authoring/paintbrush.h"
 #include "core/io/scene/scene_file.h"
 #include "core/medium/medium_edit.h"
+#include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 
 using namespace brume;
@@ -162,10 +165,28 @@ class RandomHands {
     set_scene_part(document_, optics, "Set anisotropy");
   }
   void surface() {
-    Surfaces surfaces = document_.scene().surfaces;
-    if (surfaces.empty()) return;
-    surfaces[0].material.reflectance = 0.4 * point();
-    set_scene_part(document_, std::move(surfaces), "Set reflectance");
+    const std::size_t count = document_.scene().surfaces.size();
+    if (count == 0) return;
+    const std::size_t index = below(count);
+    const auto change = [&](const std::function<void(Surface&)>& how) {
+      change_surface(document_, index, "Change %1", no_merge, how);
+    };
+    switch (below(5)) {
+      case 0:
+        return count > 1 ? delete_surface(document_, index) : void();
+      case 1:
+        return count < 4 ? duplicate_surface(document_, index) : void();
+      case 2:
+        return change([&](Surface& s) {
+          s.translate = point();
+          s.rotate = from_euler_angles(100.0 * point());
+          s.scale = number();
+        });
+      case 3:
+        return change([](Surface& s) { s.visible = !s.visible; });
+      default:
+        return change([&](Surface& s) { s.material.reflectance = 0.4 * point(); });
+    }
   }
   void camera() {
     Camera camera = document_.scene().camera;
@@ -226,8 +247,12 @@ class RandomHands {
 // With an unknown key of each object that hands may change, move, copy, remove.
 SceneDocument starting_document() {
   Scene scene = small_scene();
+  static const auto triangle = to_mesh({.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                        .normals = {3, {0, 0, 1}},
+                                        .triangles = {{0, 1, 2}}});
   scene.surfaces.emplace_back();
   scene.surfaces[0].mesh_file = BRUME_RESOURCES "/meshes/bunny.obj";
+  scene.surfaces[0].mesh = triangle;
   scene.emitters.emplace_back();
   SceneExtras extras;
   int count = 0;

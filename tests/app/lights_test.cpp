@@ -26,19 +26,6 @@ using namespace brume;
 
 namespace {
 
-// Drags a field's title by some pixels, in steps.
-void drag_title(TestWindow& window, const char* field, int pixels) {
-  auto* title = window->findChild<QLabel*>(QString(field) + "_title");
-  QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
-  for (int k = 1; k <= 4; ++k) {
-    const QPointF to(3.0 + pixels * k / 4.0, 3);
-    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(title, &move);
-  }
-  QTest::mouseRelease(title, Qt::LeftButton);
-}
-
 QPoint light_position(TestWindow& window, std::size_t index) {
   const glm::dvec3 at =
       window->viewport().rays().project(window->document().scene().lights[index].position);

@@ -1,6 +1,7 @@
 #include "tests/app/test_window.h"
 
 #include <QApplication>
+#include <QLabel>
 
 #include "app/document/paths.h"
 #include "app/files/scene_files.h"
@@ -101,6 +102,19 @@ void enter(TestWindow& window, const char* field, const QString& text) {
 
 QString value(TestWindow& window, const char* field) {
   return window->findChild<ValueField*>(field)->findChild<NumberField*>()->text();
+}
+
+void drag_title(TestWindow& window, const char* field, int pixels) {
+  auto* title = window->findChild<QLabel*>(QString(field) + "_title");
+  if (!title) title = window->findChild<ValueField*>(field)->findChild<QLabel*>();
+  QTest::mousePress(title, Qt::LeftButton, {}, QPoint(3, 3));
+  for (int k = 1; k <= 4; ++k) {
+    const QPointF to(3.0 + pixels * k / 4.0, 3);
+    QMouseEvent move(QEvent::MouseMove, to, title->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(title, &move);
+  }
+  QTest::mouseRelease(title, Qt::LeftButton);
 }
 
 }  // namespace brume

@@ -62,6 +62,8 @@ class TestWindow {
 // Types into a ValueField, by name; its text.
 void enter(TestWindow& window, const char* field, const QString& text);
 QString value(TestWindow& window, const char* field);
+// Drags a ValueField's title by some pixels, in steps.
+void drag_title(TestWindow& window, const char* field, int pixels);
 
 // A suite of test_app, by name: a class of test functions, run with the arguments of
 // QTest::qExec().

@@ -60,6 +60,7 @@ Json scene_json(const SceneDocument& document) {
     entry["mesh"] = surface.mesh_file.string();
     entry["vertices"] = surface.mesh->n_vertices();
     entry["faces"] = surface.mesh->n_faces();
+    if (!surface.visible) entry["visible"] = false;
     json["surfaces"].push_back(std::move(entry));
   }
   return json;

@@ -355,6 +355,7 @@ class SceneLoader {
     }
     surface.transfer = static_cast<Surface::Transfer>(
         object.choice("transfer", scene_names::transfers, std::size_t{0}));
+    surface.visible = object.boolean("visible", surface.visible);
     unknown_keys_.add(surface.id, "", object.unknown_keys());
     scene_.surfaces.push_back(std::move(surface));
   }

@@ -148,6 +148,7 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
   if (surface.transfer != Surface::Transfer::none) {
     object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
   }
+  if (!surface.visible) object["visible"] = false;
   add_unknown_keys(object, unknown_keys.of(surface.id, ""));
   return object;
 }

@@ -61,6 +61,7 @@ class RandomScene {
     for (int i = integer(0, 3); i > 0; --i) {
       Surface surface;
       surface.mesh_file = folder_ / "bunny.obj";
+      surface.visible = maybe();
       surface.translate = point();
       surface.rotate =
           glm::normalize(glm::dquat(number(0.1, 1), number(-1, 1), number(-1, 1), number(-1, 1)));
