@@ -10,7 +10,7 @@
 namespace brume {
 namespace {
 
-struct Box {
+struct GrowingBox {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
@@ -29,7 +29,7 @@ struct Box {
 }  // namespace
 
 std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids) {
-  Box box;
+  GrowingBox box;
   for (const GaussianId id : ids) {
     if (const auto index = medium.index_of(id)) {
       box.include(medium.centers()[*index], medium.radii()[*index]);
@@ -39,7 +39,7 @@ std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const Gaus
 }
 
 std::optional<Sphere> bounding_sphere(const Scene& scene) {
-  Box box;
+  GrowingBox box;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {
     box.include(scene.medium.centers()[i], scene.medium.radii()[i]);
   }

@@ -106,9 +106,9 @@ RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, 
   if (std::memcmp(&header, &expected, sizeof(Header)) != 0) refuse("belongs to something else");
 
   const std::size_t count = expected.vertices * sh_size(settings.order);
-  const std::size_t terms = static_cast<std::size_t>(settings.bounces) + 1;
+  const std::size_t term_count = static_cast<std::size_t>(settings.bounces) + 1;
   const auto sides = static_cast<std::size_t>(std::popcount(header.sides));
-  const std::size_t payload = sizeof(float) * sides * count * (1 + terms);
+  const std::size_t payload = sizeof(float) * sides * count * (1 + term_count);
   if (bytes.size() != sizeof(Header) + payload + sizeof(std::uint64_t)) refuse("is truncated");
   const std::string_view content(bytes.data(), sizeof(Header) + payload);
   std::uint64_t sum = 0;
@@ -128,7 +128,7 @@ RadianceTransfer decode(const fs::path& file, const TransferSettings& settings, 
   for (std::size_t s = 0; s < transfer.sides.size(); ++s) {
     if ((header.sides >> s & 1u) == 0) continue;
     take(transfer.sides[s].visibility, count);
-    take(transfer.sides[s].reflected, count * terms);
+    take(transfer.sides[s].reflected, count * term_count);
   }
   return transfer;
 }
