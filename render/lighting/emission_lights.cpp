@@ -197,13 +197,4 @@ void EmissionLights::update(const MediumIndex& medium, double albedo, const Box&
   if (job.stop.stop_requested()) clear();
 }
 
-std::vector<RelativeOptics> EmissionLights::held(double spacing) const {
-  std::vector<RelativeOptics> optics = optics_;
-  for (const Light& light : lights_) {
-    if (!light.is_point(spacing)) continue;
-    for (const std::size_t i : light.gaussians) optics[i].emission = glm::dvec3(0.0);
-  }
-  return optics;
-}
-
 }  // namespace brume

@@ -28,9 +28,6 @@ class EmissionLights {
     std::unique_ptr<const OpticalDepthTable> table;
     double width = 0.0;  // of what it stands for [u]
     std::vector<std::size_t> gaussians;
-
-    // Whether it is one to a grid, or what it stands for is held by it [u].
-    [[nodiscard]] bool is_point(double spacing) const { return width < 4.0 * spacing; }
   };
 
   // Of a medium in which surfaces are within `surfaces`; empty: there are none. Cached. Empty after
@@ -39,8 +36,17 @@ class EmissionLights {
   void clear() { *this = EmissionLights(); }
 
   [[nodiscard]] std::span<const Light> lights() const { return lights_; }
-  // What a grid holds: optics() of the medium, without the emission of what are points to it.
-  [[nodiscard]] std::vector<RelativeOptics> held(double spacing) const;
+  // What a grid holds: optics() of the medium, without the emission of what are points to it:
+  // is_point(light).
+  template <class IsPoint>
+  [[nodiscard]] std::vector<RelativeOptics> held(IsPoint is_point) const {
+    std::vector<RelativeOptics> optics = optics_;
+    for (const Light& light : lights_) {
+      if (!is_point(light)) continue;
+      for (const std::size_t i : light.gaussians) optics[i].emission = glm::dvec3(0.0);
+    }
+    return optics;
+  }
   [[nodiscard]] Revision revision() const { return revision_; }
 
  private:

@@ -131,7 +131,7 @@ std::optional<UnscatteredLight> emitted_light(const MultipleScattering::Input& i
                                               const GridMedium& medium, double extinction,
                                               const UnscatteredLight& others, const Job& job) {
   const auto is_point = [&](const EmissionLights::Light& emission) {
-    return emission.is_point(static_cast<double>(level.nodes.spacing));
+    return level.is_point(emission);
   };
   const bool is_held = !level.emission[0].empty();
   if (!is_held && std::ranges::none_of(input.emission, is_point)) return std::nullopt;
@@ -216,7 +216,7 @@ SweepDegrees sweep_degrees(const MultipleScattering::Input& input, const SourceG
   };
   std::ranges::for_each(input.lights, add);
   for (const EmissionLights::Light& light : input.emission) {
-    if (light.is_point(static_cast<double>(level.nodes.spacing))) add(light.source);
+    if (level.is_point(light)) add(light.source);
   }
   return degrees;
 }

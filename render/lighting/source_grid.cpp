@@ -275,8 +275,8 @@ std::vector<float> node_means(std::span<const GaussianTerm<double>> gaussians, W
 // Sets albedo and emission of a level from its density and fog.
 void add_optics(std::span<const GaussianTerm<double>> gaussians, const SourceGrid::Content& content,
                 SourceGrid::Level& level, const Job& job) {
-  const std::vector<RelativeOptics> all =
-      content.emission->held(static_cast<double>(level.nodes.spacing));
+  const std::vector<RelativeOptics> all = content.emission->held(
+      [&](const EmissionLights::Light& light) { return level.is_point(light); });
   if (std::ranges::any_of(all, [](const RelativeOptics& own) { return own.albedo != 1.0; })) {
     const auto albedo = [&](std::size_t i) { return all[i].albedo; };
     level.albedo = node_means(gaussians, albedo, 1.0f, content.fog_density, level, job);
@@ -380,12 +380,24 @@ SourceGrid::SourceGrid(std::span<const GaussianTerm<double>> gaussians,
     Level& level = levels_[k];
     level.density = density_on_grid(gaussians, level.first, level.nodes, job);
     if (content.fog_density > 0.0) level.fog = fog_shares(level, content.fog_ball);
-    if (content.emission) add_optics(gaussians, content, level, job);
     if (content.surfaces) level.surfaces = content.surfaces->at(k, level.first, level.nodes, job);
+    if (content.emission) add_optics(gaussians, content, level, job);
   }
   for (std::size_t k = 0; k < levels_.size(); ++k) {
     fill(levels_[k], k + 1 < levels_.size() ? &levels_[k + 1] : nullptr, lights, content, job);
   }
+}
+
+bool SourceGrid::Level::is_point(const EmissionLights::Light& light) const {
+  const double spacing = static_cast<double>(nodes.spacing);
+  if (light.width > 4.0 * spacing) return false;
+  if (!surfaces || surfaces->blocked().empty()) return true;
+  const glm::ivec3 node(glm::round((light.source.position - first) / spacing));
+  if (glm::any(glm::lessThan(node, glm::ivec3(0))) ||
+      glm::any(glm::greaterThanEqual(node, nodes.count))) {
+    return true;
+  }
+  return surfaces->blocked()[node_index(nodes, node)] == 0;
 }
 
 void SourceGrid::set_scattered(const Scattered& scattered, const Job& job) {

@@ -136,6 +136,10 @@ class SourceGrid {
     NodeLight transmitted;
     std::vector<float> reflected;
     std::shared_ptr<const GridOcclusion> surfaces;  // null: none
+
+    // Whether it is a point light to the grid, which else holds what it stands for: it is not
+    // large, nor beside surfaces, to which nodes would be too far from it.
+    [[nodiscard]] bool is_point(const EmissionLights::Light& light) const;
   };
   // Floats per node of J.
   static constexpr std::size_t node_size(int bands) {

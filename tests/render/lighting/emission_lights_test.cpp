@@ -48,7 +48,7 @@ TEST(EmissionLights, NeighboursAreOneLight) {
   const double expected = unattenuated(a) + unattenuated(b);
   EXPECT_NEAR(source.intensity.x, expected, 0.01 * expected);
   EXPECT_NEAR(source.intensity.z, 0.25 * source.intensity.x, 1e-12);
-  for (const RelativeOptics& optics : made.lights.held(0.1)) {
+  for (const RelativeOptics& optics : made.lights.held([](const auto&) { return true; })) {
     EXPECT_EQ(optics.emission, glm::dvec3(0.0));
   }
 }
@@ -59,15 +59,13 @@ TEST(EmissionLights, WhatIsFarApartIsSeveral) {
   EXPECT_EQ(made.lights.lights().size(), 3u);
 }
 
-TEST(EmissionLights, FineGridsHoldLargeOnes) {
+TEST(EmissionLights, LargeOnesAreLightsOfTheirOwn) {
   const Made made{hot({0.0, 0.0, 0.0}, 0.5), hot({1.0, 0.0, 0.0}, 0.02)};
   EXPECT_EQ(made.lights.lights().size(), 2u);
-  const auto is_held = [&](std::size_t gaussian, double spacing) {
-    return made.lights.held(spacing)[gaussian].emission != glm::dvec3(0.0);
-  };
-  EXPECT_TRUE(is_held(0, 0.1));
-  EXPECT_FALSE(is_held(1, 0.1));
-  EXPECT_FALSE(is_held(0, 0.5));
+  const auto is_small = [](const EmissionLights::Light& light) { return light.width < 0.1; };
+  const std::vector<RelativeOptics> held = made.lights.held(is_small);
+  EXPECT_NE(held[0].emission, glm::dvec3(0.0));
+  EXPECT_EQ(held[1].emission, glm::dvec3(0.0));
 }
 
 // A Gaussian of optical depth T through its center lets out Ein(T) / T of its light: 0.888 at 0.5.
