@@ -19,6 +19,7 @@ inline constexpr std::size_t sequences = 1024;
 inline constexpr int frame = 1'000'000;  // of what is played
 inline constexpr int sequence_frames = 100'000;
 inline constexpr std::size_t surfaces = 4096;
+inline constexpr std::size_t name = 256;  // bytes of what an object is called
 inline constexpr int film_side = 16384;    // pixels
 inline constexpr int image_side = 32768;   // pixels
 inline constexpr int json_depth = 64;      // nested arrays and objects

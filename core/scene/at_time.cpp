@@ -39,6 +39,7 @@ Scene evaluate_at(const Scene& scene, double time) {
   clear_keys(result);
   std::erase_if(result.surfaces, std::not_fn(&Surface::visible));
   for (const Emitter& emitter : scene.emitters) {
+    if (!emitter.visible) continue;
     for (const Gaussian& gaussian : particles_at(emitter, time)) result.medium.append(gaussian);
   }
   for (const MediumSequence& sequence : scene.sequences) {

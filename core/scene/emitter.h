@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 
 #include "core/medium/gaussian.h"
 #include "core/scene/keys.h"
@@ -42,6 +43,9 @@ struct Emitter {
   glm::dvec3 emission_at_death{0.0};   // RGB >= 0, as the emission in `optics`
   std::int64_t seed = 0;
   EmitterKeys keys{};
+  std::string name{};   // empty: none of its own
+  bool visible = true;  // else no frame has its particles: evaluate_at() leaves them out
+  bool locked = false;  // for editors: not to be changed in the view
   ObjectId id = 0;
 
   bool operator==(const Emitter&) const = default;

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/medium/medium.h"
@@ -13,6 +14,7 @@
 #include "core/scene/keys.h"
 #include "core/scene/medium_sequence.h"
 #include "core/scene/object_id.h"
+#include "core/scene/primitive.h"
 
 namespace brume {
 
@@ -95,7 +97,9 @@ struct Light {
   std::optional<AreaLight> area{};
   LightProfile profile{};  // of a point light or a spot
   LightKeys keys{};
+  std::string name{};  // empty: none of its own
   bool on = true;
+  bool locked = false;  // for editors: not to be changed in the view
   ObjectId id = 0;
 
   bool operator==(const Light&) const = default;
@@ -136,7 +140,9 @@ struct Material {
 // A mesh placed in the scene: world = translate + rotate * (scale * mesh).
 struct Surface {
   enum class Transfer { none, shadow, interreflection };
-  std::filesystem::path mesh_file;
+  std::string name;                          // empty: none of its own
+  std::filesystem::path mesh_file;           // empty for a primitive
+  std::optional<Primitive> primitive;        // what the mesh is made of instead of a file
   std::shared_ptr<const TriangleMesh> mesh;  // never null in a loaded scene
   glm::dvec3 translate{0.0};
   glm::dquat rotate{1.0, 0.0, 0.0, 0.0};  // unit
@@ -144,6 +150,7 @@ struct Surface {
   Material material;
   Transfer transfer = Transfer::none;
   bool visible = true;  // else no frame has it: evaluate_at() leaves it out
+  bool locked = false;  // for editors: not to be changed in the view
   ObjectId id = 0;
 
   bool operator==(const Surface&) const = default;

@@ -45,7 +45,7 @@ std::string spot(const std::string& members) {
   return with(&Parts::lights, R"([{"type": "spot", "position": [1, 1, 1], )" + members + "}]");
 }
 std::string surface(const std::string& members) {
-  return with(&Parts::surfaces, R"([{"mesh": "good.obj"}, {)" + members + "}]");
+  return scene_with_surface(members);
 }
 std::string mesh(const std::string& file) {
   return surface("\"mesh\": \"" + file + "\"");
@@ -76,6 +76,10 @@ std::string elements(const std::string& element, std::size_t count) {
 }
 
 }  // namespace
+
+std::string scene_with_surface(const std::string& members) {
+  return with(&Parts::surfaces, R"([{"mesh": "good.obj"}, {)" + members + "}]");
+}
 
 std::string scene_with_light(const std::string& members) {
   return with(&Parts::lights, "[{" + members + "}]");

@@ -18,10 +18,13 @@ std::vector<MalformedCase> malformed_cases();
 std::vector<MalformedCase> malformed_lights();
 // Every key of an emitter, and keyframes of it, with such values.
 std::vector<MalformedCase> malformed_emitters();
+// Primitives, and the names and switches of surfaces, with such values.
+std::vector<MalformedCase> malformed_primitives();
 
-// The text of a scene with one light, with one emitter.
+// The text of a scene with one light, with one emitter, with this as its second surface.
 std::string scene_with_light(const std::string& members);
 std::string scene_with_emitter(const std::string& members);
+std::string scene_with_surface(const std::string& members);
 
 // The scene they are made from; it needs good.obj.
 std::string good_scene();

@@ -6,6 +6,7 @@
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
 #include "core/io/scene/light_json.h"
+#include "core/io/scene/scene_names.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
@@ -57,7 +58,12 @@ Json scene_json(const SceneDocument& document) {
   json["surfaces"] = Json::array();
   for (const Surface& surface : scene.surfaces) {
     Json entry;
-    entry["mesh"] = surface.mesh_file.string();
+    if (!surface.name.empty()) entry["name"] = surface.name;
+    if (const auto& primitive = surface.primitive) {
+      entry["primitive"] = scene_names::primitives[static_cast<std::size_t>(primitive->shape)];
+    } else {
+      entry["mesh"] = surface.mesh_file.string();
+    }
     entry["vertices"] = surface.mesh->n_vertices();
     entry["faces"] = surface.mesh->n_faces();
     if (!surface.visible) entry["visible"] = false;

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/io/text_scanner.h"
+#include "core/limits.h"
 
 namespace brume {
 namespace {
@@ -119,6 +120,17 @@ std::string JsonObject::text(std::string_view key, std::optional<std::string> fa
   if (value == nullptr) return *fallback;
   if (!value->is_string()) fail(key, found(*value, "a string"));
   return value->get<std::string>();
+}
+
+std::string JsonObject::name() {
+  std::string name = text("name", "");
+  const bool has_control = std::ranges::any_of(name, [](unsigned char c) { return c < 32; });
+  if (name.size() > limits::name || has_control) {
+    fail("name", "found " + std::to_string(name.size()) + " bytes" +
+                     (has_control ? " with control characters" : "") + "; allowed: at most " +
+                     std::to_string(limits::name) + ", without control characters");
+  }
+  return name;
 }
 
 std::size_t JsonObject::choice(std::string_view key, const std::vector<std::string>& allowed,

@@ -15,7 +15,7 @@ void visit_files(SceneOrConst& scene, Visit visit) {
     if (light.profile.content) visit(light.profile.file);
   }
   for (auto& surface : scene.surfaces) {
-    visit(surface.mesh_file);
+    if (!surface.primitive) visit(surface.mesh_file);
     if (surface.material.type == Material::Type::measured) visit(surface.material.file);
   }
   if (scene.environment) visit(scene.environment->file);

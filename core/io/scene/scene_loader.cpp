@@ -188,6 +188,9 @@ class SceneLoader {
   void load_emitter(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
     Emitter emitter;
+    emitter.name = object.name();
+    emitter.visible = object.boolean("visible", emitter.visible);
+    emitter.locked = object.boolean("locked", emitter.locked);
     emitter.position = object.vector("position", domain::coordinate, {});
     emitter.rate = object.number("rate", domain::not_negative, emitter.rate);
     emitter.lifetime = object.number("lifetime", domain::not_negative, emitter.lifetime);
@@ -248,7 +251,9 @@ class SceneLoader {
     }
     if (type == 1) light.spot = load_cone(object);
     if (type <= 1) load_profile(object, light);
+    light.name = object.name();
     light.on = object.boolean("on", light.on);
+    light.locked = object.boolean("locked", light.locked);
     unknown_keys_.add(light.id, "keys",
                       load_keys(object, [&](auto&& visit) { visit_keyed_light(light, visit); }));
     if (light.spot) check_cone(object, light);
@@ -341,10 +346,8 @@ class SceneLoader {
   void load_surface(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
     Surface surface;
-    const JsonPath mesh = object.path_of("mesh");
-    surface.mesh_file = references_.resolve(context_, mesh, object.text("mesh", {}));
-    surface.mesh = references_.mesh(context_, mesh, surface.mesh_file);
-    budget_.reserve(mesh, *surface.mesh);
+    surface.name = object.name();
+    load_mesh(object, surface);
     surface.translate = object.vector("translate", domain::coordinate, surface.translate);
     if (const Json* rotate = object.find("rotate")) {
       surface.rotate = unit_quaternion(*rotate, object.path_of("rotate"));
@@ -356,8 +359,33 @@ class SceneLoader {
     surface.transfer = static_cast<Surface::Transfer>(
         object.choice("transfer", scene_names::transfers, std::size_t{0}));
     surface.visible = object.boolean("visible", surface.visible);
+    surface.locked = object.boolean("locked", surface.locked);
     unknown_keys_.add(surface.id, "", object.unknown_keys());
     scene_.surfaces.push_back(std::move(surface));
+  }
+
+  void load_mesh(JsonObject& object, Surface& surface) {
+    const Json* primitive = object.find("primitive");
+    const JsonPath path = object.path_of(primitive ? "primitive" : "mesh");
+    if (primitive) {
+      if (object.find("mesh")) object.fail("mesh", "found besides primitive; allowed: one of both");
+      surface.primitive = load_primitive(*primitive, path, surface);
+      surface.mesh = mesh_of(*surface.primitive);
+    } else {
+      surface.mesh_file = references_.resolve(context_, path, object.text("mesh", {}));
+      surface.mesh = references_.mesh(context_, path, surface.mesh_file);
+    }
+    budget_.reserve(path, *surface.mesh);
+  }
+
+  Primitive load_primitive(const Json& value, const JsonPath& path, Surface& surface) {
+    JsonObject object(context_, value, path);
+    Primitive primitive;
+    primitive.shape =
+        static_cast<Primitive::Shape>(object.choice("type", scene_names::primitives, {}));
+    primitive.size = object.vector("size", domain::length, primitive.size);
+    unknown_keys_.add(surface.id, "primitive", object.unknown_keys());
+    return primitive;
   }
 
   [[nodiscard]] glm::dquat unit_quaternion(const Json& value, const JsonPath& path) const {

@@ -9,6 +9,7 @@ namespace brume::scene_names {
 inline constexpr const char* format = "brume-scene";
 inline constexpr int version = 1;
 inline const std::vector<std::string> materials{"diffuse", "phong", "measured"};
+inline const std::vector<std::string> primitives{"plane", "box", "sphere", "cylinder"};
 inline const std::vector<std::string> transfers{"none", "shadow", "interreflection"};
 inline const std::vector<std::string> interpolations{"smooth", "linear"};
 

@@ -42,6 +42,10 @@ void add_optics(Json& entry, const GaussianOptics& optics) {
   if (optics.emission != glm::dvec3(0.0)) entry["emission"] = to_json(optics.emission);
 }
 
+void add_name(Json& object, const std::string& name) {
+  if (!name.empty()) object["name"] = name;
+}
+
 Json emitter_to_json(const Emitter& emitter, const UnknownKeys& unknown_keys) {
   Json entry{{"position", to_json(emitter.position)},
              {"rate", emitter.rate},
@@ -52,6 +56,9 @@ Json emitter_to_json(const Emitter& emitter, const UnknownKeys& unknown_keys) {
              {"radius", to_json(emitter.radius)},
              {"density", to_json(emitter.density)},
              {"seed", emitter.seed}};
+  add_name(entry, emitter.name);
+  if (!emitter.visible) entry["visible"] = false;
+  if (emitter.locked) entry["locked"] = true;
   add_optics(entry, emitter.optics);
   if (emitter.emission_at_death != emitter.optics.emission) {
     entry["emission_at_death"] = to_json(emitter.emission_at_death);
@@ -138,7 +145,15 @@ Json material_to_json(const Material& material, const std::string& unknown,
 Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
                      const fs::path& directory) {
   Json object;
-  object["mesh"] = SceneReferences::text_for(surface.mesh_file, directory);
+  add_name(object, surface.name);
+  if (const auto& primitive = surface.primitive) {
+    Json& entry = object["primitive"] =
+        Json{{"type", scene_names::primitives[static_cast<std::size_t>(primitive->shape)]},
+             {"size", to_json(primitive->size)}};
+    add_unknown_keys(entry, unknown_keys.of(surface.id, "primitive"));
+  } else {
+    object["mesh"] = SceneReferences::text_for(surface.mesh_file, directory);
+  }
   object["translate"] = to_json(surface.translate);
   const glm::dquat& q = surface.rotate;
   object["rotate"] = Json::array({q.w, q.x, q.y, q.z});
@@ -149,6 +164,7 @@ Json surface_to_json(const Surface& surface, const UnknownKeys& unknown_keys,
     object["transfer"] = scene_names::transfers[static_cast<std::size_t>(surface.transfer)];
   }
   if (!surface.visible) object["visible"] = false;
+  if (surface.locked) object["locked"] = true;
   add_unknown_keys(object, unknown_keys.of(surface.id, ""));
   return object;
 }
@@ -173,7 +189,9 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
     Json entry = light_to_json(light, light.profile.content
                                           ? SceneReferences::text_for(light.profile.file, directory)
                                           : "");
+    add_name(entry, light.name);
     if (!light.on) entry["on"] = false;
+    if (light.locked) entry["locked"] = true;
     add_keys(entry, unknown_keys, unknown_keys.of(light.id, "keys"),
              [&light](auto&& visit) { visit_keyed_light(light, visit); });
     add_unknown_keys(entry, unknown_keys.of(light.id, ""));

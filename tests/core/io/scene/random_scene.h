@@ -40,6 +40,9 @@ class RandomScene {
                                 .radius = {number(0.1, 1), number(0.1, 9)},
                                 .density = {number(0, 1), number(0, 9)},
                                 .seed = integer(-1000, 1000)});
+      scene.emitters.back().visible = maybe();
+      scene.emitters.back().locked = maybe();
+      if (maybe()) scene.emitters.back().name = "pot";
       if (maybe()) scene.emitters.back().optics.albedo = glm::dvec3(number(0.01, 1));
       if (maybe()) scene.emitters.back().optics.emission = {number(0, 9), 0.0, number(0, 1e9)};
       if (maybe()) scene.emitters.back().emission_at_death = glm::dvec3(number(0, 9));
@@ -47,6 +50,8 @@ class RandomScene {
     for (int i = integer(0, 5); i > 0; --i) {
       scene.lights.push_back(
           {.position = point(), .intensity = {number(0, 90), 0.0, number(0, 1e9)}, .on = maybe()});
+      scene.lights.back().locked = maybe();
+      if (maybe()) scene.lights.back().name = "key";
       if (maybe()) {
         scene.lights.back().spot = SpotCone{point() + 1.0, number(0, 40), number(41, 180)};
       } else if (maybe()) {
@@ -60,7 +65,14 @@ class RandomScene {
       scene.environment = {folder_ / "dawn.exr", nullptr, number(0, 3), number(-720, 720)};
     for (int i = integer(0, 3); i > 0; --i) {
       Surface surface;
-      surface.mesh_file = folder_ / "bunny.obj";
+      if (maybe()) {
+        surface.primitive = Primitive{static_cast<Primitive::Shape>(integer(0, 3)),
+                                      {number(0.1, 9), number(0.1, 9), number(0.1, 9)}};
+      } else {
+        surface.mesh_file = folder_ / "bunny.obj";
+      }
+      if (maybe()) surface.name = "wall \u00e9 \"2\"";
+      surface.locked = maybe();
       surface.visible = maybe();
       surface.translate = point();
       surface.rotate =
