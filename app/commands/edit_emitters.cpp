@@ -10,8 +10,14 @@
 
 namespace brume {
 
-QString emitter_name(std::size_t index) {
-  return undo_text("emitter %1").arg(index + 1);
+QString emitter_name(const Emitter& emitter, std::size_t index) {
+  return emitter.name.empty() ? undo_text("emitter %1").arg(index + 1)
+                              : QString::fromStdString(emitter.name);
+}
+
+QString emitter_title(const Emitter& emitter, std::size_t index) {
+  return emitter.name.empty() ? undo_text("Emitter %1").arg(index + 1)
+                              : QString::fromStdString(emitter.name);
 }
 
 void add_emitter(Document& document, const glm::dvec3& position, double size) {
@@ -26,28 +32,31 @@ void add_emitter(Document& document, const glm::dvec3& position, double size) {
   // No two of a scene alike.
   emitter.seed = static_cast<std::int64_t>(emitters.size()) + 1;
   emitters.push_back(emitter);
-  const std::size_t index = emitters.size() - 1;
-  set_scene_part(document, std::move(emitters), undo_text("Add %1").arg(emitter_name(index)));
+  const QString name = emitter_name(emitter, emitters.size() - 1);
+  set_scene_part(document, std::move(emitters), undo_text("Add %1").arg(name));
 }
 
 void delete_emitter(Document& document, std::size_t index) {
   Emitters emitters = document.scene().emitters;
   if (index >= emitters.size()) return;
+  const QString name = emitter_name(emitters[index], index);
   emitters.erase(emitters.begin() + static_cast<std::ptrdiff_t>(index));
-  set_scene_part(document, std::move(emitters), undo_text("Delete %1").arg(emitter_name(index)));
+  set_scene_part(document, std::move(emitters), undo_text("Delete %1").arg(name));
 }
 
 void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
                     const std::function<void(Emitter&)>& change) {
   Emitters emitters = document.scene().emitters;
   if (index >= emitters.size()) return;
+  const QString name = emitter_name(emitters[index], index);
   change(emitters[index]);
-  set_scene_part(document, std::move(emitters), verb.arg(emitter_name(index)), merge_id);
+  set_scene_part(document, std::move(emitters), verb.arg(name), merge_id);
 }
 
 void freeze_particles(Document& document, double time) {
   std::vector<Gaussian> frozen;
   for (const Emitter& emitter : document.scene().emitters) {
+    if (!emitter.visible) continue;
     const auto particles = particles_at(emitter, time);
     frozen.insert(frozen.end(), particles.begin(), particles.end());
   }

@@ -19,7 +19,9 @@ void delete_emitter(Document& document, std::size_t index);
 // `verb` is the text of the step, with %1 for the emitter's name.
 void change_emitter(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
                     const std::function<void(Emitter&)>& change);
-QString emitter_name(std::size_t index);  // "emitter 2"
+// Its name, or else "emitter 2", "Emitter 2".
+QString emitter_name(const Emitter& emitter, std::size_t index);
+QString emitter_title(const Emitter& emitter, std::size_t index);
 
 // Converts particles and sequences at a time [s] to Gaussians of the medium; emitters and sequences
 // stay.

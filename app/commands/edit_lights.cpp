@@ -18,11 +18,13 @@
 
 namespace brume {
 
-QString light_name(std::size_t index) {
-  return undo_text("light %1").arg(index + 1);
+QString light_name(const Light& light, std::size_t index) {
+  return light.name.empty() ? undo_text("light %1").arg(index + 1)
+                            : QString::fromStdString(light.name);
 }
 
 QString light_title(const Light& light, std::size_t index) {
+  if (!light.name.empty()) return QString::fromStdString(light.name);
   static constexpr std::array titles{
       QT_TRANSLATE_NOOP("undo", "Light %1"),      QT_TRANSLATE_NOOP("undo", "Spot %1"),
       QT_TRANSLATE_NOOP("undo", "Sun %1"),        QT_TRANSLATE_NOOP("undo", "Rectangle %1"),
@@ -131,8 +133,8 @@ void add(Document& document, Light light) {
   Lights lights = document.scene().lights;
   if (lights.size() >= limits::lights) return;
   lights.push_back(std::move(light));
-  const std::size_t index = lights.size() - 1;
-  set_scene_part(document, std::move(lights), undo_text("Add %1").arg(light_name(index)));
+  const QString name = light_name(lights.back(), lights.size() - 1);
+  set_scene_part(document, std::move(lights), undo_text("Add %1").arg(name));
 }
 
 // As bright as those that are there, so that it is seen.
@@ -275,16 +277,18 @@ SpotCone with_outer_angle(SpotCone cone, double angle) {
 void delete_light(Document& document, std::size_t index) {
   Lights lights = document.scene().lights;
   if (index >= lights.size()) return;
+  const QString name = light_name(lights[index], index);
   lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(index));
-  set_scene_part(document, std::move(lights), undo_text("Delete %1").arg(light_name(index)));
+  set_scene_part(document, std::move(lights), undo_text("Delete %1").arg(name));
 }
 
 void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
                   const std::function<void(Light&)>& change) {
   Lights lights = document.scene().lights;
   if (index >= lights.size()) return;
+  const QString name = light_name(lights[index], index);
   change(lights[index]);
-  set_scene_part(document, std::move(lights), verb.arg(light_name(index)), merge_id);
+  set_scene_part(document, std::move(lights), verb.arg(name), merge_id);
 }
 
 double light_strength(const Light& light) {

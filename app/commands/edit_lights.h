@@ -49,9 +49,10 @@ void delete_light(Document& document, std::size_t index);
 // `verb` is the text of the step, with %1 for the light's name.
 void change_light(Document& document, std::size_t index, const QString& verb, MergeId merge_id,
                   const std::function<void(Light&)>& change);
-QString light_name(std::size_t index);                       // "light 2"
-QString light_title(const Light& light, std::size_t index);  // "Spot 2"
-QString light_unit(const Light& light);                      // of its strength
+// Its name, or else "light 2", "Spot 2".
+QString light_name(const Light& light, std::size_t index);
+QString light_title(const Light& light, std::size_t index);
+QString light_unit(const Light& light);  // of its strength
 
 LightType type_of(const Light& light);
 // Keeps its strength at the middle of the region, and where it shines as far as the type has that.

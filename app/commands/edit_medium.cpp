@@ -1,5 +1,7 @@
 #include "app/commands/edit_medium.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "app/commands/gaussian_budget.h"
@@ -61,6 +63,24 @@ QString set_attribute(Document& document, std::span<const GaussianId> ids, Gauss
            .arg(attribute_name(field), gaussians_text(ids.size()), number_text(value)),
        merge_id);
   return {};
+}
+
+void adjust_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
+                      const Adjustment& adjustment) {
+  const NumberDomain& domain = attribute_domain(field);
+  std::vector<Gaussian> after;
+  after.reserve(ids.size());
+  for (const GaussianId id : ids) {
+    Gaussian& gaussian =
+        after.emplace_back(document.medium().gaussian(*document.medium().index_of(id)));
+    const double value = adjustment.of(attribute_value(gaussian, field));
+    if (std::isnan(value)) return;  // as of 0 * (1 / 0)
+    set_attribute_value(gaussian, field, std::clamp(value, domain.min_value, domain.max_value));
+  }
+  change_gaussians(
+      document, ids, after,
+      undo_text("Change %1 of %2").arg(attribute_name(field), gaussians_text(ids.size())),
+      no_merge);
 }
 
 void change_gaussians(Document& document, std::span<const GaussianId> ids,

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "app/commands/medium_command.h"
+#include "app/document/arithmetic.h"
 #include "app/document/gaussian_attribute.h"
 
 namespace brume {
@@ -23,6 +24,10 @@ void set_homogeneous_density(Document& document, double b0, MergeId merge_id);
 // (empty: done).
 QString set_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
                       double value, MergeId merge_id = no_merge);
+
+// Changes one attribute of each Gaussian by what it is; values are clamped to their domains.
+void adjust_attribute(Document& document, std::span<const GaussianId> ids, GaussianAttribute field,
+                      const Adjustment& adjustment);
 
 // Sets Gaussians ids[k] to after[k] within a gesture named `text`; values are clamped to their
 // domains.

@@ -92,4 +92,19 @@ std::optional<double> evaluate(const QString& text) {
   return Parser(plain).all();
 }
 
+std::optional<Adjustment> parse_adjustment(const QString& text) {
+  QString rest = text.simplified();
+  const QChar sign = rest.isEmpty() ? QChar() : rest.front();
+  rest.remove(0, 1);
+  const bool has_equals = rest.startsWith('=');
+  if (has_equals) rest.remove(0, 1);
+  const std::optional<double> number = evaluate(rest);
+  if (!number) return std::nullopt;
+  if (sign == '*') return Adjustment{*number, 0.0};
+  if (sign == '/') return Adjustment{1.0 / *number, 0.0};
+  if (sign == '+') return Adjustment{1.0, *number};
+  if (sign == '-' && has_equals) return Adjustment{1.0, -*number};
+  return std::nullopt;
+}
+
 }  // namespace brume

@@ -113,12 +113,14 @@ void Document::open(SceneDocument document, const std::filesystem::path& file,
   locked_.clear();
   active_light_ = 0;
   active_emitter_ = 0;
+  object_.reset();
   scene_changed();
   file_ = file;
   file_version_ = version;
   revision_ = saved_revision_ = new_revision();
   Q_EMIT scene_replaced();
   Q_EMIT selection_changed();
+  Q_EMIT object_changed();
   Q_EMIT hidden_or_locked_changed();
   Q_EMIT file_changed();
   Q_EMIT modified_changed();
@@ -145,6 +147,7 @@ bool Document::is_selected(GaussianId id) const {
 
 void Document::select(std::vector<GaussianId> ids) {
   ids = selectable(std::move(ids));
+  if (!ids.empty()) set_object(std::nullopt);
   if (ids == selection_) return;
   selection_ = std::move(ids);
   Q_EMIT selection_changed();
@@ -187,6 +190,30 @@ void Document::set_active_emitter(std::size_t index) {
   Q_EMIT active_emitter_changed();
 }
 
+namespace {
+
+std::size_t count_of(ObjectRef::Kind kind, const Scene& scene) {
+  switch (kind) {
+    case ObjectRef::Kind::light:
+      return scene.lights.size();
+    case ObjectRef::Kind::emitter:
+      return scene.emitters.size();
+    case ObjectRef::Kind::surface:
+      return scene.surfaces.size();
+  }
+  return 0;
+}
+
+}  // namespace
+
+void Document::set_object(const std::optional<ObjectRef>& object) {
+  if (object == object_ || (object && object->index >= count_of(object->kind, scene_))) return;
+  object_ = object;
+  if (object && object->kind == ObjectRef::Kind::light) set_active_light(object->index);
+  if (object && object->kind == ObjectRef::Kind::emitter) set_active_emitter(object->index);
+  Q_EMIT object_changed();
+}
+
 void Document::apply(const MediumEdit& edit) {
   edit.apply(scene_.medium);
   scene_changed();
@@ -208,6 +235,14 @@ void Document::set_part(const ScenePart& part) {
   const auto last = [](const auto& list) { return std::max<std::size_t>(list.size(), 1) - 1; };
   active_light_ = std::min(active_light_, last(scene_.lights));
   active_emitter_ = std::min(active_emitter_, last(scene_.emitters));
+  if (object_) {
+    const std::size_t count = count_of(object_->kind, scene_);
+    if (count == 0) {
+      set_object(std::nullopt);
+    } else if (object_->index >= count) {
+      set_object(ObjectRef{object_->kind, count - 1});
+    }
+  }
   Q_EMIT part_changed();
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/object_ref.h"
 #include "app/document/scene_part.h"
 #include "core/io/file_version.h"
 #include "core/io/scene/scene_document.h"
@@ -87,6 +88,11 @@ class Document : public QObject {
   [[nodiscard]] std::size_t active_emitter() const { return active_emitter_; }
   void set_active_emitter(std::size_t index);
 
+  // The light, emitter or surface that was selected last in the view or the outliner, unless
+  // Gaussians were after it: what keys and handles act on. Always one of the scene. Editor state.
+  [[nodiscard]] const std::optional<ObjectRef>& object() const { return object_; }
+  void set_object(const std::optional<ObjectRef>& object);
+
   // For commands only: changes without undo.
   void apply(const MediumEdit& edit);
   void set_part(const ScenePart& part);
@@ -103,6 +109,7 @@ class Document : public QObject {
   void selection_changed();
   void active_light_changed();
   void active_emitter_changed();
+  void object_changed();
   void hidden_or_locked_changed();  // hidden or locked Gaussians
   void file_changed();
   void modified_changed();
@@ -129,6 +136,7 @@ class Document : public QObject {
   double time_ = 0.0;
   std::size_t active_light_ = 0;
   std::size_t active_emitter_ = 0;
+  std::optional<ObjectRef> object_;
   std::uint64_t revision_ = 0;
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;

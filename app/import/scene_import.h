@@ -43,6 +43,9 @@ class SceneImport : public QObject {
                       const std::filesystem::path& folder);
   void import_vtk_files(const FrameRun& run, const std::filesystem::path& folder);
 
+  // Adds surfaces as one undo step; the first ones of a new scene are framed and lit.
+  void add_surfaces(const std::vector<Surface>& added, const QString& text);
+
   static bool can_import(const std::filesystem::path& file);  // by its extension
 
  Q_SIGNALS:
@@ -56,7 +59,6 @@ class SceneImport : public QObject {
   BackgroundJob::Apply read(const FrameRun& run);
   void import_each(const std::vector<std::filesystem::path>& files,
                    const std::optional<FrameRun>& run);
-  void add_surfaces(const std::vector<Surface>& added, const QString& text);
   void add_sequence(MediumSequence sequence);
   // In the background: writes the frames of `make`, numbered as in `run`, to a folder. Nothing is
   // written if it returns fewer.

@@ -61,6 +61,10 @@ GaussianForm::GaussianForm(Document& document, QWidget* parent)
       const std::vector<GaussianId> ids = document_.selection();
       set_attribute(document_, ids, field, value, gesture);
     });
+    connect(fields_[k], &ValueField::adjusted, this, [this, field](const Adjustment& adjustment) {
+      const std::vector<GaussianId> ids = document_.selection();
+      adjust_attribute(document_, ids, field, adjustment);
+    });
     connect(fields_[k], &ValueField::refused, this, &GaussianForm::refused);
   }
   auto* center = new QHBoxLayout;

@@ -55,7 +55,7 @@ LightPlace LightPanel::place() const {
 }
 
 void LightPanel::show_last() {
-  document_.set_active_light(document_.scene().lights.size() - 1);
+  document_.set_object(ObjectRef{ObjectRef::Kind::light, document_.scene().lights.size() - 1});
 }
 
 void LightPanel::add(LightType type) {

@@ -48,6 +48,10 @@ MaterialPanel::MaterialPanel(Document& document, QWidget* parent)
     change_shown(tr("Set radiance transfer of %1"), no_merge,
                  [index](Surface& s) { s.transfer = static_cast<Surface::Transfer>(index); });
   });
+  connect(&document_, &Document::object_changed, this, [this] {
+    const auto& object = document_.object();
+    if (object && object->kind == ObjectRef::Kind::surface) show_surface(object->index);
+  });
   connect(&document_, &Document::scene_replaced, &reading_, &BackgroundJob::cancel);
   connect(&reading_, &BackgroundJob::failed, this, &MaterialPanel::refused);
   // After the list, which says what surface the fields are about.
@@ -111,6 +115,18 @@ void MaterialPanel::add_placement_fields(QFormLayout& form) {
                 entered_angles_ = degrees;
                 change_shown(tr("Rotate %1"), gesture,
                              [degrees](Surface& s) { s.rotate = from_euler_angles(degrees); });
+              }});
+  add_vector(form, tr("Size"),
+             {"surface_size", domain::length, 0.01,
+              [this]() -> std::optional<glm::dvec3> {
+                return surface() && surface()->primitive ? std::optional(surface()->primitive->size)
+                                                         : std::nullopt;
+              },
+              [this](const glm::dvec3& size, MergeId gesture) {
+                change_shown(tr("Set size of %1"), gesture, [size](Surface& s) {
+                  s.primitive->size = size;
+                  s.mesh = mesh_of(*s.primitive);
+                });
               }});
   add_number(form, tr("Scale"),
              {"surface_scale", domain::length, ValueField::Scale::logarithmic, 0.01,

@@ -4,11 +4,10 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QTimer>
 #include <QTreeWidgetItemIterator>
 
-#include "app/commands/edit_emitters.h"
-#include "app/commands/edit_lights.h"
-#include "app/commands/edit_surfaces.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
 #include "app/widgets/frame_text.h"
@@ -20,6 +19,7 @@ namespace {
 
 constexpr int name_column = 0;
 constexpr int eye_column = 1;
+constexpr int lock_column = 2;
 
 constexpr int kind_role = Qt::UserRole;
 constexpr int index_role = Qt::UserRole + 1;
@@ -31,6 +31,18 @@ QTreeWidgetItem* new_item(const QString& text, Outliner::Kind kind, std::size_t 
   return item;
 }
 
+Outliner::Kind kind_of(ObjectRef::Kind kind) {
+  switch (kind) {
+    case ObjectRef::Kind::light:
+      return Outliner::Kind::light;
+    case ObjectRef::Kind::emitter:
+      return Outliner::Kind::emitter;
+    case ObjectRef::Kind::surface:
+      return Outliner::Kind::surface;
+  }
+  return Outliner::Kind::medium;
+}
+
 bool is_key_of(const char* action, const QKeyEvent& event) {
   return keys_of(action).contains(QKeySequence(event.keyCombination()));
 }
@@ -40,36 +52,32 @@ bool is_key_of(const char* action, const QKeyEvent& event) {
 Outliner::Outliner(Document& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
   setObjectName("outliner_tree");
   setHeaderHidden(true);
-  setColumnCount(2);
+  setColumnCount(3);
+  setEditTriggers(EditKeyPressed | DoubleClicked);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(name_column, QHeaderView::Stretch);
-  header()->setSectionResizeMode(eye_column, QHeaderView::ResizeToContents);
+  for (const int column : {eye_column, lock_column}) {
+    header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  }
   connect(&document_, &Document::scene_replaced, this, &Outliner::rebuild);
   connect(&document_, &Document::part_changed, this, &Outliner::rebuild);
   connect(&document_, &Document::medium_changed, this, &Outliner::count_gaussians);
-  connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
-    const std::optional<Object> object = object_of(item);
-    if (column == eye_column && object && object->kind == Kind::surface) {
-      return toggle_visible(*object);
-    }
-    Q_EMIT asked_for(static_cast<Kind>(item->data(0, kind_role).toInt()),
-                     item->data(0, index_role).toULongLong());
-  });
+  connect(&document_, &Document::object_changed, this, &Outliner::follow_object);
+  connect(this, &QTreeWidget::itemClicked, this, &Outliner::click);
+  connect(this, &QTreeWidget::itemChanged, this, &Outliner::take_name);
   rebuild();
 }
 
 void Outliner::rebuild() {
   const Scene& scene = document_.scene();
-  const std::optional<Object> current = object_of(currentItem());
-  const auto text_brush = [this](bool enabled) {
-    return palette().brush(enabled ? QPalette::Active : QPalette::Disabled, QPalette::Text);
-  };
+  const std::optional<ObjectRef> current = object_of(currentItem());
+  const QSignalBlocker blocker(this);
   clear();
   auto* medium = new_item(tr("Medium"), Kind::medium);
   gaussians_ = new_item({}, Kind::gaussians);
   medium->addChild(gaussians_);
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
-    medium->addChild(new_item(tr("Emitter %1").arg(k + 1), Kind::emitter, k));
+    medium->addChild(new_object_item({ObjectRef::Kind::emitter, k}));
   }
   for (const MediumSequence& sequence : scene.sequences) {
     medium->addChild(new_item(tr("Sequence %1, frames %2 to %3")
@@ -81,23 +89,15 @@ void Outliner::rebuild() {
   addTopLevelItem(medium);
   auto* lights = new_item(tr("Lights"), Kind::light);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-    auto* item = new_item(light_title(scene.lights[k], k), Kind::light, k);
-    item->setForeground(name_column, text_brush(scene.lights[k].on));
-    lights->addChild(item);
+    lights->addChild(new_object_item({ObjectRef::Kind::light, k}));
   }
   addTopLevelItem(lights);
   const QString environment =
       scene.environment ? to_qstring(scene.environment->file.filename()) : tr("none");
   addTopLevelItem(new_item(tr("Environment: %1").arg(environment), Kind::environment));
   auto* surfaces = new_item(tr("Surfaces"), Kind::surface);
-  const QStringList names = surface_names(scene.surfaces);
   for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
-    const bool visible = scene.surfaces[k].visible;
-    auto* item = new_item(names.at(static_cast<int>(k)), Kind::surface, k);
-    item->setIcon(eye_column, load_icon(visible ? "eye" : "eye_closed"));
-    item->setToolTip(eye_column, visible ? tr("Hide") : tr("Show"));
-    item->setForeground(name_column, text_brush(visible));
-    surfaces->addChild(item);
+    surfaces->addChild(new_object_item({ObjectRef::Kind::surface, k}));
   }
   addTopLevelItem(surfaces);
   // Not all items: those without children would draw their icon as if it were checked.
@@ -106,47 +106,73 @@ void Outliner::rebuild() {
   if (current) set_current(*current);
 }
 
-std::optional<Outliner::Object> Outliner::object_of(const QTreeWidgetItem* item) {
-  if (!item || !item->parent()) return std::nullopt;
-  const auto kind = static_cast<Kind>(item->data(0, kind_role).toInt());
-  if (kind != Kind::emitter && kind != Kind::light && kind != Kind::surface) return std::nullopt;
-  return Object{kind, static_cast<std::size_t>(item->data(0, index_role).toULongLong())};
+QTreeWidgetItem* Outliner::new_object_item(const ObjectRef& ref) {
+  const Object object = *brume::object_of(document_.scene(), ref);
+  auto* item = new_item(object_title(document_.scene(), ref), kind_of(ref.kind), ref.index);
+  const bool shown = is_shown(object);
+  const bool locked = is_locked(object);
+  item->setFlags(item->flags() | Qt::ItemIsEditable);
+  item->setForeground(
+      name_column, palette().brush(shown ? QPalette::Active : QPalette::Disabled, QPalette::Text));
+  item->setIcon(eye_column, load_icon(shown ? "eye" : "eye_closed"));
+  item->setToolTip(eye_column, shown ? tr("Hide") : tr("Show"));
+  item->setIcon(lock_column, load_icon(locked ? "lock" : "lock_open"));
+  item->setToolTip(lock_column, locked ? tr("Unlock") : tr("Lock: the view leaves it alone"));
+  return item;
 }
 
-void Outliner::set_current(const Object& object) {
+std::optional<ObjectRef> Outliner::object_of(const QTreeWidgetItem* item) {
+  if (!item || !item->parent()) return std::nullopt;
+  const auto kind = static_cast<Kind>(item->data(0, kind_role).toInt());
+  const auto index = static_cast<std::size_t>(item->data(0, index_role).toULongLong());
+  if (kind == Kind::light) return ObjectRef{ObjectRef::Kind::light, index};
+  if (kind == Kind::emitter) return ObjectRef{ObjectRef::Kind::emitter, index};
+  if (kind == Kind::surface) return ObjectRef{ObjectRef::Kind::surface, index};
+  return std::nullopt;
+}
+
+void Outliner::set_current(const ObjectRef& ref) {
   QTreeWidgetItem* current = nullptr;
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
-    const std::optional<Object> other = object_of(*it);
-    if (other && other->kind == object.kind && other->index <= object.index) current = *it;
+    const std::optional<ObjectRef> other = object_of(*it);
+    if (other && other->kind == ref.kind && other->index <= ref.index) current = *it;
   }
   setCurrentItem(current);
 }
 
-void Outliner::toggle_visible(const Object& object) {
-  const Surfaces& surfaces = document_.scene().surfaces;
-  if (object.index >= surfaces.size()) return;  // changed while the menu was open
-  const bool visible = surfaces[object.index].visible;
-  change_surface(document_, object.index, visible ? tr("Hide %1") : tr("Show %1"), no_merge,
-                 [visible](Surface& surface) { surface.visible = !visible; });
-}
-
-void Outliner::delete_object(const Object& object) {
-  switch (object.kind) {
-    case Kind::emitter:
-      return delete_emitter(document_, object.index);
-    case Kind::light:
-      return delete_light(document_, object.index);
-    default:
-      return delete_surface(document_, object.index);
+void Outliner::follow_object() {
+  if (const auto& object = document_.object()) {
+    set_current(*object);
+  } else if (object_of(currentItem())) {
+    setCurrentItem(nullptr);
   }
 }
 
-void Outliner::duplicate_object(const Object& object) {
-  if (object.kind != Kind::surface) return;
-  duplicate_surface(document_, object.index);
-  const Object copy{Kind::surface, document_.scene().surfaces.size() - 1};
-  set_current(copy);
-  Q_EMIT asked_for(copy.kind, copy.index);
+void Outliner::click(const QTreeWidgetItem* item, int column) {
+  const std::optional<ObjectRef> ref = object_of(item);
+  const std::optional<Object> object =
+      ref ? brume::object_of(document_.scene(), *ref) : std::nullopt;
+  if (object && column == eye_column) return show_object(document_, *ref, !is_shown(*object));
+  if (object && column == lock_column) return lock_object(document_, *ref, !is_locked(*object));
+  if (object) document_.set_object(ref);
+  Q_EMIT asked_for(static_cast<Kind>(item->data(0, kind_role).toInt()),
+                   item->data(0, index_role).toULongLong());
+}
+
+void Outliner::take_name(const QTreeWidgetItem* item, int column) {
+  const std::optional<ObjectRef> ref = object_of(item);
+  if (!ref || column != name_column) return;
+  // Later: the tree is made anew then, and the editor of the name is about to go.
+  QTimer::singleShot(0, this, [this, ref = *ref, name = item->text(name_column)] {
+    if (!brume::object_of(document_.scene(), ref)) return;
+    if (name != object_title(document_.scene(), ref)) rename_object(document_, ref, name);
+    rebuild();  // what was entered may be no change, or no name
+  });
+}
+
+void Outliner::rename_current() {
+  follow_object();
+  if (object_of(currentItem())) editItem(currentItem(), name_column);
 }
 
 // They are shortcuts of the window too, for Gaussians.
@@ -162,24 +188,31 @@ bool Outliner::event(QEvent* event) {
 }
 
 void Outliner::keyPressEvent(QKeyEvent* event) {
-  const std::optional<Object> object = object_of(currentItem());
-  if (object && is_key_of("edit.delete", *event)) return delete_object(*object);
-  if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(*object);
+  const std::optional<ObjectRef> object = object_of(currentItem());
+  if (object && is_key_of("edit.delete", *event)) return delete_object(document_, *object);
+  if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(document_, *object);
   QTreeWidget::keyPressEvent(event);
 }
 
 void Outliner::contextMenuEvent(QContextMenuEvent* event) {
-  const std::optional<Object> object = object_of(itemAt(event->pos()));
+  QTreeWidgetItem* item = itemAt(event->pos());
+  const std::optional<ObjectRef> ref = object_of(item);
+  const std::optional<Object> object =
+      ref ? brume::object_of(document_.scene(), *ref) : std::nullopt;
   if (!object) return;
+  setCurrentItem(item);
+  document_.set_object(ref);
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  if (object->kind == Kind::surface) {
-    const bool visible = document_.scene().surfaces[object->index].visible;
-    menu->addAction(visible ? tr("Hide") : tr("Show"), this,
-                    [this, object] { toggle_visible(*object); });
-    menu->addAction(tr("Duplicate"), this, [this, object] { duplicate_object(*object); });
-  }
-  menu->addAction(tr("Delete"), this, [this, object] { delete_object(*object); });
+  const bool shown = is_shown(*object);
+  const bool locked = is_locked(*object);
+  menu->addAction(tr("Rename"), this, &Outliner::rename_current);
+  menu->addAction(shown ? tr("Hide") : tr("Show"), this,
+                  [this, ref, shown] { show_object(document_, *ref, !shown); });
+  menu->addAction(locked ? tr("Unlock") : tr("Lock"), this,
+                  [this, ref, locked] { lock_object(document_, *ref, !locked); });
+  menu->addAction(tr("Duplicate"), this, [this, ref] { duplicate_object(document_, *ref); });
+  menu->addAction(tr("Delete"), this, [this, ref] { delete_object(document_, *ref); });
   menu->popup(event->globalPos());
 }
 

@@ -3,13 +3,15 @@
 #include <QTreeWidget>
 #include <optional>
 
+#include "app/document/object_ref.h"
+
 namespace brume {
 
 class Document;
 
-// The scene as a tree; a click requests the panel of an item, one on the eye of a surface hides or
-// shows it. The keys and the context menu delete emitters, lights and surfaces, and duplicate
-// surfaces.
+// The scene as a tree; a click requests the panel of an item. Lights, emitters and surfaces have an
+// eye that hides and shows them (a light is turned on and off), a lock, and names to edit; the keys
+// and the context menu delete and duplicate them.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
@@ -19,6 +21,9 @@ class Outliner : public QTreeWidget {
  Q_SIGNALS:
   void asked_for(brume::Outliner::Kind kind, std::size_t index);
 
+ public Q_SLOTS:
+  void rename_current();  // edits the name in place
+
  protected:
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
@@ -26,20 +31,16 @@ class Outliner : public QTreeWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  // One of several emitters, lights or surfaces.
-  struct Object {
-    Kind kind;
-    std::size_t index;
-  };
-  static std::optional<Object> object_of(const QTreeWidgetItem* item);
+  static std::optional<ObjectRef> object_of(const QTreeWidgetItem* item);
+  QTreeWidgetItem* new_object_item(const ObjectRef& ref);
 
   void rebuild();
   void count_gaussians();
   // Or the last of its kind, if there are fewer.
-  void set_current(const Object& object);
-  void toggle_visible(const Object& object);  // of a surface
-  void delete_object(const Object& object);
-  void duplicate_object(const Object& object);
+  void set_current(const ObjectRef& ref);
+  void follow_object();  // the document's
+  void click(const QTreeWidgetItem* item, int column);
+  void take_name(const QTreeWidgetItem* item, int column);
 
   Document& document_;
   QTreeWidgetItem* gaussians_ = nullptr;

@@ -40,6 +40,7 @@ std::optional<std::size_t> EmitterTool::pick(QPointF position) const {
   const CameraRays rays = view().rays();
   const Emitters& emitters = document_.scene().emitters;
   for (std::size_t k = 0; k < emitters.size(); ++k) {
+    if (emitters[k].locked) continue;
     const glm::dvec3 at = rays.project(emitters[k].position);
     if (at.z > 0.0 && QLineF(QPointF(at.x, at.y), position).length() <= pick_radius) return k;
   }
@@ -54,7 +55,7 @@ void EmitterTool::hover(QPointF position) {
 
 void EmitterTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
   if (const auto emitter = pick(position)) {
-    document_.set_active_emitter(*emitter);
+    document_.set_object(ObjectRef{ObjectRef::Kind::emitter, *emitter});
     drag_ = {*emitter, position, document_.scene().emitters[*emitter].position, new_merge_id()};
     return;
   }

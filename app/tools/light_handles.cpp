@@ -112,7 +112,7 @@ std::optional<LightHandles::Handle> LightHandles::pick(const CameraRays& rays,
   const auto& lights = document_.scene().lights;
   for (std::size_t k = 0; k < lights.size(); ++k) {
     const glm::dvec3 at = rays.project(handle_position(lights[k], document_.scene(), rays.eye()));
-    if (at.z <= 0.0) continue;
+    if (at.z <= 0.0 || lights[k].locked) continue;
     const double distance = QLineF(QPointF(at.x, at.y), position).length();
     if (distance <= sun_radius + 3.0) return Handle{k, Part::light};
     if (k != document_.active_light()) continue;
@@ -138,7 +138,7 @@ bool LightHandles::hover(const CameraRays& rays, QPointF position) {
 bool LightHandles::press(const CameraRays& rays, QPointF position) {
   const auto handle = pick(rays, position);
   if (!handle) return false;
-  document_.set_active_light(handle->light);
+  document_.set_object(ObjectRef{ObjectRef::Kind::light, handle->light});
   gesture_ = {*handle, position, document_.scene().lights[handle->light], new_merge_id()};
   return true;
 }

@@ -6,36 +6,45 @@
 #include <glm/geometric.hpp>
 
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_objects.h"
 #include "app/document/document.h"
+#include "app/tools/click_target.h"
+#include "app/view/object_box.h"
 #include "app/view/view.h"
 
 namespace brume {
 namespace {
 
 constexpr double drag_threshold = 4.0;  // pixels; a hand is not perfectly still in a click
+constexpr QRgb emitter_color = qRgba(150, 200, 240, 170);
+constexpr QRgb object_color = qRgba(255, 190, 90, 235);
+constexpr QRgb hovered_color = qRgba(255, 235, 200, 110);
 
 }  // namespace
 
 QString SelectTool::hint() const {
   return tr(
-      "Click to select; drag a selected handle to move the selection, drag elsewhere to box "
-      "select. Middle button orbits, wheel zooms.");
+      "Click to select Gaussians, surfaces, lights; drag a selected handle to move the selection, "
+      "drag elsewhere to box select. Middle button orbits, wheel zooms.");
 }
 
 void SelectTool::hover(QPointF position) {
   const auto before = lights_.hovered();
   const bool on_light = lights_.hover(view().rays(), position);
   if (lights_.hovered() != before) Q_EMIT appearance_changed();
-  if (on_light) {
-    view().set_hovered(std::nullopt);
-    return;
-  }
-  const auto index = view().handles().pick(position);
-  view().set_hovered(index ? std::optional(document_.medium().ids()[*index])
-                           : view().max_visible(position));
+  const ClickTarget target = on_light ? ClickTarget{} : click_target(document_, view(), position);
+  set_hovered_object(target.object);
+  view().set_hovered(target.gaussian);
+}
+
+void SelectTool::set_hovered_object(const std::optional<ObjectRef>& object) {
+  if (object == hovered_object_) return;
+  hovered_object_ = object;
+  Q_EMIT appearance_changed();
 }
 
 void SelectTool::leave() {
+  set_hovered_object(std::nullopt);
   view().set_hovered(std::nullopt);
 }
 
@@ -81,10 +90,13 @@ void SelectTool::release(QPointF position) {
     choose(document_.selection(),
            view().handles().inside([&band](QPointF at) { return band.contains(at); }), area_mode_);
   } else if (gesture_ == Gesture::undecided) {
-    const auto clicked = pressed_ ? pressed_ : view().max_visible(position);
+    const ClickTarget target =
+        pressed_ ? ClickTarget{pressed_, std::nullopt} : click_target(document_, view(), position);
+    const auto& clicked = target.gaussian;
     choose(document_.selection(),
            clicked ? std::vector{*medium.index_of(*clicked)} : std::vector<std::size_t>{},
            click_mode_);
+    document_.set_object(target.object);
   }
   abandon();
 }
@@ -104,6 +116,16 @@ void SelectTool::abandon() {
 
 void SelectTool::draw(Overlay& overlay, const CameraRays& rays) const {
   lights_.draw(overlay, rays);
+  const Scene& scene = document_.scene();
+  for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
+    const glm::dvec3 at = rays.project(scene.emitters[k].position);
+    if (at.z > 0.0) overlay.add_circle(at.x, at.y, emitter_radius, emitter_color);
+  }
+  const auto& object = document_.object();
+  if (object) add_object_outline(overlay, rays, scene, *object, object_color);
+  if (hovered_object_ && hovered_object_ != object && object_of(scene, *hovered_object_)) {
+    add_object_outline(overlay, rays, scene, *hovered_object_, hovered_color);
+  }
 }
 
 void SelectTool::medium_changed() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands/merge_id.h"
+#include "app/document/object_ref.h"
 #include "app/tools/light_handles.h"
 #include "app/tools/selection_tool.h"
 #include "core/medium/gaussian.h"
@@ -14,7 +15,8 @@ namespace brume {
 
 // The left mouse button: a click selects, a drag on a selected handle moves the selection in the
 // plane parallel to the film through that handle, a drag anywhere else is a selection rectangle.
-// A click beside the handles selects the Gaussian that takes most light there.
+// A click beside the handles selects what is seen there: a surface through thin fog, an emitter, or
+// the Gaussian that takes most light.
 class SelectTool : public SelectionTool {
   Q_OBJECT
  public:
@@ -39,8 +41,10 @@ class SelectTool : public SelectionTool {
   void move_selection(QPointF position);
   [[nodiscard]] bool has_moved_gaussians() const;
   [[nodiscard]] glm::dvec3 on_drag_plane(QPointF position) const;
+  void set_hovered_object(const std::optional<ObjectRef>& object);
 
   LightHandles lights_;
+  std::optional<ObjectRef> hovered_object_;
   Gesture gesture_ = Gesture::none;
   SelectMode area_mode_ = SelectMode::set;   // of a rectangle
   SelectMode click_mode_ = SelectMode::set;  // of a click

@@ -10,9 +10,13 @@
 
 namespace brume {
 
+bool TransformTool::has_something() const {
+  return document_.object() || !document_.selection().empty();
+}
+
 void TransformTool::hover(QPointF position) {
   hovered_.reset();
-  if (!document_.selection().empty()) {
+  if (has_something()) {
     hovered_ = Gizmo(kind_, view().pivot(), view().rays()).pick(position);
   }
   Q_EMIT appearance_changed();
@@ -39,17 +43,25 @@ void TransformTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   pivot_ = view().pivot();
   start_ = position;
   merge_id_ = new_merge_id();
-  ids_ = document_.selection();
   gaussians_.clear();
+  ref_ = document_.object();
+  object_ = ref_ ? object_of(document_.scene(), *ref_) : std::nullopt;
+  if (object_) return;
+  ids_ = document_.selection();
   const Medium& medium = document_.medium();
   for (const GaussianId id : ids_) gaussians_.push_back(medium.gaussian(*medium.index_of(id)));
 }
 
 void TransformTool::drag(QPointF position) {
-  std::vector<Gaussian> after;
-  after.reserve(gaussians_.size());
-  for (const Gaussian& gaussian : gaussians_) {
-    after.push_back(position == start_ ? gaussian : dragged(gaussian, position));
+  const Movement movement = position == start_ ? Movement{.pivot = pivot_} : dragged(position);
+  if (object_ && document_.object() != ref_) return;  // deleted meanwhile
+  if (object_) return move_object(document_, *ref_, *object_, movement, verb(), merge_id_);
+  std::vector<Gaussian> after = gaussians_;
+  if (position != start_) {
+    for (Gaussian& gaussian : after) {
+      gaussian.center = movement.point(gaussian.center);
+      gaussian.radius *= movement.size;
+    }
   }
   applying_ = true;
   change_gaussians(document_, ids_, after, verb().arg(gaussians_text(ids_.size())), merge_id_);
@@ -91,7 +103,7 @@ void TransformTool::medium_changed() {
 
 void TransformTool::draw(Overlay& overlay, const CameraRays& rays) const {
   SelectTool::draw(overlay, rays);
-  if (document_.selection().empty()) return;
+  if (!has_something()) return;
   const auto active = dragging_ ? std::optional(part_) : hovered_;
   Gizmo(kind_, view().pivot(), rays).draw(overlay, active);
 }
@@ -100,14 +112,13 @@ QString MoveTool::hint() const {
   return tr("Drag an arrow to move the selection along it, the ring to move it in the view plane.");
 }
 
-Gaussian MoveTool::dragged(const Gaussian& gaussian, QPointF position) const {
+Movement MoveTool::dragged(QPointF position) const {
   const CameraRays rays = view().rays();
   const glm::dvec3 axis = axis_of(part_);
-  Gaussian moved = gaussian;
-  moved.center += part_ == Gizmo::Part::all
-                      ? dragged_across(pivot_, rays, start_, position)
-                      : axis * dragged_along(pivot_, axis, rays, start_, position);
-  return moved;
+  return {.pivot = pivot_,
+          .shift = part_ == Gizmo::Part::all
+                       ? dragged_across(pivot_, rays, start_, position)
+                       : axis * dragged_along(pivot_, axis, rays, start_, position)};
 }
 
 QString RotateTool::hint() const {
@@ -116,14 +127,12 @@ QString RotateTool::hint() const {
       "direction.");
 }
 
-Gaussian RotateTool::dragged(const Gaussian& gaussian, QPointF position) const {
+Movement RotateTool::dragged(QPointF position) const {
   const CameraRays rays = view().rays();
   const glm::dvec3 axis =
       part_ == Gizmo::Part::all ? glm::normalize(pivot_ - rays.eye()) : axis_of(part_);
   const double angle = dragged_around(pivot_, axis, rays, start_, position);
-  Gaussian turned = gaussian;
-  turned.center = pivot_ + glm::angleAxis(angle, axis) * (gaussian.center - pivot_);
-  return turned;
+  return {.pivot = pivot_, .turn = glm::angleAxis(angle, axis)};
 }
 
 QString ScaleTool::hint() const {
@@ -132,17 +141,16 @@ QString ScaleTool::hint() const {
       "it.");
 }
 
-Gaussian ScaleTool::dragged(const Gaussian& gaussian, QPointF position) const {
+Movement ScaleTool::dragged(QPointF position) const {
   const double factor = dragged_away(pivot_, view().rays(), start_, position);
-  Gaussian scaled = gaussian;
+  Movement movement{.pivot = pivot_};
   if (part_ == Gizmo::Part::all) {
-    scaled.center = pivot_ + factor * (gaussian.center - pivot_);
-    scaled.radius *= factor;
+    movement.stretch = glm::dvec3(factor);
+    movement.size = factor;
   } else {
-    const int k = static_cast<int>(part_);
-    scaled.center[k] = pivot_[k] + factor * (gaussian.center[k] - pivot_[k]);
+    movement.stretch[static_cast<int>(part_)] = factor;
   }
-  return scaled;
+  return movement;
 }
 
 }  // namespace brume

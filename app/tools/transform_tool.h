@@ -1,11 +1,13 @@
 #pragma once
 
+#include "app/commands/edit_objects.h"
 #include "app/tools/select_tool.h"
 #include "app/view/gizmo.h"
 
 namespace brume {
 
-// Base of transform tools: selection plus a manipulator at the selection's center.
+// Base of transform tools: selection plus a manipulator at the center of the selected Gaussians, or
+// of the light, emitter or surface that is selected.
 class TransformTool : public SelectTool {
   Q_OBJECT
  public:
@@ -23,8 +25,8 @@ class TransformTool : public SelectTool {
   void draw(Overlay& overlay, const CameraRays& rays) const override;
 
  protected:
-  // A Gaussian transformed by a drag from start_ to `position`.
-  [[nodiscard]] virtual Gaussian dragged(const Gaussian& gaussian, QPointF position) const = 0;
+  // What a drag from start_ to `position` does.
+  [[nodiscard]] virtual Movement dragged(QPointF position) const = 0;
   [[nodiscard]] virtual QString verb() const = 0;
 
   // Of the drag.
@@ -33,6 +35,7 @@ class TransformTool : public SelectTool {
   QPointF start_;
 
  private:
+  [[nodiscard]] bool has_something() const;
   void drag(QPointF position);
 
   Gizmo::Kind kind_;
@@ -41,6 +44,8 @@ class TransformTool : public SelectTool {
   bool applying_ = false;
   std::vector<GaussianId> ids_;
   std::vector<Gaussian> gaussians_;
+  std::optional<ObjectRef> ref_;  // instead of Gaussians
+  std::optional<Object> object_;  // as it was
   MergeId merge_id_ = no_merge;
 };
 
@@ -51,7 +56,7 @@ class MoveTool : public TransformTool {
   [[nodiscard]] QString hint() const override;
 
  protected:
-  [[nodiscard]] Gaussian dragged(const Gaussian& gaussian, QPointF position) const override;
+  [[nodiscard]] Movement dragged(QPointF position) const override;
   [[nodiscard]] QString verb() const override { return tr("Move %1"); }
 };
 
@@ -62,11 +67,12 @@ class RotateTool : public TransformTool {
   [[nodiscard]] QString hint() const override;
 
  protected:
-  [[nodiscard]] Gaussian dragged(const Gaussian& gaussian, QPointF position) const override;
+  [[nodiscard]] Movement dragged(QPointF position) const override;
   [[nodiscard]] QString verb() const override { return tr("Rotate %1"); }
 };
 
-// Uniform scaling also scales radii; axis scaling moves centers only.
+// Uniform scaling also scales radii and sizes; axis scaling moves centers, and stretches
+// primitives.
 class ScaleTool : public TransformTool {
   Q_OBJECT
  public:
@@ -74,7 +80,7 @@ class ScaleTool : public TransformTool {
   [[nodiscard]] QString hint() const override;
 
  protected:
-  [[nodiscard]] Gaussian dragged(const Gaussian& gaussian, QPointF position) const override;
+  [[nodiscard]] Movement dragged(QPointF position) const override;
   [[nodiscard]] QString verb() const override { return tr("Scale %1"); }
 };
 

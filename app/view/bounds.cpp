@@ -38,6 +38,12 @@ std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const Gaus
   return box.sphere();
 }
 
+Sphere bounding_sphere(const Surface& surface) {
+  GrowingBox box;
+  for (const glm::dvec3& p : world_points(surface)) box.include(p);
+  return box.sphere().value_or(Sphere{surface.translate, 1e-6});
+}
+
 std::optional<Sphere> bounding_sphere(const Scene& scene) {
   GrowingBox box;
   for (std::size_t i = 0; i < scene.medium.size(); ++i) {

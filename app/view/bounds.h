@@ -17,5 +17,6 @@ struct Sphere {
 // surfaces, or else lights). nullopt if empty.
 std::optional<Sphere> bounding_sphere(const Medium& medium, std::span<const GaussianId> ids);
 std::optional<Sphere> bounding_sphere(const Scene& scene);
+Sphere bounding_sphere(const Surface& surface);
 
 }  // namespace brume

@@ -68,6 +68,11 @@ void CameraController::frame_all() {
 }
 
 void CameraController::frame_selection() {
+  if (const auto& object = document_.object()) {
+    if (object->kind == ObjectRef::Kind::surface) {
+      return frame(bounding_sphere(document_.scene().surfaces[object->index]));
+    }
+  }
   if (const auto sphere = bounding_sphere(document_.medium(), document_.selection())) {
     frame(*sphere);
   } else {

@@ -1,7 +1,5 @@
 #include "app/view/surface_picker.h"
 
-#include <functional>
-
 #include "app/document/document.h"
 
 namespace brume {
@@ -14,8 +12,14 @@ SurfacePicker::SurfacePicker(const Document& document) : document_(document) {
 
 void SurfacePicker::prepare() {
   if (document_.scene().surfaces == all_) return;
-  all_ = surfaces_ = document_.scene().surfaces;
-  std::erase_if(surfaces_, std::not_fn(&Surface::visible));
+  all_ = document_.scene().surfaces;
+  surfaces_.clear();
+  indices_.clear();
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    if (!all_[k].visible) continue;
+    surfaces_.push_back(all_[k]);
+    indices_.push_back(k);
+  }
   caster_.reset();
   job_.start([this, surfaces = surfaces_](const Job&) {
     return [this, built = std::make_shared<const RayCaster>(surfaces)] { caster_ = built; };
@@ -33,6 +37,10 @@ std::optional<SurfacePoint> SurfacePicker::hit(const glm::dvec3& origin,
   const SurfaceHit hit = caster_->first_hit(origin, direction);
   if (!hit) return std::nullopt;
   return caster_->point(hit, origin, direction, surfaces_);
+}
+
+std::size_t SurfacePicker::index_of(const SurfacePoint& point) const {
+  return indices_.at(static_cast<std::size_t>(point.surface - surfaces_.data()));
 }
 
 }  // namespace brume

@@ -19,13 +19,16 @@ class SurfacePicker : public QObject {
   [[nodiscard]] bool is_ready();
   // First hit of a ray of unit direction.
   std::optional<SurfacePoint> hit(const glm::dvec3& origin, const glm::dvec3& direction);
+  // The surface of a point that hit() gave, of the scene's.
+  [[nodiscard]] std::size_t index_of(const SurfacePoint& point) const;
 
  private:
   void prepare();
 
   const Document& document_;
-  std::vector<Surface> all_;       // of the document
-  std::vector<Surface> surfaces_;  // of caster_: the visible ones
+  std::vector<Surface> all_;          // of the document
+  std::vector<Surface> surfaces_;     // of caster_: the visible ones
+  std::vector<std::size_t> indices_;  // of those in all_
   std::shared_ptr<const RayCaster> caster_;
   BackgroundJob job_{BackgroundJob::Policy::latest_wins};
 };

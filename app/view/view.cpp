@@ -6,13 +6,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 #include "app/document/document.h"
 #include "app/view/bounds.h"
 #include "app/view/gizmo.h"
+#include "app/view/object_box.h"
 #include "app/view/surface_picker.h"
 #include "core/authoring/contribution.h"
 #include "core/scene/at_time.h"
+#include "core/transport/optical_depth.h"
 
 namespace brume {
 namespace {
@@ -55,6 +58,9 @@ std::shared_ptr<const Scene> View::shown_scene() const {
 }
 
 glm::dvec3 View::pivot() const {
+  if (const auto& object = document_.object()) {
+    return object_center(document_.scene(), *object, rays().eye());
+  }
   const auto sphere = bounding_sphere(document_.medium(), document_.selection());
   return sphere ? sphere->center : camera().target;
 }
@@ -78,6 +84,24 @@ glm::dvec3 View::place_under_mouse(double radius) {
 glm::dvec3 View::shift_on_film(QPointF pixels) const {
   const QPointF middle = QRectF(pane_.rect()).center();
   return dragged_across(pivot(), rays(), middle, middle + pixels);
+}
+
+std::optional<std::size_t> View::visible_surface(QPointF position) {
+  const CameraRays view = rays();
+  const auto surface = surfaces_.hit(view.eye(), view.direction(position.x(), position.y()));
+  if (!surface) return std::nullopt;
+  const std::size_t index = surfaces_.index_of(*surface);
+  if (document_.scene().surfaces[index].locked) return std::nullopt;
+  const auto scene = document_.visible_snapshot();
+  double depth =
+      projection() == Projection::perspective
+          ? scene->medium.homogeneous_density() * glm::distance(view.eye(), surface->position)
+          : 0.0;
+  for (std::size_t i = 0; i < scene->medium.size() && depth < std::numbers::ln2; ++i) {
+    depth += optical_depth(GaussianTerm<double>(scene->medium.gaussian(i)), view.eye(),
+                           surface->position);
+  }
+  return depth < std::numbers::ln2 ? std::optional(index) : std::nullopt;
 }
 
 std::optional<GaussianId> View::max_visible(QPointF position) {

@@ -40,13 +40,17 @@ class View {
   // homogeneous fog, which would be opaque from so far away.
   [[nodiscard]] std::shared_ptr<const Scene> shown_scene() const;
 
-  // Pivot of tools: the selection's center, or the camera's target.
+  // Pivot of tools: the center of the document's object or of the selected Gaussians, or the
+  // camera's target.
   [[nodiscard]] glm::dvec3 pivot() const;
   // Placement of a sphere under the mouse (or the film's center): on the view plane through the
   // target, or in front of a nearer surface.
   [[nodiscard]] glm::dvec3 place_under_mouse(double radius);
   // World-space vector of a pixel offset at the pivot's depth.
   [[nodiscard]] glm::dvec3 shift_on_film(QPointF pixels) const;
+  // The surface at a position, neither hidden nor locked, if the fog before it lets more than half
+  // of its light through: else a click means the fog.
+  [[nodiscard]] std::optional<std::size_t> visible_surface(QPointF position);
   // The unlocked Gaussian that absorbs most light at a position; nullopt if negligible.
   [[nodiscard]] std::optional<GaussianId> max_visible(QPointF position);
   [[nodiscard]] SurfacePicker& surfaces() { return surfaces_; }

@@ -34,6 +34,7 @@ void ViewInput::enter() {
 
 void ViewInput::press(const QMouseEvent& event) {
   if (drag_ != Drag::none) return;  // one gesture at a time
+  right_press_.reset();
   flush_moves();
   if (tool_) tool_->set_view(view_);
   last_position_ = event.position();
@@ -50,6 +51,8 @@ void ViewInput::start_drag(const QMouseEvent& event) {
   if (navigation && !tools_own) {
     drag_ = Drag::camera;
     camera_drag_ = *navigation;
+  } else if (event.button() == Qt::RightButton) {
+    right_press_ = event.position();
   } else if (left && tool_) {
     drag_ = Drag::tool;
     tool_->press(event.position(), event.modifiers());
@@ -91,6 +94,10 @@ void ViewInput::release(const QMouseEvent& event) {
     drag_ = Drag::none;
   } else if (held == Qt::NoButton) {
     drag_ = Drag::none;
+  }
+  if (event.button() == Qt::RightButton && right_press_) {
+    const QPointF pressed = *std::exchange(right_press_, std::nullopt);
+    if ((event.position() - pressed).manhattanLength() < 4.0) Q_EMIT menu_asked(pressed);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointF>
 #include <QTimer>
+#include <optional>
 #include <vector>
 
 #include "app/view/navigation.h"
@@ -40,6 +41,7 @@ class ViewInput : public QObject {
 
  Q_SIGNALS:
   void pointed_at(QPointF position);  // with no button down
+  void menu_asked(QPointF position);  // a click of the right button
 
  private:
   enum class Drag { none, camera, tool };
@@ -52,6 +54,7 @@ class ViewInput : public QObject {
   std::vector<QPointF> path_;  // collected mouse positions
   QPointF last_position_;
   QTimer timer_;
+  std::optional<QPointF> right_press_;
 };
 
 }  // namespace brume

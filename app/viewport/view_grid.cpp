@@ -46,6 +46,8 @@ void ViewGrid::make_pane(Projection projection) {
   connect(&pane->frames(), &FrameScheduler::failed, this, &ViewGrid::failed);
   connect(pane, &Viewport::pointed_at, this,
           [this, pane](QPointF position) { Q_EMIT pointed_at(*pane, position); });
+  connect(pane, &Viewport::menu_asked, this,
+          [this, pane](QPointF position) { Q_EMIT menu_asked(*pane, position); });
   connect(&pane->frames(), &FrameScheduler::mode_changed, this, &ViewGrid::update_titles);
   const auto pass_on = [this, pane](auto signal) {
     return [this, pane, signal] {

@@ -45,6 +45,7 @@ class ViewGrid : public QWidget {
  Q_SIGNALS:
   void pane_made(brume::Viewport* pane);
   void pointed_at(brume::View& view, QPointF position);
+  void menu_asked(brume::Viewport& view, QPointF position);
   // Signals of the active view; also emitted when it changes.
   void active_changed();
   void frame_shown();

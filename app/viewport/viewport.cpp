@@ -31,6 +31,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   overlay_timer_.setSingleShot(true);
   connect(&overlay_timer_, &QTimer::timeout, this, &Viewport::draw_overlay);
   connect(&input_, &ViewInput::pointed_at, this, &Viewport::pointed_at);
+  connect(&input_, &ViewInput::menu_asked, this, &Viewport::menu_asked);
   connect(&camera_controller(), &CameraController::moved, &frames_, &FrameScheduler::request);
   connect(&shown_handles(), &ShownHandles::changed, this, &Viewport::update_overlay);
   connect(&frames_, &FrameScheduler::frame_shown, this, [this] {
@@ -47,6 +48,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&document, &Document::part_changed, this, &Viewport::update_overlay);
   connect(&document, &Document::active_emitter_changed, this, &Viewport::update_overlay);
   connect(&document, &Document::active_light_changed, this, &Viewport::update_overlay);
+  connect(&document, &Document::object_changed, this, &Viewport::update_overlay);
   if (projection != Projection::perspective) camera_controller().reset();
 }
 

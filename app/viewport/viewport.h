@@ -39,6 +39,7 @@ class Viewport : public QWidget, public View {
  Q_SIGNALS:
   void used();                        // by mouse, wheel or keys
   void pointed_at(QPointF position);  // by the mouse, with no button down
+  void menu_asked(QPointF position);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

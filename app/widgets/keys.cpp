@@ -19,6 +19,8 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"edit.redo", "Ctrl+Shift+Z; Ctrl+Y"},
     {"edit.add_gaussian", "Shift+A"},
     {"edit.delete", "Del; X"},
+    {"edit.rename", "F2"},
+    {"edit.find_command", "F3; Ctrl+Shift+P"},
     {"edit.cut", "Ctrl+X"},
     {"edit.copy", "Ctrl+C"},
     {"edit.paste", "Ctrl+V"},

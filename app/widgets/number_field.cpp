@@ -13,12 +13,14 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
 
 void NumberField::show_value(std::optional<double> value) {
   value_ = value;
+  is_mixed_ = false;
   setPlaceholderText(QString(QChar(0x2013)));
   if (!hasFocus() || !isModified()) revert();  // what is being typed stays
 }
 
 void NumberField::show_mixed() {
   show_value(std::nullopt);
+  is_mixed_ = true;
   setPlaceholderText(tr("mixed"));
 }
 
@@ -31,7 +33,12 @@ void NumberField::revert() {
 void NumberField::commit() {
   if (!isModified()) return;
   setModified(false);
-  Q_EMIT committed(parse_number(text()));
+  const std::optional<Adjustment> adjustment = parse_adjustment(text());
+  if (adjustment && is_mixed_) {
+    Q_EMIT adjusted(*adjustment);
+  } else {
+    Q_EMIT committed(adjustment && value_ ? adjustment->of(*value_) : parse_number(text()));
+  }
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

@@ -3,10 +3,13 @@
 #include <QLineEdit>
 #include <optional>
 
+#include "app/document/arithmetic.h"
+
 namespace brume {
 
-// A number field that may be empty ("–") or mixed. Enter and leaving the field commit, Escape
-// reverts; both keys return the focus to the view.
+// A number field that may be empty ("–") or mixed. It takes numbers, arithmetic, and changes of
+// what it shows, such as "*2" (see app/document/arithmetic.h). Enter and leaving the field commit,
+// Escape reverts; both keys return the focus to the view.
 class NumberField : public QLineEdit {
   Q_OBJECT
  public:
@@ -17,7 +20,8 @@ class NumberField : public QLineEdit {
   void commit();                                 // typed text, if any
 
  Q_SIGNALS:
-  void committed(double value);  // NaN if the text is no number
+  void committed(double value);                        // NaN if the text is no number
+  void adjusted(const brume::Adjustment& adjustment);  // of each of several different values
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -28,6 +32,7 @@ class NumberField : public QLineEdit {
   void revert();
 
   std::optional<double> value_;
+  bool is_mixed_ = false;
 };
 
 }  // namespace brume

@@ -43,6 +43,8 @@ ValueField::ValueField(const QString& title, const NumberDomain& domain, Scale s
       Q_EMIT refused(tr("%1 must be %2.").arg(title_, domain_.allowed));
     }
   });
+  connect(field_, &NumberField::adjusted, this, &ValueField::adjusted);
+  field_->setToolTip(tr("A number, arithmetic as 0.5*3, or a change: *2  /3  +0.1  -=0.1"));
 }
 
 QLabel* ValueField::detach_title() {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands/medium_command.h"
+#include "app/document/arithmetic.h"
 #include "core/number_domain.h"
 
 class QLabel;
@@ -35,6 +36,7 @@ class ValueField : public QWidget {
  Q_SIGNALS:
   // Value within the domain. Edits of one drag or wheel turn share an id.
   void edited(double value, brume::MergeId gesture);
+  void adjusted(const brume::Adjustment& adjustment);  // of each of several different values
   void refused(const QString& problem);
 
  protected:

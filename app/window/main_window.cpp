@@ -126,6 +126,7 @@ void MainWindow::connect_document() {
   };
   connect(files_, &SceneFiles::opened_without, this, show_missing_files);
   connect(views_, &ViewGrid::failed, this, fail);
+  connect(views_, &ViewGrid::menu_asked, this, &MainWindow::show_view_menu);
   connect(&views_->transfer_job(), &TransferJob::warned, message_bar_, &MessageBar::show_note);
   connect(&views_->transfer_job().job(), &BackgroundJob::failed, message_bar_,
           &MessageBar::show_error);

@@ -66,6 +66,10 @@ class MainWindow : public QMainWindow {
   void create_status_bar();  // main_window_status.cpp
   void create_actions();     // main_window_actions.cpp
   void look_through_light();
+  void fill_add_menu(QMenu* menu);  // main_window_objects.cpp
+  void show_view_menu(Viewport& view, QPointF position);
+  void add_primitive(Primitive::Shape shape);
+  void rename_object();
   void fill_airlight_menu(QMenu* menu);
   void fill_backend_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);

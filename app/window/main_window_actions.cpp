@@ -11,6 +11,7 @@
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_objects.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
 #include "app/document/timeline.h"
@@ -18,15 +19,15 @@
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
-#include "app/panels/light_panel.h"
 #include "app/panels/timeline_bar.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
-#include "app/widgets/keys.h"
+#include "app/window/command_search.h"
 #include "app/window/help_windows.h"
 #include "app/window/main_window.h"
+#include "app/window/menu_action.h"
 
 namespace brume {
 namespace {
@@ -54,13 +55,8 @@ void MainWindow::look_through_light() {
 }
 
 void MainWindow::create_actions() {
-  // `name` is that of the action in the table of keys.
   const auto add = [this](QMenu* menu, const QString& text, const char* name, auto react) {
-    QAction* action = menu->addAction(text);
-    action->setObjectName(name);
-    action->setShortcuts(keys_of(name));
-    connect(action, &QAction::triggered, this, react);
-    return action;
+    return add_action(menu, text, name, this, react);
   };
 
   QMenu* file = menuBar()->addMenu(tr("&File"));
@@ -100,7 +96,8 @@ void MainWindow::create_actions() {
   edit->addAction(undo);
   edit->addAction(redo);
   edit->addSeparator();
-  add(edit, tr("Add &Gaussian"), "edit.add_gaussian", [this] { add_gaussian_in_view(); });
+  add(edit, tr("Fi&nd Command…"), "edit.find_command",
+      [this] { (new CommandSearch(*menuBar(), this))->open(); });
   edit->addSeparator();
   add(edit, tr("Cu&t"), "edit.cut", [this] { cut_selection(document_); });
   add(edit, tr("&Copy"), "edit.copy", [this] { copy_selection(document_); });
@@ -110,10 +107,22 @@ void MainWindow::create_actions() {
   add(edit, tr("Paste in Pl&ace"), "edit.paste_in_place",
       [this] { paste_gaussians(document_, std::nullopt); });
   add(edit, tr("D&uplicate"), "edit.duplicate", [this] {
+    if (document_.object()) return duplicate_object(document_, *document_.object());
     duplicate_selection(document_,
                         views_->active().shift_on_film({duplicate_shift, duplicate_shift}));
   });
-  add(edit, tr("&Delete"), "edit.delete", [this] { delete_selection(document_, tr("Delete")); });
+  add(edit, tr("&Delete"), "edit.delete", [this] {
+    if (const auto object = document_.object()) {
+      delete_object(document_, *object);
+      return document_.set_object(std::nullopt);  // a second key deletes no other one
+    }
+    delete_selection(document_, tr("Delete"));
+  });
+  add(edit, tr("Rena&me"), "edit.rename", [this] { rename_object(); });
+
+  QMenu* adding = menuBar()->addMenu(tr("&Add"));
+  adding->setObjectName("add_menu");
+  fill_add_menu(adding);
 
   QMenu* select = menuBar()->addMenu(tr("&Select"));
   add(select, tr("&All"), "select.all", [this] { select_all(document_); });
@@ -122,12 +131,16 @@ void MainWindow::create_actions() {
   add(select, tr("&Grow"), "select.grow", [this] { grow_selection(document_); });
   add(select, tr("Shrin&k"), "select.shrink", [this] { shrink_selection(document_); });
   select->addSeparator();
-  add(select, tr("&Hide"), "select.hide",
-      [this] { document_.hide(joined(document_.hidden(), document_.selection())); });
+  add(select, tr("&Hide"), "select.hide", [this] {
+    if (document_.object()) return show_object(document_, *document_.object(), false);
+    document_.hide(joined(document_.hidden(), document_.selection()));
+  });
   add(select, tr("Isola&te"), "select.isolate", [this] { isolate_selection(); });
   add(select, tr("&Show All"), "select.show_all", [this] { document_.hide({}); });
-  add(select, tr("&Lock"), "select.lock",
-      [this] { document_.lock(joined(document_.locked(), document_.selection())); });
+  add(select, tr("&Lock"), "select.lock", [this] {
+    if (document_.object()) return lock_object(document_, *document_.object(), true);
+    document_.lock(joined(document_.locked(), document_.selection()));
+  });
   add(select, tr("&Unlock All"), "select.unlock_all", [this] { document_.lock({}); });
 
   QMenu* tool = menuBar()->addMenu(tr("&Tool"));
@@ -139,19 +152,6 @@ void MainWindow::create_actions() {
   add(tool, tr("&Thinner"), "tool.weaker",
       [this] { tools_->tool().change_strength(1.0 / tool_step); });
   add(tool, tr("&Denser"), "tool.stronger", [this] { tools_->tool().change_strength(tool_step); });
-
-  QMenu* light = menuBar()->addMenu(tr("&Light"));
-  const auto add_light_action = [&](const QString& text, const char* name, LightType type) {
-    add(light, text, name, [this, type] { findChild<LightPanel*>()->add(type); });
-  };
-  add_light_action(tr("Add &Point Light"), "light.point", LightType::point);
-  add_light_action(tr("Add &Spot"), "light.spot", LightType::spot);
-  add_light_action(tr("Add S&un"), "light.directional", LightType::directional);
-  add_light_action(tr("Add &Rectangle"), "light.rectangle", LightType::rectangle);
-  add_light_action(tr("Add &Disk"), "light.disk", LightType::disk);
-  add_light_action(tr("Add Sp&here"), "light.sphere", LightType::sphere);
-  light->addSeparator();
-  add(light, tr("&Look Through Light"), "light.look_through", [this] { look_through_light(); });
 
   QMenu* time = menuBar()->addMenu(tr("T&ime"));
   add(time, tr("&Play or Pause"), "time.play",
@@ -175,6 +175,7 @@ void MainWindow::create_actions() {
       [this] { views_->active().camera_controller().frame_selection(); });
   add(view, tr("&Scene Camera"), "view.scene_camera",
       [this] { viewport_->camera_controller().set_camera(document_.scene().camera); });
+  add(view, tr("&Look Through Light"), "light.look_through", [this] { look_through_light(); });
   add(view, tr("Set Scene Camera &to View"), "view.store_camera",
       [this] { set_scene_camera(document_, viewport_->camera(), tr("Set scene camera to view")); });
   view->addSeparator();
@@ -193,10 +194,11 @@ void MainWindow::create_actions() {
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add(help, tr("&Keyboard Shortcuts"), "help.keys", [this, file, edit, select, tool, time, view] {
-    show_keys(this, file->actions() + edit->actions() + select->actions() + tool->actions() +
-                        time->actions() + view->actions());
-  });
+  add(help, tr("&Keyboard Shortcuts"), "help.keys",
+      [this, file, edit, adding, select, tool, time, view] {
+        show_keys(this, file->actions() + edit->actions() + adding->actions() + select->actions() +
+                            tool->actions() + time->actions() + view->actions());
+      });
   add(help, tr("&About Brume"), "", [this] { show_about(this); });
 }
 

@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QScrollArea>
+#include <array>
 
 #include "app/panels/contribution_panel.h"
 #include "app/panels/emitter_panel.h"
@@ -90,13 +91,17 @@ void MainWindow::create_docks() {
   timeline_dock->setWidget(timeline_bar_);
   addDockWidget(Qt::BottomDockWidgetArea, timeline_dock);
 
+  connect(&document_, &Document::object_changed, this, [this, lights, emitters, material] {
+    const auto& object = document_.object();
+    if (!object) return;
+    const std::array panels{lights, emitters, material};  // by kind
+    panels.at(static_cast<std::size_t>(object->kind))->raise();
+  });
   connect(outliner, &Outliner::asked_for, this,
-          [this, gaussians, lights, medium, material, emitters, material_panel](Outliner::Kind kind,
-                                                                                std::size_t index) {
+          [this, gaussians, lights, medium, material, emitters](Outliner::Kind kind,
+                                                                std::size_t index) {
             using Kind = Outliner::Kind;
             if (kind == Kind::light) document_.set_active_light(index);
-            if (kind == Kind::emitter) document_.set_active_emitter(index);
-            if (kind == Kind::surface) material_panel->show_surface(index);
             QDockWidget* panel = kind == Kind::gaussians ? gaussians
                                  : kind == Kind::medium  ? medium
                                  : kind == Kind::surface ? material

@@ -89,6 +89,18 @@ std::size_t mesh_bytes(const TriangleMesh& mesh) {
   return bytes_of(mesh.n_vertices(), mesh.n_edges(), mesh.n_faces());
 }
 
+MeshBox box_of(const TriangleMesh& mesh) {
+  if (mesh.n_vertices() == 0) return {};
+  const Vec3f* const points = mesh.points();
+  Vec3f low = points[0];
+  Vec3f high = points[0];
+  for (std::size_t i = 1; i < mesh.n_vertices(); ++i) {
+    low.minimize(points[i]);
+    high.maximize(points[i]);
+  }
+  return {glm::dvec3(to_vec3(low)), glm::dvec3(to_vec3(high))};
+}
+
 std::vector<glm::dvec3> world_points(const Surface& surface, std::span<const glm::vec3> points) {
   const Placement placement(surface);
   std::vector<glm::dvec3> result(points.size());

@@ -32,6 +32,13 @@ std::shared_ptr<TriangleMesh> to_mesh(
 // Approximate memory of a mesh.
 std::size_t mesh_bytes(const TriangleMesh& mesh);
 
+// The box around a mesh, in its file's own coordinates; of no vertices around the origin.
+struct MeshBox {
+  glm::dvec3 low{0.0};
+  glm::dvec3 high{0.0};
+};
+MeshBox box_of(const TriangleMesh& mesh);
+
 // The points of a surface's mesh in the world.
 std::vector<glm::dvec3> world_points(const Surface& surface, std::span<const glm::vec3> points);
 std::vector<glm::dvec3> world_points(const Surface& surface);

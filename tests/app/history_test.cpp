@@ -10,6 +10,7 @@
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
+#include "app/commands/edit_objects.h"
 #include "app/commands/edit_surfaces.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
@@ -34,13 +35,13 @@ class RandomHands {
   void act() {
     using Act = void (RandomHands::*)();
     static constexpr Act acts[]{
-        &RandomHands::add,         &RandomHands::remove,  &RandomHands::set_a_field,
-        &RandomHands::drag,        &RandomHands::paint,   &RandomHands::erase,
-        &RandomHands::copy,        &RandomHands::choose,  &RandomHands::choose_by_rule,
-        &RandomHands::light,       &RandomHands::emitter, &RandomHands::whole_medium,
-        &RandomHands::surface,     &RandomHands::camera,  &RandomHands::hide_or_lock,
-        &RandomHands::environment, &RandomHands::key,     &RandomHands::playback,
-        &RandomHands::go_back};
+        &RandomHands::add,     &RandomHands::remove,       &RandomHands::set_a_field,
+        &RandomHands::drag,    &RandomHands::paint,        &RandomHands::erase,
+        &RandomHands::copy,    &RandomHands::choose,       &RandomHands::choose_by_rule,
+        &RandomHands::light,   &RandomHands::emitter,      &RandomHands::whole_medium,
+        &RandomHands::surface, &RandomHands::object,       &RandomHands::add_primitive,
+        &RandomHands::camera,  &RandomHands::hide_or_lock, &RandomHands::environment,
+        &RandomHands::key,     &RandomHands::playback,     &RandomHands::go_back};
     (this->*acts[below(std::size(acts))])();
   }
 
@@ -164,6 +165,37 @@ class RandomHands {
     optics.anisotropy = below(2) == 0 ? 0.0 : 0.2;
     set_scene_part(document_, optics, "Set anisotropy");
   }
+  // A light, an emitter or a surface, there or not.
+  void object() {
+    const ObjectRef ref{static_cast<ObjectRef::Kind>(below(3)), below(3)};
+    const auto before = object_of(document_.scene(), ref);
+    switch (below(4)) {
+      case 0:
+        return rename_object(document_, ref, below(2) == 0 ? "" : "name");
+      case 1:
+        return show_object(document_, ref, below(2) == 0);
+      case 2:
+        return lock_object(document_, ref, below(2) == 0);
+      default: {
+        if (!before) return;
+        const MergeId merge_id = new_merge_id();
+        for (int step = 0; step < 2; ++step) {
+          move_object(document_, ref, *before,
+                      {point(), point(), from_euler_angles(100.0 * point()), glm::dvec3(number()),
+                       below(2) == 0 ? 1.0 : number()},
+                      "Move %1", merge_id);
+        }
+      }
+    }
+  }
+  void add_primitive() {
+    if (document_.scene().surfaces.size() >= 4) return;
+    Surfaces surfaces = document_.scene().surfaces;
+    Surface& surface = surfaces.emplace_back();
+    surface.primitive = Primitive{static_cast<Primitive::Shape>(below(4)), glm::dvec3(number())};
+    surface.mesh = mesh_of(*surface.primitive);
+    set_scene_part(document_, std::move(surfaces), "Add primitive");
+  }
   void surface() {
     const std::size_t count = document_.scene().surfaces.size();
     if (count == 0) return;
@@ -175,7 +207,7 @@ class RandomHands {
       case 0:
         return count > 1 ? delete_surface(document_, index) : void();
       case 1:
-        return count < 4 ? duplicate_surface(document_, index) : void();
+        return count < 4 ? duplicate_object(document_, {ObjectRef::Kind::surface, index}) : void();
       case 2:
         return change([&](Surface& s) {
           s.translate = point();

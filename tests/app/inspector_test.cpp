@@ -175,6 +175,42 @@ class InspectorTest : public QObject {
     QVERIFY(radius->placeholderText() != "mixed");
   }
 
+  void changes_act_on_each_of_mixed_values() {
+    TestWindow window;
+    Document& document = window->document();
+    const std::vector<double> before(document.medium().radii().begin(),
+                                     document.medium().radii().end());
+    auto* radius = window->findChild<NumberField*>("radius");
+    const auto type = [&](const QString& text) {
+      radius->setFocus();
+      QTest::keyClicks(radius, text);
+      QTest::keyClick(radius, Qt::Key_Return);
+    };
+    document.select({1, 2, 5});
+    QCOMPARE(radius->placeholderText(), QString("mixed"));
+    type("*2");
+    QCOMPARE(document.undo_stack().undoText(), QString("Change radius of 3 Gaussians"));
+    type("+0.5");
+    type("/4");
+    type("-=1/8");
+    QCOMPARE(document.undo_stack().count(), 4);
+    for (const std::size_t k : {0U, 1U, 4U}) {
+      QVERIFY(std::abs(document.medium().radii()[k] - before[k] / 2.0) < 1e-12);
+    }
+    QCOMPARE(document.medium().radii()[2], before[2]);
+    type("*nonsense");
+    QCOMPARE(document.undo_stack().count(), 4);
+    type("-=100");  // no radius is negative
+    for (const double r : document.medium().radii()) QVERIFY(r > 0.0);
+    document.undo_stack().setIndex(0);
+    // Of one value the field makes another.
+    document.select({1});
+    type("*3");
+    QCOMPARE(document.medium().radii()[0], 3.0 * before[0]);
+    type("/0");
+    QCOMPARE(document.medium().radii()[0], 3.0 * before[0]);
+  }
+
   void a_drag_in_a_histogram_selects_a_range() {
     TestWindow window;
     Document& document = window->document();

@@ -152,7 +152,10 @@ class SurfacesTest : public QObject {
     QVERIFY(!window.choose(window.tree().topLevelItem(surface_group), "Delete"));
     QVERIFY(!window.choose(window.tree().topLevelItem(environment_group), "Delete"));
     for (int k = 0; k < 4; ++k) window.document().undo_stack().undo();
-    QVERIFY(!window.choose(window.item(light_group, 0), "Duplicate"));
+    QCOMPARE(window.saved(), before);
+    QVERIFY(window.choose(window.item(light_group, 0), "Duplicate"));
+    QCOMPARE(window.document().scene().lights.size(), std::size_t{2});
+    window.document().undo_stack().undo();
     QCOMPARE(window.saved(), before);
   }
 

@@ -1,0 +1,35 @@
+#include "app/tools/click_target.h"
+
+#include <QLineF>
+
+#include "app/document/document.h"
+#include "app/view/view.h"
+
+namespace brume {
+namespace {
+
+std::optional<ObjectRef> object_at(const Document& document, View& view, QPointF position) {
+  const CameraRays rays = view.rays();
+  const Emitters& emitters = document.scene().emitters;
+  for (std::size_t k = 0; k < emitters.size(); ++k) {
+    const glm::dvec3 at = rays.project(emitters[k].position);
+    if (!emitters[k].locked && at.z > 0.0 &&
+        QLineF(QPointF(at.x, at.y), position).length() <= emitter_radius) {
+      return ObjectRef{ObjectRef::Kind::emitter, k};
+    }
+  }
+  const auto surface = view.visible_surface(position);
+  return surface ? std::optional(ObjectRef{ObjectRef::Kind::surface, *surface}) : std::nullopt;
+}
+
+}  // namespace
+
+ClickTarget click_target(const Document& document, View& view, QPointF position) {
+  if (const auto index = view.handles().pick(position)) {
+    return {document.medium().ids()[*index], std::nullopt};
+  }
+  if (const auto object = object_at(document, view, position)) return {std::nullopt, object};
+  return {view.max_visible(position), std::nullopt};
+}
+
+}  // namespace brume

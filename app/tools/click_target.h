@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QPointF>
+#include <optional>
+
+#include "app/document/object_ref.h"
+#include "core/medium/medium.h"
+
+namespace brume {
+
+class Document;
+class View;
+
+// What a click means: at most one of these.
+struct ClickTarget {
+  std::optional<GaussianId> gaussian;
+  std::optional<ObjectRef> object;
+
+  bool operator==(const ClickTarget&) const = default;
+};
+
+// Handles of Gaussians and emitters come first, then surfaces seen through thin fog, then the
+// Gaussian that takes most light at the position. What is locked is not met.
+ClickTarget click_target(const Document& document, View& view, QPointF position);
+
+constexpr double emitter_radius = 7.0;  // of the ring of an emitter [pixels]
+
+}  // namespace brume

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QRgb>
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "app/document/object_ref.h"
+#include "core/scene/scene.h"
+
+namespace brume {
+
+class CameraRays;
+struct Overlay;
+
+// What of an object is seen in a view besides its picture. `ref` must be one of the scene's.
+
+// Corners of the box around a surface's mesh, along its own axes: corner k has the greater x, y, z
+// where the bits 1, 2, 4 of k are set.
+std::array<glm::dvec3, 8> box_corners(const Surface& surface);
+// The middle of a surface's box; where a light (drawn for an eye there) or an emitter is.
+glm::dvec3 object_center(const Scene& scene, const ObjectRef& ref, const glm::dvec3& eye);
+// Draws the box of a surface, a ring around others.
+void add_object_outline(Overlay& overlay, const CameraRays& rays, const Scene& scene,
+                        const ObjectRef& ref, QRgb color);
+
+}  // namespace brume

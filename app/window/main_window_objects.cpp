@@ -1,0 +1,115 @@
+// The menu Add, and the menu of what is under the mouse in a view.
+
+#include <QDockWidget>
+#include <algorithm>
+
+#include "app/commands/edit_emitters.h"
+#include "app/commands/edit_objects.h"
+#include "app/commands/edit_surfaces.h"
+#include "app/commands/select_command.h"
+#include "app/import/scene_import.h"
+#include "app/panels/light_panel.h"
+#include "app/panels/outliner.h"
+#include "app/tools/click_target.h"
+#include "app/view/surface_picker.h"
+#include "app/viewport/view_grid.h"
+#include "app/window/main_window.h"
+#include "app/window/menu_action.h"
+#include "core/math/rounded.h"
+
+namespace brume {
+
+void MainWindow::fill_add_menu(QMenu* menu) {
+  struct Shape {
+    const char* name;
+    Primitive::Shape shape;
+  };
+  for (const Shape& entry :
+       {Shape{"add.plane", Primitive::Shape::plane}, Shape{"add.box", Primitive::Shape::box},
+        Shape{"add.sphere", Primitive::Shape::sphere},
+        Shape{"add.cylinder", Primitive::Shape::cylinder}}) {
+    add_action(menu, primitive_title(entry.shape), entry.name, this,
+               [this, shape = entry.shape] { add_primitive(shape); });
+  }
+  add_action(menu, tr("&Mesh from File…"), "", this, [this] { import_->ask(); });
+  menu->addSeparator();
+  const auto add_light_action = [&](const QString& text, const char* name, LightType type) {
+    add_action(menu, text, name, this, [this, type] { findChild<LightPanel*>()->add(type); });
+  };
+  add_light_action(tr("&Point Light"), "light.point", LightType::point);
+  add_light_action(tr("&Spot"), "light.spot", LightType::spot);
+  add_light_action(tr("S&un"), "light.directional", LightType::directional);
+  add_light_action(tr("&Rectangle Light"), "light.rectangle", LightType::rectangle);
+  add_light_action(tr("&Disk Light"), "light.disk", LightType::disk);
+  add_light_action(tr("Sp&here Light"), "light.sphere", LightType::sphere);
+  menu->addSeparator();
+  add_action(menu, tr("&Gaussian"), "edit.add_gaussian", this, [this] { add_gaussian_in_view(); });
+  add_action(menu, tr("&Emitter"), "add.emitter", this, [this] {
+    add_emitter(document_, views_->active().pivot(), views_->active().distance());
+    document_.set_object(ObjectRef{ObjectRef::Kind::emitter, document_.active_emitter()});
+  });
+}
+
+// A seventh as large as what is looked at is far, on what is below that, or else on the ground.
+void MainWindow::add_primitive(Primitive::Shape shape) {
+  View& view = views_->active();
+  const double size = std::max(rounded(0.15 * view.distance(), 1), limits::min_length);
+  const bool is_plane = shape == Primitive::Shape::plane;
+  Surface surface;
+  surface.primitive = Primitive{shape, glm::dvec3(is_plane ? 4.0 * size : size)};
+  surface.mesh = mesh_of(*surface.primitive);
+  const glm::dvec3 target = view.camera().target;
+  const auto below = view.surfaces().hit(target + glm::dvec3(0.0, size, 0.0), {0.0, -1.0, 0.0});
+  surface.translate = {rounded(target.x, 3),
+                       below ? below->position.y : std::min(0.0, rounded(target.y, 3)),
+                       rounded(target.z, 3)};
+  if (!is_plane) surface.translate.y += 0.5 * size;
+  import_->add_surfaces({surface}, tr("Add %1").arg(primitive_title(shape)));
+  document_.set_object(ObjectRef{ObjectRef::Kind::surface, document_.scene().surfaces.size() - 1});
+}
+
+void MainWindow::rename_object() {
+  if (!document_.object())
+    return show_status(tr("Select a light, emitter or surface to rename it"));
+  auto* dock = findChild<QDockWidget*>("outliner");
+  dock->show();
+  dock->raise();
+  findChild<Outliner*>()->rename_current();
+}
+
+void MainWindow::show_view_menu(Viewport& view, QPointF position) {
+  const ClickTarget target = click_target(document_, view, position);
+  // Selected Gaussians stay: the menu is about all of them.
+  if (target.object) {
+    document_.set_object(target.object);
+  } else if (target.gaussian && !document_.is_selected(*target.gaussian)) {
+    select_gaussians(document_, {*target.gaussian});
+  }
+  auto* menu = new QMenu(&view);
+  menu->setObjectName("view_menu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [this, menu](std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+      if (auto* action = findChild<QAction*>(name)) menu->addAction(action);
+    }
+    menu->addSeparator();
+  };
+  if (const auto& object = document_.object()) {
+    menu->addSection(object_title(document_.scene(), *object));
+    add({"tool.move", "tool.rotate", "tool.scale"});
+    add({"edit.rename", "edit.duplicate", "select.hide", "select.lock", "edit.delete"});
+  } else if (!document_.selection().empty()) {
+    menu->addSection(tr("%n Gaussian(s)", nullptr, static_cast<int>(document_.selection().size())));
+    add({"tool.move", "tool.rotate", "tool.scale"});
+    add({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "select.hide", "select.lock",
+         "edit.delete"});
+  } else {
+    add({"edit.paste", "select.all"});
+  }
+  menu->addMenu(findChild<QMenu*>("add_menu"));
+  menu->addSeparator();
+  add({"view.frame_selection", "view.frame_all"});
+  menu->popup(view.mapToGlobal(position).toPoint());
+}
+
+}  // namespace brume

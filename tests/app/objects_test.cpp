@@ -1,0 +1,333 @@
+// Primitives, and lights, emitters and surfaces as they are met in the view and the outliner.
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
+#include <fstream>
+
+#include "app/commands/select_command.h"
+#include "app/document/document.h"
+#include "app/tools/tool_box.h"
+#include "app/view/object_box.h"
+#include "app/view/surface_picker.h"
+#include "app/viewport/viewport.h"
+#include "core/io/scene/scene_file.h"
+#include "core/medium/medium.h"
+#include "core/scene/at_time.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+// A box and a ball on a floor, an emitter, thin fog over the box and dense fog before the ball.
+class ObjectsWindow : public TestWindow {
+ public:
+  ObjectsWindow() {
+    std::ofstream(file("objects.brume")) << R"({"format": "brume-scene", "version": 1,
+      "film": {"width": 40, "height": 30}, "camera": {"eye": [0, 2, 9], "target": [0, 0.5, 0]},
+      "medium": {"gaussians": [{"center": [-1.5, 0.5, 0], "radius": 1, "density": 0.05},
+                               {"center": [1.5, 0.5, 2], "radius": 0.6, "density": 3}],
+        "emitters": [{"position": [0, 2.5, 0], "rate": 0, "owner": "pot"}]},
+      "lights": [{"type": "point", "position": [0, 4, 3], "intensity": [40, 40, 40]}],
+      "surfaces": [
+        {"primitive": {"type": "plane", "size": [9, 1, 9]}, "name": "floor", "owner": "us"},
+        {"primitive": {"type": "box", "owner": "box"}, "translate": [-1.5, 0.5, 0]},
+        {"primitive": {"type": "sphere"}, "translate": [1.5, 0.5, 0]}]})";
+    document().open(load_document(file("objects.brume")), file("objects.brume"));
+    before = saved();
+  }
+
+  Document& document() { return (*this)->document(); }
+  const Surfaces& surfaces() { return document().scene().surfaces; }
+  std::string saved() { return document_to_json(document().document_to_save(), "/"); }
+  bool is_before() {
+    document().undo_stack().setIndex(0);
+    return saved() == before;
+  }
+  Viewport& view() { return (*this)->viewport(); }
+  QPoint on_film(const glm::dvec3& point) {
+    const glm::dvec3 p = view().rays().project(point);
+    return QPointF(p.x, p.y).toPoint();
+  }
+  bool picks() {
+    return QTest::qWaitFor([this] { return view().surfaces().is_ready(); }, patience);
+  }
+  void click(QPoint at, Qt::MouseButton button = Qt::LeftButton) {
+    QTest::mouseMove(&view(), at);
+    QTest::mouseClick(&view(), button, {}, at);
+  }
+  QTreeWidget& tree() { return *(*this)->findChild<QTreeWidget*>("outliner_tree"); }
+  QTreeWidgetItem* row(const QString& name) {
+    for (QTreeWidgetItemIterator it(&tree()); *it; ++it) {
+      if ((*it)->text(0) == name) return *it;
+    }
+    return nullptr;
+  }
+  void click_row(const QString& name, int column) {
+    QTreeWidgetItem* item = row(name);
+    tree().scrollToItem(item);
+    const int x = tree().columnViewportPosition(column) + tree().columnWidth(column) / 2;
+    QTest::mouseClick(tree().viewport(), Qt::LeftButton, {},
+                      {x, tree().visualItemRect(item).center().y()});
+  }
+
+  std::string before;
+};
+
+constexpr int eye_column = 1;
+constexpr int lock_column = 2;
+constexpr ObjectRef box{ObjectRef::Kind::surface, 1};
+constexpr ObjectRef ball{ObjectRef::Kind::surface, 2};
+constexpr ObjectRef emitter{ObjectRef::Kind::emitter, 0};
+constexpr ObjectRef light{ObjectRef::Kind::light, 0};
+
+}  // namespace
+
+class ObjectsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_click_takes_what_is_seen() {
+    ObjectsWindow window;
+    QVERIFY(window.picks());
+    const QPoint corner = window.on_film({-1.85, 0.85, 0.5});  // beside the Gaussian's handle
+    window.click(corner);
+    QVERIFY(window.document().object() == box);
+    QVERIFY(window.document().selection().empty());
+    QCOMPARE(window.tree().currentItem(), window.row("Box"));
+    // The ball is hidden by dense fog, which is what a click means there.
+    window.click(window.on_film({1.5, 0.7, 2.0}));
+    QVERIFY(!window.document().object());
+    QCOMPARE(window.document().selection().size(), std::size_t{1});
+    window.click(window.on_film(window.document().scene().emitters[0].position));
+    QVERIFY(window.document().object() == emitter);
+    window.click(window.on_film(window.document().scene().lights[0].position));
+    QVERIFY(window.document().object() == light);
+    window.click({5, 5});
+    QVERIFY(!window.document().object());
+    // What is locked is left alone.
+    window.click_row("Box", lock_column);
+    QVERIFY(window.surfaces()[1].locked);
+    QVERIFY(window.picks());
+    window.click(corner);
+    QVERIFY(window.document().object() != box);
+    QVERIFY(window.is_before());
+  }
+
+  void handles_move_turn_and_scale() {
+    ObjectsWindow window;
+    window.click_row("Box", 0);
+    QVERIFY(window.document().object() == box);
+    const auto drag_from_center = [&](const glm::dvec3& from, const QPoint& by) {
+      const glm::dvec3 center =
+          object_center(window.document().scene(), box, window.view().rays().eye());
+      const QPoint start = window.on_film(center + from);
+      QTest::mouseMove(&window.view(), start);
+      window.drag(start, start + by);
+    };
+    window.key(Qt::Key_G);
+    drag_from_center({0.0, 0.5, 0.0}, {0, -60});  // the arrow of y
+    QCOMPARE(window.document().undo_stack().count(), 1);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Move Box"));
+    const Surface raised = window.surfaces()[1];
+    QVERIFY(raised.translate.y > 0.8);
+    QCOMPARE(raised.translate.x, -1.5);
+    QCOMPARE(raised.translate.z, 0.0);
+    QCOMPARE(window.document().medium().gaussian(0).center.y, 0.5);
+    window.key(Qt::Key_S);
+    drag_from_center({0.0, 0.5, 0.0}, {0, -60});
+    QCOMPARE(window.document().undo_stack().count(), 2);
+    const Surface stretched = window.surfaces()[1];
+    QVERIFY(stretched.primitive->size.y > 1.3);
+    QCOMPARE(stretched.primitive->size.x, 1.0);
+    QCOMPARE(stretched.scale, 1.0);
+    const auto corners = box_corners(stretched);
+    QVERIFY(std::abs(corners[7].y - corners[0].y - stretched.primitive->size.y) < 1e-5);
+    window.key(Qt::Key_R);
+    const glm::dvec3 center = stretched.translate;
+    const QPoint middle = window.on_film(center);
+    // The outer ring, 96 pixels around.
+    QTest::mouseMove(&window.view(), middle + QPoint(96, 0));
+    window.drag(middle + QPoint(96, 0), middle + QPoint(0, 96));
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Rotate Box"));
+    QVERIFY(std::abs(window.surfaces()[1].rotate.w) < 0.8);
+    QVERIFY(window.settle());
+    QVERIFY(window.is_before());
+  }
+
+  void escape_ends_a_drag_as_if_it_had_not_been() {
+    ObjectsWindow window;
+    window.click_row("Box", 0);
+    window.key(Qt::Key_G);
+    const QPoint middle = window.on_film({-1.5, 0.5, 0.0});
+    const QPoint arrow = window.on_film({-1.5, 1.0, 0.0});
+    QTest::mouseMove(&window.view(), arrow);
+    QTest::mousePress(&window.view(), Qt::LeftButton, {}, arrow);
+    window.move(arrow + QPoint(0, -50));
+    QVERIFY(window.surfaces()[1].translate.y > 0.6);
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    QCOMPARE(window.saved(), window.before);
+    QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, middle);
+    QCOMPARE(window.saved(), window.before);
+  }
+
+  void keys_act_on_the_object() {
+    ObjectsWindow window;
+    select_all(window.document());
+    window.click_row("Sphere", 0);
+    window.key(Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(window.surfaces().size(), std::size_t{4});
+    QCOMPARE(window.document().medium().size(), std::size_t{2});
+    QVERIFY(window.document().object() == ObjectRef(ObjectRef::Kind::surface, 3));
+    window.key(Qt::Key_H);
+    QVERIFY(!window.surfaces()[3].visible);
+    window.key(Qt::Key_K);
+    QVERIFY(window.surfaces()[3].locked);
+    window.key(Qt::Key_Delete);
+    QCOMPARE(window.surfaces().size(), std::size_t{3});
+    QVERIFY(!window.document().object());
+    window.key(Qt::Key_Delete);  // now the Gaussians, which are selected
+    QCOMPARE(window.surfaces().size(), std::size_t{3});
+    QCOMPARE(window.document().medium().size(), std::size_t{0});
+    QVERIFY(window.is_before());
+  }
+
+  void names_are_edited_in_the_outliner() {
+    ObjectsWindow window;
+    const auto rename = [&](const QString& row, const QString& name) {
+      window.click_row(row, 0);
+      window.key(Qt::Key_F2);
+      auto* line = window.tree().findChild<QLineEdit*>();
+      QVERIFY(line);
+      line->setText(name);
+      QTest::keyClick(line, Qt::Key_Return);
+      // The name is taken when the editor has gone.
+      QTRY_VERIFY(!window.tree().findChild<QLineEdit*>());
+      QCoreApplication::processEvents();
+    };
+    rename("Box", "  crate \n ");
+    QCOMPARE(window.surfaces()[1].name, std::string("crate"));
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Rename Box"));
+    rename("crate", "crate");  // no step
+    QCOMPARE(window.document().undo_stack().count(), 1);
+    rename("Light 1", "key light");
+    rename("Emitter 1", "pot");
+    QVERIFY(window.row("key light") && window.row("pot"));
+    rename("crate", QString(300, QChar(0xe9)));
+    QCOMPARE(window.surfaces()[1].name.size(), std::size_t{256});
+    window.document().save(window.file("named.brume"));
+    const Scene loaded = load_scene(window.file("named.brume"));
+    QCOMPARE(loaded.lights[0].name, std::string("key light"));
+    QCOMPARE(loaded.emitters[0].name, std::string("pot"));
+    rename("pot", "");
+    QVERIFY(window.row("Emitter 1"));
+    QVERIFY(window.is_before());
+  }
+
+  void eyes_of_lights_and_emitters() {
+    ObjectsWindow window;
+    window.click_row("Light 1", eye_column);
+    QVERIFY(!window.document().scene().lights[0].on);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Turn off light 1"));
+    window.document().undo_stack().undo();
+    Emitters emitters = window.document().scene().emitters;
+    emitters[0].rate = 20.0;
+    Scene scene = window.document().scene();
+    scene.emitters = emitters;
+    QVERIFY(evaluate_at(scene, 2.0).medium.size() > 20);
+    window.click_row("Emitter 1", eye_column);
+    scene.emitters[0].visible = window.document().scene().emitters[0].visible;
+    QCOMPARE(evaluate_at(scene, 2.0).medium.size(), std::size_t{2});
+    QVERIFY(window.is_before());
+  }
+
+  void the_menu_of_the_view() {
+    ObjectsWindow window;
+    QVERIFY(window.picks());
+    const auto choose = [&](QPoint at, const QString& text) {
+      window.click(at, Qt::RightButton);
+      auto* menu = window.view().findChild<QMenu*>("view_menu");
+      if (!menu || !menu->isVisible()) return false;
+      for (QAction* action : menu->actions()) {
+        if (action->text().remove('&') != text) continue;
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+        return true;
+      }
+      menu->close();
+      return false;
+    };
+    const QPoint on_box = window.on_film({-1.85, 0.85, 0.5});
+    QVERIFY(choose(on_box, "Hide"));
+    QVERIFY(!window.surfaces()[1].visible);
+    window.document().undo_stack().undo();
+    QVERIFY(window.picks());
+    QVERIFY(choose(on_box, "Delete"));
+    QCOMPARE(window.surfaces().size(), std::size_t{2});
+    QVERIFY(window.is_before());
+    window.document().set_object(std::nullopt);
+    const QPoint in_fog = window.on_film({1.5, 0.5, 2.0});
+    QVERIFY(choose(in_fog, "Delete"));
+    QCOMPARE(window.document().medium().size(), std::size_t{1});
+    // A drag of the right button is no click.
+    window.drag(on_box, on_box + QPoint(40, 0), Qt::RightButton);
+    QVERIFY(!QApplication::activePopupWidget());
+    QVERIFY(window.is_before());
+  }
+
+  void primitives_are_added_and_lit() {
+    TestWindow window;
+    Document& document = window->document();
+    document.create();
+    for (const char* name : {"add.plane", "add.box", "add.sphere", "add.cylinder"}) {
+      window->findChild<QAction*>(name)->trigger();
+      QVERIFY(QTest::qWaitFor([&] { return window->viewport().surfaces().is_ready(); }, patience));
+    }
+    const Surfaces& surfaces = document.scene().surfaces;
+    QCOMPARE(surfaces.size(), std::size_t{4});
+    QCOMPARE(surfaces[0].translate.y, 0.0);
+    // The box stands on the plane.
+    QVERIFY(std::abs(box_corners(surfaces[1])[0].y) < 1e-6);
+    QVERIFY(document.object() == ObjectRef(ObjectRef::Kind::surface, 3));
+    QVERIFY(window.settle());
+    document.save(window.file("primitives.brume"));
+    const Scene loaded = load_scene(window.file("primitives.brume"));
+    for (std::size_t k = 0; k < 4; ++k) {
+      QVERIFY(loaded.surfaces[k].primitive == surfaces[k].primitive);
+    }
+    // Sizes are numbers, too.
+    enter(window, "surface_size_y", "*2");
+    document.undo_stack().setIndex(0);
+    QVERIFY(document.scene() == new_scene());
+  }
+
+  void commands_are_found_by_words() {
+    ObjectsWindow window;
+    window.key(Qt::Key_F3);
+    auto* search = window->findChild<QWidget*>("command_search");
+    QVERIFY(search && search->isVisible());
+    auto* words = search->findChild<QLineEdit*>("command_words");
+    auto* list = search->findChild<QListWidget*>("command_list");
+    const int all = list->count();
+    QVERIFY(all > 80);
+    QTest::keyClicks(words, "cyl add");
+    QCOMPARE(list->count(), 1);
+    QTest::keyClick(words, Qt::Key_Return);
+    QTRY_COMPARE(window.surfaces().size(), std::size_t{4});
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Add Cylinder"));
+    window.key(Qt::Key_F3);
+    QTRY_VERIFY(window->findChild<QLineEdit*>("command_words"));
+    words = window->findChild<QLineEdit*>("command_words");
+    QTest::keyClicks(words, "no such thing");
+    QTest::keyClick(words, Qt::Key_Return);
+    QTest::keyClick(words, Qt::Key_Escape);
+    QTRY_VERIFY(!window->findChild<QLineEdit*>("command_words"));
+    QVERIFY(window.is_before());
+  }
+};
+
+BRUME_APP_SUITE("objects", ObjectsTest)
+
+#include "objects_test.moc"
