@@ -7,6 +7,7 @@
 #include "app/files/scene_files.h"
 #include "app/widgets/application.h"
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
 #include "core/io/temporary_files.h"
 #include "render/util/frame_memory.h"
 
@@ -76,6 +77,7 @@ int main(int argc, char* argv[]) {
   declare_options(parser);
   parser.process(application);
 
+  brume::apply_chosen_threads();
   brume::MainWindow window;
   if (parser.isSet("size")) {
     const QSize size = parse_size(parser.value("size"));

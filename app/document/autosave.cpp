@@ -17,6 +17,9 @@
 namespace brume {
 namespace {
 
+constexpr const char* interval_key = "autosave/seconds";
+constexpr int default_interval = 20;  // [s]
+
 std::filesystem::path beside(std::filesystem::path scene, const char* extension) {
   return scene.replace_extension(extension);
 }
@@ -53,12 +56,21 @@ Autosave::Autosave(Document& document, const std::filesystem::path& folder, QObj
   lock_.setStaleLockTime(0);  // for as long as the process lives
   lock_.tryLock(0);
   make_private(beside(copy_, ".lock"));
-  timer_.setInterval(interval);
+  timer_.setInterval(1000 * std::max(1, QSettings().value(interval_key, default_interval).toInt()));
   connect(&timer_, &QTimer::timeout, this, &Autosave::save_soon);
   timer_.start();
   connect(&document_, &Document::modified_changed, this, [this] {
     if (!document_.is_modified()) remove_copy();
   });
+}
+
+int Autosave::interval() const {
+  return timer_.interval() / 1000;
+}
+
+void Autosave::set_interval(int seconds) {
+  QSettings().setValue(interval_key, seconds);
+  timer_.setInterval(1000 * seconds);
 }
 
 Autosave::~Autosave() {

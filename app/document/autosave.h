@@ -22,13 +22,15 @@ struct RecoveryFile {
   std::optional<FileVersion> version = {};  // of `file`, when editing began
 };
 
-// Backs up unsaved work every 20 seconds. Each session has its own file, with a lock while it runs.
-// The copy is deleted when work is saved or discarded; those of crashed sessions by the user, or a
-// month after first being offered. Files are private to the user.
+// Backs up unsaved work every 20 seconds, or as often as the setting autosave/seconds says. Each
+// session has its own file, with a lock while it runs. The copy is deleted when work is saved or
+// discarded; those of crashed sessions by the user, or a month after first being offered. Files are
+// private to the user.
 class Autosave : public QObject {
   Q_OBJECT
  public:
-  static constexpr int interval = 20'000;  // milliseconds
+  [[nodiscard]] int interval() const;  // [s]
+  void set_interval(int seconds);      // for later sessions, too
 
   Autosave(Document& document, const std::filesystem::path& folder, QObject* parent);
   ~Autosave() override;  // keeps the copy; only end() deletes it

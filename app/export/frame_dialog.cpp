@@ -34,7 +34,7 @@ FrameDialog::FrameDialog(const QString& folder, bool path_traced, QWidget* paren
   file_->setObjectName("frame_file");
   file_->setMinimumWidth(360);
   method_->setObjectName("frame_method");
-  method_->addItem(tr("As in View > Airlight"), false);
+  method_->addItem(tr("As in View > Quality"), false);
   method_->addItem(tr("Path traced"), true);
   method_->setCurrentIndex(path_traced ? 1 : 0);
   method_->setToolTip(

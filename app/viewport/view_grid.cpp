@@ -69,6 +69,7 @@ void ViewGrid::make_pane(Projection projection) {
     frames.quality().set_max_error(first.quality().max_error());
     pane->camera_controller().set_navigation(perspective().camera_controller().navigation());
     pane->set_tool(tool_);
+    pane->show_overlay(shows_overlays_);
     Q_EMIT pane_made(pane);
   }
 }
@@ -139,6 +140,11 @@ void ViewGrid::set_airlight(AirlightMethod method) {
 
 void ViewGrid::set_scattering(Scattering scattering) {
   for (Viewport* pane : panes_) pane->frames().quality().set_scattering(scattering);
+}
+
+void ViewGrid::show_overlays(bool shown) {
+  shows_overlays_ = shown;
+  for (Viewport* pane : panes_) pane->show_overlay(shown);
 }
 
 void ViewGrid::set_navigation(NavigationPreset preset) {

@@ -36,6 +36,9 @@ class ViewGrid : public QWidget {
   void set_airlight(AirlightMethod method);
   void set_scattering(Scattering scattering);
   void set_max_error(double max_error);
+  // Handles, outlines and brushes over the picture.
+  void show_overlays(bool shown);
+  [[nodiscard]] bool shows_overlays() const { return shows_overlays_; }
   void set_navigation(NavigationPreset preset);
   void set_backend(Backend backend) { services_.frames.service.set_backend(backend); }
   [[nodiscard]] Backend backend() const { return services_.frames.service.backend(); }
@@ -67,6 +70,7 @@ class ViewGrid : public QWidget {
   Viewport* active_ = nullptr;
   Tool* tool_ = nullptr;
   bool shows_four_ = false;
+  bool shows_overlays_ = true;
 };
 
 }  // namespace brume

@@ -68,6 +68,11 @@ void Viewport::set_tool(Tool* tool) {
   shown_handles().show_centers(!tool || tool->shows_handles());
 }
 
+void Viewport::show_overlay(bool shown) {
+  shows_overlay_ = shown;
+  update_overlay();
+}
+
 void Viewport::set_time(double time) {
   if (time == View::time()) return;
   View::set_time(time);
@@ -114,6 +119,7 @@ void Viewport::place_legend() {
 
 void Viewport::draw_overlay() {
   Overlay overlay;
+  if (!shows_overlay_) return surface_->show_overlay(overlay);
   shown_handles().draw(overlay);
   if (frames_.mode() == ViewMode::outlines) shown_handles().draw_outlines(overlay);
   if (const Tool* tool = input_.tool()) {

@@ -29,6 +29,7 @@ class Viewport : public QWidget, public View {
   void set_tool(Tool* tool);
   // Processes pending mouse input immediately.
   void finish_input() { input_.flush_moves(); }
+  void show_overlay(bool shown);  // what is drawn over the picture
   void set_time(double time) override;
   void show_band(const QRect& rectangle) override;
 
@@ -66,6 +67,7 @@ class Viewport : public QWidget, public View {
   QRubberBand band_;
   Legend* legend_;
   QTimer overlay_timer_;
+  bool shows_overlay_ = true;
 };
 
 }  // namespace brume

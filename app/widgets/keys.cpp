@@ -21,6 +21,7 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"edit.delete", "Del; X"},
     {"edit.rename", "F2"},
     {"edit.find_command", "F3; Ctrl+Shift+P"},
+    {"edit.preferences", "Ctrl+,"},
     {"edit.cut", "Ctrl+X"},
     {"edit.copy", "Ctrl+C"},
     {"edit.paste", "Ctrl+V"},
@@ -67,11 +68,16 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"view.scene_camera", "0"},
     {"view.store_camera", "Ctrl+0"},
     {"view.four", "Ctrl+Alt+Q"},
+    {"view.overlays", "Shift+O"},
     {"view.next_mode", "Tab"},
     {"view.exposure_up", "+; ="},
     {"view.exposure_down", "-"},
     {"help.keys", "?; F1"},
 });
+
+QString setting_of(const char* action) {
+  return QString("keys/") + action;
+}
 
 }  // namespace
 
@@ -79,13 +85,30 @@ std::span<const KeyEntry> key_table() {
   return table;
 }
 
-QList<QKeySequence> keys_of(const char* action) {
+QList<QKeySequence> default_keys_of(const char* action) {
   for (const KeyEntry& entry : table) {
-    if (std::string_view(entry.action) != action) continue;
-    const QString keys = QSettings().value(QString("keys/") + action, entry.keys).toString();
-    return QKeySequence::listFromString(keys, QKeySequence::PortableText);
+    if (std::string_view(entry.action) == action) {
+      return QKeySequence::listFromString(entry.keys, QKeySequence::PortableText);
+    }
   }
   return {};
+}
+
+QList<QKeySequence> keys_of(const char* action) {
+  const QSettings settings;
+  if (!settings.contains(setting_of(action))) return default_keys_of(action);
+  const QString keys = settings.value(setting_of(action)).toString();
+  if (keys.isEmpty()) return {};  // Qt would make one empty sequence of it
+  return QKeySequence::listFromString(keys, QKeySequence::PortableText);
+}
+
+void remember_keys(const char* action, const QList<QKeySequence>& keys) {
+  QSettings settings;
+  if (keys == default_keys_of(action)) {
+    settings.remove(setting_of(action));
+  } else {
+    settings.setValue(setting_of(action), QKeySequence::listToString(keys));
+  }
 }
 
 }  // namespace brume

@@ -70,6 +70,7 @@ class MainWindow : public QMainWindow {
   void show_view_menu(Viewport& view, QPointF position);
   void add_primitive(Primitive::Shape shape);
   void rename_object();
+  void show_preferences();
   void fill_airlight_menu(QMenu* menu);
   void fill_backend_menu(QMenu* menu);
   void fill_mode_menu(QMenu* menu);

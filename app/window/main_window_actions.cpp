@@ -10,6 +10,7 @@
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_keys.h"
+#include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
 #include "app/commands/scene_part_command.h"
@@ -28,6 +29,7 @@
 #include "app/window/help_windows.h"
 #include "app/window/main_window.h"
 #include "app/window/menu_action.h"
+#include "app/window/preferences.h"
 
 namespace brume {
 namespace {
@@ -98,6 +100,7 @@ void MainWindow::create_actions() {
   edit->addSeparator();
   add(edit, tr("Fi&nd Command…"), "edit.find_command",
       [this] { (new CommandSearch(*menuBar(), this))->open(); });
+  add(edit, tr("Prefere&nces…"), "edit.preferences", [this] { show_preferences(); });
   edit->addSeparator();
   add(edit, tr("Cu&t"), "edit.cut", [this] { cut_selection(document_); });
   add(edit, tr("&Copy"), "edit.copy", [this] { copy_selection(document_); });
@@ -186,10 +189,14 @@ void MainWindow::create_actions() {
   add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });
   fill_mode_menu(view->addMenu(tr("S&how")));
-  fill_airlight_menu(view->addMenu(tr("Air&light")));
+  fill_airlight_menu(view->addMenu(tr("&Quality")));
   fill_backend_menu(view->addMenu(tr("&Render Device")));
   fill_navigation_menu(view->addMenu(tr("&Navigation")));
   fill_theme_menu(view->addMenu(tr("&Theme")));
+  QAction* overlays = add(view, tr("&Handles and Outlines"), "view.overlays",
+                          [this] { views_->show_overlays(!views_->shows_overlays()); });
+  overlays->setCheckable(true);
+  overlays->setChecked(true);
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
@@ -200,6 +207,17 @@ void MainWindow::create_actions() {
                             tool->actions() + time->actions() + view->actions());
       });
   add(help, tr("&About Brume"), "", [this] { show_about(this); });
+}
+
+void MainWindow::show_preferences() {
+  if (auto* shown = findChild<Preferences*>()) return shown->activateWindow();
+  auto* preferences = new Preferences(*autosave_, this);
+  for (const auto& [name, title] :
+       {std::pair{"theme", tr("Theme")}, std::pair{"navigation", tr("Mouse buttons")},
+        std::pair{"backend", tr("Render device")}, std::pair{"airlight", tr("Quality")}}) {
+    preferences->add_choice(title, name, *findChild<QActionGroup*>(name));
+  }
+  preferences->show();
 }
 
 void MainWindow::isolate_selection() {
@@ -245,27 +263,35 @@ void MainWindow::fill_mode_menu(QMenu* menu) {
 void MainWindow::fill_airlight_menu(QMenu* menu) {
   const QString remembered = QSettings().value(airlight_key).toString();
   auto* group = new QActionGroup(this);
-  const auto add = [&](AirlightMethod method, const QString& text) {
+  group->setObjectName("airlight");
+  menu->setToolTipsVisible(true);
+  const auto add = [&](AirlightMethod method, const QString& text, const QString& what) {
     const char* const name = to_string(method);
     if (remembered == name) views_->set_airlight(method);
     QAction* action = group->addAction(text);
     action->setCheckable(true);
     action->setObjectName(QString("airlight_") + name);
+    action->setToolTip(what);
     action->setChecked(viewport_->frames().quality().airlight() == method);
     connect(action, &QAction::triggered, this, [this, name, method] {
       views_->set_airlight(method);
       QSettings().setValue(airlight_key, name);
     });
   };
-  add(AirlightMethod::auto_, tr("&Auto"));
-  add(AirlightMethod::paper, tr("&Paper"));
-  add(AirlightMethod::sliced, tr("&Sliced"));
+  add(AirlightMethod::auto_, tr("&Auto (keeps the max error)"),
+      tr("The cheapest settings whose measured error stays below Performance > Max error"));
+  add(AirlightMethod::sliced, tr("&Fixed (24 slices)"),
+      tr("Always the same settings: 24 slices along each view ray, with shadows in the fog"));
+  add(AirlightMethod::paper, tr("&Paper's Method"),
+      tr("The approximation as published in 2007: light scattered once, without shadows in the "
+         "fog"));
   menu->addActions(group->actions());
 }
 
 void MainWindow::fill_backend_menu(QMenu* menu) {
   const QString remembered = QSettings().value(backend_key).toString();
   auto* group = new QActionGroup(this);
+  group->setObjectName("backend");
   const auto add = [&](const char* name, const QString& text, Backend backend) {
     if (remembered == name) views_->set_backend(backend);
     QAction* action = group->addAction(text);
@@ -286,6 +312,7 @@ void MainWindow::fill_backend_menu(QMenu* menu) {
 
 void MainWindow::fill_navigation_menu(QMenu* menu) {
   auto* group = new QActionGroup(this);
+  group->setObjectName("navigation");
   const int remembered = QSettings().value(navigation_key).toInt();
   const auto add = [&](const char* name, const QString& text, NavigationPreset preset) {
     QAction* action = group->addAction(text);
@@ -306,6 +333,7 @@ void MainWindow::fill_navigation_menu(QMenu* menu) {
 
 void MainWindow::fill_theme_menu(QMenu* menu) {
   auto* group = new QActionGroup(this);
+  group->setObjectName("theme");
   const auto add = [&](const char* name, const QString& text, Theme theme) {
     QAction* action = group->addAction(text);
     action->setCheckable(true);
