@@ -69,6 +69,7 @@ void MainWindow::create_docks() {
   tabifyDockWidget(lights, medium);
   tabifyDockWidget(medium, material);
   tabifyDockWidget(material, emitters);
+  create_output_docks(emitters);
   gaussians->raise();
   auto* contribution_panel = new ContributionPanel(document_, this);
   connect(views_, &ViewGrid::pointed_at, contribution_panel, &ContributionPanel::inspect);

@@ -15,9 +15,7 @@ Film small_film(const Film& film) {
   constexpr double pixels = 10'000.0;
   const double shrink =
       std::min(1.0, std::sqrt(pixels / (static_cast<double>(film.width) * film.height)));
-  const auto shrunk = [shrink](int side) {
-    return static_cast<int>(std::lround(shrink * pixels));
-  };
+  const auto shrunk = [shrink](int side) { return static_cast<int>(std::lround(shrink * side)); };
   Film small{std::max(1, shrunk(film.width)), std::max(1, shrunk(film.height))};
   if (const auto& region = film.region) {
     small.region =
