@@ -21,7 +21,6 @@ struct FrameExportRequest {
   Settings settings;
   FrameInfo info;  // without backend and noise, set per frame
   Backend backend = Backend::auto_;
-  std::optional<Film> film{};  // absent: the scene's; or a region of that
   // The extension decides the format: .exr or .png, or .mp4 of several frames. Empty: no file.
   std::filesystem::path file;
   struct Range {
@@ -32,6 +31,7 @@ struct FrameExportRequest {
   std::optional<Range> range;  // nullopt: one frame
   double time = 0.0;           // of that [s]
   QString title{};             // of its pictures
+  std::optional<Film> film{};  // absent: the scene\'s; or a region of that
 };
 
 // A frame of an export, to be looked at.

@@ -99,9 +99,16 @@ void OutputPanel::add_size(QFormLayout& form) {
   auto* lock = new QCheckBox(tr("Lock aspect ratio"), this);
   lock->setObjectName("lock_aspect");
   lock->setToolTip(tr("Width and height change together"));
-  connect(lock, &QCheckBox::toggled, this, [this](bool on) { locks_aspect_ = on; });
+  connect(lock, &QCheckBox::toggled, this, [this, film](bool on) {
+    locks_aspect_ = on;
+    aspect_ = static_cast<double>(film().width) / film().height;
+  });
   form.addRow({}, lock);
-  on_refresh([presets, film] {
+  on_refresh([this, presets, film] {
+    // Steps of whole pixels do not change the ratio that is locked.
+    if (std::abs(film().width - aspect_ * film().height) > std::max(1.0, aspect_)) {
+      aspect_ = static_cast<double>(film().width) / film().height;
+    }
     const auto* found = std::ranges::find(size_presets, film(), &SizePreset::film);
     presets->setCurrentIndex(
         found == size_presets.end() ? 0 : static_cast<int>(found - size_presets.begin()) + 1);
@@ -109,13 +116,12 @@ void OutputPanel::add_size(QFormLayout& form) {
 }
 
 void OutputPanel::set_side(bool is_width, double pixels, MergeId gesture) {
-  const Film before = document_.scene().film;
-  Film film = before;
+  Film film = document_.scene().film;
   (is_width ? film.width : film.height) = rounded_to_int(pixels);
   if (locks_aspect_) {
-    const double scale = is_width ? pixels / before.width : pixels / before.height;
     int& other = is_width ? film.height : film.width;
-    other = std::clamp(rounded_to_int(scale * other), 1, limits::film_side);
+    const double wanted = is_width ? film.width / aspect_ : film.height * aspect_;
+    other = std::clamp(rounded_to_int(wanted), 1, limits::film_side);
   }
   set_film(document_, film, gesture);
 }

@@ -48,6 +48,7 @@ class OutputPanel : public SceneForm {
   const Timeline& timeline_;
   std::function<double()> exposure_;
   bool locks_aspect_ = false;
+  double aspect_ = 1.0;  // width over height, if it is locked
   QWidget* region_ = nullptr;
 };
 

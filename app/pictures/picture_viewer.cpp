@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "app/widgets/application.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/plain_text.h"
 
@@ -49,14 +50,19 @@ PictureViewer::PictureViewer(QWidget* parent)
   a_->button(0)->setChecked(true);
   b_->button(1)->setChecked(true);
 
-  connect(&slots_, &PictureSlots::changed, this, &PictureViewer::show_slot);
+  connect(&slots_, &PictureSlots::changed, this, [this](std::size_t slot) {
+    show_slot(slot);
+    show_pictures();
+  });
   connect(canvas_, &PictureCanvas::pointed_at, this, &PictureViewer::show_pixel);
   for (QButtonGroup* group : {a_, b_}) {
-    connect(group, &QButtonGroup::idToggled, this, [this](int, bool on) {
+    connect(group, &QButtonGroup::idToggled, this, [this](int slot, bool on) {
+      show_slot(static_cast<std::size_t>(slot));
       if (on) show_pictures();
     });
   }
   for (std::size_t slot = 0; slot < PictureSlots::count; ++slot) show_slot(slot);
+  show_pictures();
 }
 
 void PictureViewer::add_slots(QBoxLayout& row, QButtonGroup& group, const QString& title,
@@ -67,6 +73,7 @@ void PictureViewer::add_slots(QBoxLayout& row, QButtonGroup& group, const QStrin
     button->setText(QString::number(k + 1));
     button->setObjectName(QString("%1_%2").arg(name).arg(k + 1));
     button->setCheckable(true);
+    button->setAutoRaise(true);
     group.addButton(button, k);
     row.addWidget(button);
   }
@@ -129,10 +136,12 @@ void PictureViewer::show_slot(std::size_t slot) {
     QFont font = button->font();
     font.setBold(picture != nullptr);
     button->setFont(font);
+    QPalette colors = palette();
+    if (button->isChecked()) colors.setColor(QPalette::ButtonText, accent_color());
+    button->setPalette(colors);
     button->setToolTip(picture ? plain_tool_tip(picture->name + '\n' + picture->details)
                                : tr("Slot %1, empty").arg(slot + 1));
   }
-  show_pictures();
 }
 
 void PictureViewer::show_pictures() {

@@ -69,13 +69,13 @@ void MainWindow::create_docks() {
   tabifyDockWidget(lights, medium);
   tabifyDockWidget(medium, material);
   tabifyDockWidget(material, emitters);
-  create_output_docks(emitters);
   gaussians->raise();
   auto* contribution_panel = new ContributionPanel(document_, this);
   connect(views_, &ViewGrid::pointed_at, contribution_panel, &ContributionPanel::inspect);
   QDockWidget* at_cursor = dock(tr("At the Cursor"), "at_cursor", scrolled(contribution_panel));
   tabifyDockWidget(performance, history);
   tabifyDockWidget(performance, at_cursor);
+  create_output_docks(at_cursor);
   performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
   resizeDocks({outline, gaussians, performance}, {110, 400, 230}, Qt::Vertical);

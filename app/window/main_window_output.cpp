@@ -6,7 +6,8 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QSettings>
-#include <QVBoxLayout>
+#include <QTabWidget>
+#include <algorithm>
 
 #include "app/commands/edit_output.h"
 #include "app/document/paths.h"
@@ -90,20 +91,11 @@ void MainWindow::create_output_actions() {
 void MainWindow::create_output_docks(QDockWidget* beside) {
   create_output_actions();
   render_queue_ = new RenderQueue(this);
-  const auto dock = [this, beside](const QString& title, const char* name, QWidget* panel) {
-    auto* made = new QDockWidget(title, this);
-    made->setObjectName(name);
-    made->setWidget(panel);
-    addDockWidget(Qt::RightDockWidgetArea, made);
-    tabifyDockWidget(beside, made);
-    return made;
-  };
   auto* cameras = new CameraPanel(
       document_, [this] { return viewport_->camera(); }, this);
   for (QAction* action : camera_actions_) cameras->add_toggle(action);
   connect(cameras, &CameraPanel::look_through_asked_for, this,
           [this] { viewport_->camera_controller().look_through_scene_camera(); });
-  dock(tr("Camera"), "camera_dock", scrolled_panel(cameras));
 
   auto* output = new OutputPanel(
       document_, *timeline_, [this] { return viewport_->frames().exposure(); }, output_actions_[0],
@@ -115,12 +107,24 @@ void MainWindow::create_output_docks(QDockWidget* beside) {
   connect(&document_, &Document::scene_replaced, &frame,
           [&frame] { frame.set_region(std::nullopt); });
   auto* queue = new QueueList(*render_queue_, this);
-  auto* both = new QWidget;
-  auto* column = new QVBoxLayout(both);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(output);
-  column->addWidget(queue, 1);
-  dock(tr("Output"), "output_dock", scrolled_panel(both));
+  auto* tabs = new QTabWidget;
+  tabs->setObjectName("output_tabs");
+  tabs->setDocumentMode(true);
+  tabs->addTab(scrolled_panel(output), tr("Picture"));
+  tabs->addTab(scrolled_panel(cameras), tr("Camera"));
+  tabs->addTab(queue, tr("Queue"));
+  auto* dock = new QDockWidget(tr("Output"), this);
+  dock->setObjectName("output_dock");
+  dock->setWidget(tabs);
+  addDockWidget(Qt::RightDockWidgetArea, dock);
+  tabifyDockWidget(beside, dock);
+  connect(render_queue_, &RenderQueue::changed, tabs, [this, tabs] {
+    const auto waiting = std::ranges::count_if(render_queue_->items(), [](const auto& item) {
+      return item.state == RenderQueue::State::waiting ||
+             item.state == RenderQueue::State::rendering;
+    });
+    tabs->setTabText(2, waiting == 0 ? tr("Queue") : tr("Queue (%1)").arg(waiting));
+  });
 
   picture_viewer_ = new PictureViewer(this);
   auto* pictures = new QDockWidget(tr("Picture Viewer"), this);
@@ -180,6 +184,7 @@ void MainWindow::render_output(bool animation) {
     auto* output = findChild<QDockWidget*>("output_dock");
     output->show();
     output->raise();
+    output->findChild<QTabWidget*>("output_tabs")->setCurrentIndex(0);
     output->findChild<QLineEdit*>("output_file")->setFocus();
     show_status(tr("An animation needs a file: name it in the panel Output."));
     return;

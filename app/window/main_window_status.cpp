@@ -51,8 +51,9 @@ void MainWindow::create_status_bar() {
   }
   statusBar()->addPermanentWidget(numbers_);
   statusBar()->addPermanentWidget(error_);
-  connect(frame_export_, &FrameExport::finished, this,
-          [this](const QString& file) { show_status(tr("Exported %1").arg(file)); });
+  connect(frame_export_, &FrameExport::finished, this, [this](const QString& file) {
+    show_status(file.isEmpty() ? tr("Rendered") : tr("Exported %1").arg(file));
+  });
   connect(frame_export_, &FrameExport::cancelled, this, [this](int written) {
     show_status(written == 0 ? tr("Export cancelled")
                              : tr("Export cancelled after %1 files").arg(written));
