@@ -36,8 +36,18 @@ QString state_text(const RenderQueue::Item& item) {
   return {};
 }
 
+QString row_title(const RenderQueue::Item& item) {
+  const FrameExportRequest& request = item.request;
+  QString text = request.title;
+  if (request.range) {
+    text += QueueList::tr(", frames %1 to %2").arg(request.range->first).arg(request.range->last);
+  }
+  if (!request.file.empty()) text += " · " + to_qstring(request.file.filename());
+  return text;
+}
+
 QString tool_tip(const RenderQueue::Item& item) {
-  QString text = item.request.title;
+  QString text = row_title(item);
   if (!item.request.file.empty()) text += '\n' + to_qstring(item.request.file);
   if (!item.message.isEmpty()) text += '\n' + item.message;
   return plain_tool_tip(text);
@@ -97,8 +107,7 @@ void QueueList::rebuild() {
   const QSignalBlocker blocker(list_);
   list_->clear();
   for (const RenderQueue::Item& item : queue_.items()) {
-    const QString& title = item.request.title;
-    auto* row = new QTreeWidgetItem({title, QString()});
+    auto* row = new QTreeWidgetItem({row_title(item), QString()});
     row->setData(0, id_role, item.id);
     row->setToolTip(0, tool_tip(item));
     list_->addTopLevelItem(row);

@@ -113,12 +113,11 @@ void PictureViewer::add_tools(QBoxLayout& row) {
       [this] { Q_EMIT keep_view_asked_for(); });
 }
 
-void PictureViewer::choose_a(std::size_t slot) {
+void PictureViewer::show_new(std::size_t slot) {
+  const int shown = a_->checkedId();
+  if (shown == static_cast<int>(slot)) return;
+  if (a()) b_->button(shown)->setChecked(true);
   a_->button(static_cast<int>(slot))->setChecked(true);
-}
-
-void PictureViewer::choose_b(std::size_t slot) {
-  b_->button(static_cast<int>(slot))->setChecked(true);
 }
 
 const std::shared_ptr<const Picture>& PictureViewer::a() const {

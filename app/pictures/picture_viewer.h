@@ -20,9 +20,8 @@ class PictureViewer : public QWidget {
   explicit PictureViewer(QWidget* parent = nullptr);
 
   [[nodiscard]] PictureSlots& pictures() { return slots_; }
-  // Shows a slot as A, or with Shift on its button as B.
-  void choose_a(std::size_t slot);
-  void choose_b(std::size_t slot);
+  // Shows a slot as A; what A was before is B, to compare with.
+  void show_new(std::size_t slot);
 
  Q_SIGNALS:
   void keep_view_asked_for();

@@ -140,7 +140,7 @@ void MainWindow::create_output_docks(QDockWidget* beside) {
   connect(queue, &QueueList::show_asked_for, this, &MainWindow::show_render);
   connect(render_queue_, &RenderQueue::rendered, this, [this](int id, const ExportedFrame& made) {
     const std::size_t slot = picture_viewer_->pictures().keep_of_job(id, made.picture);
-    if (id == shown_render_) picture_viewer_->choose_a(slot);
+    if (id == shown_render_) picture_viewer_->show_new(slot);
   });
 }
 
@@ -169,10 +169,14 @@ FrameExportRequest MainWindow::output_request(bool animation) const {
   }
   if (output.exposure) request.info.exposure = *output.exposure;
   request.info.layers = output.layers;
+  const QString camera = QString::fromStdString(scene.camera_name);
   if (animation) {
     request.range = {timeline_->first(), timeline_->last(), timeline_->frames_per_second()};
-    request.title = QString::fromStdString(scene.camera_name);
-  } else if (lower_case_extension(request.file) == ".mp4") {
+    request.title = camera;
+    return request;
+  }
+  request.title = tr("%1, frame %2").arg(camera).arg(timeline_->frame());
+  if (lower_case_extension(request.file) == ".mp4") {
     request.file.clear();  // a video of one picture is of no use
   }
   return request;
@@ -218,7 +222,7 @@ void MainWindow::show_picture_viewer() {
 void MainWindow::show_render(int id) {
   const auto slot = picture_viewer_->pictures().slot_of_job(id);
   if (!slot) return show_status(tr("Its slot has another picture by now."));
-  picture_viewer_->choose_a(*slot);
+  picture_viewer_->show_new(*slot);
   show_picture_viewer();
 }
 
@@ -236,7 +240,7 @@ void MainWindow::keep_view() {
   const QString name = tr("View, frame %1").arg(timeline_->frame());
   const std::size_t slot = picture_viewer_->pictures().keep(
       make_picture(shown->frame, frames.exposure(), name, details));
-  picture_viewer_->choose_a(slot);
+  picture_viewer_->show_new(slot);
   show_picture_viewer();
   show_status(tr("Kept in slot %1").arg(slot + 1));
 }

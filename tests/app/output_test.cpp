@@ -157,6 +157,9 @@ class OutputTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
     QVERIFY(wait_for(queue(window), RenderQueue::State::done));
     QVERIFY(viewer.pictures().at(1));
+    QVERIFY(viewer.findChild<QAbstractButton*>("slot_a_2")->isChecked());
+    QVERIFY(viewer.findChild<QAbstractButton*>("slot_b_1")->isChecked());
+    QVERIFY(viewer.pictures().at(1)->name == "Camera, frame 0");
   }
 
   void an_animation_asks_for_a_file_and_before_it_replaces() {
