@@ -69,6 +69,16 @@ QueueList::QueueList(RenderQueue& queue, QWidget* parent)
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(6, 0, 6, 6);
   layout->addWidget(list_, 0, 0, 1, 5);
+  empty_ =
+      new PlainLabel(tr("Nothing to render. F12 renders what the scene's camera sees, Ctrl+F12 "
+                        "the animation; both go on while you edit."),
+                     list_);
+  empty_->setObjectName("queue_empty");
+  empty_->setWordWrap(true);
+  empty_->setAlignment(Qt::AlignCenter);
+  auto* above = new QVBoxLayout(list_);
+  above->setContentsMargins(12, 28, 12, 4);
+  above->addWidget(empty_);
   int column = 0;
   const auto add = [&](const QString& text, const char* name, const QString& tip, auto react) {
     auto* button = new QPushButton(text, this);
@@ -123,6 +133,7 @@ void QueueList::rebuild() {
     list_->setCurrentItem(list_->topLevelItem(list_->topLevelItemCount() - 1));
   }
   list_->resizeColumnToContents(state_column);
+  empty_->setVisible(queue_.items().empty());
   update_buttons();
 }
 

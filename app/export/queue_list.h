@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QPushButton;
 class QTreeWidget;
 
@@ -27,6 +28,7 @@ class QueueList : public QWidget {
 
   RenderQueue& queue_;
   QTreeWidget* list_;
+  QLabel* empty_;
   QPushButton* show_;
   QPushButton* folder_;
   QPushButton* cancel_;

@@ -58,6 +58,7 @@ OutputPanel::OutputPanel(Document& document, const Timeline& timeline,
     : SceneForm(document, parent), timeline_(timeline), exposure_(std::move(exposure)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(6, 6, 6, 6);
+  add_buttons(*form, render, render_animation);
   add_size(*form);
   add_region(*form);
   add_method(*form);
@@ -65,7 +66,6 @@ OutputPanel::OutputPanel(Document& document, const Timeline& timeline,
   add_file(*form);
   add_layers(*form);
   add_exposure(*form);
-  add_buttons(*form, render, render_animation);
   connect(&timeline_, &Timeline::changed, this, &OutputPanel::refresh);
   connect(&document_, &Document::file_changed, this, &OutputPanel::refresh);
   refresh();

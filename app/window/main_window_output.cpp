@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QTabWidget>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/commands/edit_output.h"
@@ -31,9 +32,15 @@ namespace {
 
 constexpr const char* frame_key = "view/camera_frame";
 
+// At the top, with room below.
 QScrollArea* scrolled_panel(QWidget* panel) {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(panel);
+  layout->addStretch();
   auto* area = new QScrollArea;
-  area->setWidget(panel);
+  area->setWidget(column);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   return area;
@@ -215,6 +222,8 @@ void MainWindow::render_output(bool animation) {
 
 void MainWindow::show_picture_viewer() {
   auto* dock = findChild<QDockWidget*>("picture_viewer");
+  constexpr QPoint inside(60, 90);
+  if (dock->isFloating() && dock->pos().isNull()) dock->move(frameGeometry().topLeft() + inside);
   dock->show();
   dock->raise();
 }
