@@ -39,6 +39,12 @@ const RenderQueue::Item* RenderQueue::find(int id) const {
   return found == items_.end() ? nullptr : &*found;
 }
 
+int RenderQueue::unfinished() const {
+  return static_cast<int>(std::ranges::count_if(items_, [](const Item& it) {
+    return it.state == State::waiting || it.state == State::rendering;
+  }));
+}
+
 int RenderQueue::add(FrameExportRequest request) {
   request.settings.threads = render_threads();
   items_.push_back({++last_id_, std::move(request), State::waiting, 0, {}});

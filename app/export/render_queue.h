@@ -25,6 +25,7 @@ class RenderQueue : public QObject {
   };
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }  // in order
   [[nodiscard]] const Item* find(int id) const;
+  [[nodiscard]] int unfinished() const;  // how many wait or are rendered
 
   int add(FrameExportRequest request);  // its id
   void cancel(int id);                  // what waits, at once

@@ -77,6 +77,7 @@ class MainWindow : public QMainWindow {
   void render_output(bool animation);
   void show_render(int id);
   void show_picture_viewer();
+  [[nodiscard]] bool may_end_renders();  // asks if any is not done
   void keep_view();
   void mark_region();
 

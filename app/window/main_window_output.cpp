@@ -8,7 +8,6 @@
 #include <QSettings>
 #include <QTabWidget>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "app/commands/edit_output.h"
 #include "app/document/paths.h"
@@ -23,6 +22,7 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/keys.h"
+#include "app/widgets/question.h"
 #include "app/window/camera_lock.h"
 #include "app/window/main_window.h"
 #include "core/io/file_bytes.h"
@@ -126,11 +126,8 @@ void MainWindow::create_output_docks(QDockWidget* beside) {
   addDockWidget(Qt::RightDockWidgetArea, dock);
   tabifyDockWidget(beside, dock);
   connect(render_queue_, &RenderQueue::changed, tabs, [this, tabs] {
-    const auto waiting = std::ranges::count_if(render_queue_->items(), [](const auto& item) {
-      return item.state == RenderQueue::State::waiting ||
-             item.state == RenderQueue::State::rendering;
-    });
-    tabs->setTabText(2, waiting == 0 ? tr("Queue") : tr("Queue (%1)").arg(waiting));
+    const int unfinished = render_queue_->unfinished();
+    tabs->setTabText(2, unfinished == 0 ? tr("Queue") : tr("Queue (%1)").arg(unfinished));
   });
 
   picture_viewer_ = new PictureViewer(this);
@@ -226,6 +223,17 @@ void MainWindow::show_picture_viewer() {
   if (dock->isFloating() && dock->pos().isNull()) dock->move(frameGeometry().topLeft() + inside);
   dock->show();
   dock->raise();
+}
+
+bool MainWindow::may_end_renders() {
+  const int unfinished = render_queue_->unfinished();
+  if (unfinished == 0) return true;
+  const QString text = unfinished == 1
+                           ? tr("A render is not finished. End it?")
+                           : tr("%1 renders are not finished. End them?").arg(unfinished);
+  return ask(this, tr("Unfinished renders"), text,
+             {{QMessageBox::Cancel, tr("Keep Rendering")}, {QMessageBox::Yes, tr("End")}}) ==
+         QMessageBox::Yes;
 }
 
 void MainWindow::show_render(int id) {

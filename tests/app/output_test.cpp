@@ -227,6 +227,10 @@ class OutputTest : public QObject {
     QCOMPARE(renders.find(second)->state, State::waiting);
     auto* list = window->findChild<QTreeWidget*>("render_queue");
     QCOMPARE(list->topLevelItemCount(), 3);
+    QString question;
+    answer(QMessageBox::Cancel, &question);
+    QVERIFY(!window->close());
+    QVERIFY2(question.contains("3 renders"), qPrintable(question));
     list->setCurrentItem(list->topLevelItem(1));
     click(window, "queue_cancel");
     QCOMPARE(renders.find(second)->state, State::cancelled);

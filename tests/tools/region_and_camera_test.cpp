@@ -94,6 +94,8 @@ TEST_F(RegionAndCamera, ANamedCameraSeesTheScene) {
   const ImageLayers other = render(scene, {"--airlight", "paper", "--camera", "From behind"});
   EXPECT_NE(first.channels, other.channels);
   EXPECT_NE(other.channels, render(behind, paper).channels);  // whose field of view is wider
+  const ProgramResult info = run_brume({"info", scene});
+  EXPECT_NE(info.out.find("cameras: Camera, From behind\n"), std::string::npos) << info.out;
   expect_refused({"render", scene, "-o", file("o.exr"), "--camera", "Front"},
                  {"--camera", "Front", "Camera, From behind"});
 }
