@@ -27,26 +27,19 @@ void PictureCanvas::show_pictures(std::shared_ptr<const Picture> a,
   const bool same_size = a && a_ && a->width == a_->width && a->height == a_->height;
   a_ = std::move(a);
   b_ = std::move(b);
-  update_difference();
+  difference_ = {};
   if (!same_size || fits_) fit();
   update();
 }
 
 void PictureCanvas::set_mode(Mode mode) {
   mode_ = mode;
-  update_difference();
   update();
 }
 
-void PictureCanvas::set_difference_stops(double stops) {
-  difference_stops_ = stops;
-  update_difference();
+void PictureCanvas::show_difference(const QImage& difference) {
+  difference_ = difference;
   update();
-}
-
-void PictureCanvas::update_difference() {
-  const bool is_shown = mode_ == Mode::difference && a_ && b_;
-  difference_ = is_shown ? difference_image(*a_, *b_, difference_stops_) : QImage();
 }
 
 void PictureCanvas::fit() {
@@ -101,8 +94,11 @@ void PictureCanvas::paintEvent(QPaintEvent* /*event*/) {
   const QRectF all = picture_rect();
   if (mode_ == Mode::difference && b_) {
     if (!difference_.isNull()) return painter.drawImage(all, difference_);
-    painter.setPen(QColor(235, 238, 242));
-    return painter.drawText(rect(), Qt::AlignCenter, tr("A and B differ in size."));
+    if (a_->width != b_->width || a_->height != b_->height) {
+      painter.setPen(QColor(235, 238, 242));
+      painter.drawText(rect(), Qt::AlignCenter, tr("A and B differ in size."));
+    }
+    return;
   }
   painter.drawImage(all, a_->image);
   if (mode_ != Mode::wipe || !b_) return;

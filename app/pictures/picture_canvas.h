@@ -20,7 +20,8 @@ class PictureCanvas : public QWidget {
   void show_pictures(std::shared_ptr<const Picture> a, std::shared_ptr<const Picture> b);
   void set_mode(Mode mode);
   [[nodiscard]] Mode mode() const { return mode_; }
-  void set_difference_stops(double stops);
+  // Their difference; null: it is not known yet, or there is none.
+  void show_difference(const QImage& difference);
 
   void fit();          // the whole picture, also when the canvas changes its size
   void actual_size();  // a pixel of it on a pixel of the screen
@@ -48,13 +49,11 @@ class PictureCanvas : public QWidget {
   enum class Drag { none, pan, divider };
   [[nodiscard]] bool is_on_divider(QPointF position) const;
   [[nodiscard]] double divider_x() const;
-  void update_difference();
 
   std::shared_ptr<const Picture> a_;
   std::shared_ptr<const Picture> b_;
   Mode mode_ = Mode::single;
-  double difference_stops_ = 0.0;
-  QImage difference_;  // null: not of the same size
+  QImage difference_;
   double divider_ = 0.5;
   bool fits_ = true;
   double zoom_ = 1.0;  // widget pixels per picture pixel

@@ -92,8 +92,7 @@ void PictureViewer::add_tools(QBoxLayout& row) {
     gain_->setVisible(canvas_->mode() == PictureCanvas::Mode::difference);
     show_pictures();
   });
-  connect(gain_, &QComboBox::currentIndexChanged, this,
-          [this] { canvas_->set_difference_stops(gain_->currentData().toDouble()); });
+  connect(gain_, &QComboBox::currentIndexChanged, this, &PictureViewer::compare);
   row.addWidget(mode_);
   row.addWidget(gain_);
   row.addStretch();
@@ -145,6 +144,26 @@ void PictureViewer::show_slot(std::size_t slot) {
 
 void PictureViewer::show_pictures() {
   canvas_->show_pictures(a(), b());
+  show_info(std::nullopt);
+  show_pixel(std::nullopt);
+  compare();
+}
+
+void PictureViewer::compare() {
+  comparing_.cancel();
+  if (canvas_->mode() == PictureCanvas::Mode::single || !a() || !b()) return;
+  const bool is_shown = canvas_->mode() == PictureCanvas::Mode::difference;
+  comparing_.start([this, is_shown, first = a(), second = b(),
+                    stops = gain_->currentData().toDouble()](const Job&) -> BackgroundJob::Apply {
+    const QImage image = is_shown ? difference_image(*first, *second, stops) : QImage();
+    return [this, image, difference = relative_difference(*first, *second)] {
+      canvas_->show_difference(image);
+      show_info(difference);
+    };
+  });
+}
+
+void PictureViewer::show_info(std::optional<double> difference) {
   const auto text = [](const QString& letter, const Picture& picture) {
     return QString("%1: %2 · %3").arg(letter, picture.name, picture.details);
   };
@@ -152,12 +171,11 @@ void PictureViewer::show_pictures() {
   if (a()) lines << text(tr("A"), *a());
   if (canvas_->mode() != PictureCanvas::Mode::single && b()) {
     lines << text(tr("B"), *b());
-    const auto difference = a() ? relative_difference(*a(), *b()) : std::nullopt;
-    if (difference)
-      lines << tr("A differs from B by %1 (relative RMS)").arg(percent_text(*difference));
+    lines << (difference
+                  ? tr("A differs from B by %1 (relative RMS)").arg(percent_text(*difference))
+                  : QString(" "));
   }
   info_->setText(lines.join('\n'));
-  show_pixel(std::nullopt);
 }
 
 void PictureViewer::show_pixel(std::optional<QPoint> pixel) {

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "app/jobs/background_job.h"
 #include "app/pictures/picture_canvas.h"
 #include "app/pictures/picture_slots.h"
 
@@ -31,6 +32,8 @@ class PictureViewer : public QWidget {
   void add_tools(QBoxLayout& row);
   void show_slot(std::size_t slot);
   void show_pictures();
+  void compare();  // A with B, in the background
+  void show_info(std::optional<double> difference);
   void show_pixel(std::optional<QPoint> pixel);
   [[nodiscard]] const std::shared_ptr<const Picture>& a() const;
   [[nodiscard]] const std::shared_ptr<const Picture>& b() const;
@@ -43,6 +46,7 @@ class PictureViewer : public QWidget {
   QComboBox* gain_;
   QLabel* info_;
   QLabel* pixel_;
+  BackgroundJob comparing_{BackgroundJob::Policy::latest_wins};
 };
 
 }  // namespace brume

@@ -104,17 +104,23 @@ class PictureViewerTest : public QObject {
     test.viewer.pictures().keep(plain("a", 1.0F));
     test.viewer.pictures().keep(plain("b", 0.5F));
     test.set_mode(2);
+    // rms(0.5, 0, 0) / rms(0.5, 0.25, 0)
+    QTRY_VERIFY(test.text("picture_info").contains("89 %"));
     const QColor once = test.color({0.5, 0.5});
     QCOMPARE(once.green(), 0);
     QVERIFY(once.red() > 100);
-    // rms(0.5, 0, 0) / rms(0.5, 0.25, 0)
-    QVERIFY2(test.text("picture_info").contains("89 %"), qPrintable(test.text("picture_info")));
     test.viewer.pictures().set(1, plain("b", 0.99F));
+    QTRY_VERIFY(test.text("picture_info").contains("differs"));
     const int faint = test.color({0.5, 0.5}).red();
+    QVERIFY(faint < once.red());
     test.viewer.findChild<QComboBox*>("difference_gain")->setCurrentIndex(2);
-    QVERIFY(test.color({0.5, 0.5}).red() > faint);
+    QTRY_VERIFY(test.color({0.5, 0.5}).red() > faint);
     test.viewer.pictures().set(1, plain("other size", 1.0F, 20, 30));
     QVERIFY(!test.text("picture_info").contains("differs"));
+    test.viewer.pictures().set(1, plain("b", 1.0F));
+    QTRY_VERIFY(test.text("picture_info").contains("differs from B by 0"));
+    test.viewer.pictures().set(1, nullptr);
+    QVERIFY(!test.text("picture_info").contains("B"));
   }
 
   void the_pixel_under_the_mouse_is_told_at_any_zoom() {
