@@ -42,6 +42,8 @@ inline constexpr NumberDomain temperature{800.0, 40000.0, "a number from 800 to 
 inline constexpr NumberDomain not_negative{0.0, 1e12, "a number >= 0 (up to 1e12)"};
 inline constexpr NumberDomain seconds{-1e9, 1e9, "a number of seconds from -1e9 to 1e9"};
 inline constexpr NumberDomain rate{1e-3, 1e6, "a number from 1e-3 to 1e6"};
+inline constexpr NumberDomain frame_rate{1.0, 1000.0, "a number from 1 to 1000"};
+inline constexpr NumberDomain stops{-60.0, 60.0, "a number of stops from -60 to 60"};
 inline constexpr NumberDomain degrees{-1e12, 1e12, "a number of degrees from -1e12 to 1e12"};
 
 }  // namespace domain

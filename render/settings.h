@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/limits.h"
+
 namespace brume {
 
 enum class AirlightMethod {
@@ -115,7 +117,7 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
-inline constexpr int max_paths = 1'000'000;
+inline constexpr int max_paths = limits::paths;
 
 const char* to_string(AirlightMethod method);
 const char* to_string(Scattering scattering);

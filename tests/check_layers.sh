@@ -78,8 +78,9 @@ app/document/*.[hc]*:
 app/commands/*.[hc]*:app/document/
 app/widgets/*.[hc]*:app/document/ app/commands/
 app/jobs/*.[hc]*:app/widgets/
+app/pictures/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/files/*.[hc]*:app/document/ app/widgets/ app/jobs/
-app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/
+app/export/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/files/ app/pictures/
 app/import/*.[hc]*:app/document/ app/commands/ app/widgets/ app/jobs/ app/files/
 app/view/*.[hc]*:app/document/ app/widgets/ app/jobs/
 app/frames/*.[hc]*:app/document/ app/widgets/ app/jobs/ app/view/

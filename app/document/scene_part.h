@@ -24,9 +24,16 @@ struct KeyedDensity {
 
   bool operator==(const KeyedDensity&) const = default;
 };
-using ScenePart =
-    std::variant<KeyedCamera, KeyedDensity, Lights, std::optional<Environment>, MediumOptics,
-                 Surfaces, Emitters, Sequences, std::optional<Playback>>;
+// All cameras, with their keys.
+struct CameraList {
+  NamedCamera in_use;
+  std::vector<NamedCamera> others;
+
+  bool operator==(const CameraList&) const = default;
+};
+using ScenePart = std::variant<KeyedCamera, KeyedDensity, CameraList, Lights,
+                               std::optional<Environment>, MediumOptics, Surfaces, Emitters,
+                               Sequences, std::optional<Playback>, Film, Output>;
 
 // Reads the scene part of a variant index; and replaces a part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

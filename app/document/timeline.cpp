@@ -9,7 +9,7 @@
 namespace brume {
 
 Timeline::Timeline(QObject* parent) : QObject(parent) {
-  timer_.setInterval(static_cast<int>(1000.0 / frames_per_second));
+  timer_.setInterval(static_cast<int>(1000.0 / frames_per_second_));
   connect(&timer_, &QTimer::timeout, this, &Timeline::advance_frame);
 }
 
@@ -31,13 +31,27 @@ void Timeline::set_range(int first, int last) {
   Q_EMIT changed();
 }
 
+void Timeline::set_frames_per_second(double rate) {
+  if (rate == frames_per_second_) return;
+  frames_per_second_ = rate;
+  constexpr int min_interval = 8;  // milliseconds: no screen shows more
+  timer_.setInterval(std::max(min_interval, static_cast<int>(1000.0 / rate)));
+  if (is_playing()) {
+    play_start_ = frame_;
+    clock_.restart();
+  }
+  Q_EMIT frame_changed();
+  Q_EMIT changed();
+}
+
 void Timeline::follow(const Scene& scene) {
+  set_frames_per_second(scene.playback ? scene.playback->frames_per_second : default_frame_rate);
   if (const auto& playback = scene.playback) {
     set_loop(playback->loops);
     set_range(playback->first, playback->last);
     return;
   }
-  const double last = std::ceil(last_moment(scene) * frames_per_second - 1e-6);
+  const double last = std::ceil(last_moment(scene) * frames_per_second_ - 1e-6);
   set_loop(true);
   set_range(0, static_cast<int>(std::clamp<double>(last, frames_at_first, limits::frame)));
 }
@@ -61,7 +75,7 @@ void Timeline::stop() {
 }
 
 void Timeline::advance_frame() {
-  const double played = static_cast<double>(clock_.elapsed()) * 1e-3 * frames_per_second;
+  const double played = static_cast<double>(clock_.elapsed()) * 1e-3 * frames_per_second_;
   int frame = play_start_ + static_cast<int>(played);
   if (frame > last_) {
     if (loops_) {

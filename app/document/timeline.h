@@ -14,18 +14,21 @@ class Timeline : public QObject {
  public:
   explicit Timeline(QObject* parent);
 
-  static constexpr double frames_per_second = 30.0;
-
   [[nodiscard]] int frame() const { return frame_; }
-  [[nodiscard]] double time() const { return frame_ / frames_per_second; }  // [s]
-  void set_frame(int frame);                                                // >= 0
+  [[nodiscard]] double time() const { return time_of(frame_); }  // [s]
+  void set_frame(int frame);                                     // >= 0
+  [[nodiscard]] double frames_per_second() const { return frames_per_second_; }
+  [[nodiscard]] double time_of(double frame) const { return frame / frames_per_second_; }  // [s]
+  [[nodiscard]] double frame_of(double time) const { return time * frames_per_second_; }
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int last() const { return last_; }
   void set_range(int first, int last);  // clamped to 0 <= first <= last
   [[nodiscard]] bool loops() const { return loops_; }
   void set_loop(bool loops);
-  // Takes range and loop from a scene; default: 0 to the end of its animation, at least 120 frames,
-  // looping.
+  // Keeps the frame: its time is another then.
+  void set_frames_per_second(double rate);
+  // Takes range, loop and rate from a scene; default: 0 to the end of its animation, at least 120
+  // frames, looping.
   void follow(const Scene& scene);
 
   // Plays in real time, dropping frames. Restarts from the first frame at the end; loops or stops
@@ -42,6 +45,7 @@ class Timeline : public QObject {
   void advance_frame();
 
   int frame_ = 0;
+  double frames_per_second_ = 30.0;
   int first_ = 0;
   static constexpr int frames_at_first = 120;
   int last_ = frames_at_first;

@@ -1,5 +1,7 @@
 #include "app/export/frame_export.h"
 
+#include <QElapsedTimer>
+
 #include "app/document/paths.h"
 #include "app/export/frame_source.h"
 #include "app/export/video_file.h"
@@ -14,29 +16,38 @@ struct Cancelled {};
 // The work of one export, in its thread. Every function throws InputError, and Cancelled.
 class Exporter {
  public:
-  Exporter(const FrameExportRequest& request, const Job& job, int& written)
+  // Hands on each frame when it is done with it.
+  using Deliver = std::function<void(ExportedFrame)>;
+  Exporter(const FrameExportRequest& request, const Job& job, int& written, Deliver deliver)
       : request_(request),
         job_(job),
         written_(written),
-        source_(request.scene, request.camera, request.settings, request.backend) {}
+        deliver_(std::move(deliver)),
+        source_(request.scene, request.camera, request.film.value_or(request.scene->film),
+                request.settings, request.backend) {}
 
   void run() {
     if (!request_.range) {
-      write(request_.file, frame(request_.time, 0, 1));
+      write(request_.file, frame(request_.time, request_.title, 0, 1));
     } else if (lower_case_extension(request_.file) == ".mp4") {
       write_video();
     } else {
       for_each_frame([this](int number, const Frame& frame) {
-        write(numbered_file(request_.file, number), frame);
+        if (!request_.file.empty()) write(numbered_file(request_.file, number), frame);
       });
     }
   }
 
  private:
   // The k-th of `count` frames.
-  Frame frame(double time, int k, int count) {
+  Frame frame(double time, const QString& title, int k, int count) {
+    QElapsedTimer timer;
+    timer.start();
     auto frame = source_.at(time, job_.subrange(static_cast<double>(k) / count, (k + 1.0) / count));
     if (!frame || job_.stop.stop_requested()) throw Cancelled();
+    const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    const QString details = picture_details(*frame, request_.settings, milliseconds);
+    deliver_({make_picture(*frame, request_.info.exposure, title, details), milliseconds});
     return std::move(*frame);
   }
 
@@ -45,11 +56,13 @@ class Exporter {
     const int count = range.last - range.first + 1;
     for (int k = 0; k < count; ++k) {
       const int number = range.first + k;
-      take(number, frame(number / range.frames_per_second, k, count));
+      const QString title = QString("%1, frame %2").arg(request_.title).arg(number);
+      take(number, frame(number / range.frames_per_second, title, k, count));
     }
   }
 
   void write(const std::filesystem::path& file, const Frame& frame) {
+    if (file.empty()) return;
     FrameInfo info = request_.info;
     info.backend = frame.statistics.backend;
     info.noise = relative_noise(frame);
@@ -59,7 +72,7 @@ class Exporter {
 
   void write_video() {
     write_atomically(request_.file, [this](const std::filesystem::path& temporary) {
-      VideoFile video(request_.file, temporary, request_.scene->film,
+      VideoFile video(request_.file, temporary, request_.film.value_or(request_.scene->film),
                       request_.range->frames_per_second);
       for_each_frame([&](int, const Frame& frame) {
         video.add(to_display(frame, request_.info.exposure), job_.stop);
@@ -73,6 +86,7 @@ class Exporter {
   const FrameExportRequest& request_;
   const Job& job_;
   int& written_;
+  Deliver deliver_;
   FrameSource source_;
 };
 
@@ -86,10 +100,15 @@ FrameExport::FrameExport(QObject* parent) : QObject(parent) {
 void FrameExport::start(const FrameExportRequest& request) {
   const auto work = [this, request](const Job& job) {
     written_ = 0;
-    Exporter(request, job, written_).run();
+    const auto deliver = [this, &job](ExportedFrame frame) {
+      job_.deliver(job, [this, frame = std::move(frame)] { Q_EMIT rendered(frame); });
+    };
+    Exporter(request, job, written_, deliver).run();
     return [this, file = to_qstring(request.file)] { Q_EMIT finished(file); };
   };
-  job_.start(work, tr("Exporting %1").arg(to_qstring(request.file.filename())));
+  job_.start(work, request.file.empty()
+                       ? tr("Rendering")
+                       : tr("Exporting %1").arg(to_qstring(request.file.filename())));
 }
 
 }  // namespace brume

@@ -6,6 +6,7 @@
 
 #include "app/files/numbered_file.h"
 #include "app/jobs/background_job.h"
+#include "app/pictures/picture.h"
 #include "core/scene/scene.h"
 #include "render/gl_renderer.h"
 #include "render/output/frame_file.h"
@@ -20,7 +21,7 @@ struct FrameExportRequest {
   Settings settings;
   FrameInfo info;  // without backend and noise, set per frame
   Backend backend = Backend::auto_;
-  // The extension decides the format: .exr or .png, or .mp4 of several frames.
+  // The extension decides the format: .exr or .png, or .mp4 of several frames. Empty: no file.
   std::filesystem::path file;
   struct Range {
     int first = 0;
@@ -29,6 +30,14 @@ struct FrameExportRequest {
   };
   std::optional<Range> range;  // nullopt: one frame
   double time = 0.0;           // of that [s]
+  QString title{};             // of its pictures
+  std::optional<Film> film{};  // absent: the scene\'s; or a region of that
+};
+
+// A frame of an export, to be looked at.
+struct ExportedFrame {
+  std::shared_ptr<const Picture> picture;
+  double milliseconds = 0.0;
 };
 
 // Renders a frame, a sequence or a video to files in the background. Files are written atomically;
@@ -43,6 +52,8 @@ class FrameExport : public QObject {
 
  Q_SIGNALS:
   void finished(const QString& file);
+  // Each frame, also one that is not written.
+  void rendered(const brume::ExportedFrame& frame);
   void cancelled(int written);  // number of written files
   void failed(const QString& message);
 

@@ -7,8 +7,8 @@
 namespace brume {
 
 FrameSource::FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camera> camera,
-                         const Settings& settings, Backend backend)
-    : scene_(std::move(scene)), camera_(camera), settings_(settings) {
+                         const Film& film, const Settings& settings, Backend backend)
+    : scene_(std::move(scene)), camera_(camera), film_(film), settings_(settings) {
   std::string problem;  // each frame says what rendered it
   renderer_ = make_renderer(backend, transfers_, problem);
 }
@@ -18,7 +18,7 @@ std::optional<Frame> FrameSource::at(double time, const Job& job) {
   const std::vector<TransferRequest> needed = needed_transfers(scene, settings_);
   const double first = transfers_->has(needed) ? 0.0 : 0.5;
   transfers_->make(needed, cache_folder(), job.subrange(0.0, first));
-  return renderer_->render(scene, camera_.value_or(scene.camera), scene.film, settings_, job.stop,
+  return renderer_->render(scene, camera_.value_or(scene.camera), film_, settings_, job.stop,
                            job.subrange(first, 1.0).progress);
 }
 

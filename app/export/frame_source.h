@@ -17,7 +17,7 @@ namespace brume {
 class FrameSource {
  public:
   // Without a camera: the scene's camera at each time.
-  FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camera> camera,
+  FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camera> camera, const Film& film,
               const Settings& settings, Backend backend);
 
   // nullopt if stopped. Throws InputError.
@@ -26,6 +26,7 @@ class FrameSource {
  private:
   std::shared_ptr<const Scene> scene_;
   std::optional<Camera> camera_;
+  Film film_;
   Settings settings_;
   std::shared_ptr<TransferStore> transfers_ = std::make_shared<TransferStore>();
   std::unique_ptr<FrameRenderer> renderer_;

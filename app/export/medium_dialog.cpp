@@ -27,6 +27,7 @@ MediumDialog::MediumDialog(std::shared_ptr<const Scene> scene, const Timeline& t
     : QDialog(parent),
       scene_(std::move(scene)),
       time_(timeline.time()),
+      frames_per_second_(timeline.frames_per_second()),
       file_(new QLineEdit(last_folder(FileKind::medium, folder) + "/medium.vdb", this)),
       voxel_(new QLineEdit(this)),
       half_(new QCheckBox(tr("half precision"), this)),
@@ -101,7 +102,7 @@ MediumExport MediumDialog::chosen() const {
   request.half = half_->isChecked();
   request.time = time_;
   if (is_range_->isChecked()) {
-    request.range = {first_->value(), last_->value(), Timeline::frames_per_second};
+    request.range = {first_->value(), last_->value(), frames_per_second_};
   }
   return request;
 }

@@ -31,6 +31,7 @@ class MediumDialog : public QDialog {
 
   std::shared_ptr<const Scene> scene_;
   double time_;
+  double frames_per_second_;
   QLineEdit* file_;
   QLineEdit* voxel_;
   QCheckBox* half_;

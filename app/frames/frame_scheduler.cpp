@@ -163,7 +163,7 @@ FrameRequest FrameScheduler::frame_request(bool moving) const {
   const auto scene = lit_scene();
   const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
   FrameRequest request{.scene = scene,
-                       .camera = view_.camera(),
+                       .camera = view_.shown_camera(),
                        .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
                        .settings = moving ? motion_settings(scene) : quality_.settings(),
                        .exposure = exposure_,
@@ -181,7 +181,7 @@ void FrameScheduler::request() {
   ++serial_;
   forget_error_map();
   if (pane_.isHidden()) return;
-  quality_.picture_changes(*lit_scene(), view_.camera());
+  quality_.picture_changes(*lit_scene(), view_.shown_camera());
   services_.transfer_job.follow(document_.scene(), quality_.settings());
   services_.service.request(frame_request(true));
   rest_timer_.start(rest_after);

@@ -19,14 +19,6 @@ constexpr int row_height = 18;
 constexpr int margin = 10;
 constexpr double mark_radius = 5.0;
 
-double frame_of(double time) {
-  return time * Timeline::frames_per_second;
-}
-
-double time_of(int frame) {
-  return frame / Timeline::frames_per_second;
-}
-
 }  // namespace
 
 KeyframeTrack::KeyframeTrack(Timeline& timeline, Document& document, QWidget* parent)
@@ -90,7 +82,7 @@ std::optional<KeyframeTrack::Mark> KeyframeTrack::mark_at(QPointF position) cons
   std::optional<Mark> nearest;
   double min_value = mark_radius + 2.0;
   for (const Keyframe& mark : marks_[k]) {
-    const double distance = std::abs(x_of(frame_of(mark.time)) - position.x());
+    const double distance = std::abs(x_of(timeline_.frame_of(mark.time)) - position.x());
     if (distance > min_value) continue;
     min_value = distance;
     nearest = Mark{k, mark.time};
@@ -122,7 +114,7 @@ void KeyframeTrack::paintEvent(QPaintEvent*) {
   painter.setClipRect(QRectF(first_x_ - margin, 0, width(), height()));
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     for (const Keyframe& mark : marks_[k]) {
-      const double x = x_of(frame_of(mark.time));
+      const double x = x_of(timeline_.frame_of(mark.time));
       const double y = position(k, 0).y();
       const bool chosen = is_chosen(k, mark.time);
       painter.setPen(QPen(chosen ? Qt::white : palette().color(QPalette::Base), 1.0));
@@ -157,8 +149,8 @@ void KeyframeTrack::mouseMoveEvent(QMouseEvent* event) {
   if (scrubs_) timeline_.set_frame(frame);
   if (!drag_ || !chosen_) return;
   // A key between two frames stays there until it is moved.
-  const bool is_back = frame == frame_at(x_of(frame_of(drag_->from)));
-  const double to = is_back ? drag_->from : time_of(frame);
+  const bool is_back = frame == frame_at(x_of(timeline_.frame_of(drag_->from)));
+  const double to = is_back ? drag_->from : timeline_.time_of(frame);
   if (to == drag_->to) return;
   drag_->to = to;
   chosen_->time = to;
@@ -175,8 +167,8 @@ void KeyframeTrack::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || event->position().x() <= first_x_ - margin) return;
   if (row < 0 || row >= static_cast<double>(rows_.size())) return;
   const std::optional<Mark> mark = mark_at(event->position());
-  const double time = mark ? mark->time : time_of(frame_at(event->position().x()));
-  timeline_.set_frame(static_cast<int>(std::round(frame_of(time))));
+  const double time = mark ? mark->time : timeline_.time_of(frame_at(event->position().x()));
+  timeline_.set_frame(static_cast<int>(std::round(timeline_.frame_of(time))));
   if (!mark) set_keys(document_, rows_[static_cast<std::size_t>(row)]);
 }
 

@@ -111,13 +111,15 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   });
   connect(frame, &QSpinBox::valueChanged, &timeline, &Timeline::set_frame);
   connect(first, &QSpinBox::valueChanged, &timeline, [this, &timeline](int value) {
-    set_playback({value, std::max(value, timeline.last()), timeline.loops()});
+    set_playback(
+        {value, std::max(value, timeline.last()), timeline.loops(), timeline.frames_per_second()});
   });
   connect(last, &QSpinBox::valueChanged, &timeline, [this, &timeline](int value) {
-    set_playback({std::min(value, timeline.first()), value, timeline.loops()});
+    set_playback(
+        {std::min(value, timeline.first()), value, timeline.loops(), timeline.frames_per_second()});
   });
   connect(loop, &QCheckBox::toggled, this, [this, &timeline](bool on) {
-    set_playback({timeline.first(), timeline.last(), on});
+    set_playback({timeline.first(), timeline.last(), on, timeline.frames_per_second()});
   });
   connect(key, &QToolButton::clicked, this, &TimelineBar::set_key);
   for (const auto signal : {&Document::scene_replaced, &Document::part_changed}) {

@@ -25,12 +25,66 @@ bool can_be_stored(const Camera& camera) {
 
 CameraController::CameraController(const Document& document, Projection projection,
                                    const QWidget& pane)
-    : document_(document), projection_(projection), pane_(pane), camera_(document.scene().camera) {}
+    : document_(document), projection_(projection), pane_(pane), camera_(document.scene().camera) {
+  connect(&document, &Document::part_changed, this, &CameraController::follow_scene);
+}
 
 void CameraController::set_camera(const Camera& camera) {
   if (!can_be_stored(camera)) return;
+  through_ = false;
   camera_ = camera;
   Q_EMIT moved();
+}
+
+void CameraController::navigate_to(const Camera& camera) {
+  if (!through_ || !locked_) {
+    set_camera(camera);
+  } else if (can_be_stored(camera)) {
+    Q_EMIT scene_camera_asked_for(camera);
+  }
+}
+
+void CameraController::look_through_scene_camera() {
+  if (projection_ != Projection::perspective) return;
+  through_ = true;
+  camera_ = document_.scene().camera;
+  scene_film_ = document_.scene().film;
+  Q_EMIT moved();
+}
+
+void CameraController::follow_scene() {
+  if (!through_) return;
+  const Scene& scene = document_.scene();
+  if (scene.camera != camera_ || scene.film != scene_film_) look_through_scene_camera();
+}
+
+void CameraController::set_frame_shown(bool shown) {
+  shows_frame_ = shown;
+  if (through_) Q_EMIT moved();
+}
+
+double CameraController::margin() const {
+  constexpr double least = 1.08;  // the pane over the frame
+  const Film& scene_film = document_.scene().film;
+  const double aspect = static_cast<double>(scene_film.width) / scene_film.height;
+  const double pane_aspect = static_cast<double>(film().width) / film().height;
+  return least * std::max(1.0, aspect / pane_aspect);
+}
+
+Camera CameraController::shown_camera() const {
+  if (!through_ || !shows_frame_) return camera_;
+  Camera camera = camera_;
+  const double half = std::tan(0.5 * glm::radians(camera_.vertical_fov));
+  camera.vertical_fov = 2.0 * glm::degrees(std::atan(margin() * half));
+  return camera;
+}
+
+std::optional<QRectF> CameraController::frame() const {
+  if (!through_ || !shows_frame_) return std::nullopt;
+  const Film& scene_film = document_.scene().film;
+  const double height = film().height / margin();
+  const double width = height * scene_film.width / scene_film.height;
+  return QRectF(0.5 * (film().width - width), 0.5 * (film().height - height), width, height);
 }
 
 Film CameraController::film() const {
@@ -55,12 +109,12 @@ void CameraController::reset() {
 
 void CameraController::frame(const Sphere& sphere) {
   if (projection_ == Projection::perspective) {
-    set_camera(frame_sphere(camera_, film(), sphere.center, sphere.radius));
+    navigate_to(frame_sphere(camera_, film(), sphere.center, sphere.radius));
     return;
   }
   const double aspect = static_cast<double>(film().height) / film().width;
-  set_camera(axis_camera(projection_, sphere.center, sphere.radius * std::max(1.0, aspect),
-                         bounding_sphere(document_.scene()).value_or(sphere)));
+  navigate_to(axis_camera(projection_, sphere.center, sphere.radius * std::max(1.0, aspect),
+                          bounding_sphere(document_.scene()).value_or(sphere)));
 }
 
 void CameraController::frame_all() {
@@ -82,13 +136,13 @@ void CameraController::frame_selection() {
 
 void CameraController::zoom_by(double factor) {
   if (projection_ == Projection::perspective) {
-    set_camera(zoom(camera_, factor));
+    navigate_to(zoom(camera_, factor));
     return;
   }
   const Sphere around = bounding_sphere(document_.scene()).value_or(Sphere{camera_.target, 1.0});
   const double half =
       std::clamp(factor * half_height(camera_), 1e-5 * around.radius, 1e3 * around.radius);
-  set_camera(axis_camera(projection_, camera_.target, half, around));
+  navigate_to(axis_camera(projection_, camera_.target, half, around));
 }
 
 void CameraController::drag(NavigationDrag drag, QPointF movement) {
@@ -96,9 +150,9 @@ void CameraController::drag(NavigationDrag drag, QPointF movement) {
   if (drag == NavigationDrag::zoom) {
     zoom_by(std::exp(0.005 * (movement.y() - movement.x())));
   } else if (drag == NavigationDrag::orbit && projection_ == Projection::perspective) {
-    set_camera(orbit(camera_, {movement.x() * half_turn, movement.y() * half_turn}));
+    navigate_to(orbit(camera_, {movement.x() * half_turn, movement.y() * half_turn}));
   } else {
-    set_camera(pan(camera_, film(), {movement.x(), movement.y()}));
+    navigate_to(pan(camera_, film(), {movement.x(), movement.y()}));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <QObject>
 #include <QPointF>
+#include <QRectF>
+#include <optional>
 
 #include "app/view/axis_view.h"
 #include "app/view/navigation.h"
@@ -14,6 +16,9 @@ class Document;
 
 // The camera of a view, within the limits of scene files. Its moves are not undoable. Axis views
 // pan and zoom but do not orbit.
+//
+// It can look through the scene's camera: it follows that until it is moved. If it is locked to it,
+// navigation asks for moves of the scene's camera instead.
 class CameraController : public QObject {
   Q_OBJECT
  public:
@@ -22,11 +27,21 @@ class CameraController : public QObject {
 
   [[nodiscard]] Projection projection() const { return projection_; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
-  // Ignores cameras outside the limits.
+  // What the pane shows: more than camera() if the scene's film is shown within it.
+  [[nodiscard]] Camera shown_camera() const;
+  // Ignores cameras outside the limits. Leaves the scene's camera.
   void set_camera(const Camera& camera);
   // In widget coordinates.
   [[nodiscard]] Film film() const;
-  [[nodiscard]] CameraRays rays() const { return {camera_, film()}; }
+  [[nodiscard]] CameraRays rays() const { return {shown_camera(), film()}; }
+
+  void look_through_scene_camera();
+  [[nodiscard]] bool looks_through_scene_camera() const { return through_; }
+  void set_locked(bool locked) { locked_ = locked; }
+  void set_frame_shown(bool shown);
+  // The scene's film in the pane; nullopt if it is not shown.
+  [[nodiscard]] std::optional<QRectF> frame() const;
+
   // Equivalent distance of a camera with the default field of view [u]; scales the sizes of new
   // objects.
   [[nodiscard]] double distance() const;
@@ -42,14 +57,23 @@ class CameraController : public QObject {
 
  Q_SIGNALS:
   void moved();
+  void scene_camera_asked_for(const brume::Camera& camera);
 
  private:
   void frame(const Sphere& sphere);
+  void navigate_to(const Camera& camera);
+  void follow_scene();
+  // How many times the pane shows the height of camera().
+  [[nodiscard]] double margin() const;
 
   const Document& document_;
   const Projection projection_;
   const QWidget& pane_;
   Camera camera_;
+  bool through_ = false;  // the scene's camera
+  bool locked_ = false;
+  bool shows_frame_ = true;
+  Film scene_film_;  // that frame() was last of
   NavigationPreset navigation_ = NavigationPreset::brume;
 };
 

@@ -23,6 +23,7 @@ class View {
   [[nodiscard]] CameraController& camera_controller() { return camera_; }
   [[nodiscard]] Projection projection() const { return camera_.projection(); }
   [[nodiscard]] const Camera& camera() const { return camera_.camera(); }
+  [[nodiscard]] Camera shown_camera() const { return camera_.shown_camera(); }
   [[nodiscard]] Film film() const { return camera_.film(); }
   [[nodiscard]] CameraRays rays() const { return camera_.rays(); }
   [[nodiscard]] double distance() const { return camera_.distance(); }

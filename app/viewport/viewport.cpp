@@ -6,6 +6,7 @@
 
 #include "app/document/document.h"
 #include "app/view/tool.h"
+#include "app/viewport/camera_frame.h"
 #include "app/viewport/legend.h"
 #include "app/viewport/view_services.h"
 
@@ -15,10 +16,12 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
                    QWidget* parent)
     : QWidget(parent),
       View(document, services.surfaces, projection, *this),
+      document_(document),
       surface_(services.screens.create(this)),
       frames_(document, services.frames, *this, *this),
       input_(*this),
       band_(QRubberBand::Rectangle, this),
+      camera_frame_(new CameraFrame(this)),
       legend_(new Legend(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -33,6 +36,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&input_, &ViewInput::pointed_at, this, &Viewport::pointed_at);
   connect(&input_, &ViewInput::menu_asked, this, &Viewport::menu_asked);
   connect(&camera_controller(), &CameraController::moved, &frames_, &FrameScheduler::request);
+  connect(&camera_controller(), &CameraController::moved, this, &Viewport::show_camera_frame);
   connect(&shown_handles(), &ShownHandles::changed, this, &Viewport::update_overlay);
   connect(&frames_, &FrameScheduler::frame_shown, this, [this] {
     show_picture();
@@ -46,6 +50,7 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
     camera_controller().reset();
   });
   connect(&document, &Document::part_changed, this, &Viewport::update_overlay);
+  connect(&document, &Document::part_changed, this, &Viewport::show_camera_frame);
   connect(&document, &Document::active_emitter_changed, this, &Viewport::update_overlay);
   connect(&document, &Document::active_light_changed, this, &Viewport::update_overlay);
   connect(&document, &Document::object_changed, this, &Viewport::update_overlay);
@@ -117,6 +122,13 @@ void Viewport::place_legend() {
   legend_->move(width() - legend_->width() - 8, height() - legend_->height() - 8);
 }
 
+void Viewport::show_camera_frame() {
+  const QString name = QString::fromStdString(document_.scene().camera_name);
+  const Film& film = document_.scene().film;
+  camera_frame_->show_frame(camera_controller().frame(),
+                            tr("%1 · %2 × %3").arg(name).arg(film.width).arg(film.height));
+}
+
 void Viewport::draw_overlay() {
   Overlay overlay;
   if (!shows_overlay_) return surface_->show_overlay(overlay);
@@ -133,6 +145,7 @@ void Viewport::draw_overlay() {
 void Viewport::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   place_legend();
+  show_camera_frame();
   shown_handles().project();
   frames_.request();
 }

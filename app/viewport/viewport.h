@@ -10,6 +10,7 @@
 
 namespace brume {
 
+class CameraFrame;
 class Legend;
 class Tool;
 class ViewportSurface;
@@ -32,6 +33,9 @@ class Viewport : public QWidget, public View {
   void show_overlay(bool shown);  // what is drawn over the picture
   void set_time(double time) override;
   void show_band(const QRect& rectangle) override;
+
+  // The frame of the scene's camera, and what of it is to be rendered.
+  [[nodiscard]] CameraFrame& camera_frame() { return *camera_frame_; }
 
   // Why there is no OpenGL; empty if there is.
   [[nodiscard]] QString gl_problem() const;
@@ -58,13 +62,16 @@ class Viewport : public QWidget, public View {
  private:
   void show_picture();
   void place_legend();
+  void show_camera_frame();
   void update_overlay() { overlay_timer_.start(0); }
   void draw_overlay();
 
+  const Document& document_;
   ViewportSurface* surface_;
   FrameScheduler frames_;
   ViewInput input_;
   QRubberBand band_;
+  CameraFrame* camera_frame_;
   Legend* legend_;
   QTimer overlay_timer_;
   bool shows_overlay_ = true;

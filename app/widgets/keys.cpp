@@ -72,6 +72,12 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"view.next_mode", "Tab"},
     {"view.exposure_up", "+; ="},
     {"view.exposure_down", "-"},
+    {"render.picture", "F12"},
+    {"render.animation", "Ctrl+F12"},
+    {"render.region", "Ctrl+B"},
+    {"render.whole", "Ctrl+Alt+B"},
+    {"render.viewer", "F11"},
+    {"render.keep_view", "F9"},
     {"help.keys", "?; F1"},
 });
 

@@ -240,7 +240,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!files_->may_discard()) {
+  if (!may_end_renders() || !files_->may_discard()) {
     event->ignore();
     return;
   }

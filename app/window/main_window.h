@@ -3,10 +3,13 @@
 #include <QMainWindow>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "app/document/document.h"
 #include "app/jobs/background_job.h"
 
+class QAction;
+class QDockWidget;
 class QLabel;
 class QMenu;
 
@@ -17,6 +20,8 @@ class FrameExport;
 struct FrameExportRequest;
 class GaussianPanel;
 class MessageBar;
+class PictureViewer;
+class RenderQueue;
 class SceneFiles;
 class SceneImport;
 class Timeline;
@@ -64,7 +69,19 @@ class MainWindow : public QMainWindow {
  private:
   void create_docks();       // main_window_docks.cpp
   void create_status_bar();  // main_window_status.cpp
-  void create_actions();     // main_window_actions.cpp
+  // main_window_output.cpp
+  void create_output_docks(QDockWidget* beside);
+  void create_output_actions();
+  void fill_render_menu(QMenu* menu);
+  [[nodiscard]] FrameExportRequest output_request(bool animation) const;
+  void render_output(bool animation);
+  void show_render(int id);
+  void show_picture_viewer();
+  [[nodiscard]] bool may_end_renders();  // asks if any is not done
+  void keep_view();
+  void mark_region();
+
+  void create_actions();  // main_window_actions.cpp
   void look_through_light();
   void fill_add_menu(QMenu* menu);  // main_window_objects.cpp
   void show_view_menu(Viewport& view, QPointF position);
@@ -108,6 +125,13 @@ class MainWindow : public QMainWindow {
   TimelineBar* timeline_bar_ = nullptr;
   GaussianPanel* gaussian_panel_ = nullptr;
   FrameExport* frame_export_ = nullptr;
+  RenderQueue* render_queue_ = nullptr;
+  PictureViewer* picture_viewer_ = nullptr;
+  QList<QAction*> output_actions_;  // in the order of the menu Render
+  QList<QAction*> camera_actions_;  // check boxes of what the view shows of the camera
+  int shown_render_ = 0;            // id in the queue, whose pictures the viewer shows
+  // Files of output that may be replaced: of one picture, or of an animation.
+  std::set<std::pair<std::filesystem::path, bool>> rendered_files_;
   BackgroundJob* file_job_ = nullptr;  // imports, exports of the medium, gathers
   SceneImport* import_ = nullptr;
   std::pair<std::filesystem::path, std::uint64_t> pictured_;  // file and revision

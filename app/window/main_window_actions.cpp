@@ -16,7 +16,6 @@
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
 #include "app/document/timeline.h"
-#include "app/export/frame_export.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
@@ -74,16 +73,10 @@ void MainWindow::create_actions() {
   add(file, tr("&Import…"), "file.import", [this] { import_->ask(); });
   add(file, tr("Import Se&quence…"), "", [this] { import_->ask_sequence(); });
   file->addSeparator();
-  QAction* exporting = add(file, tr("&Export Frame…"), "file.export", [this] { export_frame(); });
-  QAction* animation = add(file, tr("Export Ani&mation…"), "", [this] { export_animation(); });
+  add(file, tr("&Export Frame…"), "file.export", [this] { export_frame(); });
+  add(file, tr("Export Ani&mation…"), "", [this] { export_animation(); });
   add(file, tr("Export Me&dium…"), "", [this] { export_medium(); });
   add(file, tr("&Gather into Folder…"), "", [this] { gather(); });
-  connect(file, &QMenu::aboutToShow, this, [this, exporting, animation] {
-    for (QAction* a : {exporting, animation}) a->setEnabled(!frame_export_->job().is_running());
-  });
-  connect(file, &QMenu::aboutToHide, this, [exporting, animation] {
-    for (QAction* a : {exporting, animation}) a->setEnabled(true);
-  });
   file->addSeparator();
   add(file, tr("&Quit"), "file.quit", [this] { close(); });
 
@@ -177,10 +170,11 @@ void MainWindow::create_actions() {
   add(view, tr("&Frame Selection"), "view.frame_selection",
       [this] { views_->active().camera_controller().frame_selection(); });
   add(view, tr("&Scene Camera"), "view.scene_camera",
-      [this] { viewport_->camera_controller().set_camera(document_.scene().camera); });
+      [this] { viewport_->camera_controller().look_through_scene_camera(); });
   add(view, tr("&Look Through Light"), "light.look_through", [this] { look_through_light(); });
   add(view, tr("Set Scene Camera &to View"), "view.store_camera",
       [this] { set_scene_camera(document_, viewport_->camera(), tr("Set scene camera to view")); });
+  view->addActions(camera_actions_);
   view->addSeparator();
   QAction* four = add(view, tr("F&our Views"), "view.four",
                       [this] { views_->show_four(!views_->shows_four()); });
@@ -200,11 +194,15 @@ void MainWindow::create_actions() {
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
 
+  QMenu* render = menuBar()->addMenu(tr("&Render"));
+  fill_render_menu(render);
+
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   add(help, tr("&Keyboard Shortcuts"), "help.keys",
-      [this, file, edit, adding, select, tool, time, view] {
+      [this, file, edit, adding, select, tool, time, view, render] {
         show_keys(this, file->actions() + edit->actions() + adding->actions() + select->actions() +
-                            tool->actions() + time->actions() + view->actions());
+                            tool->actions() + time->actions() + view->actions() +
+                            render->actions());
       });
   add(help, tr("&About Brume"), "", [this] { show_about(this); });
 }

@@ -76,6 +76,7 @@ void MainWindow::create_docks() {
   QDockWidget* at_cursor = dock(tr("At the Cursor"), "at_cursor", scrolled(contribution_panel));
   tabifyDockWidget(performance, history);
   tabifyDockWidget(performance, at_cursor);
+  create_output_docks(at_cursor);
   performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
   resizeDocks({outline, gaussians, performance}, {110, 400, 230}, Qt::Vertical);

@@ -8,8 +8,8 @@
 #include "app/document/timeline.h"
 #include "app/export/animation_dialog.h"
 #include "app/export/frame_dialog.h"
-#include "app/export/frame_export.h"
 #include "app/export/medium_dialog.h"
+#include "app/export/render_queue.h"
 #include "app/files/file_dialogs.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
@@ -41,7 +41,7 @@ void MainWindow::export_frame_to(const std::filesystem::path& file, std::optiona
     request.settings.paths = *paths;
     request.info.airlight = airlight_name(request.settings);
   }
-  frame_export_->start(request);
+  render_queue_->add(request);
 }
 
 void MainWindow::export_animation() {
@@ -52,22 +52,26 @@ void MainWindow::export_animation() {
 
 void MainWindow::export_animation_to(const std::filesystem::path& file, int first, int last) {
   FrameExportRequest request = export_request(file);
-  request.range = {first, last, Timeline::frames_per_second};
+  request.range = {first, last, timeline_->frames_per_second()};
+  request.title = tr("View");
   if (document_.scene().camera_keys != CameraKeys{}) request.camera.reset();
-  frame_export_->start(request);
+  render_queue_->add(request);
 }
 
 FrameExportRequest MainWindow::export_request(const std::filesystem::path& file) const {
   const Settings settings = viewport_->frames().quality().settings();
-  return {
-      document_.snapshot(),
-      viewport_->camera(),
-      settings,
-      {document_.file().string(), airlight_name(settings), {}, viewport_->frames().exposure(), {}},
-      views_->backend(),
-      file,
-      std::nullopt,
-      viewport_->time()};
+  return {.scene = document_.snapshot(),
+          .camera = viewport_->camera(),
+          .settings = settings,
+          .info = {document_.file().string(),
+                   airlight_name(settings),
+                   {},
+                   viewport_->frames().exposure()},
+          .backend = views_->backend(),
+          .file = file,
+          .range = std::nullopt,
+          .time = viewport_->time(),
+          .title = tr("Frame %1").arg(timeline_->frame())};
 }
 
 void MainWindow::export_medium() {

@@ -4,7 +4,7 @@
 #include <QMenuBar>
 #include <QStatusBar>
 
-#include "app/export/frame_export.h"
+#include "app/export/render_queue.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
 #include "app/jobs/background_job.h"
@@ -35,7 +35,7 @@ void MainWindow::create_status_bar() {
   quality_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   quality_->setContentsMargins(0, 4, 8, 0);
   menuBar()->setCornerWidget(quality_);
-  frame_export_ = new FrameExport(this);
+  frame_export_ = &render_queue_->exporter();
   file_job_ = new BackgroundJob(BackgroundJob::Policy::one_at_a_time, this);
   import_ = new SceneImport(document_, *file_job_, this);
   connect(file_job_, &BackgroundJob::cancelled, this, [this] { show_status(tr("Cancelled")); });
@@ -51,8 +51,9 @@ void MainWindow::create_status_bar() {
   }
   statusBar()->addPermanentWidget(numbers_);
   statusBar()->addPermanentWidget(error_);
-  connect(frame_export_, &FrameExport::finished, this,
-          [this](const QString& file) { show_status(tr("Exported %1").arg(file)); });
+  connect(frame_export_, &FrameExport::finished, this, [this](const QString& file) {
+    show_status(file.isEmpty() ? tr("Rendered") : tr("Exported %1").arg(file));
+  });
   connect(frame_export_, &FrameExport::cancelled, this, [this](int written) {
     show_status(written == 0 ? tr("Export cancelled")
                              : tr("Export cancelled after %1 files").arg(written));

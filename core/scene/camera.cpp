@@ -2,14 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace brume {
 
+Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& other) {
+  const glm::dvec2 size(film.width, film.height);
+  const glm::ivec2 last = glm::ivec2(size) - 1;
+  const glm::ivec2 start = glm::clamp(
+      glm::ivec2(glm::floor(glm::min(corner, other) * size + CameraRays::pixel_rounding)),
+      glm::ivec2(0), last);
+  const glm::ivec2 end =
+      glm::clamp(glm::ivec2(glm::ceil(glm::max(corner, other) * size - CameraRays::pixel_rounding)),
+                 start + 1, last + 1);
+  return {end.x - start.x, end.y - start.y, FilmRegion{start.x, start.y, film.width, film.height}};
+}
+
 CameraRays::CameraRays(const Camera& camera, const Film& film)
-    : eye_(camera.eye), size_(film.width, film.height) {
+    : eye_(camera.eye),
+      region_(film.region.value_or(FilmRegion{0, 0, film.width, film.height})),
+      pixels_(film.width, film.height) {
+  const glm::dvec2 size(region_.full_width, region_.full_height);
   const glm::dvec3 view = camera.target - camera.eye;
   const double distance = glm::length(view);
   forward_ = distance > 0.0 ? view / distance : glm::dvec3(0.0, 0.0, -1.0);
@@ -23,10 +39,11 @@ CameraRays::CameraRays(const Camera& camera, const Film& film)
   right_ = glm::normalize(right);
   up_ = glm::cross(right_, forward_);
   half_size_.y = std::tan(0.5 * glm::radians(camera.vertical_fov));
-  half_size_.x = half_size_.y * size_.x / size_.y;
+  half_size_.x = half_size_.y * size.x / size.y;
   corner_ = forward_ - half_size_.x * right_ + half_size_.y * up_;
-  per_x_ = 2.0 * half_size_.x / size_.x * right_;
-  per_y_ = -2.0 * half_size_.y / size_.y * up_;
+  per_x_ = 2.0 * half_size_.x / size.x * right_;
+  per_y_ = -2.0 * half_size_.y / size.y * up_;
+  corner_ += static_cast<double>(region_.x) * per_x_ + static_cast<double>(region_.y) * per_y_;
 }
 
 glm::dvec3 CameraRays::project(const glm::dvec3& point) const {
@@ -35,7 +52,8 @@ glm::dvec3 CameraRays::project(const glm::dvec3& point) const {
   if (!(z > 0.0)) return {0.0, 0.0, z};
   const double u = glm::dot(q, right_) / (z * half_size_.x);
   const double v = glm::dot(q, up_) / (z * half_size_.y);
-  return {0.5 * (u + 1.0) * size_.x, 0.5 * (1.0 - v) * size_.y, z};
+  return {0.5 * (u + 1.0) * region_.full_width - region_.x,
+          0.5 * (1.0 - v) * region_.full_height - region_.y, z};
 }
 
 namespace {
@@ -64,19 +82,20 @@ CameraRays::PixelRectangle CameraRays::bounds(const glm::dvec3& point, double ra
   const glm::dvec2 v = covered(-glm::dot(q, up_), z, radius, half_size_.y);
   if (!(u[0] < u[1]) || !(v[0] < v[1])) return {};
   // Pixels whose centre lies inside, with a little room for rounding.
-  const auto first = [](double s, double size) {
+  const auto first = [](double s, int size) {
     return static_cast<int>(std::ceil(0.5 * (s + 1.0) * size - 0.5 - pixel_rounding));
   };
-  const auto last = [](double s, double size) {
+  const auto last = [](double s, int size) {
     return static_cast<int>(std::floor(0.5 * (s + 1.0) * size - 0.5 + pixel_rounding)) + 1;
   };
-  return {std::max(first(u[0], size_.x), 0), std::max(first(v[0], size_.y), 0),
-          std::min(last(u[1], size_.x), static_cast<int>(size_.x)),
-          std::min(last(v[1], size_.y), static_cast<int>(size_.y))};
+  return {std::max(first(u[0], region_.full_width) - region_.x, 0),
+          std::max(first(v[0], region_.full_height) - region_.y, 0),
+          std::min(last(u[1], region_.full_width) - region_.x, pixels_.x),
+          std::min(last(v[1], region_.full_height) - region_.y, pixels_.y)};
 }
 
 double CameraRays::pixel_half_angle() const {
-  return std::atan(half_size_.y / size_.y);
+  return std::atan(half_size_.y / region_.full_height);
 }
 
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace brume {
 
@@ -16,13 +17,26 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+// Where a film lies on a larger one, in pixels of both.
+struct FilmRegion {
+  int x = 0, y = 0;  // of the first pixel
+  int full_width = 0, full_height = 0;
+
+  bool operator==(const FilmRegion&) const = default;
+};
+
 // The size of a frame in pixels.
 struct Film {
   int width = 800;
   int height = 600;
+  std::optional<FilmRegion> region{};  // a part of the picture; absent: all of it
 
   bool operator==(const Film&) const = default;
 };
+
+// The part of a whole film between two corners, fractions of its sides from the upper left
+// corner; at least a pixel.
+Film film_region(const Film& film, const glm::dvec2& corner, const glm::dvec2& other);
 
 // Maps between pixels of a film and rays of a camera. Pixel (x, y) has its center at (x + 0.5, y +
 // 0.5); y points down.
@@ -48,6 +62,9 @@ class CameraRays {
   };
   [[nodiscard]] FilmPlane plane() const { return {corner_, per_x_, per_y_}; }
 
+  // Where the film lies on the whole one, which forward() meets at its center.
+  [[nodiscard]] const FilmRegion& region() const { return region_; }
+
   // Film position of a point, and its depth along forward() in z [u]; for z <= 0 it is behind the
   // eye and x and y are 0.
   [[nodiscard]] glm::dvec3 project(const glm::dvec3& point) const;
@@ -67,8 +84,9 @@ class CameraRays {
   glm::dvec3 forward_;
   glm::dvec3 right_;
   glm::dvec3 up_;
-  glm::dvec2 half_size_;  // of the film at distance 1
-  glm::dvec2 size_;       // of the film in pixels
+  glm::dvec2 half_size_;  // of the whole film at distance 1
+  FilmRegion region_;
+  glm::ivec2 pixels_;  // of the film
   // A film position from the eye, at distance 1 along forward_: corner_ + x per_x_ + y per_y_.
   glm::dvec3 corner_;
   glm::dvec3 per_x_;

@@ -14,6 +14,7 @@
 #include "core/scene/keys.h"
 #include "core/scene/medium_sequence.h"
 #include "core/scene/object_id.h"
+#include "core/scene/output.h"
 #include "core/scene/primitive.h"
 
 namespace brume {
@@ -202,11 +203,25 @@ struct CameraKeys {
   bool operator==(const CameraKeys&) const = default;
 };
 
-// What is played of a scene: frames at animation::frames_per_second, from time 0.
+// A camera that is not in use. Each camera of a scene has another name, never an empty one.
+struct NamedCamera {
+  std::string name;
+  Camera camera;
+  CameraKeys keys;
+  ObjectId id = 0;
+
+  bool operator==(const NamedCamera&) const = default;
+};
+inline constexpr const char* default_camera_name = "Camera";
+
+inline constexpr double default_frame_rate = 30.0;
+
+// What is played of a scene: frames from time 0 on.
 struct Playback {
   int first = 0;  // 0 <= first <= last <= limits::frame
   int last = 0;
   bool loops = true;
+  double frames_per_second = default_frame_rate;  // of domain::frame_rate
 
   bool operator==(const Playback&) const = default;
 };
@@ -214,9 +229,13 @@ struct Playback {
 // Everything a frame needs except the way it is rendered. A value: copying shares the meshes.
 // Paths are absolute.
 struct Scene {
-  Camera camera;
+  Camera camera;  // the one in use
   CameraKeys camera_keys;
+  std::string camera_name = default_camera_name;
+  ObjectId camera_id = 0;
+  std::vector<NamedCamera> cameras;  // the others
   Film film;
+  Output output;
   Medium medium;
   Keys<double> density_keys;  // of the medium's homogeneous density
   MediumOptics optics;

@@ -23,6 +23,15 @@ std::map<std::string, std::string> metadata_of(const FrameInfo& info) {
   return metadata;
 }
 
+void keep(ImageLayers& image, const OutputLayers& layers) {
+  std::erase_if(image.channels, [&layers](const auto& channel) {
+    const std::string& name = channel.first;
+    return (name.starts_with("airlight.") && !layers.airlight) ||
+           (name.starts_with("transmittance.") && !layers.transmittance) ||
+           (name == "Z" && !layers.depth);
+  });
+}
+
 }  // namespace
 
 void check_frame_extension(const std::filesystem::path& file) {
@@ -38,6 +47,7 @@ void write_frame(const std::filesystem::path& file, const Frame& frame, const Fr
   if (lower_case_extension(file) == ".exr") {
     ImageLayers layers = to_layers(frame);
     layers.metadata = std::move(metadata);
+    keep(layers, info.layers);
     write_exr(file, layers);
   } else {
     metadata["Software"] = "Brume " BRUME_VERSION;  // a keyword of the PNG standard

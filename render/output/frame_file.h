@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/scene/output.h"
 #include "render/frame.h"
 
 namespace brume {
@@ -13,8 +14,9 @@ struct FrameInfo {
   std::string scene;  // file name
   std::string airlight;
   std::string backend;
-  double exposure = 0.0;               // [stops], of a PNG; an EXR is linear
-  std::optional<RelativeNoise> noise;  // of a path-traced frame
+  double exposure = 0.0;                 // [stops], of a PNG; an EXR is linear
+  std::optional<RelativeNoise> noise{};  // of a path-traced frame
+  OutputLayers layers{};                 // of an EXR
 };
 
 // Throws InputError unless the extension is .exr or .png, in any case.

@@ -15,8 +15,14 @@ Film small_film(const Film& film) {
   constexpr double pixels = 10'000.0;
   const double shrink =
       std::min(1.0, std::sqrt(pixels / (static_cast<double>(film.width) * film.height)));
-  return {std::max(1, static_cast<int>(std::lround(shrink * film.width))),
-          std::max(1, static_cast<int>(std::lround(shrink * film.height)))};
+  const auto shrunk = [shrink](int side) { return static_cast<int>(std::lround(shrink * side)); };
+  Film small{std::max(1, shrunk(film.width)), std::max(1, shrunk(film.height))};
+  if (const auto& region = film.region) {
+    small.region =
+        FilmRegion{shrunk(region->x), shrunk(region->y), std::max(1, shrunk(region->full_width)),
+                   std::max(1, shrunk(region->full_height))};
+  }
+  return small;
 }
 
 constexpr std::uint64_t seed_of_choice = 1;

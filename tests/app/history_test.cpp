@@ -5,12 +5,14 @@
 #include <random>
 
 #include "app/commands/clipboard.h"
+#include "app/commands/edit_cameras.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_gesture.h"
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/edit_objects.h"
+#include "app/commands/edit_output.h"
 #include "app/commands/edit_surfaces.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/select_command.h"
@@ -41,7 +43,8 @@ class RandomHands {
         &RandomHands::light,   &RandomHands::emitter,      &RandomHands::whole_medium,
         &RandomHands::surface, &RandomHands::object,       &RandomHands::add_primitive,
         &RandomHands::camera,  &RandomHands::hide_or_lock, &RandomHands::environment,
-        &RandomHands::key,     &RandomHands::playback,     &RandomHands::go_back};
+        &RandomHands::key,     &RandomHands::playback,     &RandomHands::cameras,
+        &RandomHands::output,  &RandomHands::go_back};
     (this->*acts[below(std::size(acts))])();
   }
 
@@ -236,6 +239,35 @@ class RandomHands {
     const int first = static_cast<int>(below(5));
     if (below(3) > 0) playback = {first, first + static_cast<int>(below(9)), below(2) == 0};
     set_scene_part(document_, playback, "Set what is played");
+  }
+  QString a_camera() {
+    const std::vector<NamedCamera>& others = document_.scene().cameras;
+    const std::size_t k = below(others.size() + 1);
+    return QString::fromStdString(k < others.size() ? others[k].name
+                                                    : document_.scene().camera_name);
+  }
+  void cameras() {
+    switch (below(5)) {
+      case 0:
+        return use_camera(document_, a_camera());
+      case 1:
+        return rename_camera(document_, a_camera(), QString::number(below(5)));
+      case 2:
+        return delete_camera(document_, a_camera());
+      case 3:
+        return set_vertical_fov(document_, 10.0 + number(), no_merge);
+      default:
+        return add_camera(document_, {.eye = point() + glm::dvec3(3.0)});
+    }
+  }
+  void output() {
+    if (below(2) == 0) {
+      return set_film(document_, {static_cast<int>(1 + below(3)), static_cast<int>(1 + below(3))});
+    }
+    change_output(document_, "Set output", no_merge, [this](Output& output) {
+      output.paths = below(2) == 0 ? std::nullopt : std::optional(static_cast<int>(below(3)) + 1);
+      output.layers.depth = below(2) == 0;
+    });
   }
   void key() {
     document_.set_time(static_cast<double>(below(4)));

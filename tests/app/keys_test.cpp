@@ -25,7 +25,7 @@ using namespace brume;
 
 namespace {
 
-constexpr double frame = 1.0 / Timeline::frames_per_second;
+constexpr double frame = 1.0 / default_frame_rate;
 
 KeyframeTrack& strip(TestWindow& window) {
   return *window->findChild<KeyframeTrack*>("keys");

@@ -17,7 +17,10 @@ namespace {
 
 constexpr std::string_view scene = R"({ "format": "brume-scene", "version": 1,
   "camera": { "eye": [0, 0.5, 6], "target": [0, 0, 0], "up": [0, 1, 0], "vertical_fov": 40.0 },
+  "cameras": [ { "name": "B", "eye": [1, 0, 0], "keys": { "eye": [ { "time": 1, "value": [2, 0, 0] } ] } } ],
   "film": { "width": 80, "height": 60 },
+  "output": { "file": "a/b.exr", "paths": 64, "exposure": 0.5, "layers": ["Z", "airlight"] },
+  "timeline": { "first": 1, "last": 9, "loop": false, "frames_per_second": 24 },
   "medium": { "density": 0.01, "albedo": [1, 0.9, 0.8], "anisotropy": 0.3,
     "noise": { "amplitude": 0.1, "frequency": 2, "velocity": [0, 1, 0], "seed": 3 },
     "emitters": [ { "position": [0, 0, 0], "rate": 10, "albedo": [1, 0.5, 1], "emission": [4, 1, 0],

@@ -48,6 +48,10 @@ Json scene_json(const SceneDocument& document) {
     json["medium"]["file"] = loaded->file.string();
   }
   json["film"] = Json::array({scene.film.width, scene.film.height});
+  if (!scene.cameras.empty()) {
+    json["cameras"].push_back(scene.camera_name);
+    for (const NamedCamera& camera : scene.cameras) json["cameras"].push_back(camera.name);
+  }
   json["lights"] = Json::array();
   for (const Light& light : scene.lights) {
     Json entry = light_to_json(light, light.profile.content ? light.profile.file.string() : "");

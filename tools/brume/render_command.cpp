@@ -2,6 +2,7 @@
 #include <tbb/info.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "core/io/text_scanner.h"
 #include "core/limits.h"
 #include "core/scene/at_time.h"
+#include "core/scene/cameras.h"
 #include "render/gl_renderer.h"
 #include "render/output/frame_file.h"
 #include "render/quality/auto_quality.h"
@@ -89,6 +91,27 @@ Film parse_size(const std::string& text) {
           side(cross == std::string::npos ? std::string_view{} : view.substr(cross + 1))};
 }
 
+// "x0,y0,x1,y1": fractions of the film's sides from the upper left corner.
+Film parse_region(const std::string& text, const Film& film) {
+  std::array<double, 4> numbers{};
+  std::string_view rest = text;
+  bool is_good = true;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::size_t comma = rest.find(',');
+    const std::optional<double> number = parse_number(rest.substr(0, comma));
+    is_good = is_good && number && *number >= 0.0 && *number <= 1.0 &&
+              (comma == std::string_view::npos) == (k + 1 == numbers.size());
+    numbers[k] = number.value_or(0.0);
+    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
+  }
+  const auto& [x0, y0, x1, y1] = numbers;
+  if (!is_good || !(x0 < x1) || !(y0 < y1)) {
+    throw UsageError("--region: found " + quoted_text(text) +
+                     "; allowed: x0,y0,x1,y1, each from 0 to 1, with x0 < x1 and y0 < y1");
+  }
+  return film_region(film, {x0, y0}, {x1, y1});
+}
+
 class RenderCommand final : public Command {
  public:
   explicit RenderCommand(CLI::App& app) {
@@ -96,6 +119,11 @@ class RenderCommand final : public Command {
     app.add_option("-o,--output", output_, "the image: .exr (linear, all layers) or .png")
         ->required();
     app.add_option("--size", size_, "WIDTHxHEIGHT in pixels, instead of the scene's film");
+    app.add_option("--region", region_,
+                   "x0,y0,x1,y1: renders this part of the picture only; fractions of its sides, "
+                   "from the upper left corner");
+    app.add_option("--camera", camera_,
+                   "the name of a camera of the scene; default: the one in use");
     app.add_option("--airlight", airlight_,
                    "auto, paper, sliced, reference, march:STEPS or path:PATHS")
         ->capture_default_str();
@@ -164,11 +192,13 @@ class RenderCommand final : public Command {
                                     static_cast<std::size_t>(settings.threads));
     const Backend backend = parse_backend(backend_);
     const Film wanted = size_.empty() ? Film{} : parse_size(size_);
+    if (!region_.empty()) static_cast<void>(parse_region(region_, wanted));
     CommandFiles files = outputs();
 
     const Clock::time_point start = Clock::now();
-    const Scene scene = evaluate_at(read_scene(scene_file_, files), time_);
-    const Film film = size_.empty() ? scene.film : wanted;
+    const Scene scene = evaluate_at(seen_by_camera(read_scene(scene_file_, files)), time_);
+    const Film whole = size_.empty() ? scene.film : wanted;
+    const Film film = region_.empty() ? whole : parse_region(region_, whole);
     const auto transfers = std::make_shared<TransferStore>();
     const double transfer_milliseconds =
         is_path ? 0.0 : make_transfers(scene, settings, *transfers);
@@ -228,6 +258,13 @@ class RenderCommand final : public Command {
     print_warnings({"--backend gl: rendered on the CPU: " + problem});
   }
 
+  [[nodiscard]] Scene seen_by_camera(Scene scene) const {
+    if (camera_.empty() || use_camera(scene, camera_)) return scene;
+    std::string names = quoted_text(scene.camera_name);
+    for (const NamedCamera& camera : scene.cameras) names += ", " + quoted_text(camera.name);
+    throw UsageError("--camera: found " + quoted_text(camera_) + "; allowed: " + names);
+  }
+
   // Checks everything that could fail before the work.
   [[nodiscard]] CommandFiles outputs() const {
     check_frame_extension(output_);
@@ -273,6 +310,8 @@ class RenderCommand final : public Command {
   std::string scene_file_;
   std::string output_;
   std::string size_;
+  std::string region_;  // empty: all of the film
+  std::string camera_;  // empty: the one in use
   std::string airlight_ = "auto";
   int airlight_scale_ = 0;  // 0: not given
   PaperOptions paper_;

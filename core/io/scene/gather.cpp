@@ -151,6 +151,8 @@ void write_copies(const SceneDocument& document, const fs::path& folder, const s
     copies.add(loaded->file);
     gathered.extras.medium_file = std::move(loaded);
   }
+  fs::path& output = gathered.scene.output.file;
+  if (!output.empty()) output = folder / output.filename();
   save_document(gathered, folder / (name + ".brume"));
 }
 

@@ -15,10 +15,36 @@ void read_keys(JsonContext& context, JsonObject& object, const char* name,
 void read_keys(JsonContext& context, JsonObject& object, const char* name,
                const NumberDomain& domain, Keys<glm::dvec3>& keys, UnknownKeys& unknown_keys);
 
+// The member `keys` of an object: those of the values that visit_all(visit) goes through; see
+// core/scene/animation.h. Its unknown keys.
+std::string read_keys_member(JsonContext& context, JsonObject& owner, UnknownKeys& unknown_keys,
+                             auto&& visit_all) {
+  const Json* value = owner.find("keys");
+  if (value == nullptr) return {};
+  const JsonPath path = owner.path_of("keys");
+  JsonObject object(context, *value, path);
+  visit_all([&](const char* name, const auto&, auto& keys, const NumberDomain& domain) {
+    read_keys(context, object, name, domain, keys, unknown_keys);
+  });
+  return object.unknown_keys();
+}
+
 Json to_json(const glm::dvec2& v);
 Json to_json(const glm::dvec3& v);
 Json keys_to_json(const Keys<double>& keys, const UnknownKeys& unknown_keys);
 Json keys_to_json(const Keys<glm::dvec2>& keys, const UnknownKeys& unknown_keys);
 Json keys_to_json(const Keys<glm::dvec3>& keys, const UnknownKeys& unknown_keys);
+
+// Adds the member `keys` with the keys of the values that visit_all(visit) goes through, and with
+// `unknown` ones, if any.
+void add_keys(Json& object, const UnknownKeys& unknown_keys, const std::string& unknown,
+              auto&& visit_all) {
+  Json all = Json::object();
+  visit_all([&](const char* name, const auto&, const auto& keys, const NumberDomain&) {
+    if (!keys.empty()) all[name] = keys_to_json(keys, unknown_keys);
+  });
+  add_unknown_keys(all, unknown);
+  if (!all.empty()) object["keys"] = std::move(all);
+}
 
 }  // namespace brume

@@ -5,8 +5,10 @@
 
 #include "core/error.h"
 #include "core/io/file_bytes.h"
+#include "core/io/scene/camera_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
+#include "core/io/scene/output_json.h"
 #include "core/io/scene/scene_budget.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_names.h"
@@ -28,8 +30,12 @@ class SceneLoader {
   SceneDocument load(const Json& root) {
     JsonObject object(context_, root, root_);
     check_version(object);
-    if (const Json* value = object.find("camera")) load_camera(*value, object.path_of("camera"));
+    read_cameras(context_, object, scene_, unknown_keys_);
     if (const Json* value = object.find("film")) load_film(*value, object.path_of("film"));
+    if (const Json* value = object.find("output")) {
+      scene_.output =
+          read_output(context_, *value, object.path_of("output"), references_, unknown_keys_);
+    }
     if (const Json* value = object.find("medium")) load_medium(*value, object.path_of("medium"));
     load_elements(object, "lights", limits::lights, &SceneLoader::load_light);
     if (const Json* value = object.find("environment")) {
@@ -68,36 +74,8 @@ class SceneLoader {
     }
   }
 
-  // The member `keys` of an object: those of the values that visit_all(visit) goes through. Its
-  // unknown keys.
   std::string load_keys(JsonObject& owner, auto&& visit_all) {
-    const Json* value = owner.find("keys");
-    if (value == nullptr) return {};
-    const JsonPath path = owner.path_of("keys");
-    JsonObject object(context_, *value, path);
-    visit_all([&](const char* name, const auto&, auto& keys, const NumberDomain& domain) {
-      read_keys(context_, object, name, domain, keys, unknown_keys_);
-    });
-    return object.unknown_keys();
-  }
-
-  void load_camera(const Json& value, const JsonPath& path) {
-    JsonObject object(context_, value, path);
-    Camera& camera = scene_.camera;
-    camera.eye = object.vector("eye", domain::coordinate, camera.eye);
-    camera.target = object.vector("target", domain::coordinate, camera.target);
-    camera.up = object.vector("up", domain::coordinate, camera.up);
-    camera.vertical_fov = object.number("vertical_fov", domain::field_of_view, camera.vertical_fov);
-    if (!(glm::length(camera.target - camera.eye) > 0.0)) {
-      object.fail("target", "found the position of the eye; allowed: any other point");
-    }
-    if (!(glm::length(camera.up) > 0.0)) {
-      object.fail("up", "found a vector of length 0; allowed: any other");
-    }
-    unknown_keys_.add("camera.keys", load_keys(object, [&](auto&& visit) {
-                        visit_keyed_camera(camera, scene_.camera_keys, visit);
-                      }));
-    unknown_keys_.add("camera", object.unknown_keys());
+    return read_keys_member(context_, owner, unknown_keys_, visit_all);
   }
 
   void load_film(const Json& value, const JsonPath& path) {
@@ -116,6 +94,8 @@ class SceneLoader {
     static_cast<void>(object.required("last"));
     playback.last = static_cast<int>(object.integer("last", first, limits::frame, first));
     playback.loops = object.boolean("loop", playback.loops);
+    playback.frames_per_second =
+        object.number("frames_per_second", domain::frame_rate, playback.frames_per_second);
     unknown_keys_.add("timeline", object.unknown_keys());
     scene_.playback = playback;
   }

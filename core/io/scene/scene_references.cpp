@@ -102,6 +102,15 @@ fs::path SceneReferences::resolve_pattern(const JsonContext& context, const Json
   return file;
 }
 
+fs::path SceneReferences::resolve_output(const JsonContext& context, const JsonPath& path,
+                                         const std::string& text) const {
+  fs::path file = absolute(context, path, text);
+  if (!file.has_stem() || file.filename() == "..") {
+    context.fail(path, "found " + quoted_text(text) + "; allowed: a file name");
+  }
+  return file;
+}
+
 std::vector<SequenceFrame> SceneReferences::sequence(const JsonContext& context,
                                                      const JsonPath& path,
                                                      const MediumSequence& sequence,

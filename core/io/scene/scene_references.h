@@ -26,6 +26,9 @@ class SceneReferences {
   // The same for a pattern of frames; does not check that files exist.
   std::filesystem::path resolve_pattern(const JsonContext& context, const JsonPath& path,
                                         const std::string& text) const;
+  // The same for a file that is to be written.
+  std::filesystem::path resolve_output(const JsonContext& context, const JsonPath& path,
+                                       const std::string& text) const;
   // Reads the frames of a sequence whose file, first and last are set; at most `max_gaussians` in
   // all.
   std::vector<SequenceFrame> sequence(const JsonContext& context, const JsonPath& path,

@@ -3,9 +3,11 @@
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/scene/camera_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
 #include "core/io/scene/light_json.h"
+#include "core/io/scene/output_json.h"
 #include "core/io/scene/scene_file.h"
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
@@ -14,18 +16,6 @@
 namespace brume {
 namespace fs = std::filesystem;
 namespace {
-
-// Adds the member `keys` with the keys of the values that visit_all(visit) goes through, and with
-// `unknown` ones, if any.
-void add_keys(Json& object, const UnknownKeys& unknown_keys, const std::string& unknown,
-              auto&& visit_all) {
-  Json all = Json::object();
-  visit_all([&](const char* name, const auto&, const auto& keys, const NumberDomain&) {
-    if (!keys.empty()) all[name] = keys_to_json(keys, unknown_keys);
-  });
-  add_unknown_keys(all, unknown);
-  if (!all.empty()) object["keys"] = std::move(all);
-}
 
 // Whether the Gaussians that came from medium.file are still what they were.
 bool is_unchanged(const MediumFile& loaded, const Medium& medium) {
@@ -173,16 +163,15 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   const Scene& scene = document.scene;
   const UnknownKeys& unknown_keys = document.extras.unknown_keys;
   Json root{{"format", scene_names::format}, {"version", scene_names::version}};
-  const Camera& camera = scene.camera;
-  root["camera"] = Json{{"eye", to_json(camera.eye)},
-                        {"target", to_json(camera.target)},
-                        {"up", to_json(camera.up)},
-                        {"vertical_fov", camera.vertical_fov}};
-  add_keys(root["camera"], unknown_keys, unknown_keys.of("camera.keys"),
-           [&](auto&& visit) { visit_keyed_camera(camera, scene.camera_keys, visit); });
-  add_unknown_keys(root["camera"], unknown_keys.of("camera"));
+  root["camera"] = camera_to_json(scene, unknown_keys);
+  for (const NamedCamera& camera : scene.cameras) {
+    root["cameras"].push_back(camera_to_json(camera, unknown_keys));
+  }
   root["film"] = Json{{"width", scene.film.width}, {"height", scene.film.height}};
   add_unknown_keys(root["film"], unknown_keys.of("film"));
+  if (Json output = output_to_json(scene.output, unknown_keys, directory); !output.empty()) {
+    root["output"] = std::move(output);
+  }
   root["medium"] = medium_to_json(document, directory);
   Json& lights = root["lights"] = Json::array();
   for (const Light& light : scene.lights) {
@@ -213,6 +202,9 @@ Json scene_to_json(const SceneDocument& document, const fs::path& directory) {
   if (const auto& playback = scene.playback) {
     Json& entry = root["timeline"] =
         Json{{"first", playback->first}, {"last", playback->last}, {"loop", playback->loops}};
+    if (playback->frames_per_second != default_frame_rate) {
+      entry["frames_per_second"] = playback->frames_per_second;
+    }
     add_unknown_keys(entry, unknown_keys.of("timeline"));
   }
   add_unknown_keys(root, unknown_keys.of(""));

@@ -18,9 +18,11 @@ uniform dvec3 eye;
 uniform dvec3 forward;
 uniform dvec3 right;
 uniform dvec3 up;
-uniform double half_width;  // of the film at distance 1
+uniform double half_width;  // of the whole film at distance 1
 uniform double half_height;
 uniform ivec2 film;
+uniform ivec2 whole_film;
+uniform ivec2 film_start;  // on the whole one
 uniform ivec2 tiles;
 uniform int scale;
 uniform float farther;  // how far noise bends rays, in radii
@@ -65,8 +67,10 @@ void main() {
   const dvec2 u = covered(dot(q, right), z, radius, half_width);
   const dvec2 v = covered(-dot(q, up), z, radius, half_height);
   if (!(u.x < u.y) || !(v.x < v.y)) return;
-  const ivec2 low = max(ivec2(first_pixel(u.x, film.x), first_pixel(v.x, film.y)), ivec2(0));
-  const ivec2 high = min(ivec2(end_pixel(u.y, film.x), end_pixel(v.y, film.y)), film);
+  const ivec2 first = ivec2(first_pixel(u.x, whole_film.x), first_pixel(v.x, whole_film.y));
+  const ivec2 last = ivec2(end_pixel(u.y, whole_film.x), end_pixel(v.y, whole_film.y));
+  const ivec2 low = max(first - film_start, ivec2(0));
+  const ivec2 high = min(last - film_start, film);
   if (any(greaterThanEqual(low, high))) return;
   // A ray of the last column or row may lie slightly before its grid position.
   const ivec2 tile = ivec2(tile_width, tile_height);

@@ -40,5 +40,41 @@ TEST(CameraRays, UpAlongTheViewStillHasAFrame) {
   EXPECT_LT(d.y, 0.0);
 }
 
+TEST(CameraRays, ARegionHasTheRaysOfTheWholeFilm) {
+  const Camera camera{{1, 2, 3}, {4, 0, -1}, {0.1, 1, 0}, 70.0};
+  const Film whole{640, 480};
+  const Film part = film_region(whole, {0.75, 0.5}, {0.25, 0.25});
+  EXPECT_EQ(part, (Film{320, 120, FilmRegion{160, 120, 640, 480}}));
+  const CameraRays all(camera, whole);
+  const CameraRays rays(camera, part);
+  EXPECT_LT(glm::length(rays.direction(10.5, 20.5) - all.direction(170.5, 140.5)), 1e-12);
+  EXPECT_EQ(rays.pixel_half_angle(), all.pixel_half_angle());
+  const glm::dvec3 point = rays.eye() + 7.0 * rays.direction(30.0, 40.0);
+  EXPECT_NEAR(rays.project(point).x, 30.0, 1e-9);
+  EXPECT_NEAR(rays.project(point).y, 40.0, 1e-9);
+  const auto expected = all.bounds(point, 0.3);
+  const auto bounds = rays.bounds(point, 0.3);
+  EXPECT_EQ(bounds.x0, std::max(expected.x0 - 160, 0));
+  EXPECT_EQ(bounds.y0, std::max(expected.y0 - 120, 0));
+  EXPECT_EQ(bounds.x1, std::min(expected.x1 - 160, 320));
+  EXPECT_EQ(bounds.y1, std::min(expected.y1 - 120, 120));
+  EXPECT_FALSE(bounds.empty());
+  // What lies beside the region only.
+  EXPECT_TRUE(rays.bounds(rays.eye() + 7.0 * all.direction(20.0, 20.0), 0.01).empty());
+}
+
+TEST(CameraRays, RegionsHaveAtLeastAPixelOfTheFilm) {
+  for (const glm::dvec2 at : {glm::dvec2(0.0), glm::dvec2(1.0), glm::dvec2(0.5, 0.999)}) {
+    const Film film = film_region({10, 10}, at, at);
+    EXPECT_EQ(film.width, 1);
+    EXPECT_EQ(film.height, 1);
+    EXPECT_LT(film.region->x, 10);
+    EXPECT_LT(film.region->y, 10);
+  }
+  EXPECT_EQ(film_region({10, 20}, {0, 0}, {1, 1}), (Film{10, 20, FilmRegion{0, 0, 10, 20}}));
+  // A third of three pixels is one, whatever rounding makes of it.
+  EXPECT_EQ(film_region({3, 3}, {1.0 / 3.0, 0.0}, {2.0 / 3.0, 1.0}).width, 1);
+}
+
 }  // namespace
 }  // namespace brume

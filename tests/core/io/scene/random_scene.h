@@ -114,6 +114,18 @@ class RandomScene {
     }
     if (scene.environment) keys(scene.environment->keys.rotation, 720.0);
     if (maybe()) scene.playback = Playback{integer(0, 9), integer(9, 99), maybe()};
+    if (scene.playback && maybe()) scene.playback->frames_per_second = integer(1, 1000);
+    if (maybe()) scene.camera_name = "Main";
+    for (int i = integer(0, 3); i > 0; --i) {
+      NamedCamera camera{.name = "Camera " + std::to_string(i), .camera = {.eye = point()}};
+      camera.camera.target = camera.camera.eye + glm::dvec3(1.0, 2.0, 3.0);
+      keys(camera.keys.target, 1e6);
+      scene.cameras.push_back(camera);
+    }
+    if (maybe()) scene.output.file = folder_ / (maybe() ? "film.mp4" : "renders/a.exr");
+    if (maybe()) scene.output.paths = integer(1, 999);
+    if (maybe()) scene.output.exposure = number(-9, 9);
+    scene.output.layers = {maybe(), maybe(), maybe()};
     return scene;
   }
 

@@ -1,0 +1,90 @@
+#include "app/commands/edit_cameras.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/commands/scene_part_command.h"
+#include "app/commands/undo_text.h"
+#include "app/document/document.h"
+#include "core/limits.h"
+#include "core/scene/cameras.h"
+
+namespace brume {
+namespace {
+
+CameraList camera_list(const Document& document) {
+  const Scene& scene = document.scene();
+  return {camera_in_use(scene), scene.cameras};
+}
+
+NamedCamera* find(CameraList& list, const std::string& name) {
+  if (list.in_use.name == name) return &list.in_use;
+  const auto found = std::ranges::find(list.others, name, &NamedCamera::name);
+  return found == list.others.end() ? nullptr : &*found;
+}
+
+// A name that files may have.
+std::string allowed_name(const QString& text) {
+  QString name = text.simplified();
+  while (name.toUtf8().size() > static_cast<qsizetype>(limits::name_length)) name.chop(1);
+  return name.toStdString();
+}
+
+}  // namespace
+
+void add_camera(Document& document, const Camera& camera) {
+  CameraList list = camera_list(document);
+  if (list.others.size() >= limits::cameras) return;
+  const std::string name = free_camera_name(document.scene(), default_camera_name);
+  list.others.push_back(std::exchange(list.in_use, {name, camera, {}}));
+  set_scene_part(document, std::move(list),
+                 undo_text("Add camera %1").arg(QString::fromStdString(name)));
+}
+
+void use_camera(Document& document, const QString& name) {
+  CameraList list = camera_list(document);
+  NamedCamera* camera = find(list, name.toStdString());
+  if (!camera || camera == &list.in_use) return;
+  std::swap(*camera, list.in_use);
+  set_scene_part(document, std::move(list), undo_text("Use camera %1").arg(name));
+}
+
+void rename_camera(Document& document, const QString& name, const QString& new_name) {
+  const std::string wanted = allowed_name(new_name);
+  CameraList list = camera_list(document);
+  NamedCamera* camera = find(list, name.toStdString());
+  if (!camera || wanted.empty() || wanted == camera->name) {
+    Q_EMIT document.part_changed();  // fields show what is, not what was wanted
+    return;
+  }
+  camera->name = free_camera_name(document.scene(), wanted);
+  const QString text =
+      undo_text("Rename camera %1 to %2").arg(name, QString::fromStdString(camera->name));
+  set_scene_part(document, std::move(list), text);
+}
+
+void delete_camera(Document& document, const QString& name) {
+  CameraList list = camera_list(document);
+  NamedCamera* camera = find(list, name.toStdString());
+  if (!camera || list.others.empty()) return;
+  if (camera == &list.in_use) {
+    list.in_use = std::move(list.others.front());
+    list.others.erase(list.others.begin());
+  } else {
+    list.others.erase(list.others.begin() + (camera - list.others.data()));
+  }
+  set_scene_part(document, std::move(list), undo_text("Delete camera %1").arg(name));
+}
+
+void set_vertical_fov(Document& document, double degrees, MergeId gesture) {
+  KeyedCamera part{document.scene().camera, document.scene().camera_keys};
+  part.camera.vertical_fov = degrees;
+  set_scene_part(document, part, undo_text("Set field of view"), gesture);
+}
+
+void move_camera(Document& document, const Camera& camera, MergeId gesture) {
+  set_scene_part(document, KeyedCamera{camera, document.scene().camera_keys},
+                 undo_text("Move camera"), gesture);
+}
+
+}  // namespace brume

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+
+#include "app/commands/merge_id.h"
+#include "core/scene/camera.h"
+
+namespace brume {
+
+class Document;
+
+// Edits of the scene's cameras, each one undo step. Cameras are known by their names.
+
+// Adds a camera, which is then in use.
+void add_camera(Document& document, const Camera& camera);
+void use_camera(Document& document, const QString& name);
+// Surrounding spaces do not count. No change for an empty name; a taken one gets a number.
+void rename_camera(Document& document, const QString& name, const QString& new_name);
+// If it is in use, another one is then. No change if it is the only one.
+void delete_camera(Document& document, const QString& name);
+
+// Of the camera in use, [degrees]. Sets a keyframe if it has any.
+void set_vertical_fov(Document& document, double degrees, MergeId gesture);
+// Moves the camera in use by a gesture in the view. Sets keyframes if it has any.
+void move_camera(Document& document, const Camera& camera, MergeId gesture);
+
+}  // namespace brume

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <vector>
+
+#include "app/export/frame_export.h"
+
+namespace brume {
+
+// Renders to files and pictures, one after the other in the background, each of the scene as it was
+// when it was added. Leaves a part of the cores to the views.
+class RenderQueue : public QObject {
+  Q_OBJECT
+ public:
+  explicit RenderQueue(QObject* parent = nullptr);
+
+  enum class State { waiting, rendering, done, cancelled, failed };
+  struct Item {
+    int id = 0;  // > 0
+    FrameExportRequest request;
+    State state = State::waiting;
+    int percent = 0;
+    QString message;  // why it failed
+  };
+  [[nodiscard]] const std::vector<Item>& items() const { return items_; }  // in order
+  [[nodiscard]] const Item* find(int id) const;
+  [[nodiscard]] int unfinished() const;  // how many wait or are rendered
+
+  int add(FrameExportRequest request);  // its id
+  void cancel(int id);                  // what waits, at once
+  void remove(int id);                  // cancels it first
+  void repeat(int id);                  // what failed or was cancelled, of the same scene
+
+  // What renders, and tells of single frames.
+  [[nodiscard]] FrameExport& exporter() { return export_; }
+
+ Q_SIGNALS:
+  void changed();
+  void progressed(int id, int percent);
+  void rendered(int id, const brume::ExportedFrame& frame);
+
+ private:
+  [[nodiscard]] Item* item(int id);
+  void start_next();
+  void end(State state, const QString& message = {});
+
+  std::vector<Item> items_;
+  int last_id_ = 0;
+  int running_ = 0;  // id; 0: none
+  bool removes_running_ = false;
+  FrameExport export_;
+};
+
+}  // namespace brume

@@ -1,0 +1,167 @@
+#include "app/panels/camera_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <algorithm>
+
+#include "app/commands/edit_cameras.h"
+#include "app/commands/scene_part_command.h"
+#include "app/document/document.h"
+#include "core/scene/cameras.h"
+
+namespace brume {
+namespace {
+
+constexpr int name_role = Qt::UserRole;
+constexpr int list_rows = 4;
+constexpr NumberDomain focal_lengths{0.1, 10000.0, "a number from 0.1 to 10000 mm"};
+
+}  // namespace
+
+CameraPanel::CameraPanel(Document& document, std::function<Camera()> view, QWidget* parent)
+    : SceneForm(document, parent), view_(std::move(view)), list_(new QListWidget(this)) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(6, 6, 6, 6);
+  form->addRow(new_list());
+  form->addRow(new_buttons());
+  auto* toggles = new QWidget(this);
+  toggles_ = new QVBoxLayout(toggles);
+  toggles_->setContentsMargins(0, 0, 0, 0);
+  form->addRow(toggles);
+  add_lens(*form);
+  add_place(*form);
+  on_refresh([this] { show_cameras(); });
+  refresh();
+}
+
+QWidget* CameraPanel::new_list() {
+  list_->setObjectName("cameras");
+  list_->setToolTip(
+      tr("The scene's cameras. Click one to use it: it is what is rendered. Double-click or F2 "
+         "renames it"));
+  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setFixedHeight(list_rows * list_->fontMetrics().lineSpacing() + 16);
+  connect(list_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
+    use_camera(document_, item->data(name_role).toString());
+  });
+  connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+    if (!list_->isPersistentEditorOpen(item)) {
+      use_camera(document_, item->data(name_role).toString());
+    }
+  });
+  // Later: the command rebuilds the list, whose editor is still open.
+  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    if (showing_) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this, name = item->data(name_role).toString(), text = item->text()] {
+          rename_camera(document_, name, text);
+        },
+        Qt::QueuedConnection);
+  });
+  return list_;
+}
+
+QWidget* CameraPanel::new_buttons() {
+  auto* buttons = new QWidget(this);
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const QString& text, const char* name, const QString& tip, auto react) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, react);
+    row->addWidget(button);
+    return button;
+  };
+  add(tr("Add from View"), "add_camera", tr("Adds a camera that sees what the view sees"),
+      [this] { add_camera(document_, view_()); });
+  add(tr("Look Through"), "look_through_camera", tr("Shows what the camera in use sees (0)"),
+      [this] { Q_EMIT look_through_asked_for(); });
+  QPushButton* remove = add(tr("Delete"), "delete_camera", tr("Deletes the camera in use"),
+                            [this] { delete_camera(document_, current_name()); });
+  on_refresh([this, remove] { remove->setEnabled(!document_.scene().cameras.empty()); });
+  return buttons;
+}
+
+void CameraPanel::add_toggle(QAction* action) {
+  auto* box = new QCheckBox(action->text().remove('&'), this);
+  box->setObjectName(action->objectName() + "_box");
+  box->setToolTip(action->toolTip());
+  box->setChecked(action->isChecked());
+  connect(box, &QCheckBox::toggled, action, [action](bool on) {
+    if (action->isChecked() != on) action->trigger();
+  });
+  connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
+  toggles_->addWidget(box);
+}
+
+void CameraPanel::add_lens(QFormLayout& form) {
+  const auto fov = [this] { return document_.scene().camera.vertical_fov; };
+  add_number(form, tr("Focal length, mm"),
+             {"focal_length", focal_lengths, ValueField::Scale::logarithmic, 0.005,
+              [this, fov] { return std::optional(focal_length(fov(), document_.scene().film)); },
+              [this](double value, MergeId gesture) {
+                set_vertical_fov(document_, vertical_fov(value, document_.scene().film), gesture);
+              }})
+      ->setToolTip(tr("Of a lens before a sensor 36 mm wide: 24 is wide, 50 normal, 85 and more "
+                      "make things seem closer. The same as the field of view"));
+  add_number(
+      form, tr("Field of view, degrees"),
+      {"camera_fov", domain::field_of_view, ValueField::Scale::linear, 0.1,
+       [fov] { return std::optional(fov()); },
+       [this](double value, MergeId gesture) { set_vertical_fov(document_, value, gesture); }})
+      ->setToolTip(tr("From the bottom to the top of the picture"));
+}
+
+void CameraPanel::add_place(QFormLayout& form) {
+  const auto add = [&](const QString& title, const char* name, glm::dvec3 Camera::*point) {
+    add_vector(form, title,
+               {name, domain::coordinate, 0.01,
+                [this, point] { return std::optional(document_.scene().camera.*point); },
+                [this, point](const glm::dvec3& value, MergeId gesture) {
+                  Camera camera = document_.scene().camera;
+                  camera.*point = value;
+                  if (camera.eye == camera.target) {
+                    Q_EMIT refused(tr("A camera cannot look at the point where it is."));
+                    return refresh();
+                  }
+                  move_camera(document_, camera, gesture);
+                }});
+  };
+  add(tr("Position, u"), "camera_eye", &Camera::eye);
+  add(tr("Looks at, u"), "camera_target", &Camera::target);
+}
+
+QString CameraPanel::current_name() const {
+  return QString::fromStdString(document_.scene().camera_name);
+}
+
+void CameraPanel::show_cameras() {
+  const Scene& scene = document_.scene();
+  QStringList names{current_name()};
+  for (const NamedCamera& camera : scene.cameras) names << QString::fromStdString(camera.name);
+  names.sort(Qt::CaseInsensitive);
+  showing_ = true;
+  while (list_->count() > names.size()) delete list_->takeItem(list_->count() - 1);
+  while (list_->count() < names.size()) list_->addItem(QString());
+  for (int k = 0; k < list_->count(); ++k) {
+    QListWidgetItem* item = list_->item(k);
+    const bool in_use = names[k] == current_name();
+    item->setText(names[k]);
+    item->setData(name_role, names[k]);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    QFont font = list_->font();
+    font.setBold(in_use);
+    item->setFont(font);
+    if (in_use) list_->setCurrentItem(item);
+  }
+  showing_ = false;
+}
+
+}  // namespace brume

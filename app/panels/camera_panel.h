@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/panels/scene_form.h"
+
+class QAction;
+class QListWidget;
+class QVBoxLayout;
+
+namespace brume {
+
+struct Camera;
+
+// The scene's cameras by name, and place and lens of the one in use.
+class CameraPanel : public SceneForm {
+  Q_OBJECT
+ public:
+  // `view`: the camera of the perspective view.
+  CameraPanel(Document& document, std::function<Camera()> view, QWidget* parent);
+
+  // Adds a check box for what the view shows of the camera.
+  void add_toggle(QAction* action);
+
+ Q_SIGNALS:
+  void look_through_asked_for();
+
+ private:
+  QWidget* new_list();
+  QWidget* new_buttons();
+  void add_lens(QFormLayout& form);
+  void add_place(QFormLayout& form);
+  void show_cameras();
+  [[nodiscard]] QString current_name() const;
+
+  std::function<Camera()> view_;
+  QListWidget* list_;
+  QVBoxLayout* toggles_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace brume

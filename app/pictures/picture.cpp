@@ -1,0 +1,80 @@
+#include "app/pictures/picture.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "app/widgets/frame_text.h"
+#include "render/frame.h"
+#include "render/output/compare.h"
+
+namespace brume {
+namespace {
+
+QImage shown(const Frame& frame, double exposure) {
+  const std::vector<std::uint8_t> bytes = to_display(frame, exposure);
+  QImage image(frame.film.width, frame.film.height, QImage::Format_RGB888);
+  const auto row = static_cast<std::size_t>(frame.film.width) * 3;
+  for (int y = 0; y < frame.film.height; ++y) {
+    std::memcpy(image.scanLine(y), bytes.data() + static_cast<std::size_t>(y) * row, row);
+  }
+  return image;
+}
+
+bool have_same_size(const Picture& a, const Picture& b) {
+  return a.width == b.width && a.height == b.height;
+}
+
+}  // namespace
+
+std::array<float, 3> Picture::at(int x, int y) const {
+  const float* pixel = &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                 static_cast<std::size_t>(x))];
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+std::shared_ptr<const Picture> make_picture(const Frame& frame, double exposure,
+                                            const QString& name, const QString& details) {
+  auto picture = std::make_shared<Picture>();
+  picture->name = name;
+  picture->details = details;
+  picture->width = frame.film.width;
+  picture->height = frame.film.height;
+  const std::size_t pixels = frame.beauty.size() / 4;
+  picture->rgb.resize(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    std::copy_n(&frame.beauty[4 * i], 3, &picture->rgb[3 * i]);
+  }
+  picture->exposure = exposure;
+  picture->image = shown(frame, exposure);
+  return picture;
+}
+
+QString picture_details(const Frame& frame, const Settings& settings, double milliseconds) {
+  const QString paths = paths_text(frame);
+  const QString time = milliseconds < 1000.0 ? QString("%1 ms").arg(milliseconds, 0, 'f', 1)
+                                             : QString("%1 s").arg(1e-3 * milliseconds, 0, 'f', 1);
+  return QString("%1 · %2 × %3 · %4")
+      .arg(paths.isEmpty() ? settings_text(settings) : paths)
+      .arg(frame.film.width)
+      .arg(frame.film.height)
+      .arg(time);
+}
+
+std::optional<double> relative_difference(const Picture& a, const Picture& b) {
+  if (!have_same_size(a, b)) return std::nullopt;
+  const ChannelPair all{a.rgb, b.rgb};
+  return compare({&all, 1}).rel_rmse;
+}
+
+QImage difference_image(const Picture& a, const Picture& b, double stops) {
+  if (!have_same_size(a, b)) return {};
+  Frame frame;
+  frame.film = {a.width, a.height};
+  frame.beauty.resize(a.rgb.size() / 3 * 4, 1.0F);
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    frame.beauty[i / 3 * 4 + i % 3] = std::abs(a.rgb[i] - b.rgb[i]);
+  }
+  return shown(frame, a.exposure + stops);
+}
+
+}  // namespace brume

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace brume {
+
+struct Frame;
+struct Settings;
+
+// A rendered picture that is kept for comparison.
+struct Picture {
+  QString name;     // "Camera, frame 12"
+  QString details;  // how it was made, and in what time
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgb;  // linear radiance, rows from the top
+  double exposure = 0.0;   // that `image` shows it with [stops]
+  QImage image;
+
+  // Linear radiance of a pixel, which is within the picture.
+  [[nodiscard]] std::array<float, 3> at(int x, int y) const;
+};
+
+std::shared_ptr<const Picture> make_picture(const Frame& frame, double exposure,
+                                            const QString& name, const QString& details);
+
+// "sliced 16 · 800 × 600 · 1.2 s", of a path-traced frame with its noise.
+QString picture_details(const Frame& frame, const Settings& settings, double milliseconds);
+
+// RMS of A - B relative to that of B, over all channels; nullopt if their sizes differ.
+std::optional<double> relative_difference(const Picture& a, const Picture& b);
+// |A - B|, at the exposure of A and some stops more. Null if their sizes differ.
+QImage difference_image(const Picture& a, const Picture& b, double stops);
+
+}  // namespace brume

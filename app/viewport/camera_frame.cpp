@@ -1,0 +1,131 @@
+#include "app/viewport/camera_frame.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+namespace brume {
+namespace {
+
+constexpr double min_drag = 4.0;  // pixels: less is a click, which marks nothing
+
+QRectF unit_square() {
+  return {0.0, 0.0, 1.0, 1.0};
+}
+
+}  // namespace
+
+CameraFrame::CameraFrame(QWidget* pane) : QWidget(pane) {
+  setObjectName("camera_frame");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  pane->installEventFilter(this);
+  hide();
+}
+
+void CameraFrame::show_frame(const std::optional<QRectF>& frame, const QString& title) {
+  frame_ = frame;
+  title_ = title;
+  if (!frame_) end_marking();
+  setGeometry(parentWidget()->rect());
+  setVisible(frame_.has_value());
+  update();
+}
+
+void CameraFrame::set_region(const std::optional<QRectF>& region) {
+  if (region == region_) return;
+  region_ = region;
+  update();
+  Q_EMIT region_changed();
+}
+
+void CameraFrame::start_marking() {
+  if (!frame_) return;
+  marks_ = true;
+  start_.reset();
+  setAttribute(Qt::WA_TransparentForMouseEvents, false);
+  setCursor(Qt::CrossCursor);
+  setFocus();
+  update();
+}
+
+void CameraFrame::end_marking() {
+  if (!marks_) return;
+  marks_ = false;
+  start_.reset();
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  unsetCursor();
+  parentWidget()->setFocus();
+  update();
+}
+
+QRectF CameraFrame::marked() const {
+  const auto fraction = [this](QPointF at) {
+    return QPointF(std::clamp((at.x() - frame_->left()) / frame_->width(), 0.0, 1.0),
+                   std::clamp((at.y() - frame_->top()) / frame_->height(), 0.0, 1.0));
+  };
+  return QRectF(fraction(*start_), fraction(end_)).normalized();
+}
+
+QRectF CameraFrame::on_pane(const QRectF& region) const {
+  return {frame_->left() + region.left() * frame_->width(),
+          frame_->top() + region.top() * frame_->height(), region.width() * frame_->width(),
+          region.height() * frame_->height()};
+}
+
+void CameraFrame::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return end_marking();
+  start_ = end_ = event->position();
+}
+
+void CameraFrame::mouseMoveEvent(QMouseEvent* event) {
+  if (!start_) return;
+  end_ = event->position();
+  update();
+}
+
+void CameraFrame::mouseReleaseEvent(QMouseEvent* event) {
+  if (!start_ || event->button() != Qt::LeftButton) return;
+  end_ = event->position();
+  const QRectF region = marked();
+  const bool is_drag = QRectF(*start_, end_).normalized().width() >= min_drag &&
+                       region.width() > 0.0 && region.height() > 0.0;
+  end_marking();
+  if (is_drag) set_region(region == unit_square() ? std::nullopt : std::optional(region));
+}
+
+void CameraFrame::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && marks_) return end_marking();
+  QWidget::keyPressEvent(event);
+}
+
+bool CameraFrame::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) setGeometry(parentWidget()->rect());
+  return QWidget::eventFilter(watched, event);
+}
+
+void CameraFrame::paintEvent(QPaintEvent* /*event*/) {
+  if (!frame_) return;
+  QPainter painter(this);
+  QPainterPath outside;
+  outside.addRect(rect());
+  QPainterPath inside;
+  inside.addRect(*frame_);
+  painter.fillPath(outside.subtracted(inside), QColor(0, 0, 0, 150));
+  painter.setPen(QPen(QColor(235, 238, 242, 200), 1.0));
+  painter.drawRect(*frame_);
+  painter.drawText(QPointF(frame_->left() + 2.0, std::max(frame_->top() - 5.0, 12.0)), title_);
+  const std::optional<QRectF> region = start_ ? std::optional(marked()) : region_;
+  if (region) {
+    painter.setPen(QPen(QColor(255, 170, 60), 1.5, Qt::DashLine));
+    painter.drawRect(on_pane(*region));
+  }
+  if (marks_ && !start_) {
+    painter.setPen(QColor(255, 170, 60));
+    painter.drawText(frame_->adjusted(0, 10, 0, 0), Qt::AlignTop | Qt::AlignHCenter,
+                     tr("Drag over what to render. Escape ends"));
+  }
+}
+
+}  // namespace brume

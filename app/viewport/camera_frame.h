@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QRectF>
+#include <QWidget>
+#include <optional>
+
+namespace brume {
+
+// The frame of the scene's camera over a view: outside it the picture is dark. A part of it can be
+// marked by the mouse, as the only one to be rendered.
+class CameraFrame : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CameraFrame(QWidget* pane);
+
+  // The frame in the pane, with a title; nullopt: none.
+  void show_frame(const std::optional<QRectF>& frame, const QString& title);
+
+  // The marked part, in fractions of the frame from its upper left corner; nullopt: none.
+  [[nodiscard]] const std::optional<QRectF>& region() const { return region_; }
+  void set_region(const std::optional<QRectF>& region);
+  // The next drag of the left button marks a part; Escape and the right button end this.
+  void start_marking();
+  [[nodiscard]] bool is_marking() const { return marks_; }
+
+ Q_SIGNALS:
+  void region_changed();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void end_marking();
+  [[nodiscard]] QRectF marked() const;  // by the drag, in fractions of the frame
+  [[nodiscard]] QRectF on_pane(const QRectF& region) const;
+
+  std::optional<QRectF> frame_;
+  QString title_;
+  std::optional<QRectF> region_;
+  bool marks_ = false;
+  std::optional<QPointF> start_;  // of the drag
+  QPointF end_;
+};
+
+}  // namespace brume

@@ -1,0 +1,107 @@
+#include "core/io/scene/camera_json.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "core/io/text_scanner.h"
+#include "core/limits.h"
+#include "core/scene/animation.h"
+#include "core/scene/cameras.h"
+
+namespace brume {
+namespace {
+
+bool is_name(const std::string& text) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  return !text.empty() && text.size() <= limits::name_length &&
+         std::none_of(text.begin(), text.end(), is_control);
+}
+
+std::string read_name(JsonObject& object, std::optional<std::string> fallback) {
+  std::string name = object.text("name", std::move(fallback));
+  if (!is_name(name)) {
+    object.fail("name", "found " + quoted_text(name) + "; allowed: a name of 1 to " +
+                            std::to_string(limits::name_length) +
+                            " bytes without control characters");
+  }
+  return name;
+}
+
+void read_values(JsonObject& object, Camera& camera) {
+  camera.eye = object.vector("eye", domain::coordinate, camera.eye);
+  camera.target = object.vector("target", domain::coordinate, camera.target);
+  camera.up = object.vector("up", domain::coordinate, camera.up);
+  camera.vertical_fov = object.number("vertical_fov", domain::field_of_view, camera.vertical_fov);
+  if (!(glm::length(camera.target - camera.eye) > 0.0)) {
+    object.fail("target", "found the position of the eye; allowed: any other point");
+  }
+  if (!(glm::length(camera.up) > 0.0)) {
+    object.fail("up", "found a vector of length 0; allowed: any other");
+  }
+}
+
+NamedCamera read_camera(JsonContext& context, const Json& value, const JsonPath& path,
+                        std::optional<std::string> default_name, UnknownKeys& unknown_keys) {
+  JsonObject object(context, value, path);
+  NamedCamera camera;
+  camera.name = read_name(object, std::move(default_name));
+  read_values(object, camera.camera);
+  unknown_keys.add(camera.id, "keys",
+                   read_keys_member(context, object, unknown_keys, [&](auto&& visit) {
+                     visit_keyed_camera(camera.camera, camera.keys, visit);
+                   }));
+  unknown_keys.add(camera.id, "", object.unknown_keys());
+  return camera;
+}
+
+void add_values(Json& object, const NamedCamera& camera, const UnknownKeys& unknown_keys) {
+  const Camera& values = camera.camera;
+  object["eye"] = to_json(values.eye);
+  object["target"] = to_json(values.target);
+  object["up"] = to_json(values.up);
+  object["vertical_fov"] = values.vertical_fov;
+  add_keys(object, unknown_keys, unknown_keys.of(camera.id, "keys"),
+           [&](auto&& visit) { visit_keyed_camera(values, camera.keys, visit); });
+  add_unknown_keys(object, unknown_keys.of(camera.id, ""));
+}
+
+}  // namespace
+
+void read_cameras(JsonContext& context, JsonObject& root, Scene& scene, UnknownKeys& unknown_keys) {
+  if (const Json* value = root.find("camera")) {
+    NamedCamera camera =
+        read_camera(context, *value, root.path_of("camera"), default_camera_name, unknown_keys);
+    scene.camera_name = std::move(camera.name);
+    scene.camera = camera.camera;
+    scene.camera_keys = std::move(camera.keys);
+    scene.camera_id = camera.id;
+  }
+  const Json::array_t& others = root.array("cameras", limits::cameras);
+  const JsonPath path = root.path_of("cameras");
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const JsonPath element = path.element(i);
+    NamedCamera camera = read_camera(context, others[i], element, {}, unknown_keys);
+    if (camera.name == scene.camera_name ||
+        std::ranges::find(scene.cameras, camera.name, &NamedCamera::name) != scene.cameras.end()) {
+      context.fail(element.member("name"), "found " + quoted_text(camera.name) +
+                                               " again; allowed: a name that no camera before "
+                                               "it has");
+    }
+    scene.cameras.push_back(std::move(camera));
+  }
+}
+
+Json camera_to_json(const Scene& scene, const UnknownKeys& unknown_keys) {
+  Json object = Json::object();
+  if (scene.camera_name != default_camera_name) object["name"] = scene.camera_name;
+  add_values(object, camera_in_use(scene), unknown_keys);
+  return object;
+}
+
+Json camera_to_json(const NamedCamera& camera, const UnknownKeys& unknown_keys) {
+  Json object{{"name", camera.name}};
+  add_values(object, camera, unknown_keys);
+  return object;
+}
+
+}  // namespace brume

@@ -1,0 +1,80 @@
+#include "core/io/scene/output_json.h"
+
+#include <array>
+
+#include "core/io/file_bytes.h"
+#include "core/io/text_scanner.h"
+#include "core/limits.h"
+
+namespace brume {
+namespace {
+
+struct LayerName {
+  const char* name;
+  bool OutputLayers::*layer;
+};
+constexpr std::array layer_names{LayerName{"airlight", &OutputLayers::airlight},
+                                 LayerName{"transmittance", &OutputLayers::transmittance},
+                                 LayerName{"Z", &OutputLayers::depth}};
+
+OutputLayers read_layers(JsonContext& context, JsonObject& object) {
+  if (object.find("layers") == nullptr) return {};
+  OutputLayers layers{false, false, false};
+  const Json::array_t& names = object.array("layers", layer_names.size());
+  const JsonPath path = object.path_of("layers");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto* found =
+        std::ranges::find_if(layer_names, [&](const LayerName& it) { return names[i] == it.name; });
+    if (found == layer_names.end() || layers.*found->layer) {
+      context.fail(path.element(i), "found " + quoted_json(names[i]) +
+                                        "; allowed: \"airlight\", \"transmittance\" and "
+                                        "\"Z\", each once");
+    }
+    layers.*found->layer = true;
+  }
+  return layers;
+}
+
+}  // namespace
+
+Output read_output(JsonContext& context, const Json& value, const JsonPath& path,
+                   const SceneReferences& references, UnknownKeys& unknown_keys) {
+  JsonObject object(context, value, path);
+  Output output;
+  if (object.find("file") != nullptr) {
+    const JsonPath place = object.path_of("file");
+    output.file = references.resolve_output(context, place, object.text("file", {}));
+    const std::string extension = lower_case_extension(output.file);
+    if (extension != ".png" && extension != ".exr" && extension != ".mp4") {
+      context.fail(place,
+                   "found the extension " + quoted_text(extension) + "; allowed: .png, .exr, .mp4");
+    }
+  }
+  if (object.find("paths") != nullptr) {
+    output.paths = static_cast<int>(object.integer("paths", 1, limits::paths, 1));
+  }
+  if (object.find("exposure") != nullptr) {
+    output.exposure = object.number("exposure", domain::stops, {});
+  }
+  output.layers = read_layers(context, object);
+  unknown_keys.add("output", object.unknown_keys());
+  return output;
+}
+
+Json output_to_json(const Output& output, const UnknownKeys& unknown_keys,
+                    const std::filesystem::path& directory) {
+  Json object = Json::object();
+  if (!output.file.empty()) object["file"] = SceneReferences::text_for(output.file, directory);
+  if (output.paths) object["paths"] = *output.paths;
+  if (output.exposure) object["exposure"] = *output.exposure;
+  if (output.layers != OutputLayers{}) {
+    Json& names = object["layers"] = Json::array();
+    for (const auto& [name, layer] : layer_names) {
+      if (output.layers.*layer) names.push_back(name);
+    }
+  }
+  add_unknown_keys(object, unknown_keys.of("output"));
+  return object;
+}
+
+}  // namespace brume

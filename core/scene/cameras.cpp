@@ -1,0 +1,51 @@
+#include "core/scene/cameras.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+namespace brume {
+namespace {
+
+double sensor_height(const Film& film) {
+  return sensor_width * film.height / film.width;
+}
+
+}  // namespace
+
+NamedCamera camera_in_use(const Scene& scene) {
+  return {scene.camera_name, scene.camera, scene.camera_keys, scene.camera_id};
+}
+
+bool use_camera(Scene& scene, std::string_view name) {
+  if (name == scene.camera_name) return true;
+  const auto found = std::ranges::find(scene.cameras, name, &NamedCamera::name);
+  if (found == scene.cameras.end()) return false;
+  NamedCamera camera = std::exchange(*found, camera_in_use(scene));
+  scene.camera_name = std::move(camera.name);
+  scene.camera = camera.camera;
+  scene.camera_keys = std::move(camera.keys);
+  scene.camera_id = camera.id;
+  return true;
+}
+
+std::string free_camera_name(const Scene& scene, const std::string& wanted) {
+  const auto is_taken = [&scene](const std::string& name) {
+    return name == scene.camera_name ||
+           std::ranges::find(scene.cameras, name, &NamedCamera::name) != scene.cameras.end();
+  };
+  std::string name = wanted;
+  for (int k = 2; is_taken(name); ++k) name = wanted + ' ' + std::to_string(k);
+  return name;
+}
+
+double focal_length(double vertical_fov, const Film& film) {
+  return 0.5 * sensor_height(film) / std::tan(0.5 * glm::radians(vertical_fov));
+}
+
+double vertical_fov(double focal_length, const Film& film) {
+  return 2.0 * glm::degrees(std::atan(0.5 * sensor_height(film) / focal_length));
+}
+
+}  // namespace brume

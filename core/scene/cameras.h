@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// The cameras of a scene by name, and their lenses.
+
+NamedCamera camera_in_use(const Scene& scene);
+
+// Puts a camera in use; the one that was takes its place among the others. False: there is none of
+// that name.
+bool use_camera(Scene& scene, std::string_view name);
+
+// `wanted`, or with a number after it if a camera has that name.
+std::string free_camera_name(const Scene& scene, const std::string& wanted);
+
+// Focal length [mm] of a lens before a sensor as wide as the film, 36 mm, and the vertical field of
+// view [degrees] of such a lens.
+inline constexpr double sensor_width = 36.0;
+double focal_length(double vertical_fov, const Film& film);
+double vertical_fov(double focal_length, const Film& film);
+
+}  // namespace brume

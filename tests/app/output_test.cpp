@@ -1,0 +1,401 @@
+// Cameras, the size and settings of renders, the render queue.
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <numeric>
+
+#include "app/commands/edit_medium.h"
+#include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/export/render_queue.h"
+#include "app/pictures/picture_viewer.h"
+#include "app/viewport/camera_frame.h"
+#include "app/viewport/viewport.h"
+#include "core/io/image/image_file.h"
+#include "core/io/scene/scene_file.h"
+#include "core/scene/cameras.h"
+#include "tests/app/question.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Scene tiny_scene() {
+  Scene scene = small_scene();
+  scene.film = {32, 24};
+  return scene;
+}
+
+void click(TestWindow& window, const char* name) {
+  auto* button = window->findChild<QAbstractButton*>(name);
+  QVERIFY2(button && button->isEnabled(), name);
+  button->click();
+}
+
+void choose(TestWindow& window, const char* name, int index) {
+  auto* box = window->findChild<QComboBox*>(name);
+  box->setCurrentIndex(index);
+  Q_EMIT box->activated(index);
+}
+
+void type(TestWindow& window, const char* name, const QString& text) {
+  auto* line = window->findChild<QLineEdit*>(name);
+  line->selectAll();
+  line->setFocus();
+  QTest::keyClicks(line, text);
+  QTest::keyClick(line, Qt::Key_Return);
+}
+
+QStringList cameras(TestWindow& window) {
+  QStringList names;
+  auto* list = window->findChild<QListWidget*>("cameras");
+  for (int k = 0; k < list->count(); ++k) names << list->item(k)->text();
+  return names;
+}
+
+QString used(TestWindow& window) {
+  return QString::fromStdString(window->document().scene().camera_name);
+}
+
+RenderQueue& queue(TestWindow& window) {
+  return *window->findChild<RenderQueue*>();
+}
+
+bool wait_for(RenderQueue& queue, RenderQueue::State state) {
+  return QTest::qWaitFor(
+      [&] { return !queue.items().empty() && queue.items().back().state == state; }, patience);
+}
+
+}  // namespace
+
+class OutputTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void the_size_of_the_picture_is_undoable() {
+    TestWindow window(tiny_scene());
+    const auto film = [&] { return window->document().scene().film; };
+    choose(window, "size_preset", 1);
+    QVERIFY(film() == (Film{1280, 720}));
+    QCOMPARE(value(window, "film_width"), "1280");
+    click(window, "lock_aspect");
+    enter(window, "film_width", "640");
+    QVERIFY(film() == (Film{640, 360}));
+    enter(window, "film_height", "0");  // refused
+    enter(window, "film_height", "20000");
+    QVERIFY(film() == (Film{640, 360}));
+    const int steps = window->document().undo_stack().count();
+    drag_title(window, "film_height", 40);
+    QVERIFY(film() == (Film{711, 400}));
+    QCOMPARE(window->document().undo_stack().count(), steps + 1);
+    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
+    QVERIFY(film() == (Film{32, 24}));
+    QCOMPARE(window->findChild<QComboBox*>("size_preset")->currentIndex(), 0);
+  }
+
+  void output_is_saved_with_the_scene() {
+    TestWindow window(tiny_scene());
+    choose(window, "output_method", 1);
+    enter(window, "output_paths", "8");
+    click(window, "exposure_of_view");
+    enter(window, "output_exposure", "1.5");
+    type(window, "output_file", "renders/shot");
+    QCOMPARE(window->findChild<QLineEdit*>("output_file")->text(), "renders/shot.png");
+    QVERIFY(!window->findChild<QCheckBox*>("layer_depth")->isEnabled());
+    choose(window, "output_format", 1);
+    click(window, "layer_depth");
+    enter(window, "output_rate", "24");
+    enter(window, "output_last", "48");
+    window->document().save(window.file("scene.brume"));
+    const Scene saved = load_scene(window.file("scene.brume"));
+    QCOMPARE(saved.output.paths, std::optional(8));
+    QCOMPARE(saved.output.exposure, std::optional(1.5));
+    QVERIFY(saved.output.file == fs::canonical(window.file(".")) / "renders/shot.exr");
+    QVERIFY(!saved.output.layers.depth && saved.output.layers.airlight);
+    QVERIFY(saved.playback == (Playback{0, 48, true, 24.0}));
+    QCOMPARE(window->timeline().frames_per_second(), 24.0);
+    window->timeline().set_frame(12);
+    QCOMPARE(window->document().time(), 0.5);
+
+    type(window, "output_file", "shot.jpg");  // refused
+    QVERIFY(window->document().scene().output == saved.output);
+    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
+    QVERIFY(window->document().scene().output == Output{});
+    QCOMPARE(window->timeline().frames_per_second(), 30.0);
+  }
+
+  void f12_renders_without_a_dialog() {
+    TestWindow window(tiny_scene());
+    type(window, "output_file", "renders/shot.exr");
+    click(window, "layer_depth");
+    choose(window, "output_method", 1);
+    enter(window, "output_paths", "3");
+    window.key(Qt::Key_F12);
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    const ImageLayers layers = read_exr(window.file("renders/shot.exr"));
+    QCOMPARE(layers.width, 32);
+    QVERIFY(layers.channels.contains("airlight.R") && !layers.channels.contains("Z"));
+    QVERIFY(layers.metadata.at("brume:airlight") == "path:3");
+    auto& viewer = *window->findChild<PictureViewer*>();
+    QVERIFY(viewer.isVisible());
+    QVERIFY(viewer.pictures().at(0));
+    QVERIFY(viewer.pictures().at(0)->details.contains("3 paths"));
+    QCOMPARE(viewer.pictures().at(0)->at(5, 6)[0], layers.channels.at("R")[6 * 32 + 5]);
+
+    // Once more, without a question: this session wrote the file.
+    window.key(Qt::Key_F12);
+    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    QVERIFY(viewer.pictures().at(1));
+    QVERIFY(viewer.findChild<QAbstractButton*>("slot_a_2")->isChecked());
+    QVERIFY(viewer.findChild<QAbstractButton*>("slot_b_1")->isChecked());
+    QVERIFY(viewer.pictures().at(1)->name == "Camera, frame 0");
+  }
+
+  void an_animation_asks_for_a_file_and_before_it_replaces() {
+    TestWindow window(tiny_scene());
+    click(window, "render.animation_button");
+    QVERIFY(queue(window).items().empty());
+    QVERIFY(window->findChild<QLineEdit*>("output_file")->hasFocus());
+    type(window, "output_file", "shot.png");
+    enter(window, "output_first", "3");
+    enter(window, "output_last", "5");
+    QFile there(to_qstring(window.file("shot_0004.png")));
+    QVERIFY(there.open(QIODevice::WriteOnly));
+    there.close();
+    QString question;
+    answer(QMessageBox::Cancel, &question);
+    window.key(Qt::Key_F12, Qt::ControlModifier);
+    QVERIFY(question.contains("shot_0004.png"));
+    QVERIFY(queue(window).items().empty());
+    answer(QMessageBox::Yes);
+    window.key(Qt::Key_F12, Qt::ControlModifier);
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    for (const char* name : {"shot_0003.png", "shot_0004.png", "shot_0005.png"}) {
+      QCOMPARE(QImage(to_qstring(window.file(name))).size(), QSize(32, 24));
+    }
+  }
+
+  void the_queue_renders_the_scene_as_it_was() {
+    TestWindow window(tiny_scene());
+    window.key(Qt::Key_F12);
+    const auto all = window->document().medium().ids();
+    window->document().select({all.begin(), all.end()});
+    delete_selection(window->document(), "Delete all");
+    window.key(Qt::Key_F12);
+    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    const PictureSlots& pictures = window->findChild<PictureViewer*>()->pictures();
+    const auto sum = [](const Picture& picture) {
+      return std::accumulate(picture.rgb.begin(), picture.rgb.end(), 0.0);
+    };
+    QVERIFY(sum(*pictures.at(0)) > 0.0);
+    QCOMPARE(sum(*pictures.at(1)), 0.0);
+  }
+
+  void waiting_renders_can_be_cancelled_repeated_and_removed() {
+    TestWindow window(tiny_scene());
+    RenderQueue& renders = queue(window);
+    FrameExportRequest request;
+    Scene big = small_scene();
+    big.film = {2000, 1500};
+    request.scene = std::make_shared<const Scene>(big);
+    request.settings.airlight = AirlightMethod::path;
+    request.settings.paths = 100'000;  // never done
+    request.title = "long";
+    const int first = renders.add(request);
+    request.title = "next";
+    request.scene = std::make_shared<const Scene>(tiny_scene());
+    request.settings.paths = 2;
+    request.file = window.file("next.png");
+    const int second = renders.add(request);
+    request.title = "last";
+    request.file = window.file("none/last.png");
+    const int third = renders.add(request);
+    using State = RenderQueue::State;
+    QCOMPARE(renders.find(first)->state, State::rendering);
+    QCOMPARE(renders.find(second)->state, State::waiting);
+    auto* list = window->findChild<QTreeWidget*>("render_queue");
+    QCOMPARE(list->topLevelItemCount(), 3);
+    QString question;
+    answer(QMessageBox::Cancel, &question);
+    QVERIFY(!window->close());
+    QVERIFY2(question.contains("3 renders"), qPrintable(question));
+    list->setCurrentItem(list->topLevelItem(1));
+    click(window, "queue_cancel");
+    QCOMPARE(renders.find(second)->state, State::cancelled);
+    list->setCurrentItem(list->topLevelItem(0));
+    click(window, "queue_remove");
+    QVERIFY(QTest::qWaitFor([&] { return !renders.find(first); }, patience));
+    // The others go on; what fails says why, and stays.
+    QVERIFY(wait_for(renders, State::failed));
+    QVERIFY2(renders.find(third)->message.contains("last.png"),
+             qPrintable(renders.find(third)->message));
+    QVERIFY(!fs::exists(window.file("next.png")));
+    list->setCurrentItem(list->topLevelItem(0));
+    click(window, "queue_repeat");
+    QVERIFY(QTest::qWaitFor([&] { return renders.find(second)->state == State::done; }, patience));
+    QCOMPARE(QImage(to_qstring(window.file("next.png"))).size(), QSize(32, 24));
+    QCOMPARE(list->topLevelItemCount(), 2);
+  }
+
+  void cameras_are_named_used_and_deleted() {
+    TestWindow window(tiny_scene());
+    const Scene before = window->document().scene();
+    Viewport& view = window->viewport();
+    window.drag({300, 300}, {380, 320}, Qt::MiddleButton);
+    const Camera seen = view.camera();
+    QVERIFY(seen != before.camera);
+    click(window, "add_camera");
+    QCOMPARE(cameras(window), (QStringList{"Camera", "Camera 2"}));
+    QCOMPARE(used(window), "Camera 2");
+    QVERIFY(window->document().scene().camera == seen);
+
+    auto* list = window->findChild<QListWidget*>("cameras");
+    list->editItem(list->item(1));
+    auto* editor = list->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    editor->setText("Close up");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(used(window), "Close up");
+    QCOMPARE(cameras(window), (QStringList{"Camera", "Close up"}));
+
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(list->item(0)).center());
+    QCOMPARE(used(window), "Camera");
+    QVERIFY(window->document().scene().camera == before.camera);
+    click(window, "delete_camera");
+    QCOMPARE(used(window), "Close up");
+    QVERIFY(!window->findChild<QPushButton*>("delete_camera")->isEnabled());
+    QVERIFY(window->document().scene().camera == seen);
+    while (window->document().undo_stack().canUndo()) window->document().undo_stack().undo();
+    QVERIFY(window->document().scene() == before);
+  }
+
+  void focal_length_and_field_of_view_are_one() {
+    TestWindow window(tiny_scene());
+    enter(window, "focal_length", "50");
+    const double fov = window->document().scene().camera.vertical_fov;
+    QVERIFY(std::abs(fov - vertical_fov(50.0, {32, 24})) < 1e-9);
+    enter(window, "camera_fov", "90");
+    QCOMPARE(value(window, "focal_length"), "13.5");  // 0.5 * 36 * 24 / 32
+    const int steps = window->document().undo_stack().count();
+    drag_title(window, "camera_fov", 30);
+    QCOMPARE(window->document().undo_stack().count(), steps + 1);
+    enter(window, "camera_target_z", "6");  // where the eye is: refused
+    QVERIFY(window->document().scene().camera.target == glm::dvec3(0.0));
+  }
+
+  void the_frame_of_the_camera_fits_into_the_view() {
+    TestWindow window(tiny_scene());
+    Viewport& view = window->viewport();
+    CameraFrame& frame = view.camera_frame();
+    QVERIFY(!frame.isVisible());
+    window.key(Qt::Key_0);
+    QVERIFY(frame.isVisible());
+    const auto frame_is_right = [&] {
+      const QRectF rect = *view.camera_controller().frame();
+      const Film film = window->document().scene().film;
+      // A point seen at a corner of the film is drawn at that corner of the frame.
+      const CameraRays rays(view.camera(), film);
+      const glm::dvec3 at = view.rays().project(rays.eye() + 3.0 * rays.direction(0.0, 0.0));
+      return QRectF(view.rect()).contains(rect) &&
+             QLineF(rect.topLeft(), QPointF(at.x, at.y)).length() < 1e-6 &&
+             std::abs(rect.width() / rect.height() -
+                      static_cast<double>(film.width) / film.height) < 1e-9;
+    };
+    QVERIFY(frame_is_right());
+    enter(window, "film_width", "200");  // wider than the view
+    QVERIFY(frame_is_right());
+    QVERIFY(window.settle());
+    QVERIFY(view.frames().shown()->request.camera == view.shown_camera());
+    enter(window, "film_height", "900");  // upright
+    QVERIFY(frame_is_right());
+    // Outside the frame the picture is dark.
+    QVERIFY(window.settle());
+    click(window, "view.camera_frame_box");
+    QVERIFY(!frame.isVisible());
+    QVERIFY(view.shown_camera() == view.camera());
+    click(window, "view.camera_frame_box");
+    QVERIFY(frame.isVisible());
+    window.drag({300, 300}, {340, 300}, Qt::MiddleButton);  // leaves the camera
+    QVERIFY(!frame.isVisible());
+    QVERIFY(view.camera() != window->document().scene().camera);
+  }
+
+  void a_view_locked_to_the_camera_moves_it() {
+    TestWindow window(tiny_scene());
+    Viewport& view = window->viewport();
+    const Camera before = window->document().scene().camera;
+    window.key(Qt::Key_0);
+    click(window, "view.lock_camera_box");
+    window.drag({300, 300}, {380, 330}, Qt::MiddleButton);
+    const Camera moved = window->document().scene().camera;
+    QVERIFY(moved != before && view.camera() == moved);
+    QVERIFY(view.camera_frame().isVisible());
+    QCOMPARE(window->document().undo_stack().count(), 1);
+    window.drag({300, 300}, {320, 300}, Qt::MiddleButton);
+    QCOMPARE(window->document().undo_stack().count(), 2);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().scene().camera == moved && view.camera() == moved);
+    window.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(window->document().scene().camera == before && view.camera() == before);
+    click(window, "view.lock_camera_box");
+    window.drag({300, 300}, {320, 300}, Qt::MiddleButton);
+    QVERIFY(window->document().scene().camera == before && view.camera() != before);
+  }
+
+  void a_region_is_rendered_alone() {
+    TestWindow window(tiny_scene());
+    CameraFrame& frame = window->viewport().camera_frame();
+    window.key(Qt::Key_B, Qt::ControlModifier);
+    QVERIFY(frame.isVisible() && frame.is_marking());
+    const QRectF rect = *window->viewport().camera_controller().frame();
+    const auto at = [&](double x, double y) {
+      return QPoint(qRound(rect.left() + x * rect.width()), qRound(rect.top() + y * rect.height()));
+    };
+    QTest::mousePress(&frame, Qt::LeftButton, {}, at(1.2, 1.0));
+    QMouseEvent move(QEvent::MouseMove, at(0.5, 0.5), frame.mapToGlobal(at(0.5, 0.5)), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&frame, &move);
+    QTest::mouseRelease(&frame, Qt::LeftButton, {}, at(0.5, 0.5));
+    QVERIFY(frame.region() && !frame.is_marking());
+    QVERIFY(window->findChild<QLabel*>("region_text")->text().contains("50 × 50 %"));
+    window.key(Qt::Key_F12);
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    click(window, "clear_region");
+    QVERIFY(!frame.region());
+    window.key(Qt::Key_F12);
+    QVERIFY(QTest::qWaitFor([&] { return queue(window).items().size() == 2; }, patience));
+    QVERIFY(wait_for(queue(window), RenderQueue::State::done));
+    const PictureSlots& pictures = window->findChild<PictureViewer*>()->pictures();
+    const Picture& part = *pictures.at(0);
+    const Picture& whole = *pictures.at(1);
+    QCOMPARE(whole.width, 32);
+    QVERIFY(std::abs(part.width - 16) <= 1 && std::abs(part.height - 12) <= 1);
+    const int x = 32 - part.width;
+    const int y = 24 - part.height;
+    double most = 0.0;
+    for (int k = 0; k < part.height; ++k) {
+      most = std::max(most, std::abs(static_cast<double>(part.at(3, k)[0]) -
+                                     static_cast<double>(whole.at(x + 3, y + k)[0])));
+    }
+    QVERIFY(most < 0.02 * static_cast<double>(*std::ranges::max_element(whole.rgb)));
+    window.key(Qt::Key_B, Qt::ControlModifier);
+    QTest::keyClick(&frame, Qt::Key_Escape);
+    QVERIFY(!frame.is_marking() && !frame.region());
+  }
+};
+
+BRUME_APP_SUITE("output", OutputTest)
+#include "output_test.moc"

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include "core/io/scene/gather.h"
+#include "core/io/scene/scene_file.h"
+#include "core/scene/cameras.h"
+#include "tests/core/io/input_error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+class CamerasAndOutput : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::filesystem::path write(const std::string& members) const {
+    return folder_.write("a.brume", R"({"format": "brume-scene", "version": 1, )" + members + "}");
+  }
+  void expect_refused(const std::string& members, const std::string& place) const {
+    SCOPED_TRACE(members);
+    const std::string error = error_of([&] { load_document(write(members)); });
+    EXPECT_TRUE(contains(error, ": " + place)) << error;
+    EXPECT_TRUE(contains(error, "allowed") || contains(error, "missing")) << error;
+  }
+  [[nodiscard]] std::string saved(const Scene& scene) const {
+    return document_to_json(scene, folder_.path());
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(CamerasAndOutput, OfAPlainSceneAreNotWritten) {
+  const std::string text = saved(load_scene(write(R"("camera": {"eye": [0, 0, 3]})")));
+  for (const char* key : {"cameras", "\"name\"", "output", "frames_per_second"}) {
+    EXPECT_FALSE(contains(text, key)) << key;
+  }
+}
+
+TEST_F(CamerasAndOutput, ComeBackWithTheirUnknownKeys) {
+  const SceneDocument document = load_document(write(R"(
+    "camera": {"name": "Wide", "eye": [0, 0, 3], "maker": "A"},
+    "cameras": [{"name": "Close", "eye": [1, 0, 0], "vertical_fov": 20, "maker": "B",
+                 "keys": {"eye": [{"time": 1, "value": [2, 0, 0]}]}}],
+    "output": {"file": "renders/shot.exr", "paths": 64, "exposure": -0.5, "layers": ["Z"],
+               "quality": "high"},
+    "timeline": {"last": 9, "frames_per_second": 24})"));
+  const Scene& scene = document.scene;
+  EXPECT_EQ(scene.camera_name, "Wide");
+  ASSERT_EQ(scene.cameras.size(), 1U);
+  EXPECT_EQ(scene.cameras[0].camera.vertical_fov, 20.0);
+  EXPECT_EQ(scene.cameras[0].keys.eye.size(), 1U);
+  EXPECT_EQ(scene.output.file, std::filesystem::canonical(folder_.path()) / "renders/shot.exr");
+  EXPECT_EQ(scene.output.paths, 64);
+  EXPECT_EQ(scene.output.exposure, -0.5);
+  EXPECT_EQ(scene.output.layers, (OutputLayers{false, false, true}));
+  EXPECT_EQ(scene.playback->frames_per_second, 24.0);
+  save_document(document, folder_ / "b.brume");
+  const SceneDocument loaded = load_document(folder_ / "b.brume");
+  EXPECT_EQ(loaded.scene, scene);
+  EXPECT_EQ(loaded.extras.unknown_keys, document.extras.unknown_keys);
+  const std::string text = content_of(folder_ / "b.brume");
+  EXPECT_TRUE(contains(text, R"("file": "renders/shot.exr")"));
+  EXPECT_TRUE(contains(text, R"("quality": "high")"));
+
+  // A camera that is put in use takes its unknown keys along.
+  SceneDocument other = document;
+  ASSERT_TRUE(use_camera(other.scene, "Close"));
+  save_document(other, folder_ / "c.brume");
+  const std::string swapped = content_of(folder_ / "c.brume");
+  EXPECT_LT(swapped.find(R"("maker": "B")"), swapped.find(R"("maker": "A")"));
+  ASSERT_TRUE(use_camera(other.scene, "Wide"));
+  EXPECT_EQ(other.scene, scene);
+}
+
+TEST_F(CamerasAndOutput, RefuseMistakes) {
+  for (const char* name : {"1", "null", "[]", R"("")", R"("a\nb")"}) {
+    expect_refused(std::string(R"("camera": {"name": )") + name + "}", "camera.name");
+    expect_refused(std::string(R"("cameras": [{"name": )") + name + "}]", "cameras[0].name");
+  }
+  expect_refused(R"("cameras": [{"name": ")" + std::string(257, 'x') + R"("}])", "cameras[0].name");
+  expect_refused(R"("cameras": [{}])", "cameras[0].name");
+  expect_refused(R"("cameras": [{"name": "Camera"}])", "cameras[0].name");
+  expect_refused(R"("cameras": [{"name": "A"}, {"name": "A"}])", "cameras[1].name");
+  expect_refused(R"("cameras": [{"name": "A", "vertical_fov": 180}])", "cameras[0].vertical_fov");
+  expect_refused(R"("cameras": [{"name": "A", "eye": [0, 0, 0]}])", "cameras[0].target");
+  for (const char* eye : {"1", "[1, 2]", "[1, 2, 1e300]", "null"}) {
+    expect_refused(std::string(R"("cameras": [{"name": "A", "eye": )") + eye + "}]",
+                   "cameras[0].eye");
+  }
+  for (const char* cameras : {"1", "{}", "null"}) {
+    expect_refused(std::string(R"("cameras": )") + cameras, "cameras");
+  }
+  for (const char* file : {"1", "null", R"("")", R"("..")", R"("a.jpg")", R"("a")", R"("b/")",
+                           R"("a\u0000.png")", R"(".png")"}) {
+    expect_refused(std::string(R"("output": {"file": )") + file + "}", "output.file");
+  }
+  for (const char* paths : {"0", "-1", "1.5", "1000001", R"("9")", "null"}) {
+    expect_refused(std::string(R"("output": {"paths": )") + paths + "}", "output.paths");
+  }
+  for (const char* exposure : {"61", "-61", R"("0")", "null"}) {
+    expect_refused(std::string(R"("output": {"exposure": )") + exposure + "}", "output.exposure");
+  }
+  for (const char* layer : {"1", "null", R"("depth")", R"("z")"}) {
+    expect_refused(std::string(R"("output": {"layers": [)") + layer + "]}", "output.layers[0]");
+  }
+  expect_refused(R"("output": {"layers": ["Z", "Z"]})", "output.layers[1]");
+  expect_refused(R"("output": {"layers": "Z"})", "output.layers");
+  for (const char* rate : {"0", "0.5", "1001", R"("24")", "null"}) {
+    expect_refused(std::string(R"("timeline": {"last": 9, "frames_per_second": )") + rate + "}",
+                   "timeline.frames_per_second");
+  }
+}
+
+TEST_F(CamerasAndOutput, GatheredScenesRenderIntoTheirOwnFolder) {
+  Scene scene;
+  scene.output.file = "/elsewhere/shot.png";
+  ASSERT_TRUE(gather_scene(scene, folder_ / "all", "a", {}));
+  EXPECT_TRUE(contains(content_of(folder_ / "all/a.brume"), R"("file": "shot.png")"));
+}
+
+TEST(Lens, FocalLengthAndFieldOfViewAgree) {
+  const Film film{1920, 1080};
+  // tan(fov / 2) = sensor height / (2 f)
+  EXPECT_NEAR(vertical_fov(50.0, film), 22.895, 1e-3);
+  EXPECT_NEAR(vertical_fov(18.0, {100, 100}), 90.0, 1e-12);
+  for (const double fov : {1.0, 45.0, 120.0}) {
+    EXPECT_NEAR(vertical_fov(focal_length(fov, film), film), fov, 1e-12);
+  }
+}
+
+TEST(Lens, NewCamerasGetFreeNames) {
+  Scene scene;
+  EXPECT_EQ(free_camera_name(scene, "Camera"), "Camera 2");
+  scene.cameras.push_back({.name = "Camera 2"});
+  EXPECT_EQ(free_camera_name(scene, "Camera"), "Camera 3");
+  EXPECT_EQ(free_camera_name(scene, "Wide"), "Wide");
+}
+
+}  // namespace
+}  // namespace brume
