@@ -19,6 +19,7 @@ class GaussianPanel;
 class MessageBar;
 class SceneFiles;
 class SceneImport;
+class StartPage;
 class Timeline;
 class TimelineBar;
 class ToolBox;
@@ -36,6 +37,7 @@ class MainWindow : public QMainWindow {
   Autosave& autosave() { return *autosave_; }
   Viewport& viewport() { return *viewport_; }  // the perspective one
   ViewGrid& views() { return *views_; }
+  StartPage& start_page() { return *start_page_; }
   ToolBox& tools() { return *tools_; }
   Timeline& timeline() { return *timeline_; }
 
@@ -96,6 +98,7 @@ class MainWindow : public QMainWindow {
   SceneFiles* files_;
   Autosave* autosave_;
   MessageBar* message_bar_;
+  StartPage* start_page_ = nullptr;
   ViewGrid* views_;
   Viewport* viewport_;  // the perspective one
   ToolBox* tools_;

@@ -27,6 +27,7 @@
 #include "app/widgets/keys.h"
 #include "app/window/help_windows.h"
 #include "app/window/main_window.h"
+#include "app/window/start_page.h"
 
 namespace brume {
 namespace {
@@ -69,6 +70,7 @@ void MainWindow::create_actions() {
   QMenu* recent = file->addMenu(tr("Open &Recent"));
   show_large_icons(*recent);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_->fill_recent_menu(*recent); });
+  add(file, tr("Start Pa&ge"), "file.start_page", [this] { start_page_->open(); });
   file->addSeparator();
   add(file, tr("&Save"), "file.save", [this] { files_->save(); });
   add(file, tr("Save &As…"), "file.save_as", [this] { files_->save_as(); });

@@ -1,0 +1,160 @@
+// The start page: what it offers opens as it says, and nothing else closes it or waits for it.
+
+#include <QCheckBox>
+#include <QFile>
+#include <QToolButton>
+
+#include "app/commands/edit_medium.h"
+#include "app/document/paths.h"
+#include "app/files/recent_pictures.h"
+#include "app/files/scene_files.h"
+#include "app/frames/headlight.h"
+#include "app/viewport/viewport.h"
+#include "app/window/start_page.h"
+#include "tests/app/question.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+StartPage& page_of(TestWindow& window) {
+  return window->start_page();
+}
+
+// Presses a tile and waits until the page is gone.
+bool choose(TestWindow& window, const QString& name) {
+  auto* tile = page_of(window).findChild<QToolButton*>(name);
+  if (!tile || !tile->isVisible()) return false;
+  tile->click();
+  return QTest::qWaitFor([&] { return page_of(window).isHidden(); }, patience);
+}
+
+bool has_picture(const QToolButton& tile) {
+  const QImage image = tile.icon().pixmap(tile.iconSize()).toImage();
+  QSet<QRgb> colors;
+  for (int y = 0; y < image.height(); y += 3) {
+    for (int x = 0; x < image.width(); x += 3) colors.insert(image.pixel(x, y));
+  }
+  return colors.size() > 50;
+}
+
+}  // namespace
+
+class StartPageTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_window_of_a_scene_has_none() {
+    TestWindow window;
+    QVERIFY(page_of(window).isHidden());
+    window->findChild<QAction*>("file.start_page")->trigger();
+    QVERIFY(page_of(window).isVisible());
+    QCOMPARE(page_of(window).size(), page_of(window).parentWidget()->size());
+    QTest::keyClick(&page_of(window), Qt::Key_Escape);
+    QVERIFY(page_of(window).isHidden());
+    QVERIFY(window->viewport().hasFocus());
+  }
+
+  void templates_are_new_scenes_that_are_lit() {
+    TestWindow window;
+    for (const char* name : {"room", "landscape", "stage", "street"}) {
+      page_of(window).open();
+      const QString tile = QString("template_") + name;
+      QVERIFY2(has_picture(*page_of(window).findChild<QToolButton*>(tile)), name);
+      QVERIFY2(choose(window, tile), name);
+      Document& document = window->document();
+      QVERIFY(document.file().empty());
+      QVERIFY(!document.is_modified());
+      QVERIFY(!document.scene().surfaces.empty());
+      QVERIFY(document.medium().size() > 10);
+      QVERIFY(!document.scene().lights.empty());
+      QVERIFY(!is_unlit(document.scene()));
+      // Looked at through the scene's camera.
+      QVERIFY(window->viewport().camera() == document.scene().camera);
+    }
+    QVERIFY(!SceneFiles::recent().join(' ').contains("templates"));
+    // Saved elsewhere it finds its meshes.
+    QVERIFY(window->files().save_to(window.file("street.brume")));
+    QVERIFY(window.open("street.brume"));
+    QCOMPARE(window->document().scene().surfaces.size(), std::size_t{2});
+  }
+
+  void empty_is_a_new_scene() {
+    TestWindow window;
+    page_of(window).open();
+    QVERIFY(choose(window, "template_empty"));
+    QVERIFY(window->document().scene() == new_scene());
+    QVERIFY(window->document().file().empty());
+  }
+
+  void samples_open_as_copies() {
+    TestWindow window;
+    page_of(window).open();
+    for (const auto* tile : page_of(window).findChildren<QToolButton*>()) {
+      if (!tile->objectName().startsWith("sample_")) continue;
+      QVERIFY2(has_picture(*tile), qPrintable(tile->objectName()));
+      QVERIFY2(QFile::exists(QString(BRUME_SCENES "/%1.brume").arg(tile->objectName().mid(7))),
+               qPrintable(tile->objectName()));
+    }
+    QVERIFY(choose(window, "sample_candle"));
+    QVERIFY(window->document().file().empty());
+    QVERIFY(!window->document().medium().empty());
+  }
+
+  void recent_scenes_have_their_pictures() {
+    TestWindow window;
+    QTRY_VERIFY(!recent_picture(window.file("scene.brume")).isNull());
+    QVERIFY(window->files().create());
+    page_of(window).open();
+    auto* tile = page_of(window).findChild<QToolButton*>("recent_0");
+    QVERIFY(tile && tile->isVisible());
+    QCOMPARE(tile->accessibleName(), QString("scene"));
+    QVERIFY(has_picture(*tile));
+    QVERIFY(choose(window, "recent_0"));
+    QVERIFY(window->document().file() == window.file("scene.brume"));
+  }
+
+  void unsaved_work_is_asked_about() {
+    TestWindow window;
+    add_gaussian(window->document(), {});
+    page_of(window).open();
+    answer(QMessageBox::Cancel);
+    page_of(window).findChild<QToolButton*>("template_room")->click();
+    QVERIFY(page_of(window).isVisible());
+    QVERIFY(!window->files().loading().is_running());
+    QVERIFY(window->document().is_modified());
+  }
+
+  void an_edit_closes_it() {
+    TestWindow window;
+    page_of(window).open();
+    add_gaussian(window->document(), {});
+    QVERIFY(page_of(window).isHidden());
+  }
+
+  void it_covers_the_views_of_any_size() {
+    TestWindow window;
+    page_of(window).open();
+    window->resize(1280, 800);
+    QTRY_COMPARE(page_of(window).size(), page_of(window).parentWidget()->size());
+    // No tile is cut off to the right.
+    for (const auto* tile : page_of(window).findChildren<QToolButton*>()) {
+      QVERIFY(tile->geometry().right() <= tile->parentWidget()->width());
+    }
+  }
+
+  void whether_it_shows_at_start_is_remembered() {
+    TestWindow window;
+    QVERIFY(StartPage::is_wanted());
+    page_of(window).open();
+    auto* box = page_of(window).findChild<QCheckBox*>("start_page_at_start");
+    box->click();
+    QVERIFY(!StartPage::is_wanted());
+    box->click();
+    QVERIFY(StartPage::is_wanted());
+  }
+};
+
+BRUME_APP_SUITE("start_page", StartPageTest)
+#include "start_page_test.moc"
