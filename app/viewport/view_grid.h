@@ -36,6 +36,8 @@ class ViewGrid : public QWidget {
   void set_airlight(AirlightMethod method);
   void set_scattering(Scattering scattering);
   void set_max_error(double max_error);
+  void show_ground_grid(bool shown);
+  [[nodiscard]] bool shows_ground_grid() const { return shows_ground_grid_; }
   void set_navigation(NavigationPreset preset);
   void set_backend(Backend backend) { services_.frames.service.set_backend(backend); }
   [[nodiscard]] Backend backend() const { return services_.frames.service.backend(); }
@@ -66,6 +68,7 @@ class ViewGrid : public QWidget {
   Viewport* active_ = nullptr;
   Tool* tool_ = nullptr;
   bool shows_four_ = false;
+  bool shows_ground_grid_ = false;
 };
 
 }  // namespace brume

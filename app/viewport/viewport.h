@@ -31,6 +31,8 @@ class Viewport : public QWidget, public View {
   void finish_input() { input_.flush_moves(); }
   void set_time(double time) override;
   void show_band(const QRect& rectangle) override;
+  // The grid on the ground; initially off.
+  void show_ground_grid(bool shown);
 
   // Why there is no OpenGL; empty if there is.
   [[nodiscard]] QString gl_problem() const;
@@ -49,6 +51,7 @@ class Viewport : public QWidget, public View {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void tabletEvent(QTabletEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
@@ -65,6 +68,7 @@ class Viewport : public QWidget, public View {
   QRubberBand band_;
   Legend* legend_;
   QTimer overlay_timer_;
+  bool ground_grid_ = false;
 };
 
 }  // namespace brume

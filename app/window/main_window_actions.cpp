@@ -25,6 +25,8 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
 #include "app/widgets/keys.h"
+#include "app/window/fog_menu.h"
+#include "app/window/ground_grid_action.h"
 #include "app/window/help_windows.h"
 #include "app/window/main_window.h"
 #include "app/window/start_page.h"
@@ -155,6 +157,8 @@ void MainWindow::create_actions() {
   light->addSeparator();
   add(light, tr("&Look Through Light"), "light.look_through", [this] { look_through_light(); });
 
+  add_fog_menu(*menuBar(), document_, *views_);
+
   QMenu* time = menuBar()->addMenu(tr("T&ime"));
   add(time, tr("&Play or Pause"), "time.play",
       [this] { timeline_->is_playing() ? timeline_->stop() : timeline_->play(); });
@@ -183,6 +187,7 @@ void MainWindow::create_actions() {
   QAction* four = add(view, tr("F&our Views"), "view.four",
                       [this] { views_->show_four(!views_->shows_four()); });
   four->setCheckable(true);
+  add_ground_grid_action(*view, document_, *views_);
   view->addSeparator();
   add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });

@@ -1,15 +1,18 @@
-// The start page: what it offers opens as it says, and nothing else closes it or waits for it.
+// What a window begins with: the start page, the view one had left, the grid of an empty scene.
 
 #include <QCheckBox>
 #include <QFile>
+#include <QSettings>
 #include <QToolButton>
+#include <cmath>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/paths.h"
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
 #include "app/frames/headlight.h"
-#include "app/viewport/viewport.h"
+#include "app/view/ground_grid.h"
+#include "app/viewport/view_grid.h"
 #include "app/window/start_page.h"
 #include "tests/app/question.h"
 #include "tests/app/test_window.h"
@@ -142,6 +145,102 @@ class StartPageTest : public QObject {
     for (const auto* tile : page_of(window).findChildren<QToolButton*>()) {
       QVERIFY(tile->geometry().right() <= tile->parentWidget()->width());
     }
+  }
+
+  void a_scene_opens_where_one_looked_last() {
+    TestWindow window;
+    const auto bytes = [&] {
+      QFile file(to_qstring(window.file("scene.brume")));
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray before = bytes();
+    CameraController& controller = window->viewport().camera_controller();
+    controller.drag(NavigationDrag::orbit, {80.0, 20.0});
+    const Camera left = controller.camera();
+    QVERIFY(window->files().create());
+    QVERIFY(controller.camera() != left);
+    QVERIFY(window.open("scene.brume"));
+    QVERIFY(controller.camera() == left);
+    QVERIFY(!window->document().is_modified());
+    QVERIFY(bytes() == before);
+
+    // A copy is looked at as the original was, from then on by itself.
+    QVERIFY(window->files().save_to(window.file("copy.brume")));
+    controller.drag(NavigationDrag::pan, {10.0, 5.0});
+    const Camera of_copy = controller.camera();
+    QVERIFY(window.open("scene.brume"));
+    QVERIFY(controller.camera() == left);
+    QVERIFY(window.open("copy.brume"));
+    QVERIFY(controller.camera() == of_copy);
+
+    // Reloading stays where one is; the scene's camera is no other view.
+    controller.drag(NavigationDrag::pan, {30.0, 5.0});
+    const Camera present = controller.camera();
+    QVERIFY(window.open("copy.brume"));
+    QVERIFY(controller.camera() == present);
+    window.key(Qt::Key_0);
+    QVERIFY(window->files().create());
+    QVERIFY(window.open("copy.brume"));
+    QVERIFY(controller.camera() == window->document().scene().camera);
+  }
+
+  void broken_saved_views_are_ignored() {
+    TestWindow window;
+    const QString name = to_qstring(window.file("scene.brume"));
+    for (const QVariantList& numbers :
+         {QVariantList{1, 2, 3}, QVariantList{0, 0, 0, 0, 0, 0, 0, 1, 0, 45},
+          QVariantList{0, 0, 9, 0, 0, 0, 0, 1, 0, 720},
+          QVariantList{0, 0, 9, 0, 0, std::nan(""), 0, 1, 0, 45}}) {
+      QVERIFY(window->files().create());
+      QSettings().setValue("saved_views",
+                           QVariantList{QVariantMap{{"file", name}, {"camera", numbers}}});
+      QVERIFY(window.open("scene.brume"));
+      QVERIFY(window->viewport().camera() == window->document().scene().camera);
+    }
+  }
+
+  void an_empty_scene_has_a_ground_grid() {
+    TestWindow window;
+    auto* grid = window->findChild<QAction*>("view.ground_grid");
+    QVERIFY(!grid->isChecked());
+    grid->trigger();
+    QVERIFY(window->views().shows_ground_grid());
+    QVERIFY(window.open("scene.brume"));
+    QVERIFY(!window->views().shows_ground_grid());
+    QVERIFY(window->files().create());
+    QVERIFY(grid->isChecked() && window->views().shows_ground_grid());
+    window->views().show_four(true);
+    QCOMPARE(window->views().panes().size(), std::size_t{4});
+  }
+
+  void the_grid_suits_the_distance_and_hides_behind_surfaces() {
+    QCOMPARE(ground_grid_step(10.0), 1.0);
+    QCOMPARE(ground_grid_step(30.0), 2.0);
+    QCOMPARE(ground_grid_step(0.07), 0.005);
+    const Camera camera{{0.0, 3.0, 8.0}, {0.0, 0.0, 0.0}};
+    const Film film{100, 80};
+    const auto alpha_of = [&](const std::optional<GridDepth>& depth) {
+      Overlay overlay;
+      add_ground_grid(overlay, camera, film, 8.5, depth);
+      double sum = 0.0;
+      for (const Overlay::Vertex& vertex : overlay.lines) sum += qAlpha(vertex.color);
+      return sum;
+    };
+    const double open = alpha_of({});
+    QVERIFY(open > 1000.0);
+    Frame frame;
+    frame.film = film;
+    frame.depth.assign(100 * 80, 1.0F);
+    QVERIFY(alpha_of(GridDepth{frame, camera}) < 0.6 * open);
+    Camera moved = camera;
+    moved.eye.x = 1.0;
+    QCOMPARE(alpha_of(GridDepth{frame, moved}), open);
+    frame.depth.assign(100 * 80, 1e9F);
+    QCOMPARE(alpha_of(GridDepth{frame, camera}), open);
+    // Edge-on it would be one line.
+    Overlay overlay;
+    add_ground_grid(overlay, {{0.0, 0.0, 8.0}, {0.0, 0.0, 0.0}}, film, 8.0, {});
+    QVERIFY(overlay.lines.empty());
   }
 
   void whether_it_shows_at_start_is_remembered() {
