@@ -8,6 +8,7 @@
 #include "app/widgets/application.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
+#include "app/window/start_page.h"
 #include "core/io/temporary_files.h"
 #include "render/util/frame_memory.h"
 
@@ -90,7 +91,9 @@ int main(int argc, char* argv[]) {
   if (parser.isSet("screenshot")) window.quit_with_screenshot(parser.value("screenshot"));
   window.show();
   const QStringList scenes = parser.positionalArguments();
-  if (!scenes.isEmpty()) {
+  if (scenes.isEmpty()) {
+    if (!parser.isSet("screenshot") && brume::StartPage::is_wanted()) window.start_page().open();
+  } else {
     if (parser.isSet("screenshot")) {
       // The window has said why. A user may go on from here, a picture of nothing helps nobody.
       QObject::connect(&window.files(), &brume::SceneFiles::failed,

@@ -14,14 +14,14 @@
 namespace brume {
 namespace {
 
-constexpr QSize picture_size{96, 64};
-constexpr int scale = 2;  // for screens with fine pixels
+constexpr QSize menu_size{96, 64};
+constexpr QSize picture_size{336, 224};  // enough for the start page on screens with fine pixels
 
 class LargeIcons : public EditorStyle {
  public:
   int pixelMetric(PixelMetric metric, const QStyleOption* option,
                   const QWidget* widget) const override {
-    return metric == PM_SmallIconSize ? picture_size.width()
+    return metric == PM_SmallIconSize ? menu_size.width()
                                       : EditorStyle::pixelMetric(metric, option, widget);
   }
 };
@@ -36,13 +36,13 @@ QString picture_file(const std::filesystem::path& scene) {
 
 void save_recent_picture(const std::filesystem::path& scene, const QImage& picture) {
   const QString file = picture_file(scene);
-  const QSize size = picture_size * scale;
   const QImage large =
-      picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  const QPoint corner((large.width() - size.width()) / 2, (large.height() - size.height()) / 2);
+      picture.scaled(picture_size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QPoint corner((large.width() - picture_size.width()) / 2,
+                      (large.height() - picture_size.height()) / 2);
   QByteArray bytes;
   QBuffer buffer(&bytes);
-  large.copy(QRect(corner, size)).save(&buffer, "PNG");
+  large.copy(QRect(corner, picture_size)).save(&buffer, "PNG");
   try {
     make_private_folder(to_path(file).parent_path());
     write_private(to_path(file), std::string_view(bytes.constData(), bytes.size()));
@@ -52,10 +52,8 @@ void save_recent_picture(const std::filesystem::path& scene, const QImage& pictu
 }
 
 QIcon recent_picture(const std::filesystem::path& scene) {
-  QPixmap picture(picture_file(scene));
-  if (picture.isNull()) return {};
-  picture.setDevicePixelRatio(scale);
-  return picture;
+  const QPixmap picture(picture_file(scene));
+  return picture.isNull() ? QIcon() : QIcon(picture);
 }
 
 void show_large_icons(QMenu& menu) {

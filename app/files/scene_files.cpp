@@ -51,6 +51,14 @@ void SceneFiles::open_file(const std::filesystem::path& file) {
   load(file);
 }
 
+void SceneFiles::open_copy(const std::filesystem::path& file) {
+  if (!may_discard()) return;
+  discard_index_ = document_.undo_stack().index();
+  restoring_.reset();
+  load(file);
+  is_copy_ = true;
+}
+
 void SceneFiles::restore(const RecoveryFile& work) {
   if (!may_discard()) return;
   discard_index_ = document_.undo_stack().index();
@@ -59,6 +67,7 @@ void SceneFiles::restore(const RecoveryFile& work) {
 }
 
 void SceneFiles::load(const std::filesystem::path& file, const FoundFiles& found) {
+  is_copy_ = false;
   const auto work = [this, file, found](const Job&) {
     return
         [this, loaded = std::make_shared<LoadedScene>(read_scene(file, found))] { adopt(*loaded); };
@@ -73,14 +82,17 @@ void SceneFiles::adopt(LoadedScene& loaded) {
   other_version_.reset();
   missing_ = loaded.missing.missing;
   const std::optional<RecoveryFile> work = std::exchange(restoring_, std::nullopt);
-  if (work) {
+  const bool is_copy = std::exchange(is_copy_, false);
+  if (is_copy) {
+    document_.open(std::move(loaded.document), {});
+  } else if (work) {
     document_.open_unsaved(std::move(loaded.document), work->file, work->version);
   } else if (!loaded.missing.found.empty()) {
     document_.open_unsaved(std::move(loaded.document), loaded.file, loaded.version);
   } else {
     document_.open(std::move(loaded.document), loaded.file, loaded.version);
   }
-  if (!work) remember(loaded.file);
+  if (!work && !is_copy) remember(loaded.file);
   if (!missing_.empty()) {
     QStringList names;
     for (const std::filesystem::path& file : missing_) names << to_qstring(file.filename());
@@ -209,9 +221,13 @@ void SceneFiles::remember(const std::filesystem::path& file) {
   settings.setValue(recent_key, QStringList(recent.mid(0, max_recent)));
 }
 
+QStringList SceneFiles::recent() {
+  return QSettings().value(recent_key).toStringList();
+}
+
 void SceneFiles::fill_recent_menu(QMenu& menu) {
   menu.clear();
-  for (const QString& name : QSettings().value(recent_key).toStringList()) {
+  for (const QString& name : recent()) {
     const QString text = QFileInfo(name).fileName().replace('&', "&&");
     QAction* action = menu.addAction(text, this, [this, name] { open_file(to_path(name)); });
     action->setStatusTip(name);

@@ -31,6 +31,8 @@ class SceneFiles : public QObject {
   // Asks about unsaved work only.
   bool create();
   void open_file(const std::filesystem::path& file);
+  // Opens a scene as a new one without a file, as templates and samples are.
+  void open_copy(const std::filesystem::path& file);
   // Asks for a file if there is none.
   bool save();
   bool save_to(const std::filesystem::path& file);
@@ -53,6 +55,7 @@ class SceneFiles : public QObject {
   bool may_discard();
 
   void fill_recent_menu(QMenu& menu);
+  [[nodiscard]] static QStringList recent();  // file names, latest first
 
   [[nodiscard]] BackgroundJob& loading() { return loading_; }
 
@@ -78,6 +81,7 @@ class SceneFiles : public QObject {
   std::optional<FileVersion> other_version_;    // reported by changed_on_disk()
   std::optional<RecoveryFile> restoring_;       // recovery file being loaded
   std::vector<std::filesystem::path> missing_;  // missing files of the scene
+  bool is_copy_ = false;                        // what is being loaded becomes a new scene
   int discard_index_ = 0;  // undo index at which unsaved work was discarded for the load
   BackgroundJob loading_{BackgroundJob::Policy::latest_wins};
   BackgroundJob version_check_{BackgroundJob::Policy::latest_wins};

@@ -70,7 +70,14 @@ void AirbrushTool::add_options(QHBoxLayout& row) {
   add_gaussian_options(row, "air");
   add(tr("Rate"), "air_rate", rate_domain, &Airbrush::rate);
   add(tr("Speed"), "air_speed", domain::not_negative, &Airbrush::speed);
-  add_place_options(row, "air");
+  add_place_options(row, "air",
+                    {{{tr("Jitter"), "air_jitter", domain::unit, ValueField::Scale::linear, 0.01},
+                      tr("Random variation of radius and density: at 1 from half to double"),
+                      [this] { return airbrush_.jitter; },
+                      [this](double value) {
+                        airbrush_.jitter = value;
+                        Q_EMIT options_changed();
+                      }}});
   add_choice(
       row, *this, {{}, "air_side"}, {tr("Outside"), tr("Inside")},
       [this] { return inside_ ? 1 : 0; }, [this](int index) { set_inside(index == 1); });
@@ -105,6 +112,8 @@ void AirbrushTool::spray() {
     if (!hit) return std::nullopt;
     return Obstacle{glm::distance(hit->position, origin), hit->normal};
   };
+  const PenScale pen = pen_scale(1.0);
+  spray_->set_scale(pen.size, pen.strength);
   for (qint64 k = 0; k < missed; ++k) {
     const auto nozzle = [&](double moment) {
       return nozzle_at((static_cast<double>(k) + moment) / static_cast<double>(missed));
@@ -112,8 +121,8 @@ void AirbrushTool::spray() {
     spray_->advance(1.0 / steps_per_second, nozzle, obstacle);
   }
   way_ = {way_.back()};
-  std::vector<Gaussian> gaussians = spray_->frozen();
-  for (Gaussian& gaussian : gaussians) gaussian = coloured(gaussian);
+  std::vector<Gaussian> gaussians;
+  for (const Gaussian& gaussian : spray_->frozen()) append_images(gaussians, gaussian, true);
   const std::span<const Gaussian> all(gaussians);
   const Medium& medium = document_.medium();
   MediumEdit edit = MediumEdit::change(medium, ids_, all.first(ids_.size()));
@@ -132,6 +141,35 @@ std::optional<Nozzle> AirbrushTool::nozzle_at(double fraction) const {
   const glm::dvec3 direction = inside_ ? -point->normal : point->normal;
   // Off the surface, on the side that is sprayed.
   return Nozzle{point->position + 0.05 * airbrush_.radius * direction, direction};
+}
+
+BrushPreset AirbrushTool::preset() const {
+  const double distance = view_distance();
+  BrushPreset preset;
+  preset.sprays = true;
+  preset.size = airbrush_.radius / distance;
+  preset.depth = std::sqrt(std::numbers::pi) * airbrush_.radius * airbrush_.density;
+  preset.jitter = airbrush_.jitter;
+  preset.smoothing = stroke_options().smoothing;
+  preset.rate = airbrush_.rate;
+  preset.speed = airbrush_.speed / distance;
+  preset.spread = airbrush_.spread;
+  preset.wander = airbrush_.wander / distance;
+  return preset;
+}
+
+void AirbrushTool::apply_preset(const BrushPreset& preset) {
+  apply_stroke_options(preset);
+  const double distance = view_distance();
+  Airbrush airbrush;
+  airbrush.radius = two_digits(preset.size * distance);
+  airbrush.density = two_digits(preset.depth / (std::sqrt(std::numbers::pi) * airbrush.radius));
+  airbrush.jitter = preset.jitter;
+  airbrush.rate = preset.rate;
+  airbrush.speed = two_digits(preset.speed * distance);
+  airbrush.spread = preset.spread;
+  airbrush.wander = two_digits(preset.wander * distance);
+  set_airbrush(airbrush);
 }
 
 void AirbrushTool::fit_to(double distance) {

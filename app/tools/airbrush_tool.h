@@ -24,6 +24,8 @@ class AirbrushTool : public FogBrushTool {
 
   [[nodiscard]] QString hint() const override;
   void add_options(QHBoxLayout& row) override;
+  [[nodiscard]] BrushPreset preset() const override;
+  void apply_preset(const BrushPreset& preset) override;
 
  protected:
   [[nodiscard]] double radius() const override { return airbrush_.radius; }

@@ -1,5 +1,7 @@
 #include "app/tools/brush_tool.h"
 
+#include <QLineF>
+
 #include "app/document/document.h"
 #include "app/view/view.h"
 
@@ -24,12 +26,27 @@ void BrushTool::press(QPointF position, Qt::KeyboardModifiers /*modifiers*/) {
   pivot_ = view().pivot();
   gesture_.begin();
   path_.begin(position);
+  brush_ = position;
+  pressure_before_ = pressure_;
   begin_stroke(position);
 }
 
 void BrushTool::move(std::span<const QPointF> path) {
-  hover(path.back());
-  if (gesture_.is_running()) extend_stroke(path_.extend(path));
+  if (!gesture_.is_running() || smoothing() <= 0.0) {
+    hover(path.back());
+    if (gesture_.is_running()) extend_stroke(path_.extend(path));
+  } else {
+    std::vector<QPointF> trail;
+    for (const QPointF position : path) {
+      const QLineF string(position, brush_);
+      if (string.length() <= smoothing()) continue;
+      brush_ = string.pointAt(smoothing() / string.length());
+      trail.push_back(brush_);
+    }
+    hover(brush_);
+    extend_stroke(path_.extend(trail));
+  }
+  pressure_before_ = pressure_;
 }
 
 void BrushTool::release(QPointF /*position*/) {

@@ -17,6 +17,7 @@ class BrushTool : public Tool {
 
   void hover(QPointF position) override;
   void leave() override;
+  void set_pressure(double pressure) override { pressure_ = pressure; }
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
   void move(std::span<const QPointF> path) override;
   void release(QPointF position) override;
@@ -38,6 +39,15 @@ class BrushTool : public Tool {
   virtual void extend_stroke(std::span<const QPointF> curve) = 0;
   virtual void end_stroke() {}  // always called
 
+  // How far the brush trails behind the mouse, as if pulled by a string; 0: not at all [pixels].
+  [[nodiscard]] virtual double smoothing() const { return 0.0; }
+  // Pressure of the pen at a fraction of the curve given to extend_stroke(), from 0 to 1.
+  [[nodiscard]] double pressure_at(double fraction) const {
+    return pressure_before_ + fraction * (pressure_ - pressure_before_);
+  }
+  // Where a stroke's brush, or else the mouse is.
+  [[nodiscard]] const std::optional<QPointF>& cursor_position() const { return cursor_; }
+
   void end_gesture();
 
   // The paint point at a position; during a stroke on its initial plane.
@@ -48,7 +58,10 @@ class BrushTool : public Tool {
  private:
   StrokePath path_;
   std::optional<QPointF> cursor_;
-  glm::dvec3 pivot_{0.0};  // of the stroke
+  QPointF brush_;  // of the stroke, behind the mouse
+  double pressure_ = 1.0;
+  double pressure_before_ = 1.0;  // at the end of the last extend_stroke()
+  glm::dvec3 pivot_{0.0};         // of the stroke
 };
 
 }  // namespace brume

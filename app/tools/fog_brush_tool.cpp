@@ -7,6 +7,7 @@
 #include <QWidgetAction>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
@@ -20,6 +21,8 @@ namespace brume {
 namespace {
 
 constexpr NumberDomain seed_domain{0.0, 1e9, "an integer from 0 to 1e9"};
+constexpr NumberDomain smoothing_domain{0.0, 500.0, "a number of pixels from 0 to 500"};
+constexpr double least_pressure = 0.02;  // a radius is never 0
 
 }  // namespace
 
@@ -31,6 +34,65 @@ FogBrushTool::FogBrushTool(Document& document, View& view) : BrushTool(document,
 void FogBrushTool::set_target(const PaintTarget& target) {
   target_ = target;
   Q_EMIT options_changed();
+}
+
+void FogBrushTool::set_plane(PaintPlane plane) {
+  PaintTarget target = target_;
+  target.plane = plane;
+  set_target(target);
+}
+
+void FogBrushTool::set_stroke_options(const StrokeOptions& options) {
+  stroke_options_ = options;
+  Q_EMIT options_changed();
+}
+
+void FogBrushTool::apply_stroke_options(const BrushPreset& preset) {
+  stroke_options_.smoothing = preset.smoothing;
+}
+
+double FogBrushTool::view_distance() const {
+  return std::max(view().distance(), 1e-6);
+}
+
+FogBrushTool::PenScale FogBrushTool::pen_scale(double fraction) const {
+  const double pressure = std::max(pressure_at(fraction), least_pressure);
+  const PenUse pen = stroke_options_.pen;
+  return {pen == PenUse::size || pen == PenUse::both ? pressure : 1.0,
+          pen == PenUse::density || pen == PenUse::both ? pressure : 1.0};
+}
+
+MirrorPlanes FogBrushTool::mirror_planes() const {
+  return {stroke_options_.mirrors,
+          stroke_options_.mirrors_at_pivot ? view().camera().target : glm::dvec3(0.0)};
+}
+
+void FogBrushTool::append_images(std::vector<Gaussian>& images, const Gaussian& gaussian,
+                                 bool all) const {
+  constexpr double same = 0.05;  // of the radius: one on the plane is painted once
+  const Gaussian first = coloured(gaussian);
+  std::size_t own = 0;
+  for (const Gaussian& image : mirror_images(first, mirror_planes())) {
+    const bool coincides = std::any_of(
+        images.end() - static_cast<std::ptrdiff_t>(own), images.end(), [&](const Gaussian& other) {
+          return glm::distance(image.center, other.center) < same * first.radius;
+        });
+    if (!all && coincides) continue;
+    images.push_back(image);
+    ++own;
+  }
+}
+
+// The cursor also where strokes are mirrored to.
+void FogBrushTool::draw(Overlay& overlay, const CameraRays& rays) const {
+  BrushTool::draw(overlay, rays);
+  if (!cursor_position() || stroke_options_.mirrors == std::array<bool, 3>{}) return;
+  const auto point = paint_at(*cursor_position());
+  if (!point) return;
+  for (const Gaussian& image : mirror_images({point->position, radius(), 1.0}, mirror_planes())) {
+    if (image.center == point->position) continue;
+    overlay.add_ball_outline(rays, image.center, image.radius, qRgba(235, 238, 242, 130));
+  }
 }
 
 void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -61,6 +123,7 @@ void FogBrushTool::set_both(double radius, double density) {
 
 void FogBrushTool::add_gaussian_options(QHBoxLayout& row, const QString& prefix) {
   using Scale = ValueField::Scale;
+  add_preset_button(row, *this, prefix);
   add_number(
       row, *this, {tr("Radius"), prefix + "_radius", domain::length, Scale::logarithmic, 0.01},
       [this] { return radius(); }, [this](double value) { set_both(value, density()); });
@@ -111,14 +174,26 @@ Gaussian FogBrushTool::coloured(const Gaussian& gaussian) const {
   return result;
 }
 
-void FogBrushTool::add_place_options(QHBoxLayout& row, const QString& prefix) {
-  add_number(
-      row, *this, {tr("Seed"), prefix + "_seed", seed_domain, ValueField::Scale::linear, 1.0},
-      [this] { return static_cast<double>(seed_); },
-      [this](double value) {
-        seed_ = static_cast<int>(std::round(value));
-        Q_EMIT options_changed();
-      });
+void FogBrushTool::add_place_options(QHBoxLayout& row, const QString& prefix,
+                                     std::vector<StrokeNumber> numbers) {
+  using Scale = ValueField::Scale;
+  numbers.push_back(
+      {{tr("Smoothing, px"), prefix + "_smoothing", smoothing_domain, Scale::linear, 1.0},
+       tr("How far the brush trails behind the mouse, in pixels: steadier lines"),
+       [this] { return stroke_options_.smoothing; },
+       [this](double value) {
+         StrokeOptions options = stroke_options_;
+         options.smoothing = value;
+         set_stroke_options(options);
+       }});
+  numbers.push_back({{tr("Seed"), prefix + "_seed", seed_domain, Scale::linear, 1.0},
+                     tr("Another number makes other random offsets"),
+                     [this] { return static_cast<double>(seed_); },
+                     [this](double value) {
+                       seed_ = static_cast<int>(std::round(value));
+                       Q_EMIT options_changed();
+                     }});
+  add_stroke_options_button(row, *this, prefix, numbers);
   add_target(
       row, *this, prefix, [this] { return target_; },
       [this](const PaintTarget& target) { set_target(target); });

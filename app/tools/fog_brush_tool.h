@@ -1,8 +1,26 @@
 #pragma once
 
+#include <array>
+
+#include "app/tools/brush_preset.h"
 #include "app/tools/brush_tool.h"
+#include "app/tools/stroke_options_button.h"
+#include "core/authoring/mirror.h"
 
 namespace brume {
+
+// What a pen's pressure multiplies.
+enum class PenUse { nothing, size, density, both };
+
+// How strokes follow the mouse or pen, and where else they appear.
+struct StrokeOptions {
+  double smoothing = 0.0;         // how far the brush trails behind the mouse, >= 0 [pixels]
+  std::array<bool, 3> mirrors{};  // planes across x, y and z that mirror the stroke ...
+  bool mirrors_at_pivot = false;  // ... through what the view looks at, or else the origin
+  PenUse pen = PenUse::both;
+
+  bool operator==(const StrokeOptions&) const = default;
+};
 
 // Base of brushes that add Gaussians of a radius and density on a plane or surfaces, randomized by
 // a seed.
@@ -11,12 +29,21 @@ class FogBrushTool : public BrushTool {
  public:
   FogBrushTool(Document& document, View& view);
 
-  void set_plane(PaintPlane plane) { set_target({plane, target_.position}); }
+  void set_plane(PaintPlane plane);
+  [[nodiscard]] const PaintTarget& paint_target() const { return target_; }
   void set_target(const PaintTarget& target);
+
+  [[nodiscard]] const StrokeOptions& stroke_options() const { return stroke_options_; }
+  void set_stroke_options(const StrokeOptions& options);
+
+  // The brush as a preset, its sizes relative to the distance of the view; and back.
+  [[nodiscard]] virtual BrushPreset preset() const = 0;
+  virtual void apply_preset(const BrushPreset& preset) = 0;
 
   // Alt picks radius, density and colours from the Gaussian under the mouse.
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
   [[nodiscard]] bool uses_alt() const override { return true; }
+  void draw(Overlay& overlay, const CameraRays& rays) const override;
   void change_size(double factor) override;
   void change_strength(double factor) override;
 
@@ -31,12 +58,28 @@ class FogBrushTool : public BrushTool {
   [[nodiscard]] double cursor_radius() const override { return radius(); }
   [[nodiscard]] PaintTarget target() const override { return target_; }
 
+  [[nodiscard]] double smoothing() const override { return stroke_options_.smoothing; }
+  // What the pen multiplies radius and density by; never 0.
+  struct PenScale {
+    double size = 1.0;
+    double strength = 1.0;
+  };
+  [[nodiscard]] PenScale pen_scale(double fraction) const;
+  // A Gaussian and its mirror images as they are added; `all`: also images that coincide.
+  void append_images(std::vector<Gaussian>& images, const Gaussian& gaussian, bool all) const;
+
   // The Gaussians as they are added: within their domains, with the brush's albedo and emission.
   [[nodiscard]] Gaussian coloured(const Gaussian& gaussian) const;
 
   // Widgets of radius, density and colours, and of seed and plane; `prefix` of their object names.
   void add_gaussian_options(QHBoxLayout& row, const QString& prefix);
-  void add_place_options(QHBoxLayout& row, const QString& prefix);
+  // `numbers` are added to the panel of the stroke.
+  void add_place_options(QHBoxLayout& row, const QString& prefix,
+                         std::vector<StrokeNumber> numbers);
+
+  // Sets what all brushes have of a preset.
+  void apply_stroke_options(const BrushPreset& preset);
+  [[nodiscard]] double view_distance() const;
 
   // Derived from the user's seed and the document: reproducible, but different for each stroke.
   [[nodiscard]] std::uint64_t stroke_seed() const;
@@ -46,7 +89,10 @@ class FogBrushTool : public BrushTool {
 
   void add_optics_button(QHBoxLayout& row, const QString& prefix);
 
+  [[nodiscard]] MirrorPlanes mirror_planes() const;
+
   PaintTarget target_;
+  StrokeOptions stroke_options_;
   GaussianOptics optics_;
   int seed_ = 1;
 };

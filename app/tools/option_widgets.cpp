@@ -42,14 +42,18 @@ void add_target(QHBoxLayout& row, Tool& tool, const QString& prefix,
        Tool::tr("Surfaces")},
       [get] { return static_cast<int>(get().plane); },
       [get, set](int index) {
-        set({static_cast<PaintPlane>(index), get().position});
+        PaintTarget target = get();
+        target.plane = static_cast<PaintPlane>(index);
+        set(target);
       });
   ValueField* at = add_number(
       row, tool,
       {Tool::tr("at"), prefix + "_position", domain::coordinate, ValueField::Scale::linear, 0.01},
       [get] { return get().position; },
       [get, set](double value) {
-        set({get().plane, value});
+        PaintTarget target = get();
+        target.position = value;
+        set(target);
       });
   const auto show = [at, get] { at->setVisible(get().has_position()); };
   QObject::connect(&tool, &Tool::options_changed, at, show);

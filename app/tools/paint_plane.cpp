@@ -1,6 +1,7 @@
 #include "app/tools/paint_plane.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
@@ -20,12 +21,9 @@ std::optional<PaintPoint> on_plane(const glm::dvec3& through, const glm::dvec3& 
   return PaintPoint{rays.eye() + t * direction, normal};
 }
 
-}  // namespace
-
-std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec3& pivot,
-                                      const CameraRays& rays, QPointF position,
-                                      SurfacePicker& surfaces) {
-  const glm::dvec3 direction = rays.direction(position.x(), position.y());
+std::optional<PaintPoint> free_point(const PaintTarget& target, const glm::dvec3& pivot,
+                                     const CameraRays& rays, const glm::dvec3& direction,
+                                     SurfacePicker& surfaces) {
   const auto across_axis = [&](const glm::dvec3& axis) {
     return on_plane(target.position * axis, axis, rays, direction);
   };
@@ -44,6 +42,24 @@ std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec
       }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec3& pivot,
+                                      const CameraRays& rays, QPointF position,
+                                      SurfacePicker& surfaces) {
+  const glm::dvec3 direction = rays.direction(position.x(), position.y());
+  if (target.snap == Snap::surface) {
+    if (const auto hit = surfaces.hit(rays.eye(), direction)) {
+      return PaintPoint{hit->position, hit->normal};
+    }
+  }
+  auto point = free_point(target, pivot, rays, direction, surfaces);
+  if (point && target.snap == Snap::grid) {
+    point->position = glm::round(point->position / target.grid) * target.grid;
+  }
+  return point;
 }
 
 void add_brush_cursor(Overlay& overlay, const CameraRays& rays, const PaintPoint& point,

@@ -15,9 +15,15 @@ struct Overlay;
 // and z), or the scene's surfaces.
 enum class PaintPlane { view, ground, wall_x, wall_z, surface };
 
+// Moves what is painted: onto the surface under the mouse if there is one, or to the nearest point
+// of a grid through the origin.
+enum class Snap { none, surface, grid };
+
 struct PaintTarget {
   PaintPlane plane = PaintPlane::view;
   double position = 0.0;  // of axis-aligned planes [u]
+  Snap snap = Snap::none;
+  double grid = 0.5;  // distance between points of the grid, > 0 [u]
 
   [[nodiscard]] bool has_position() const {
     return plane != PaintPlane::view && plane != PaintPlane::surface;
@@ -29,7 +35,7 @@ struct PaintPoint {
   glm::dvec3 normal{0.0};  // unit
 };
 
-// nullopt if the position misses the plane or surfaces.
+// nullopt if the position misses the plane or surfaces, unless it snaps.
 std::optional<PaintPoint> paint_point(const PaintTarget& target, const glm::dvec3& pivot,
                                       const CameraRays& rays, QPointF position,
                                       SurfacePicker& surfaces);

@@ -12,6 +12,7 @@ namespace brume {
 namespace {
 
 constexpr NumberDomain spacing_domain{0.05, 100.0, "a number from 0.05 to 100"};
+constexpr NumberDomain scatter_domain{0.0, 10.0, "a number from 0 to 10"};
 
 }  // namespace
 
@@ -48,8 +49,28 @@ void PaintbrushTool::add_options(QHBoxLayout& row) {
   };
   add_gaussian_options(row, "brush");
   add(tr("Spacing"), "brush_spacing", spacing_domain, Scale::logarithmic, &Paintbrush::spacing);
-  add(tr("Scatter"), "brush_scatter", domain::unit, Scale::linear, &Paintbrush::scatter);
-  add_place_options(row, "brush");
+  add(tr("Scatter"), "brush_scatter", scatter_domain, Scale::linear, &Paintbrush::scatter);
+  const auto number = [&](const QString& title, const char* name, const QString& tip,
+                          double Paintbrush::*part) -> StrokeNumber {
+    return {{title, name, domain::unit, Scale::linear, 0.01},
+            tip,
+            [this, part] { return brush_.*part; },
+            [this, part](double value) {
+              brush_.*part = value;
+              Q_EMIT options_changed();
+            }};
+  };
+  add_place_options(
+      row, "brush",
+      {number(tr("Flow"), "brush_flow",
+              tr("Share of the density that one pass adds: 1 all of it, less builds up"),
+              &Paintbrush::flow),
+       number(tr("Soft edge"), "brush_falloff",
+              tr("How much thinner fog is at the rim of the scatter: 0 as dense, 1 nothing"),
+              &Paintbrush::falloff),
+       number(tr("Jitter"), "brush_jitter",
+              tr("Random variation of radius and density: at 1 from half to double"),
+              &Paintbrush::jitter)});
 }
 
 void PaintbrushTool::begin_stroke(QPointF position) {
@@ -59,16 +80,44 @@ void PaintbrushTool::begin_stroke(QPointF position) {
 
 void PaintbrushTool::extend_stroke(std::span<const QPointF> curve) {
   std::vector<Gaussian> gaussians;
+  double count_so_far = 0.0;
   for (const QPointF position : curve) {
+    const PenScale pen = pen_scale(++count_so_far / static_cast<double>(curve.size()));
     const auto point = paint_at(position);
     if (!point) continue;
-    for (const Gaussian& gaussian : stroke_->extend(point->position)) {
-      gaussians.push_back(coloured(gaussian));
+    for (const Gaussian& gaussian : stroke_->extend(point->position, pen.size, pen.strength)) {
+      append_images(gaussians, gaussian, false);
     }
   }
   const std::size_t count = gesture_.edit().added().size() + gaussians.size();
   gesture_.apply(MediumEdit::add(document_.medium(), gaussians),
                  tr("Paint %1").arg(gaussians_text(count)));
+}
+
+BrushPreset PaintbrushTool::preset() const {
+  BrushPreset preset;
+  preset.size = brush_.radius / view_distance();
+  preset.depth = std::sqrt(std::numbers::pi) * brush_.radius * brush_.density;
+  preset.jitter = brush_.jitter;
+  preset.smoothing = stroke_options().smoothing;
+  preset.spacing = brush_.spacing;
+  preset.scatter = brush_.scatter;
+  preset.falloff = brush_.falloff;
+  preset.flow = brush_.flow;
+  return preset;
+}
+
+void PaintbrushTool::apply_preset(const BrushPreset& preset) {
+  apply_stroke_options(preset);
+  Paintbrush brush;
+  brush.radius = two_digits(preset.size * view_distance());
+  brush.density = two_digits(preset.depth / (std::sqrt(std::numbers::pi) * brush.radius));
+  brush.jitter = preset.jitter;
+  brush.spacing = preset.spacing;
+  brush.scatter = preset.scatter;
+  brush.falloff = preset.falloff;
+  brush.flow = preset.flow;
+  set_brush(brush);
 }
 
 void PaintbrushTool::fit_to(double distance) {

@@ -16,6 +16,8 @@ class PaintbrushTool : public FogBrushTool {
 
   [[nodiscard]] QString hint() const override;
   void add_options(QHBoxLayout& row) override;
+  [[nodiscard]] BrushPreset preset() const override;
+  void apply_preset(const BrushPreset& preset) override;
 
  protected:
   [[nodiscard]] double radius() const override { return brush_.radius; }

@@ -33,6 +33,8 @@ class Tool : public QObject {
 
   virtual void hover(QPointF /*position*/) {}
   virtual void leave() {}  // the mouse has left the viewport
+  // Pressure of a pen from 0 to 1, or 1 of a mouse; called before press() and move().
+  virtual void set_pressure(double /*pressure*/) {}
   virtual void press(QPointF position, Qt::KeyboardModifiers modifiers) = 0;
   // `path`: every position of the mouse since the last call, in order; not empty.
   virtual void move(std::span<const QPointF> path) = 0;

@@ -26,6 +26,12 @@ void ViewInput::set_tool(Tool* tool) {
   tool_ = tool;
 }
 
+// The last pressure stays for what the stroke still has to do when the pen is lifted.
+void ViewInput::set_pen(bool is_down, double pressure) {
+  pen_is_down_ = is_down;
+  if (is_down) pressure_ = pressure;
+}
+
 // Qt on X11 merges moves that wait, as they do while a frame is drawn. Here each one counts;
 // elsewhere only the newest, and what it changes may take long.
 void ViewInput::enter() {
@@ -36,6 +42,7 @@ void ViewInput::press(const QMouseEvent& event) {
   if (drag_ != Drag::none) return;  // one gesture at a time
   right_press_.reset();
   flush_moves();
+  if (!pen_is_down_) pressure_ = 1.0;
   if (tool_) tool_->set_view(view_);
   last_position_ = event.position();
   start_drag(event);
@@ -55,6 +62,7 @@ void ViewInput::start_drag(const QMouseEvent& event) {
     right_press_ = event.position();
   } else if (left && tool_) {
     drag_ = Drag::tool;
+    tool_->set_pressure(pressure_);
     tool_->press(event.position(), event.modifiers());
   }
 }
@@ -78,6 +86,7 @@ void ViewInput::flush_moves() {
       }
       break;
     case Drag::tool:
+      tool_->set_pressure(pressure_);
       tool_->move(path);
       break;
     case Drag::camera:

@@ -26,6 +26,8 @@ class ViewInput : public QObject {
   void set_tool(Tool* tool);
   [[nodiscard]] Tool* tool() const { return tool_; }
 
+  // A pen and its pressure, from 0 to 1; call before the event of the mouse that it becomes.
+  void set_pen(bool is_down, double pressure);
   void enter();
   void press(const QMouseEvent& event);
   void move(QPointF position);
@@ -53,6 +55,8 @@ class ViewInput : public QObject {
   NavigationDrag camera_drag_ = NavigationDrag::orbit;
   std::vector<QPointF> path_;  // collected mouse positions
   QPointF last_position_;
+  bool pen_is_down_ = false;
+  double pressure_ = 1.0;  // of the pen; 1 for the mouse
   QTimer timer_;
   std::optional<QPointF> right_press_;
 };

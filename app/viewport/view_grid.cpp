@@ -61,6 +61,7 @@ void ViewGrid::make_pane(Projection projection) {
 
   if (pane != panes_.front()) {
     pane->set_time(perspective().time());
+    pane->show_ground_grid(shows_ground_grid_);
     FrameScheduler& frames = pane->frames();
     const FrameScheduler& first = perspective().frames();
     frames.set_exposure(first.exposure());
@@ -132,6 +133,11 @@ void ViewGrid::set_tool(Tool* tool) {
 
 void ViewGrid::set_time(double time) {
   for (Viewport* pane : panes_) pane->set_time(time);
+}
+
+void ViewGrid::show_ground_grid(bool shown) {
+  shows_ground_grid_ = shown;
+  for (Viewport* pane : panes_) pane->show_ground_grid(shown);
 }
 
 void ViewGrid::set_airlight(AirlightMethod method) {

@@ -39,6 +39,8 @@ class ViewGrid : public QWidget {
   // Handles, outlines and brushes over the picture.
   void show_overlays(bool shown);
   [[nodiscard]] bool shows_overlays() const { return shows_overlays_; }
+  void show_ground_grid(bool shown);
+  [[nodiscard]] bool shows_ground_grid() const { return shows_ground_grid_; }
   void set_navigation(NavigationPreset preset);
   void set_backend(Backend backend) { services_.frames.service.set_backend(backend); }
   [[nodiscard]] Backend backend() const { return services_.frames.service.backend(); }
@@ -71,6 +73,7 @@ class ViewGrid : public QWidget {
   Tool* tool_ = nullptr;
   bool shows_four_ = false;
   bool shows_overlays_ = true;
+  bool shows_ground_grid_ = false;
 };
 
 }  // namespace brume

@@ -1,10 +1,12 @@
 #include "app/viewport/viewport.h"
 
 #include <QMouseEvent>
+#include <QTabletEvent>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "app/document/document.h"
+#include "app/view/ground_grid.h"
 #include "app/view/tool.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/legend.h"
@@ -93,6 +95,11 @@ QString Viewport::gl_problem() const {
   return surface_->gl_problem();
 }
 
+void Viewport::show_ground_grid(bool shown) {
+  ground_grid_ = shown;
+  update_overlay();
+}
+
 // The frame on screen, as it is to be seen now.
 void Viewport::show_picture() {
   const RenderedFrame* frame = frames_.shown();
@@ -132,6 +139,13 @@ void Viewport::show_camera_frame() {
 void Viewport::draw_overlay() {
   Overlay overlay;
   if (!shows_overlay_) return surface_->show_overlay(overlay);
+  if (ground_grid_) {
+    std::optional<GridDepth> depth;
+    if (const RenderedFrame* frame = frames_.shown()) {
+      depth.emplace(GridDepth{frame->frame, frame->request.camera});
+    }
+    add_ground_grid(overlay, camera(), film(), distance(), depth);
+  }
   shown_handles().draw(overlay);
   if (frames_.mode() == ViewMode::outlines) shown_handles().draw_outlines(overlay);
   if (const Tool* tool = input_.tool()) {
@@ -181,6 +195,12 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   input_.release(*event);
+}
+
+// Qt sends a pen's events again as those of a mouse if they are ignored; only the pressure is new.
+void Viewport::tabletEvent(QTabletEvent* event) {
+  input_.set_pen(event->type() != QEvent::TabletRelease, event->pressure());
+  event->ignore();
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {

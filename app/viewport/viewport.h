@@ -33,6 +33,8 @@ class Viewport : public QWidget, public View {
   void show_overlay(bool shown);  // what is drawn over the picture
   void set_time(double time) override;
   void show_band(const QRect& rectangle) override;
+  // The grid on the ground; initially off.
+  void show_ground_grid(bool shown);
 
   // The frame of the scene's camera, and what of it is to be rendered.
   [[nodiscard]] CameraFrame& camera_frame() { return *camera_frame_; }
@@ -55,6 +57,7 @@ class Viewport : public QWidget, public View {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void tabletEvent(QTabletEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
@@ -75,6 +78,7 @@ class Viewport : public QWidget, public View {
   Legend* legend_;
   QTimer overlay_timer_;
   bool shows_overlay_ = true;
+  bool ground_grid_ = false;
 };
 
 }  // namespace brume

@@ -27,6 +27,8 @@
 #include "app/viewport/view_grid.h"
 #include "app/window/message_bar.h"
 #include "app/window/recovery_bar.h"
+#include "app/window/saved_views.h"
+#include "app/window/start_page.h"
 #include "core/math/rounded.h"
 
 namespace brume {
@@ -68,6 +70,8 @@ MainWindow::MainWindow(QWidget* parent)
   layout->addWidget(views_, 1);
   center->setFocusProxy(views_);
   setCentralWidget(center);
+  start_page_ = new StartPage(document_, *files_, *views_);
+  new SavedViews(document_, *files_, *viewport_, this);
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
 

@@ -24,6 +24,7 @@ class PictureViewer;
 class RenderQueue;
 class SceneFiles;
 class SceneImport;
+class StartPage;
 class Timeline;
 class TimelineBar;
 class ToolBox;
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
   Autosave& autosave() { return *autosave_; }
   Viewport& viewport() { return *viewport_; }  // the perspective one
   ViewGrid& views() { return *views_; }
+  StartPage& start_page() { return *start_page_; }
   ToolBox& tools() { return *tools_; }
   Timeline& timeline() { return *timeline_; }
 
@@ -118,6 +120,7 @@ class MainWindow : public QMainWindow {
   SceneFiles* files_;
   Autosave* autosave_;
   MessageBar* message_bar_;
+  StartPage* start_page_ = nullptr;
   ViewGrid* views_;
   Viewport* viewport_;  // the perspective one
   ToolBox* tools_;

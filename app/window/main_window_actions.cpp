@@ -25,10 +25,13 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
 #include "app/window/command_search.h"
+#include "app/window/fog_menu.h"
+#include "app/window/ground_grid_action.h"
 #include "app/window/help_windows.h"
 #include "app/window/main_window.h"
 #include "app/window/menu_action.h"
 #include "app/window/preferences.h"
+#include "app/window/start_page.h"
 
 namespace brume {
 namespace {
@@ -66,6 +69,7 @@ void MainWindow::create_actions() {
   QMenu* recent = file->addMenu(tr("Open &Recent"));
   show_large_icons(*recent);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_->fill_recent_menu(*recent); });
+  add(file, tr("Start Pa&ge"), "file.start_page", [this] { start_page_->open(); });
   file->addSeparator();
   add(file, tr("&Save"), "file.save", [this] { files_->save(); });
   add(file, tr("Save &As…"), "file.save_as", [this] { files_->save_as(); });
@@ -149,6 +153,8 @@ void MainWindow::create_actions() {
       [this] { tools_->tool().change_strength(1.0 / tool_step); });
   add(tool, tr("&Denser"), "tool.stronger", [this] { tools_->tool().change_strength(tool_step); });
 
+  add_fog_menu(*menuBar(), document_, *views_);
+
   QMenu* time = menuBar()->addMenu(tr("T&ime"));
   add(time, tr("&Play or Pause"), "time.play",
       [this] { timeline_->is_playing() ? timeline_->stop() : timeline_->play(); });
@@ -179,6 +185,7 @@ void MainWindow::create_actions() {
   QAction* four = add(view, tr("F&our Views"), "view.four",
                       [this] { views_->show_four(!views_->shows_four()); });
   four->setCheckable(true);
+  add_ground_grid_action(*view, document_, *views_);
   view->addSeparator();
   add(view, tr("Exposure &Up"), "view.exposure_up", [this] { change_exposure(0.5); });
   add(view, tr("Exposure &Down"), "view.exposure_down", [this] { change_exposure(-0.5); });

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/authoring/paintbrush.h"
+
 namespace brume {
 namespace {
 
@@ -27,7 +29,9 @@ void Spray::advance(double seconds, const FindNozzle& find_nozzle,
     const double age = random_.uniform();
     const std::optional<Nozzle> nozzle = find_nozzle(1.0 - age);
     if (!nozzle) continue;
-    Particle particle{nozzle->position, airbrush_.speed * (nozzle->direction + aside)};
+    Particle particle{nozzle->position, airbrush_.speed * (nozzle->direction + aside),
+                      airbrush_.radius * size_ * jitter_factor(airbrush_.jitter, random_),
+                      airbrush_.density * strength_ * jitter_factor(airbrush_.jitter, random_)};
     advance_particle(particle, seconds * age, find_obstacle);
     particles_.push_back(particle);
   }
@@ -66,7 +70,7 @@ std::vector<Gaussian> Spray::frozen() const {
   std::vector<Gaussian> gaussians;
   gaussians.reserve(particles_.size());
   for (const Particle& particle : particles_) {
-    gaussians.push_back({particle.position, airbrush_.radius, airbrush_.density});
+    gaussians.push_back({particle.position, particle.radius, particle.density});
   }
   return gaussians;
 }

@@ -18,6 +18,7 @@ struct Airbrush {
   double speed = 1.0;    // initial speed along the spray direction [u/s]
   double spread = 0.7;   // maximum random velocity, relative to the speed
   double wander = 0.5;   // random acceleration [u/s^2]
+  double jitter = 0.0;   // random factors of radius and density, as a paintbrush has
 
   bool operator==(const Airbrush&) const = default;
 };
@@ -44,6 +45,11 @@ class Spray {
  public:
   Spray(const Airbrush& airbrush, std::uint64_t seed) : airbrush_(airbrush), random_(seed) {}
 
+  // Multiplies radius and density of particles from now on, as the pressure of a pen does; > 0.
+  void set_scale(double size, double strength) {
+    size_ = size;
+    strength_ = strength;
+  }
   // Advances by `seconds` >= 0.
   void advance(double seconds, const FindNozzle& find_nozzle, const FindObstacle& find_obstacle);
 
@@ -54,6 +60,8 @@ class Spray {
   struct Particle {
     glm::dvec3 position{0.0};
     glm::dvec3 velocity{0.0};
+    double radius = 0.0;
+    double density = 0.0;
   };
   void perturb(Particle& particle, double seconds);
   void advance_particle(Particle& particle, double seconds,
@@ -62,6 +70,8 @@ class Spray {
   Airbrush airbrush_;
   RandomSource random_;
   std::vector<Particle> particles_;
+  double size_ = 1.0;
+  double strength_ = 1.0;
   double due_ = 0.0;  // particles due, fractional
 };
 

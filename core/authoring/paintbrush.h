@@ -14,9 +14,16 @@ struct Paintbrush {
   double density = 1.0;  // its peak [1/u], >= 0
   double spacing = 1.0;  // along the stroke, relative to the radius
   double scatter = 0.5;  // maximum offset from the stroke, relative to the radius
+  double falloff =
+      0.0;            // of the density from the stroke to the maximum offset, in [0, 1]: soft edge
+  double flow = 1.0;  // share of the density that one pass adds, in [0, 1]
+  double jitter = 0.0;  // random factors of radius and density, at 1 from 1/2 to 2; in [0, 1]
 
   bool operator==(const Paintbrush&) const = default;
 };
+
+// A random factor of a brush's jitter: 2^jitter to 2^-jitter; 1 without, which draws no number.
+double jitter_factor(double jitter, RandomSource& random);
 
 // The state of one stroke. Gaussians are placed at equal arc lengths, with random offsets shorter
 // than scatter * radius perpendicular to the stroke (none for the first). The result depends on the
@@ -27,10 +34,14 @@ class PaintStroke {
 
   // Extends the stroke by a segment to `point`; returns the new Gaussians. A jump that needs more
   // than `longest` of them restarts the stroke.
-  std::vector<Gaussian> extend(const glm::dvec3& point);
+  // `size` and `strength` > 0 multiply radius and density, as the pressure of a pen does.
+  std::vector<Gaussian> extend(const glm::dvec3& point, double size = 1.0, double strength = 1.0);
   static constexpr int max_steps = 4096;
 
  private:
+  // At an offset from the stroke, relative to the maximum.
+  Gaussian dab(const glm::dvec3& center, double offset, double size, double strength);
+
   Paintbrush brush_;
   RandomSource random_;
   std::optional<glm::dvec3> last_;  // last point of the path

@@ -28,10 +28,10 @@ std::pair<double, double> sine_weights(double begin, double width) {
     const double half = 0.5 * std::sin(begin + 0.5 * width);
     return {half, half};
   }
-  const double whole = (std::cos(begin) - std::cos(begin + width)) / width;
+  const double mean = (std::cos(begin) - std::cos(begin + width)) / width;
   const double rising = (std::sin(begin + width) - std::sin(begin)) / (width * width) -
                         std::cos(begin + width) / width;
-  return {whole - rising, rising};
+  return {mean - rising, rising};
 }
 
 glm::dvec3 octahedral_direction(double u, double v) {

@@ -56,18 +56,24 @@ double density_at(const Medium& medium, const glm::dvec3& point) {
   return sum;
 }
 
-TEST(SampleScenes, MatchTheGenerator) {
+// That the generator, with an option, writes what is in a folder of the repository.
+void expect_generated(const fs::path& committed, const std::string& option) {
   const fs::path folder = fs::path(testing::TempDir()) / "brume_sample_scenes";
   fs::remove_all(folder);
   const std::string command =
-      std::string("\"") + BRUME_MAKE_SCENES + "\" \"" + folder.string() + '"';
+      std::string("\"") + BRUME_MAKE_SCENES + "\" " + option + " \"" + folder.string() + '"';
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
-  EXPECT_EQ(names_in(folder), names_in(scenes));
+  EXPECT_EQ(names_in(folder), names_in(committed));
   for (const std::string& name : names_in(folder)) {
-    EXPECT_TRUE(bytes_of(folder / name) == bytes_of(scenes / name))
+    EXPECT_TRUE(bytes_of(folder / name) == bytes_of(committed / name))
         << name << " differs: run brume-make-scenes and commit what it writes";
   }
   fs::remove_all(folder);
+}
+
+TEST(SampleScenes, MatchTheGenerator) {
+  expect_generated(scenes, "");
+  expect_generated(BRUME_TEMPLATES, "--templates");
 }
 
 TEST(SampleScenes, EachLoads) {

@@ -34,4 +34,7 @@ void write_harbour_scene(const std::filesystem::path& folder);
 // room and tunnel.
 void write_interior_scenes(const std::filesystem::path& folder);
 
+// The templates of the editor's start page: room, landscape, stage and street.
+void write_template_scenes(const std::filesystem::path& folder);
+
 }  // namespace brume

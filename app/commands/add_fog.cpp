@@ -1,0 +1,192 @@
+#include "app/commands/add_fog.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/commands/edit_medium.h"
+#include "app/commands/gaussian_budget.h"
+#include "app/commands/scene_part_command.h"
+#include "app/commands/select_command.h"
+#include "app/commands/undo_text.h"
+#include "app/document/document.h"
+#include "core/math/rounded.h"
+
+namespace brume {
+namespace {
+
+void add_rounded(Document& document, std::vector<Gaussian> gaussians,
+                 const GaussianOptics& optics = {}) {
+  for (Gaussian& gaussian : gaussians) {
+    for (int k = 0; k < 3; ++k) gaussian.center[k] = rounded(gaussian.center[k], 6);
+    gaussian.radius = rounded(gaussian.radius, 4);
+    gaussian.density = rounded(gaussian.density, 4);
+    gaussian.optics = optics;
+  }
+  add_gaussians(document, gaussians, undo_text("Add"));
+}
+
+// Density of even fog with an optical depth over a length.
+double density_over(double optical_depth, double length) {
+  return optical_depth / length;
+}
+
+std::vector<Gaussian> above_ground(std::vector<Gaussian> gaussians, const FindGround& find_ground) {
+  std::erase_if(gaussians, [&](const Gaussian& gaussian) {
+    const auto ground = find_ground(gaussian.center.x, gaussian.center.z);
+    return !ground || gaussian.center.y < *ground;
+  });
+  return gaussians;
+}
+
+// No two of a scene alike.
+std::uint64_t seed_of(const Document& document) {
+  return document.medium().next_id() + 1;
+}
+
+void add_ground_mist(Document& document, const FogPlace& place) {
+  FogShape layer;
+  layer.size = {1.8 * place.size, 0.06 * place.size, 1.8 * place.size};
+  layer.center = place.target;
+  layer.spacing = 0.12 * place.size;
+  layer.density = density_over(3.0, place.size);
+  layer.jitter = 0.8;
+  layer.seed = seed_of(document);
+  add_rounded(document, lay_on_ground(layer, place.find_ground));
+}
+
+void add_steam(Document& document, const FogPlace& place) {
+  FogColumn column;
+  column.foot = place.target;
+  column.height = std::min(0.45 * place.size, 0.9 * place.headroom);
+  column.width = 0.05 * place.size;
+  column.spread = 0.3;
+  column.lean = {0.06 * place.size, 0.0, 0.02 * place.size};
+  column.density = density_over(1.2, 0.05 * place.size);
+  column.count = 40;
+  column.turbulence = 0.7;
+  column.seed = seed_of(document);
+  add_rounded(document, rise(column));
+}
+
+void add_smoke_column(Document& document, const FogPlace& place) {
+  FogColumn column;
+  column.foot = place.target;
+  column.height = std::min(1.2 * place.size, 0.9 * place.headroom);
+  column.width = 0.06 * place.size;
+  column.spread = 0.17;
+  column.lean = {0.35 * column.height, 0.0, -0.1 * column.height};
+  column.density = density_over(1.8, 0.06 * place.size);
+  column.count = 90;
+  column.turbulence = 0.6;
+  column.seed = seed_of(document);
+  add_rounded(document, rise(column), {.albedo = glm::dvec3(0.55, 0.53, 0.5)});
+}
+
+void add_haze(Document& document, const FogPlace& place) {
+  const double present = document.medium().homogeneous_density();
+  set_homogeneous_density(document, rounded(present + density_over(0.35, 2.0 * place.size), 2),
+                          no_merge);
+}
+
+void add_dust(Document& document, const FogPlace& place) {
+  FogShape cloud;
+  cloud.size = {1.8 * place.size, 0.7 * place.size, 1.8 * place.size};
+  cloud.center = place.target + glm::dvec3(0.0, 0.35 * place.size, 0.0);
+  cloud.spacing = 0.28 * place.size;
+  cloud.density = density_over(0.7, 1.8 * place.size);
+  cloud.jitter = 1.0;
+  cloud.seed = seed_of(document);
+  add_rounded(document, above_ground(fill(cloud), place.find_ground),
+              {.albedo = glm::dvec3(0.95, 0.86, 0.7)});
+}
+
+// Even haze, and a sun from beyond if there is none.
+void add_god_rays(Document& document, const FogPlace& place) {
+  const Scene& scene = document.scene();
+  const bool has_sun = std::ranges::any_of(
+      scene.lights, [](const Light& light) { return light.on && light.directional; });
+  if (!has_sun) {
+    glm::dvec3 to_eye = place.eye - place.target;
+    to_eye.y = 0.0;
+    const double length = glm::length(to_eye);
+    to_eye = length > 0.0 ? to_eye / length : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 aside(to_eye.z, 0.0, -to_eye.x);
+    const glm::dvec3 way = glm::normalize(0.7 * to_eye + 0.6 * aside + glm::dvec3(0.0, -0.7, 0.0));
+    Lights lights = scene.lights;
+    Light sun;
+    sun.intensity = glm::dvec3(8.0, 7.0, 5.5);
+    sun.directional = Directional{{rounded(way.x, 3), rounded(way.y, 3), rounded(way.z, 3)}, 0.5};
+    lights.push_back(sun);
+    set_scene_part(document, lights, undo_text("Add sun"));
+  }
+  MediumOptics optics = scene.optics;
+  if (optics.anisotropy < 0.3) {
+    optics.anisotropy = 0.3;
+    set_scene_part(document, optics, undo_text("Set anisotropy"));
+  }
+  FogShape shape;
+  shape.size = {2.0 * place.size, 1.0 * place.size, 2.0 * place.size};
+  shape.center = place.target + glm::dvec3(0.0, 0.5 * place.size, 0.0);
+  shape.spacing = 0.4 * place.size;
+  shape.density = density_over(0.7, 2.0 * place.size);
+  shape.jitter = 0.3;
+  shape.seed = seed_of(document);
+  add_rounded(document, above_ground(fill(shape), place.find_ground));
+}
+
+constexpr std::array ready_made_fog = std::to_array<FogPreset>({
+    {"fog.ground_mist", QT_TRANSLATE_NOOP("Fog", "&Ground Mist"),
+     QT_TRANSLATE_NOOP("Fog", "A shallow, patchy layer that lies on the ground in view"),
+     add_ground_mist},
+    {"fog.steam", QT_TRANSLATE_NOOP("Fog", "&Steam"),
+     QT_TRANSLATE_NOOP("Fog", "A thin white plume from what the view looks at"), add_steam},
+    {"fog.smoke_column", QT_TRANSLATE_NOOP("Fog", "S&moke Column"),
+     QT_TRANSLATE_NOOP("Fog", "A dense grey column that bends with the wind"), add_smoke_column},
+    {"fog.haze", QT_TRANSLATE_NOOP("Fog", "&Haze"),
+     QT_TRANSLATE_NOOP("Fog", "Thin even fog everywhere: more homogeneous density"), add_haze},
+    {"fog.dust", QT_TRANSLATE_NOOP("Fog", "&Dust"),
+     QT_TRANSLATE_NOOP("Fog", "A thin, uneven, ochre cloud above the ground in view"), add_dust},
+    {"fog.god_rays", QT_TRANSLATE_NOOP("Fog", "God &Rays"),
+     QT_TRANSLATE_NOOP("Fog", "Haze for beams of light, and a sun from beyond if there is none"),
+     add_god_rays},
+});
+
+// A macro of `work` that selects what it adds.
+void as_one_step(Document& document, const QString& text, const std::function<void()>& work) {
+  const GaussianId first = document.medium().next_id();
+  document.undo_stack().beginMacro(text);
+  work();
+  std::vector<GaussianId> added;
+  for (const GaussianId id : document.medium().ids()) {
+    if (id >= first) added.push_back(id);
+  }
+  if (!added.empty()) select_gaussians(document, added);
+  document.undo_stack().endMacro();
+}
+
+}  // namespace
+
+std::span<const FogPreset> fog_presets() {
+  return ready_made_fog;
+}
+
+void add_fog_preset(Document& document, const FogPreset& preset, const FogPlace& place) {
+  const QString title = QCoreApplication::translate("Fog", preset.title).remove('&');
+  as_one_step(document, undo_text("Add %1").arg(title.toLower()),
+              [&] { preset.add(document, place); });
+}
+
+void add_fog_shape(Document& document, const FogShape& shape) {
+  const char* const names[] = {QT_TRANSLATE_NOOP("Undo", "Add fog box"),
+                               QT_TRANSLATE_NOOP("Undo", "Add fog sphere"),
+                               QT_TRANSLATE_NOOP("Undo", "Add height fog")};
+  const std::vector<Gaussian> gaussians = fill(shape);
+  if (!has_room(document, gaussians.size(), 0)) return;
+  as_one_step(document, undo_text(names[static_cast<int>(shape.kind)]),
+              [&] { add_rounded(document, gaussians); });
+}
+
+}  // namespace brume

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+
+namespace brume {
+
+class Document;
+class SceneFiles;
+class TileGrid;
+
+// Covers the views with what one may begin with: templates, recent scenes and samples, each with a
+// picture. Not modal: Escape, a change of the scene or another scene closes it. Templates and
+// samples open as new scenes without a file, so that saving never replaces them.
+class StartPage : public QFrame {
+  Q_OBJECT
+ public:
+  // `views`: what it covers, its parent.
+  StartPage(Document& document, SceneFiles& files, QWidget& views);
+
+  void open();
+
+  // Whether to show it at start when no scene is named; a setting.
+  [[nodiscard]] static bool is_wanted();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void close_page();
+  void fill_templates();
+  void fill_samples();
+  void fill_recent();
+
+  SceneFiles& files_;
+  QWidget& views_;
+  TileGrid* templates_;
+  TileGrid* recent_;
+  TileGrid* samples_;
+  QLabel* recent_title_;
+  bool is_filled_ = false;
+};
+
+}  // namespace brume
