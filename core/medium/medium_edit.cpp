@@ -90,6 +90,7 @@ void MediumEdit::apply(Medium& medium) const {
     medium.radii_[index] = gaussian.radius;
     medium.densities_[index] = gaussian.density;
     medium.set_optics(index, gaussian.optics);
+    medium.set_group(index, gaussian.group);
   };
   const auto resize = [&medium](std::size_t size) {
     medium.centers_.resize(size);
@@ -97,6 +98,7 @@ void MediumEdit::apply(Medium& medium) const {
     medium.densities_.resize(size);
     medium.ids_.resize(size);
     if (!medium.optics_.empty()) medium.optics_.resize(size);
+    if (!medium.groups_.empty()) medium.groups_.resize(size);
   };
   const auto move = [&](std::size_t source, std::size_t target) {
     put(target, medium.gaussian(source));

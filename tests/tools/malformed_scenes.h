@@ -18,10 +18,13 @@ std::vector<MalformedCase> malformed_cases();
 std::vector<MalformedCase> malformed_lights();
 // Every key of an emitter, and keyframes of it, with such values.
 std::vector<MalformedCase> malformed_emitters();
+// Every key of a group, and keyframes of it, with such values; groups that are not there.
+std::vector<MalformedCase> malformed_groups();
 
-// The text of a scene with one light, with one emitter.
+// The text of a scene with one light, with one emitter, with an array of groups.
 std::string scene_with_light(const std::string& members);
 std::string scene_with_emitter(const std::string& members);
+std::string scene_with_groups(const std::string& groups);
 
 // The scene they are made from; it needs good.obj.
 std::string good_scene();
