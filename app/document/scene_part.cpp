@@ -10,7 +10,7 @@ constexpr std::size_t first_whole = 2;
 template <class S>
 auto whole_parts(S& scene) {
   return std::tie(scene.lights, scene.environment, scene.optics, scene.surfaces, scene.emitters,
-                  scene.sequences, scene.playback);
+                  scene.sequences, scene.playback, scene.groups);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ using Lights = std::vector<Light>;
 using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
 using Sequences = std::vector<MediumSequence>;
+using Groups = std::vector<Group>;
 struct KeyedCamera {
   Camera camera;
   CameraKeys keys;
@@ -26,7 +27,7 @@ struct KeyedDensity {
 };
 using ScenePart =
     std::variant<KeyedCamera, KeyedDensity, Lights, std::optional<Environment>, MediumOptics,
-                 Surfaces, Emitters, Sequences, std::optional<Playback>>;
+                 Surfaces, Emitters, Sequences, std::optional<Playback>, Groups>;
 
 // Reads the scene part of a variant index; and replaces a part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

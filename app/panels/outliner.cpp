@@ -7,10 +7,12 @@
 #include <QTreeWidgetItemIterator>
 
 #include "app/commands/edit_emitters.h"
+#include "app/commands/edit_groups.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_surfaces.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/panels/group_rows.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/keys.h"
@@ -37,13 +39,15 @@ bool is_key_of(const char* action, const QKeyEvent& event) {
 
 }  // namespace
 
-Outliner::Outliner(Document& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
+Outliner::Outliner(Document& document, QWidget* parent)
+    : QTreeWidget(parent), document_(document), groups_(new GroupRows(document, *this)) {
   setObjectName("outliner_tree");
   setHeaderHidden(true);
-  setColumnCount(2);
+  setColumnCount(3);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(name_column, QHeaderView::Stretch);
   header()->setSectionResizeMode(eye_column, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(GroupRows::lock_column, QHeaderView::ResizeToContents);
   connect(&document_, &Document::scene_replaced, this, &Outliner::rebuild);
   connect(&document_, &Document::part_changed, this, &Outliner::rebuild);
   connect(&document_, &Document::medium_changed, this, &Outliner::count_gaussians);
@@ -51,6 +55,10 @@ Outliner::Outliner(Document& document, QWidget* parent) : QTreeWidget(parent), d
     const std::optional<Object> object = object_of(item);
     if (column == eye_column && object && object->kind == Kind::surface) {
       return toggle_visible(*object);
+    }
+    if (object && object->kind == Kind::group) {
+      groups_->click(static_cast<GroupId>(object->index), column);
+      if (column != name_column) return;
     }
     Q_EMIT asked_for(static_cast<Kind>(item->data(0, kind_role).toInt()),
                      item->data(0, index_role).toULongLong());
@@ -68,6 +76,7 @@ void Outliner::rebuild() {
   auto* medium = new_item(tr("Medium"), Kind::medium);
   gaussians_ = new_item({}, Kind::gaussians);
   medium->addChild(gaussians_);
+  groups_->add_rows(*medium, [](GroupId group) { return new_item({}, Kind::group, group); });
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     medium->addChild(new_item(tr("Emitter %1").arg(k + 1), Kind::emitter, k));
   }
@@ -102,6 +111,7 @@ void Outliner::rebuild() {
   addTopLevelItem(surfaces);
   // Not all items: those without children would draw their icon as if it were checked.
   for (int k = 0; k < topLevelItemCount(); ++k) topLevelItem(k)->setExpanded(true);
+  groups_->expand();
   count_gaussians();
   if (current) set_current(*current);
 }
@@ -109,7 +119,8 @@ void Outliner::rebuild() {
 std::optional<Outliner::Object> Outliner::object_of(const QTreeWidgetItem* item) {
   if (!item || !item->parent()) return std::nullopt;
   const auto kind = static_cast<Kind>(item->data(0, kind_role).toInt());
-  if (kind != Kind::emitter && kind != Kind::light && kind != Kind::surface) return std::nullopt;
+  if (kind != Kind::group && kind != Kind::emitter && kind != Kind::light && kind != Kind::surface)
+    return std::nullopt;
   return Object{kind, static_cast<std::size_t>(item->data(0, index_role).toULongLong())};
 }
 
@@ -132,6 +143,8 @@ void Outliner::toggle_visible(const Object& object) {
 
 void Outliner::delete_object(const Object& object) {
   switch (object.kind) {
+    case Kind::group:
+      return delete_group(document_, static_cast<GroupId>(object.index));
     case Kind::emitter:
       return delete_emitter(document_, object.index);
     case Kind::light:
@@ -165,6 +178,9 @@ void Outliner::keyPressEvent(QKeyEvent* event) {
   const std::optional<Object> object = object_of(currentItem());
   if (object && is_key_of("edit.delete", *event)) return delete_object(*object);
   if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(*object);
+  if (object && object->kind == Kind::group && event->key() == Qt::Key_F2) {
+    return groups_->rename(static_cast<GroupId>(object->index));
+  }
   QTreeWidget::keyPressEvent(event);
 }
 
@@ -173,6 +189,11 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
   if (!object) return;
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (object->kind == Kind::group) {
+    groups_->fill_menu(*menu, static_cast<GroupId>(object->index));
+    menu->popup(event->globalPos());
+    return;
+  }
   if (object->kind == Kind::surface) {
     const bool visible = document_.scene().surfaces[object->index].visible;
     menu->addAction(visible ? tr("Hide") : tr("Show"), this,
@@ -184,6 +205,7 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void Outliner::count_gaussians() {
+  groups_->update();
   const std::size_t count = document_.medium().size();
   gaussians_->setText(0, count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count)));
 }

@@ -6,14 +6,15 @@
 namespace brume {
 
 class Document;
+class GroupRows;
 
 // The scene as a tree; a click requests the panel of an item, one on the eye of a surface hides or
 // shows it. The keys and the context menu delete emitters, lights and surfaces, and duplicate
-// surfaces.
+// surfaces. Rows of groups are GroupRows'.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
-  enum class Kind { gaussians, medium, emitter, light, environment, surface };
+  enum class Kind { gaussians, medium, group, emitter, light, environment, surface };
   explicit Outliner(Document& document, QWidget* parent = nullptr);
 
  Q_SIGNALS:
@@ -26,7 +27,7 @@ class Outliner : public QTreeWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  // One of several emitters, lights or surfaces.
+  // One of several emitters, lights or surfaces; or a group, whose index is its id.
   struct Object {
     Kind kind;
     std::size_t index;
@@ -42,6 +43,7 @@ class Outliner : public QTreeWidget {
   void duplicate_object(const Object& object);
 
   Document& document_;
+  GroupRows* groups_;
   QTreeWidgetItem* gaussians_ = nullptr;
 };
 

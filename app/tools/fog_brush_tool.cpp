@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands/edit_groups.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
@@ -35,6 +36,10 @@ void FogBrushTool::set_target(const PaintTarget& target) {
 
 void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   if (!modifiers.testFlag(Qt::AltModifier)) {
+    if (const QString problem = adding_problem(document_); !problem.isEmpty()) {
+      Q_EMIT refused(problem);
+      return;
+    }
     BrushTool::press(position, modifiers);
     return;
   }
@@ -108,6 +113,7 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
 Gaussian FogBrushTool::coloured(const Gaussian& gaussian) const {
   Gaussian result = within_domains(gaussian);
   result.optics = optics_;
+  result.group = group_of_new(document_);
   return result;
 }
 

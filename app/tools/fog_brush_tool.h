@@ -31,7 +31,8 @@ class FogBrushTool : public BrushTool {
   [[nodiscard]] double cursor_radius() const override { return radius(); }
   [[nodiscard]] PaintTarget target() const override { return target_; }
 
-  // The Gaussians as they are added: within their domains, with the brush's albedo and emission.
+  // The Gaussians as they are added: within their domains, with the brush's albedo and emission,
+  // in the active group.
   [[nodiscard]] Gaussian coloured(const Gaussian& gaussian) const;
 
   // Widgets of radius, density and colours, and of seed and plane; `prefix` of their object names.

@@ -68,7 +68,7 @@ void CameraController::frame_all() {
 }
 
 void CameraController::frame_selection() {
-  if (const auto sphere = bounding_sphere(document_.medium(), document_.selection())) {
+  if (const auto sphere = bounding_sphere(document_.grouped_medium(), document_.selection())) {
     frame(*sphere);
   } else {
     frame_all();

@@ -6,6 +6,7 @@
 #include "app/panels/contribution_panel.h"
 #include "app/panels/emitter_panel.h"
 #include "app/panels/gaussian_panel.h"
+#include "app/panels/group_panel.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/light_panel.h"
 #include "app/panels/material_panel.h"
@@ -53,6 +54,7 @@ void MainWindow::create_docks() {
   QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
   QDockWidget* material = dock(tr("Surface"), "material", scrolled(material_panel));
   QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
+  QDockWidget* group = dock(tr("Group"), "group_dock", scrolled(new GroupPanel(document_, this)));
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
   auto* performance_panel =
       new PerformancePanel([this]() -> const FrameScheduler& { return views_->active().frames(); });
@@ -75,9 +77,10 @@ void MainWindow::create_docks() {
   QDockWidget* at_cursor = dock(tr("At the Cursor"), "at_cursor", scrolled(contribution_panel));
   tabifyDockWidget(performance, history);
   tabifyDockWidget(performance, at_cursor);
+  tabifyDockWidget(performance, group);
   performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
-  resizeDocks({outline, gaussians, performance}, {110, 400, 230}, Qt::Vertical);
+  resizeDocks({outline, gaussians, performance}, {150, 370, 220}, Qt::Vertical);
 
   connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::show_status);
   for (SceneForm* form : findChildren<SceneForm*>()) {
@@ -91,13 +94,14 @@ void MainWindow::create_docks() {
   addDockWidget(Qt::BottomDockWidgetArea, timeline_dock);
 
   connect(outliner, &Outliner::asked_for, this,
-          [this, gaussians, lights, medium, material, emitters, material_panel](Outliner::Kind kind,
-                                                                                std::size_t index) {
+          [this, gaussians, group, lights, medium, material, emitters, material_panel](
+              Outliner::Kind kind, std::size_t index) {
             using Kind = Outliner::Kind;
             if (kind == Kind::light) document_.set_active_light(index);
             if (kind == Kind::emitter) document_.set_active_emitter(index);
             if (kind == Kind::surface) material_panel->show_surface(index);
             QDockWidget* panel = kind == Kind::gaussians ? gaussians
+                                 : kind == Kind::group   ? group
                                  : kind == Kind::medium  ? medium
                                  : kind == Kind::surface ? material
                                  : kind == Kind::emitter ? emitters
