@@ -116,9 +116,9 @@ void GroupRows::show_state(QTreeWidgetItem& item, GroupId id) {
                   plain_tool_tip(tr("%1: a click selects its Gaussians, and brushes paint into it. "
                                     "Double click or F2 renames it.")
                                      .arg(name_of(*group))));
-  item.setIcon(eye_column, load_icon(group->visible ? "eye" : "eye_closed"));
+  item.setIcon(eye_column, load_tree_icon(group->visible ? "eye" : "eye_closed"));
   item.setToolTip(eye_column, group->visible ? tr("Hide") : tr("Show"));
-  item.setIcon(lock_column, load_icon(group->locked ? "lock" : "lock_open"));
+  item.setIcon(lock_column, load_tree_icon(group->locked ? "lock" : "lock_open"));
   item.setToolTip(lock_column, group->locked
                                    ? tr("Unlock")
                                    : tr("Lock: its Gaussians can be neither selected nor erased"));

@@ -128,7 +128,11 @@ void Outliner::set_current(const Object& object) {
   QTreeWidgetItem* current = nullptr;
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
     const std::optional<Object> other = object_of(*it);
-    if (other && other->kind == object.kind && other->index <= object.index) current = *it;
+    if (!other || other->kind != object.kind) continue;
+    // Ids of groups are in no order.
+    if (other->kind == Kind::group ? other->index == object.index : other->index <= object.index) {
+      current = *it;
+    }
   }
   setCurrentItem(current);
 }

@@ -36,7 +36,7 @@ class Outliner : public QTreeWidget {
 
   void rebuild();
   void count_gaussians();
-  // Or the last of its kind, if there are fewer.
+  // Or the last of its kind, if there are fewer; of groups none.
   void set_current(const Object& object);
   void toggle_visible(const Object& object);  // of a surface
   void delete_object(const Object& object);

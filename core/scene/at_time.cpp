@@ -29,6 +29,12 @@ std::size_t gaussian_count(const Scene& scene) {
   return count;
 }
 
+bool has_constant_groups(const Scene& scene) {
+  return scene.optics.keys.albedo.empty() &&
+         std::ranges::all_of(scene.groups,
+                             [](const Group& group) { return group.keys == GroupKeys(); });
+}
+
 void apply_groups(Scene& scene) {
   const GroupEffects effects(scene.groups);
   scene.groups.clear();

@@ -14,6 +14,9 @@ double last_moment(const Scene& scene);
 // by limits::gaussians.
 std::size_t gaussian_count(const Scene& scene);
 
+// Whether what groups make of the medium is the same at any time.
+bool has_constant_groups(const Scene& scene);
+
 // Makes the medium what the groups make of it, without hidden ones; the scene has no groups then.
 void apply_groups(Scene& scene);
 

@@ -189,6 +189,7 @@ class GroupsTest : public QObject {
     window.type_name("  ground  mist ");
     QTRY_VERIFY(window.row("ground mist"));
     QCOMPARE(window.document().undo_stack().undoText(), QString("Rename Group to ground mist"));
+    QCOMPARE(window.tree().currentItem(), window.row("ground mist"));
     // A name that another has gets a number.
     window.click("Group 2");
     QTest::mouseDClick(window.tree().viewport(), Qt::LeftButton, {}, window.position("Group 2"));

@@ -99,6 +99,17 @@ TEST(Groups, HiddenOnesAreInNoFrame) {
   EXPECT_TRUE(locked_by_groups(scene.medium, effects).empty());
 }
 
+TEST(Groups, AppliedBeforehandGiveTheSameMedium) {
+  Scene scene = grouped_scene();
+  scene.groups[0].radius_factor = 3.0;
+  scene.groups[2].visible = false;
+  EXPECT_TRUE(has_constant_groups(scene));
+  Scene applied = scene;
+  apply_groups(applied);
+  EXPECT_EQ(seen(applied), seen(scene));
+  EXPECT_EQ(seen(applied).revision(), applied.medium.revision());
+}
+
 TEST(Groups, HaveKeys) {
   Scene scene = grouped_scene();
   scene.groups[0].keys.density_factor = {{.time = 0.0, .value = 1.0}, {.time = 2.0, .value = 3.0}};
@@ -108,6 +119,7 @@ TEST(Groups, HaveKeys) {
   scene.optics.keys.albedo = {{.time = 0.0, .value = glm::dvec3(0.4)},
                               {.time = 2.0, .value = glm::dvec3(0.8)}};
   EXPECT_TRUE(is_animated(scene));
+  EXPECT_FALSE(has_constant_groups(scene));
   EXPECT_EQ(last_moment(scene), 2.0);
   EXPECT_DOUBLE_EQ(seen(scene, 1.0).densities()[1], 2.0);
   EXPECT_DOUBLE_EQ(seen(scene, 2.0).densities()[1], 3.0);
