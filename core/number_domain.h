@@ -33,6 +33,7 @@ inline constexpr NumberDomain density{0.0, limits::density, "a number >= 0 (up t
 inline constexpr NumberDomain intensity{0.0, limits::intensity, "a number >= 0 (up to 1e20)"};
 inline constexpr NumberDomain unit{0.0, 1.0, "a number in [0, 1]"};
 inline constexpr NumberDomain albedo{1e-6, 1.0, "a number in (0, 1] (from 1e-6)"};
+inline constexpr NumberDomain albedo_offset{-1.0, 1.0, "a number in [-1, 1]"};
 inline constexpr NumberDomain anisotropy{-0.95, 0.95, "a number in [-0.95, 0.95]"};
 inline constexpr NumberDomain field_of_view{0.0, 180.0, "a number in (0, 180) degrees", true};
 inline constexpr NumberDomain cone_angle{0.0, 180.0, "a number in [0, 180] degrees"};

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "app/commands/edit_groups.h"
 #include "app/commands/edit_medium.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
@@ -104,6 +105,11 @@ double clipboard_radius() {
 void paste_gaussians(Document& document, std::optional<glm::dvec3> middle) {
   std::vector<Gaussian> gaussians = gaussians_from_text(QGuiApplication::clipboard()->text());
   if (gaussians.empty()) return;
+  if (const QString problem = adding_problem(document); !problem.isEmpty()) {
+    Q_EMIT document.refused(problem);
+    return;
+  }
+  for (Gaussian& gaussian : gaussians) gaussian.group = group_of_new(document);
   if (middle) {
     const glm::dvec3 shift = *middle - center_of(gaussians);
     for (Gaussian& gaussian : gaussians) gaussian.center += shift;

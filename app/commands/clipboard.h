@@ -21,7 +21,8 @@ void copy_selection(const Document& document);
 void cut_selection(Document& document);
 // Bounding radius of the clipboard's Gaussians [u]; 0 if none.
 double clipboard_radius();
-// `center`: target center of the pasted Gaussians; nullopt: their original place.
+// Into the active group. `center`: target center of the pasted Gaussians; nullopt: their original
+// place.
 void paste_gaussians(Document& document, std::optional<glm::dvec3> center);
 void duplicate_selection(Document& document, const glm::dvec3& shift);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/commands/allowed_name.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
@@ -21,13 +22,6 @@ NamedCamera* find(CameraList& list, const std::string& name) {
   if (list.in_use.name == name) return &list.in_use;
   const auto found = std::ranges::find(list.others, name, &NamedCamera::name);
   return found == list.others.end() ? nullptr : &*found;
-}
-
-// A name that files may have.
-std::string allowed_name(const QString& text) {
-  QString name = text.simplified();
-  while (name.toUtf8().size() > static_cast<qsizetype>(limits::name_length)) name.chop(1);
-  return name.toStdString();
 }
 
 }  // namespace
@@ -50,7 +44,7 @@ void use_camera(Document& document, const QString& name) {
 }
 
 void rename_camera(Document& document, const QString& name, const QString& new_name) {
-  const std::string wanted = allowed_name(new_name);
+  const std::string wanted = allowed_name(new_name).toStdString();
   CameraList list = camera_list(document);
   NamedCamera* camera = find(list, name.toStdString());
   if (!camera || wanted.empty() || wanted == camera->name) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/commands/edit_groups.h"
 #include "app/commands/gaussian_budget.h"
 #include "app/commands/scene_part_command.h"
 #include "app/commands/undo_text.h"
@@ -21,7 +22,12 @@ void push(Document& document, MediumEdit edit, const QString& text, MergeId merg
 }  // namespace
 
 void add_gaussian(Document& document, const Gaussian& gaussian) {
-  const Gaussian added = within_domains(gaussian);
+  if (const QString problem = adding_problem(document); !problem.isEmpty()) {
+    Q_EMIT document.refused(problem);
+    return;
+  }
+  Gaussian added = within_domains(gaussian);
+  added.group = group_of_new(document);
   push(document, MediumEdit::add(document.medium(), {&added, 1}), undo_text("Add Gaussian"));
 }
 

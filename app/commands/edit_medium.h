@@ -12,7 +12,7 @@ class Document;
 
 // Edits of Gaussians, each one undo step; no effect beyond the Gaussian budget (gaussian_budget.h).
 
-// Values are clamped to their domains.
+// Values are clamped to their domains. The Gaussian is in the active group.
 void add_gaussian(Document& document, const Gaussian& gaussian);
 // Adds and selects Gaussians. `verb` begins the undo text: "Paste 3 Gaussians".
 void add_gaussians(Document& document, std::span<const Gaussian> gaussians, const QString& verb);

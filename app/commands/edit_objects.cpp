@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "app/commands/allowed_name.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_surfaces.h"
@@ -176,11 +177,8 @@ void duplicate_object(Document& document, const ObjectRef& ref) {
 }
 
 void rename_object(Document& document, const ObjectRef& ref, const QString& name) {
-  QString plain = name.simplified();
-  plain.removeIf([](QChar c) { return c.unicode() < 32; });
-  while (plain.toUtf8().size() > static_cast<qsizetype>(limits::name)) plain.chop(1);
   change_object(document, ref, undo_text("Rename %1"), no_merge,
-                [text = plain.toStdString()](auto& object) { object.name = text; });
+                [text = allowed_name(name).toStdString()](auto& object) { object.name = text; });
 }
 
 void show_object(Document& document, const ObjectRef& ref, bool shown) {

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include "app/document/paths.h"
 #include "core/io/atomic_file.h"
@@ -19,6 +20,16 @@ Scene new_scene() {
 }
 
 namespace {
+
+using Ids = std::vector<GaussianId>;
+
+// Of two sorted sets.
+Ids united(const Ids& a, const Ids& b) {
+  Ids both;
+  both.reserve(a.size() + b.size());
+  std::ranges::set_union(a, b, std::back_inserter(both));
+  return both;
+}
 
 void sort_unique(std::vector<GaussianId>& ids) {
   std::sort(ids.begin(), ids.end());
@@ -39,10 +50,14 @@ std::shared_ptr<const Scene> Document::snapshot() const {
 }
 
 std::shared_ptr<const Scene> Document::visible_snapshot() const {
-  if (hidden_.empty() && std::ranges::all_of(scene_.surfaces, &Surface::visible)) return snapshot();
+  if (hidden_.empty() && scene_.groups.empty() &&
+      std::ranges::all_of(scene_.surfaces, &Surface::visible)) {
+    return snapshot();
+  }
   if (!visible_) {
     auto scene = std::make_shared<Scene>(scene_);
-    if (!hidden_.empty()) scene->medium = visible_medium();
+    scene->medium = visible_medium();
+    scene->groups.clear();
     std::erase_if(scene->surfaces, std::not_fn(&Surface::visible));
     visible_ = std::move(scene);
   }
@@ -51,16 +66,38 @@ std::shared_ptr<const Scene> Document::visible_snapshot() const {
 
 // Keeps its revision while neither the medium nor what is hidden changes.
 const Medium& Document::visible_medium() const {
-  if (visible_medium_of_ != medium().revision() || hidden_in_visible_medium_ != hidden_) {
-    visible_medium_ = medium();
-    MediumEdit::remove(visible_medium_, hidden_).apply(visible_medium_);
-    hidden_in_visible_medium_ = hidden_;
-    visible_medium_of_ = medium().revision();
+  const Medium& all = grouped_medium();
+  const std::vector<GaussianId>& hidden = all_hidden();
+  if (hidden.empty()) return all;
+  if (visible_medium_of_ != all.revision() || hidden_in_visible_medium_ != hidden) {
+    visible_medium_ = all;
+    MediumEdit::remove(visible_medium_, hidden).apply(visible_medium_);
+    hidden_in_visible_medium_ = hidden;
+    visible_medium_of_ = all.revision();
   }
   return visible_medium_;
 }
 
+const GroupedMedium& Document::grouped() const {
+  if (!grouped_is_current_) {
+    grouped_.update(scene_);
+    all_hidden_ = grouped_.hidden().empty() ? Ids() : united(hidden_, grouped_.hidden());
+    all_locked_ = grouped_.locked().empty() ? Ids() : united(locked_, grouped_.locked());
+    grouped_is_current_ = true;
+  }
+  return grouped_;
+}
+
+const std::vector<GaussianId>& Document::all_hidden() const {
+  return grouped().hidden().empty() ? hidden_ : all_hidden_;
+}
+
+const std::vector<GaussianId>& Document::all_locked() const {
+  return grouped().locked().empty() ? locked_ : all_locked_;
+}
+
 void Document::scene_changed() {
+  grouped_is_current_ = false;
   snapshot_.reset();
   visible_.reset();
 }
@@ -114,6 +151,7 @@ void Document::open(SceneDocument document, const std::filesystem::path& file,
   active_light_ = 0;
   active_emitter_ = 0;
   object_.reset();
+  active_group_ = 0;
   scene_changed();
   file_ = file;
   file_version_ = version;
@@ -133,6 +171,7 @@ void Document::set_time(double time) {
   apply_keys(scene_, time_);
   scene_changed();
   Q_EMIT part_changed();
+  if (!scene_.groups.empty()) Q_EMIT groups_changed();
 }
 
 Gaussian Document::effective_gaussian(std::size_t index) const {
@@ -160,12 +199,18 @@ std::vector<GaussianId> Document::selectable(std::vector<GaussianId> ids) const 
 }
 
 bool Document::is_editable(GaussianId id) const {
-  return !contains(hidden_, id) && !contains(locked_, id);
+  if (contains(hidden_, id) || contains(locked_, id)) return false;
+  const GroupEffects& effects = grouped().effects();
+  if (!effects.any_hidden() && !effects.any_locked()) return true;
+  const auto index = medium().index_of(id);
+  const GroupEffect& effect = effects.of(index ? medium().group(*index) : 0);
+  return effect.visible && !effect.locked;
 }
 
 void Document::hide(std::vector<GaussianId> ids) {
   sort_unique(ids);
   hidden_ = std::move(ids);
+  grouped_is_current_ = false;
   visible_.reset();
   select(selection_);
   Q_EMIT hidden_or_locked_changed();
@@ -174,6 +219,7 @@ void Document::hide(std::vector<GaussianId> ids) {
 void Document::lock(std::vector<GaussianId> ids) {
   sort_unique(ids);
   locked_ = std::move(ids);
+  grouped_is_current_ = false;
   select(selection_);
   Q_EMIT hidden_or_locked_changed();
 }
@@ -214,6 +260,16 @@ void Document::set_object(const std::optional<ObjectRef>& object) {
   Q_EMIT object_changed();
 }
 
+const Group* Document::active_group() const {
+  return find_group(scene_.groups, active_group_);
+}
+
+void Document::set_active_group(GroupId id) {
+  if (id == active_group_) return;
+  active_group_ = id;
+  Q_EMIT active_group_changed();
+}
+
 void Document::apply(const MediumEdit& edit) {
   edit.apply(scene_.medium);
   scene_changed();
@@ -223,6 +279,10 @@ void Document::apply(const MediumEdit& edit) {
     for (auto* ids : {&selection_, &hidden_, &locked_}) {
       std::erase_if(*ids, [this](GaussianId id) { return !medium().index_of(id); });
     }
+  }
+  // Gaussians may have come into a group that cannot be selected.
+  if (!edit.changed().empty() && !scene_.groups.empty()) {
+    std::erase_if(selection_, [this](GaussianId id) { return !is_editable(id); });
   }
   Q_EMIT medium_changed(edit);
   if (selected != selection_.size()) Q_EMIT selection_changed();
@@ -244,6 +304,10 @@ void Document::set_part(const ScenePart& part) {
     }
   }
   Q_EMIT part_changed();
+  if (!std::holds_alternative<Groups>(part)) return;
+  if (!active_group()) set_active_group(0);
+  select(selection_);
+  Q_EMIT groups_changed();
 }
 
 void Document::set_revision(std::uint64_t revision) {

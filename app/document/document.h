@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/grouped_medium.h"
 #include "app/document/object_ref.h"
 #include "app/document/scene_part.h"
 #include "core/io/file_version.h"
@@ -27,11 +28,14 @@ class Document : public QObject {
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const Medium& medium() const { return scene_.medium; }
+  // The Gaussians of the medium as their groups make them, hidden ones too: the same ids and order.
+  [[nodiscard]] const Medium& grouped_medium() const { return grouped().medium(scene_.medium); }
   // A Gaussian of the medium, with the medium's albedo if it has none of its own.
   [[nodiscard]] Gaussian effective_gaussian(std::size_t index) const;
   // An immutable snapshot for other threads; copied only after changes.
   [[nodiscard]] std::shared_ptr<const Scene> snapshot() const;
-  // A snapshot without hidden Gaussians and surfaces.
+  // A snapshot without hidden Gaussians and surfaces; its medium is what groups make of it, and it
+  // has no groups.
   [[nodiscard]] std::shared_ptr<const Scene> visible_snapshot() const;
 
   [[nodiscard]] QUndoStack& undo_stack() { return undo_stack_; }
@@ -77,7 +81,10 @@ class Document : public QObject {
   // are skipped by brushes; hidden ones are invisible. Both ordered by id.
   [[nodiscard]] const std::vector<GaussianId>& hidden() const { return hidden_; }
   [[nodiscard]] const std::vector<GaussianId>& locked() const { return locked_; }
-  [[nodiscard]] bool is_editable(GaussianId id) const;  // neither hidden nor locked
+  // With those whose group is hidden or locked, which is part of the scene.
+  [[nodiscard]] const std::vector<GaussianId>& all_hidden() const;
+  [[nodiscard]] const std::vector<GaussianId>& all_locked() const;
+  [[nodiscard]] bool is_editable(GaussianId id) const;  // neither hidden nor locked in any way
   void hide(std::vector<GaussianId> ids);               // and nothing else
   void lock(std::vector<GaussianId> ids);               // and nothing else
 
@@ -92,6 +99,11 @@ class Document : public QObject {
   // Gaussians were after it: what keys and handles act on. Always one of the scene. Editor state.
   [[nodiscard]] const std::optional<ObjectRef>& object() const { return object_; }
   void set_object(const std::optional<ObjectRef>& object);
+
+  // The group that brushes paint into; nullptr: none. Editor state.
+  [[nodiscard]] const Group* active_group() const;
+  void set_active_group(GroupId id);
+  [[nodiscard]] const GroupEffects& group_effects() const { return grouped().effects(); }
 
   // For commands only: changes without undo.
   void apply(const MediumEdit& edit);
@@ -110,6 +122,8 @@ class Document : public QObject {
   void active_light_changed();
   void active_emitter_changed();
   void object_changed();
+  void active_group_changed();
+  void groups_changed();            // or what they do at another time
   void hidden_or_locked_changed();  // hidden or locked Gaussians
   void file_changed();
   void modified_changed();
@@ -118,11 +132,17 @@ class Document : public QObject {
  private:
   void scene_changed();  // invalidates the snapshots
   const Medium& visible_medium() const;
+  const GroupedMedium& grouped() const;
 
   Scene scene_;
   SceneExtras extras_;
   mutable std::shared_ptr<const Scene> snapshot_;
   mutable std::shared_ptr<const Scene> visible_;
+  mutable GroupedMedium grouped_;
+  mutable bool grouped_is_current_ = false;
+  // Caches of all_hidden() and all_locked(); empty while no group adds to them.
+  mutable std::vector<GaussianId> all_hidden_;
+  mutable std::vector<GaussianId> all_locked_;
   // Cache of visible_medium(), and what it was made from.
   mutable Medium visible_medium_;
   mutable Revision visible_medium_of_ = 0;
@@ -137,6 +157,7 @@ class Document : public QObject {
   std::size_t active_light_ = 0;
   std::size_t active_emitter_ = 0;
   std::optional<ObjectRef> object_;
+  GroupId active_group_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t last_revision_ = 0;
   std::uint64_t saved_revision_ = 0;

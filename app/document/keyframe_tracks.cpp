@@ -30,6 +30,8 @@ void visit_values(auto& part, auto&& visit) {
           for (auto& light : value) visit_keyed_light(light, each);
         } else if constexpr (std::is_same_v<Part, Emitters>) {
           for (auto& emitter : value) visit_keyed_emitter(emitter, each);
+        } else if constexpr (std::is_same_v<Part, Groups>) {
+          for (auto& group : value) visit_keyed_group(group, each);
         } else if constexpr (std::is_same_v<Part, std::optional<Environment>>) {
           if (value) visit_keyed_environment(*value, each);
         } else if constexpr (std::is_same_v<Part, MediumOptics>) {
@@ -70,6 +72,23 @@ void add_emitter_tracks(std::vector<Track>& rows, const Emitters& emitters) {
     if (emitters[k].optics.albedo) add(track_text("Emitter %1 albedo"));
     add(track_text("Emitter %1 emission"));
     add(track_text("Emitter %1 emission at death"));
+  }
+}
+
+// In the order of visit_keyed_group().
+void add_group_tracks(std::vector<Track>& rows, const Groups& groups) {
+  std::size_t count = 0;
+  for (const Group& group : groups) {
+    const auto add = [&](const QString& title) {
+      rows.push_back(
+          {title.arg(QString::fromStdString(group.name)), index_of<Groups>(), count++, 1});
+    };
+    add(track_text("%1 density factor"));
+    add(track_text("%1 density offset"));
+    add(track_text("%1 radius factor"));
+    add(track_text("%1 radius offset"));
+    add(track_text("%1 albedo factor"));
+    add(track_text("%1 albedo offset"));
   }
 }
 
@@ -121,6 +140,7 @@ std::vector<Track> tracks(const Scene& scene) {
   rows.push_back({track_text("Noise amplitude"), optics, 2, 1});
   rows.push_back({track_text("Noise frequency"), optics, 3, 1});
   rows.push_back({track_text("Wind"), optics, 4, 1});
+  add_group_tracks(rows, scene.groups);
   add_emitter_tracks(rows, scene.emitters);
   return rows;
 }

@@ -12,7 +12,7 @@ constexpr std::size_t first_whole = 3;
 template <class S>
 auto whole_parts(S& scene) {
   return std::tie(scene.lights, scene.environment, scene.optics, scene.surfaces, scene.emitters,
-                  scene.sequences, scene.playback, scene.film, scene.output);
+                  scene.sequences, scene.playback, scene.film, scene.output, scene.groups);
 }
 
 }  // namespace

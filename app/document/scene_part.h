@@ -11,6 +11,7 @@ using Lights = std::vector<Light>;
 using Surfaces = std::vector<Surface>;
 using Emitters = std::vector<Emitter>;
 using Sequences = std::vector<MediumSequence>;
+using Groups = std::vector<Group>;
 struct KeyedCamera {
   Camera camera;
   CameraKeys keys;
@@ -33,7 +34,7 @@ struct CameraList {
 };
 using ScenePart = std::variant<KeyedCamera, KeyedDensity, CameraList, Lights,
                                std::optional<Environment>, MediumOptics, Surfaces, Emitters,
-                               Sequences, std::optional<Playback>, Film, Output>;
+                               Sequences, std::optional<Playback>, Film, Output, Groups>;
 
 // Reads the scene part of a variant index; and replaces a part.
 ScenePart scene_part(const Scene& scene, std::size_t index);

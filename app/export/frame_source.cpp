@@ -9,6 +9,12 @@ namespace brume {
 FrameSource::FrameSource(std::shared_ptr<const Scene> scene, std::optional<Camera> camera,
                          const Film& film, const Settings& settings, Backend backend)
     : scene_(std::move(scene)), camera_(camera), film_(film), settings_(settings) {
+  // So that what is prepared of the medium stays from frame to frame.
+  if (!scene_->groups.empty() && has_constant_groups(*scene_)) {
+    auto grouped = std::make_shared<Scene>(*scene_);
+    apply_groups(*grouped);
+    scene_ = std::move(grouped);
+  }
   std::string problem;  // each frame says what rendered it
   renderer_ = make_renderer(backend, transfers_, problem);
 }

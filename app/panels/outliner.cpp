@@ -7,9 +7,12 @@
 #include <QTimer>
 #include <QTreeWidgetItemIterator>
 
+#include "app/commands/edit_groups.h"
 #include "app/commands/edit_objects.h"
 #include "app/document/document.h"
 #include "app/document/paths.h"
+#include "app/panels/group_rows.h"
+#include "app/panels/name_delegate.h"
 #include "app/widgets/frame_text.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/keys.h"
@@ -49,11 +52,18 @@ bool is_key_of(const char* action, const QKeyEvent& event) {
 
 }  // namespace
 
-Outliner::Outliner(Document& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
+Outliner::Outliner(Document& document, QWidget* parent)
+    : QTreeWidget(parent), document_(document), groups_(new GroupRows(document, *this)) {
   setObjectName("outliner_tree");
   setHeaderHidden(true);
   setColumnCount(3);
-  setEditTriggers(EditKeyPressed | DoubleClicked);
+  setItemDelegateForColumn(name_column, new NameDelegate(
+                                            [this](const QModelIndex& row, const QString& name) {
+                                              rename(itemFromIndex(row), name);
+                                            },
+                                            this));
+  setEditTriggers(NoEditTriggers);
+  setExpandsOnDoubleClick(false);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(name_column, QHeaderView::Stretch);
   for (const int column : {eye_column, lock_column}) {
@@ -64,18 +74,22 @@ Outliner::Outliner(Document& document, QWidget* parent) : QTreeWidget(parent), d
   connect(&document_, &Document::medium_changed, this, &Outliner::count_gaussians);
   connect(&document_, &Document::object_changed, this, &Outliner::follow_object);
   connect(this, &QTreeWidget::itemClicked, this, &Outliner::click);
-  connect(this, &QTreeWidget::itemChanged, this, &Outliner::take_name);
+  connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
+    if (column == name_column) editItem(item, name_column);
+  });
   rebuild();
 }
 
 void Outliner::rebuild() {
   const Scene& scene = document_.scene();
   const std::optional<ObjectRef> current = object_of(currentItem());
+  const std::optional<GroupId> current_group = group_of(currentItem());
   const QSignalBlocker blocker(this);
   clear();
   auto* medium = new_item(tr("Medium"), Kind::medium);
   gaussians_ = new_item({}, Kind::gaussians);
   medium->addChild(gaussians_);
+  groups_->add_rows(*medium, [](GroupId group) { return new_item({}, Kind::group, group); });
   for (std::size_t k = 0; k < scene.emitters.size(); ++k) {
     medium->addChild(new_object_item({ObjectRef::Kind::emitter, k}));
   }
@@ -102,8 +116,10 @@ void Outliner::rebuild() {
   addTopLevelItem(surfaces);
   // Not all items: those without children would draw their icon as if it were checked.
   for (int k = 0; k < topLevelItemCount(); ++k) topLevelItem(k)->setExpanded(true);
+  groups_->expand();
   count_gaussians();
   if (current) set_current(*current);
+  if (current_group) set_current(*current_group);
 }
 
 QTreeWidgetItem* Outliner::new_object_item(const ObjectRef& ref) {
@@ -112,13 +128,21 @@ QTreeWidgetItem* Outliner::new_object_item(const ObjectRef& ref) {
   const bool shown = is_shown(object);
   const bool locked = is_locked(object);
   item->setFlags(item->flags() | Qt::ItemIsEditable);
+  item->setData(name_column, NameDelegate::name_role, item->text(name_column));
   item->setForeground(
       name_column, palette().brush(shown ? QPalette::Active : QPalette::Disabled, QPalette::Text));
-  item->setIcon(eye_column, load_icon(shown ? "eye" : "eye_closed"));
+  item->setIcon(eye_column, load_tree_icon(shown ? "eye" : "eye_closed"));
   item->setToolTip(eye_column, shown ? tr("Hide") : tr("Show"));
-  item->setIcon(lock_column, load_icon(locked ? "lock" : "lock_open"));
+  item->setIcon(lock_column, load_tree_icon(locked ? "lock" : "lock_open"));
   item->setToolTip(lock_column, locked ? tr("Unlock") : tr("Lock: the view leaves it alone"));
   return item;
+}
+
+std::optional<GroupId> Outliner::group_of(const QTreeWidgetItem* item) {
+  if (!item || static_cast<Kind>(item->data(0, kind_role).toInt()) != Kind::group) {
+    return std::nullopt;
+  }
+  return static_cast<GroupId>(item->data(0, index_role).toULongLong());
 }
 
 std::optional<ObjectRef> Outliner::object_of(const QTreeWidgetItem* item) {
@@ -140,6 +164,12 @@ void Outliner::set_current(const ObjectRef& ref) {
   setCurrentItem(current);
 }
 
+void Outliner::set_current(GroupId group) {
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    if (group_of(*it) == group) setCurrentItem(*it);
+  }
+}
+
 void Outliner::follow_object() {
   if (const auto& object = document_.object()) {
     set_current(*object);
@@ -155,19 +185,24 @@ void Outliner::click(const QTreeWidgetItem* item, int column) {
   if (object && column == eye_column) return show_object(document_, *ref, !is_shown(*object));
   if (object && column == lock_column) return lock_object(document_, *ref, !is_locked(*object));
   if (object) document_.set_object(ref);
+  if (const auto group = group_of(item)) {
+    groups_->click(*group, column);
+    if (column != name_column) return;
+  }
   Q_EMIT asked_for(static_cast<Kind>(item->data(0, kind_role).toInt()),
                    item->data(0, index_role).toULongLong());
 }
 
-void Outliner::take_name(const QTreeWidgetItem* item, int column) {
-  const std::optional<ObjectRef> ref = object_of(item);
-  if (!ref || column != name_column) return;
-  // Later: the tree is made anew then, and the editor of the name is about to go.
-  QTimer::singleShot(0, this, [this, ref = *ref, name = item->text(name_column)] {
-    if (!brume::object_of(document_.scene(), ref)) return;
-    if (name != object_title(document_.scene(), ref)) rename_object(document_, ref, name);
-    rebuild();  // what was entered may be no change, or no name
-  });
+// Later: the tree is made anew then, and the editor of the name is about to go.
+void Outliner::rename(const QTreeWidgetItem* item, const QString& name) {
+  if (const auto group = group_of(item)) {
+    QTimer::singleShot(0, this, [this, group, name] { rename_group(document_, *group, name); });
+  } else if (const auto ref = object_of(item)) {
+    QTimer::singleShot(0, this, [this, ref = *ref, name] {
+      if (!brume::object_of(document_.scene(), ref)) return;
+      if (name != object_title(document_.scene(), ref)) rename_object(document_, ref, name);
+    });
+  }
 }
 
 void Outliner::rename_current() {
@@ -177,9 +212,13 @@ void Outliner::rename_current() {
 
 // They are shortcuts of the window too, for Gaussians.
 bool Outliner::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && object_of(currentItem())) {
+  if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<const QKeyEvent&>(*event);
-    if (is_key_of("edit.delete", key) || is_key_of("edit.duplicate", key)) {
+    const bool is_object = object_of(currentItem()).has_value();
+    const bool is_group = group_of(currentItem()).has_value();
+    if (((is_object || is_group) && is_key_of("edit.delete", key)) ||
+        (is_object && is_key_of("edit.duplicate", key)) ||
+        (is_group && is_key_of("edit.rename", key))) {
       event->accept();
       return true;
     }
@@ -191,6 +230,10 @@ void Outliner::keyPressEvent(QKeyEvent* event) {
   const std::optional<ObjectRef> object = object_of(currentItem());
   if (object && is_key_of("edit.delete", *event)) return delete_object(document_, *object);
   if (object && is_key_of("edit.duplicate", *event)) return duplicate_object(document_, *object);
+  if (const auto group = group_of(currentItem())) {
+    if (is_key_of("edit.delete", *event)) return delete_group(document_, *group);
+    if (is_key_of("edit.rename", *event)) return editItem(currentItem(), name_column);
+  }
   QTreeWidget::keyPressEvent(event);
 }
 
@@ -199,11 +242,16 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
   const std::optional<ObjectRef> ref = object_of(item);
   const std::optional<Object> object =
       ref ? brume::object_of(document_.scene(), *ref) : std::nullopt;
-  if (!object) return;
+  const std::optional<GroupId> group = group_of(item);
+  if (!object && !group) return;
   setCurrentItem(item);
-  document_.set_object(ref);
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (group) {
+    groups_->fill_menu(*menu, *group);
+    return menu->popup(event->globalPos());
+  }
+  document_.set_object(ref);
   const bool shown = is_shown(*object);
   const bool locked = is_locked(*object);
   menu->addAction(tr("Rename"), this, &Outliner::rename_current);
@@ -217,6 +265,7 @@ void Outliner::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void Outliner::count_gaussians() {
+  groups_->update();
   const std::size_t count = document_.medium().size();
   gaussians_->setText(0, count == 1 ? tr("1 Gaussian") : tr("%1 Gaussians").arg(count_text(count)));
 }

@@ -4,18 +4,20 @@
 #include <optional>
 
 #include "app/document/object_ref.h"
+#include "core/medium/gaussian.h"
 
 namespace brume {
 
 class Document;
+class GroupRows;
 
 // The scene as a tree; a click requests the panel of an item. Lights, emitters and surfaces have an
 // eye that hides and shows them (a light is turned on and off), a lock, and names to edit; the keys
-// and the context menu delete and duplicate them.
+// and the context menu delete and duplicate them. Rows of groups are GroupRows'.
 class Outliner : public QTreeWidget {
   Q_OBJECT
  public:
-  enum class Kind { gaussians, medium, emitter, light, environment, surface };
+  enum class Kind { gaussians, medium, group, emitter, light, environment, surface };
   explicit Outliner(Document& document, QWidget* parent = nullptr);
 
  Q_SIGNALS:
@@ -32,17 +34,20 @@ class Outliner : public QTreeWidget {
 
  private:
   static std::optional<ObjectRef> object_of(const QTreeWidgetItem* item);
+  static std::optional<GroupId> group_of(const QTreeWidgetItem* item);
   QTreeWidgetItem* new_object_item(const ObjectRef& ref);
 
   void rebuild();
   void count_gaussians();
   // Or the last of its kind, if there are fewer.
   void set_current(const ObjectRef& ref);
+  void set_current(GroupId group);
   void follow_object();  // the document's
   void click(const QTreeWidgetItem* item, int column);
-  void take_name(const QTreeWidgetItem* item, int column);
+  void rename(const QTreeWidgetItem* item, const QString& name);
 
   Document& document_;
+  GroupRows* groups_;
   QTreeWidgetItem* gaussians_ = nullptr;
 };
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/commands/edit_groups.h"
 #include "app/document/document.h"
 #include "app/document/gaussian_attribute.h"
 #include "app/tools/option_widgets.h"
@@ -97,6 +98,10 @@ void FogBrushTool::draw(Overlay& overlay, const CameraRays& rays) const {
 
 void FogBrushTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   if (!modifiers.testFlag(Qt::AltModifier)) {
+    if (const QString problem = adding_problem(document_); !problem.isEmpty()) {
+      Q_EMIT refused(problem);
+      return;
+    }
     BrushTool::press(position, modifiers);
     return;
   }
@@ -171,6 +176,7 @@ void FogBrushTool::add_optics_button(QHBoxLayout& row, const QString& prefix) {
 Gaussian FogBrushTool::coloured(const Gaussian& gaussian) const {
   Gaussian result = within_domains(gaussian);
   result.optics = optics_;
+  result.group = group_of_new(document_);
   return result;
 }
 

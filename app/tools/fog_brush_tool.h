@@ -68,7 +68,8 @@ class FogBrushTool : public BrushTool {
   // A Gaussian and its mirror images as they are added; `all`: also images that coincide.
   void append_images(std::vector<Gaussian>& images, const Gaussian& gaussian, bool all) const;
 
-  // The Gaussians as they are added: within their domains, with the brush's albedo and emission.
+  // The Gaussians as they are added: within their domains, with the brush's albedo and emission,
+  // in the active group.
   [[nodiscard]] Gaussian coloured(const Gaussian& gaussian) const;
 
   // Widgets of radius, density and colours, and of seed and plane; `prefix` of their object names.

@@ -127,7 +127,7 @@ void CameraController::frame_selection() {
       return frame(bounding_sphere(document_.scene().surfaces[object->index]));
     }
   }
-  if (const auto sphere = bounding_sphere(document_.medium(), document_.selection())) {
+  if (const auto sphere = bounding_sphere(document_.grouped_medium(), document_.selection())) {
     frame(*sphere);
   } else {
     frame_all();

@@ -110,7 +110,8 @@ void Handles::draw(Overlay& overlay, const Medium& medium, const CameraRays& ray
       auto& shapes = selected.size() > max_marks ? overlay.dots : overlay.marks;
       shapes.push_back({x, y, with_alpha(accent, dim ? mark_alpha / 2 : mark_alpha)});
     } else {
-      overlay.dots.push_back({x, y, with_alpha(plain, dim ? dot_alpha / 3 : dot_alpha)});
+      overlay.dots.push_back(
+          {x, y, with_alpha(color_of(i, plain), dim ? dot_alpha / 3 : dot_alpha)});
     }
     if (hovered == id && !is_selected) {
       overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i], with_alpha(plain, 90));
@@ -130,8 +131,9 @@ void Handles::draw_outlines(Overlay& overlay, const Medium& medium, const Camera
         [this](std::size_t a, std::size_t b) { return positions_[a].z < positions_[b].z; });
     indices.resize(max_outlines);
   }
-  const QRgb color = with_alpha(qRgb(190, 215, 240), crowd_alpha(indices.size(), 200, 40));
+  const int alpha = crowd_alpha(indices.size(), 200, 40);
   for (const std::size_t i : indices) {
+    const QRgb color = with_alpha(color_of(i, qRgb(190, 215, 240)), alpha);
     overlay.add_ball_outline(rays, medium.centers()[i], medium.radii()[i], color);
   }
 }

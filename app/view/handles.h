@@ -23,6 +23,9 @@ class Handles {
   void project(const Medium& medium, const CameraRays& rays, std::span<const GaussianId> hidden,
                std::span<const GaussianId> locked);
 
+  // Colours of their groups, without alpha; 0: of none. Empty: all in none.
+  void set_colors(std::vector<QRgb> colors) { colors_ = std::move(colors); }
+
   // Classifies Gaussians as behind surfaces by the depth of a frame and its camera; none without
   // depth.
   void classify_depth(const Medium& medium, const CameraRays& rays, const Frame& frame);
@@ -44,9 +47,15 @@ class Handles {
   void draw_outlines(Overlay& overlay, const Medium& medium, const CameraRays& rays) const;
 
  private:
+  // Of its group, or else `other`.
+  [[nodiscard]] QRgb color_of(std::size_t index, QRgb other) const {
+    return index < colors_.size() && colors_[index] != 0 ? colors_[index] : other;
+  }
+
   std::vector<glm::dvec3> positions_;
   std::vector<bool> behind_;  // behind a surface; empty while unknown
   std::vector<bool> locked_;
+  std::vector<QRgb> colors_;
 };
 
 }  // namespace brume

@@ -10,6 +10,22 @@
 #include "core/math/basis.h"
 
 namespace brume {
+namespace {
+
+double film_distance(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+// So many that an ellipse of a diameter [pixels] is at most a tenth of a pixel from them, where 64
+// suffice for that. Thousands of outlines are drawn, most of them small.
+int outline_segments(double diameter) {
+  constexpr double max_distance = 0.1;
+  const double half = std::max(0.5 * diameter, 1.0);
+  const double segments = glm::pi<double>() * std::sqrt(half / (2.0 * max_distance));
+  return segments < 64.0 ? std::max(12, static_cast<int>(std::ceil(segments))) : 64;
+}
+
+}  // namespace
 
 void Overlay::add_circle(double x, double y, double radius, QRgb color) {
   const int segments = std::clamp(static_cast<int>(radius * 2.0), 12, 64);
@@ -44,12 +60,21 @@ void Overlay::add_ball_outline(const CameraRays& rays, const glm::dvec3& center,
   const glm::dvec3 middle = center - axis * (radius * sine);
   const double circle = radius * std::sqrt(std::max(0.0, 1.0 - sine * sine));
   const Basis plane = make_basis(axis);
-  constexpr int segments = 64;
-  const auto at = [&](int k) {
-    const double angle = glm::two_pi<double>() * k / segments;
-    return middle + circle * (std::cos(angle) * plane.u + std::sin(angle) * plane.v);
+  const auto at = [&](double turn) {
+    const double angle = glm::two_pi<double>() * turn;
+    return rays.project(middle + circle * (std::cos(angle) * plane.u + std::sin(angle) * plane.v));
   };
-  for (int k = 0; k < segments; ++k) add_line(rays, at(k), at(k + 1), color);
+  glm::dvec3 last = at(0.0);
+  const int segments =
+      outline_segments(std::max(film_distance(last, at(0.5)), film_distance(at(0.25), at(0.75))));
+  for (int k = 1; k <= segments; ++k) {
+    const glm::dvec3 next = at(static_cast<double>(k) / segments);
+    if (last.z > 0.0 && next.z > 0.0) {
+      lines.push_back({static_cast<float>(last.x), static_cast<float>(last.y), color});
+      lines.push_back({static_cast<float>(next.x), static_cast<float>(next.y), color});
+    }
+    last = next;
+  }
 }
 
 void add_axes(Overlay& overlay, const CameraRays& rays, const Film& film) {

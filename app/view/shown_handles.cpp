@@ -1,17 +1,30 @@
 #include "app/view/shown_handles.h"
 
+#include <map>
+
 #include "app/document/document.h"
 #include "app/view/camera_controller.h"
+#include "app/widgets/color_button.h"
 
 namespace brume {
 
 ShownHandles::ShownHandles(const Document& document, const CameraController& camera)
     : document_(document), camera_(camera) {
   connect(&camera, &CameraController::moved, this, &ShownHandles::project);
-  connect(&document, &Document::medium_changed, this, &ShownHandles::project);
+  connect(&document, &Document::medium_changed, this, [this] {
+    color_by_group();
+    project();
+  });
+  connect(&document, &Document::groups_changed, this, [this] {
+    color_by_group();
+    project();
+  });
   connect(&document, &Document::hidden_or_locked_changed, this, &ShownHandles::project);
   connect(&document, &Document::selection_changed, this, &ShownHandles::changed);
-  connect(&document, &Document::scene_replaced, this, [this] { hovered_.reset(); });
+  connect(&document, &Document::scene_replaced, this, [this] {
+    hovered_.reset();
+    color_by_group();
+  });
 }
 
 void ShownHandles::set_hovered(std::optional<GaussianId> id) {
@@ -26,12 +39,36 @@ void ShownHandles::show_centers(bool centers) {
 }
 
 void ShownHandles::project() {
-  handles_.project(document_.medium(), camera_.rays(), document_.hidden(), document_.locked());
+  handles_.project(document_.grouped_medium(), camera_.rays(), document_.all_hidden(),
+                   document_.all_locked());
   Q_EMIT changed();
 }
 
+void ShownHandles::color_by_group() {
+  std::vector<QRgb> colors;
+  const auto& groups = document_.scene().groups;
+  if (!groups.empty()) {
+    std::map<GroupId, QRgb> by_group;
+    for (const Group& group : groups) by_group[group.id] = to_color(group.color).rgb();
+    const Medium& medium = document_.medium();
+    colors.resize(medium.size());
+    GroupId last = 0;
+    QRgb color = 0;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      const GroupId group = medium.group(i);
+      if (group != last) {
+        const auto found = by_group.find(group);
+        color = found == by_group.end() ? 0 : found->second;
+        last = group;
+      }
+      colors[i] = color;
+    }
+  }
+  handles_.set_colors(std::move(colors));
+}
+
 void ShownHandles::classify_depth(const Camera& camera, const Frame& frame) {
-  handles_.classify_depth(document_.medium(), {camera, frame.film}, frame);
+  handles_.classify_depth(document_.grouped_medium(), {camera, frame.film}, frame);
   Q_EMIT changed();
 }
 
@@ -40,12 +77,12 @@ bool ShownHandles::use_depth() const {
 }
 
 void ShownHandles::draw(Overlay& overlay) const {
-  handles_.draw(overlay, document_.medium(), camera_.rays(), document_.selection(), hovered_,
-                centers_);
+  handles_.draw(overlay, document_.grouped_medium(), camera_.rays(), document_.selection(),
+                hovered_, centers_);
 }
 
 void ShownHandles::draw_outlines(Overlay& overlay) const {
-  handles_.draw_outlines(overlay, document_.medium(), camera_.rays());
+  handles_.draw_outlines(overlay, document_.grouped_medium(), camera_.rays());
 }
 
 }  // namespace brume

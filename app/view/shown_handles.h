@@ -32,6 +32,8 @@ class ShownHandles : public QObject {
   void changed();
 
  private:
+  void color_by_group();
+
   const Document& document_;
   const CameraController& camera_;
   Handles handles_;

@@ -32,6 +32,8 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"select.invert", "Ctrl+I"},
     {"select.grow", "Ctrl++; Ctrl+="},
     {"select.shrink", "Ctrl+-"},
+    {"select.group", "Ctrl+G"},
+    {"select.ungroup", "Ctrl+Shift+G"},
     {"select.hide", "H"},
     {"select.show_all", "Shift+H"},
     {"select.isolate", "/"},

@@ -9,6 +9,7 @@
 
 #include "app/commands/clipboard.h"
 #include "app/commands/edit_emitters.h"
+#include "app/commands/edit_groups.h"
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
@@ -130,6 +131,9 @@ void MainWindow::create_actions() {
   add(select, tr("&Invert"), "select.invert", [this] { invert_selection(document_); });
   add(select, tr("&Grow"), "select.grow", [this] { grow_selection(document_); });
   add(select, tr("Shrin&k"), "select.shrink", [this] { shrink_selection(document_); });
+  select->addSeparator();
+  add(select, tr("Gr&oup Selection"), "select.group", [this] { group_selection(document_); });
+  add(select, tr("Ungroup S&election"), "select.ungroup", [this] { ungroup_selection(document_); });
   select->addSeparator();
   add(select, tr("&Hide"), "select.hide", [this] {
     if (document_.object()) return show_object(document_, *document_.object(), false);

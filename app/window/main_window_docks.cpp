@@ -7,6 +7,7 @@
 #include "app/panels/contribution_panel.h"
 #include "app/panels/emitter_panel.h"
 #include "app/panels/gaussian_panel.h"
+#include "app/panels/group_panel.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/light_panel.h"
 #include "app/panels/material_panel.h"
@@ -54,6 +55,7 @@ void MainWindow::create_docks() {
   QDockWidget* medium = dock(tr("Medium"), "medium", scrolled(medium_panel));
   QDockWidget* material = dock(tr("Surface"), "material", scrolled(material_panel));
   QDockWidget* emitters = dock(tr("Emitters"), "emitters_dock", scrolled(emitter_panel));
+  QDockWidget* group = dock(tr("Group"), "group_dock", scrolled(new GroupPanel(document_, this)));
   QDockWidget* history = dock(tr("History"), "history", new HistoryPanel(document_.undo_stack()));
   auto* performance_panel =
       new PerformancePanel([this]() -> const FrameScheduler& { return views_->active().frames(); });
@@ -76,10 +78,11 @@ void MainWindow::create_docks() {
   QDockWidget* at_cursor = dock(tr("At the Cursor"), "at_cursor", scrolled(contribution_panel));
   tabifyDockWidget(performance, history);
   tabifyDockWidget(performance, at_cursor);
+  tabifyDockWidget(performance, group);
   create_output_docks(at_cursor);
   performance->raise();
   resizeDocks({gaussians}, {400}, Qt::Horizontal);
-  resizeDocks({outline, gaussians, performance}, {110, 400, 230}, Qt::Vertical);
+  resizeDocks({outline, gaussians, performance}, {150, 370, 220}, Qt::Vertical);
 
   connect(gaussian_panel_, &GaussianPanel::refused, this, &MainWindow::show_status);
   for (SceneForm* form : findChildren<SceneForm*>()) {
@@ -99,11 +102,12 @@ void MainWindow::create_docks() {
     panels.at(static_cast<std::size_t>(object->kind))->raise();
   });
   connect(outliner, &Outliner::asked_for, this,
-          [this, gaussians, lights, medium, material, emitters](Outliner::Kind kind,
-                                                                std::size_t index) {
+          [this, gaussians, group, lights, medium, material, emitters](Outliner::Kind kind,
+                                                                       std::size_t index) {
             using Kind = Outliner::Kind;
             if (kind == Kind::light) document_.set_active_light(index);
             QDockWidget* panel = kind == Kind::gaussians ? gaussians
+                                 : kind == Kind::group   ? group
                                  : kind == Kind::medium  ? medium
                                  : kind == Kind::surface ? material
                                  : kind == Kind::emitter ? emitters

@@ -4,6 +4,19 @@
 
 namespace brume {
 
+namespace {
+
+// Whether a cone may touch a center: nearly all it does not, and this takes no square root.
+bool may_touch(const EraserCone& cone, const glm::dvec3& center) {
+  const glm::dvec3 view = center - cone.eye;
+  const double along = glm::dot(view, cone.direction);
+  const double reach = along * cone.slope;
+  const glm::dvec3 across = view - along * cone.direction;
+  return along > 0.0 && glm::dot(across, across) <= 1.000001 * reach * reach;
+}
+
+}  // namespace
+
 double eraser_cover(const EraserCone& cone, const glm::dvec3& center) {
   const glm::dvec3 view = center - cone.eye;
   const double along = glm::dot(view, cone.direction);
@@ -21,6 +34,7 @@ MediumEdit EraserStroke::touch(const Medium& medium, std::span<const EraserCone>
     const GaussianId id = medium.ids()[i];
     Touched* touched = nullptr;
     for (const EraserCone& cone : cones) {
+      if (!may_touch(cone, medium.centers()[i])) continue;
       const double cover = eraser_cover(cone, medium.centers()[i]);
       if (!(cover > 0.0)) continue;
       if (!touched && !may_erase(id)) break;

@@ -17,13 +17,13 @@ struct Sample {
   double weight;  // density
 };
 
-struct Group {
+struct SampleGroup {
   std::span<Sample> samples;
   double weight = 0.0;
   glm::dvec3 mean{0.0};
   glm::dmat3 inertia{0.0};  // sum of weight d d^T
 
-  explicit Group(std::span<Sample> of) : samples(of) {
+  explicit SampleGroup(std::span<Sample> of) : samples(of) {
     for (const Sample& s : samples) {
       weight += s.weight;
       mean += s.weight * s.p;
@@ -35,7 +35,7 @@ struct Group {
     }
   }
   [[nodiscard]] double trace() const { return inertia[0][0] + inertia[1][1] + inertia[2][2]; }
-  bool operator<(const Group& other) const { return trace() < other.trace(); }
+  bool operator<(const SampleGroup& other) const { return trace() < other.trace(); }
 };
 
 // The direction of the greatest inertia, by power iteration; near enough for a cut.
@@ -51,7 +51,7 @@ glm::dvec3 longest_axis(const glm::dmat3& inertia) {
 }
 
 // Sorts the group's samples and cuts at half its weight, between voxels.
-std::array<std::span<Sample>, 2> cut(const Group& group) {
+std::array<std::span<Sample>, 2> cut(const SampleGroup& group) {
   const glm::dvec3 axis = longest_axis(group.inertia);
   std::sort(group.samples.begin(), group.samples.end(), [&](const Sample& a, const Sample& b) {
     return glm::dot(a.p, axis) < glm::dot(b.p, axis);
@@ -83,11 +83,11 @@ std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size
   }
   if (samples.empty() || count == 0) return {};
 
-  std::priority_queue<Group> groups;
-  std::vector<Group> single;  // groups of one voxel
+  std::priority_queue<SampleGroup> groups;
+  std::vector<SampleGroup> single;  // groups of one voxel
   groups.emplace(std::span(samples));
   while (groups.size() + single.size() < count && !groups.empty()) {
-    const Group group = groups.top();
+    const SampleGroup group = groups.top();
     groups.pop();
     if (group.samples.size() < 2) {
       single.push_back(group);
@@ -102,7 +102,7 @@ std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size
       FitProblem::sharpest /
       std::max({std::abs(grid.spacing.x), std::abs(grid.spacing.y), std::abs(grid.spacing.z)});
   std::vector<FitGaussian> gaussians;
-  const auto add = [&](const Group& group) {
+  const auto add = [&](const SampleGroup& group) {
     FitGaussian g;
     g.b = group.mean;
     const double variance = (group.trace() / group.weight + voxel_variance) / 3.0;
@@ -110,7 +110,7 @@ std::vector<FitGaussian> split_into_gaussians(const DensityGrid& grid, std::size
     g.c = group.weight * grid.voxel_volume() * std::pow(g.a, 3.0) / std::pow(std::numbers::pi, 1.5);
     gaussians.push_back(g);
   };
-  for (const Group& group : single) add(group);
+  for (const SampleGroup& group : single) add(group);
   for (; !groups.empty(); groups.pop()) add(groups.top());
   return gaussians;
 }

@@ -17,6 +17,9 @@ struct GaussianOptics {
   bool operator==(const GaussianOptics&) const = default;
 };
 
+// Identifies a group of Gaussians in its scene (core/scene/group.h); 0: none.
+using GroupId = std::uint32_t;
+
 // One Gaussian of a medium: b_i(x) = density * exp(-|x - center|^2 / radius^2)  [1/u].
 // The paper's a_i is 1 / radius, its c_i is density. Domain: radius > 0, density >= 0, all finite.
 struct Gaussian {
@@ -24,6 +27,7 @@ struct Gaussian {
   double radius = 1.0;
   double density = 0.0;
   GaussianOptics optics{};
+  GroupId group = 0;
 
   bool operator==(const Gaussian&) const = default;
 };

@@ -16,6 +16,8 @@ GaussianId Medium::append(const Gaussian& gaussian) {
   ids_.push_back(next_id_);
   if (!optics_.empty()) optics_.emplace_back();
   set_optics(size() - 1, gaussian.optics);
+  if (!groups_.empty()) groups_.emplace_back();
+  set_group(size() - 1, gaussian.group);
   revision_ = new_revision();
   return next_id_++;
 }
@@ -41,6 +43,14 @@ void Medium::set_optics(std::size_t index, const GaussianOptics& optics) {
   optics_[index] = optics;
 }
 
+void Medium::set_group(std::size_t index, GroupId group) {
+  if (groups_.empty()) {
+    if (group == 0) return;
+    groups_.resize(size());
+  }
+  groups_[index] = group;
+}
+
 bool Medium::has_albedos() const {
   return std::ranges::any_of(optics_, [](const auto& optics) { return optics.albedo.has_value(); });
 }
@@ -55,6 +65,10 @@ bool Medium::operator==(const Medium& other) const {
   const bool same_optics = optics_.empty() && other.optics_.empty();
   for (std::size_t i = 0; !same_optics && i < size(); ++i) {
     if (i >= other.size() || !(optics(i) == other.optics(i))) return false;
+  }
+  const bool same_groups = groups_.empty() && other.groups_.empty();
+  for (std::size_t i = 0; !same_groups && i < size(); ++i) {
+    if (i >= other.size() || group(i) != other.group(i)) return false;
   }
   return homogeneous_density_ == other.homogeneous_density_ && ids_ == other.ids_ &&
          centers_ == other.centers_ && radii_ == other.radii_ && densities_ == other.densities_;

@@ -30,12 +30,15 @@ class Medium {
 
   // The Gaussian at an index in [0, size()).
   [[nodiscard]] Gaussian gaussian(std::size_t index) const {
-    return {centers_[index], radii_[index], densities_[index], optics(index)};
+    return {centers_[index], radii_[index], densities_[index], optics(index), group(index)};
   }
   [[nodiscard]] std::optional<std::size_t> index_of(GaussianId id) const;
 
   [[nodiscard]] GaussianOptics optics(std::size_t index) const {
     return optics_.empty() ? GaussianOptics() : optics_[index];
+  }
+  [[nodiscard]] GroupId group(std::size_t index) const {
+    return groups_.empty() ? 0 : groups_[index];
   }
   // Whether a Gaussian has an albedo of its own, or shines.
   [[nodiscard]] bool has_albedos() const;
@@ -50,14 +53,15 @@ class Medium {
   GaussianId append(const Gaussian& gaussian);
   void reserve(std::size_t count);
 
-  // The same with other densities and optics of its Gaussians, which `change` gets one by one, and
-  // b0.
+  // The same with other radii, densities and optics of its Gaussians, which `change` gets one by
+  // one, and b0.
   template <class Change>
   [[nodiscard]] Medium changed(double b0, Change change) const {
     Medium medium = *this;
     medium.homogeneous_density_ = b0;
     for (std::size_t i = 0; i < size(); ++i) {
       const Gaussian changed = change(gaussian(i));
+      medium.radii_[i] = changed.radius;
       medium.densities_[i] = changed.density;
       medium.set_optics(i, changed.optics);
     }
@@ -75,11 +79,13 @@ class Medium {
   friend class MediumEdit;
 
   void set_optics(std::size_t index, const GaussianOptics& optics);
+  void set_group(std::size_t index, GroupId group);
 
   std::vector<glm::dvec3> centers_;
   std::vector<double> radii_;
   std::vector<double> densities_;
   std::vector<GaussianOptics> optics_;  // empty: all as by default
+  std::vector<GroupId> groups_;         // empty: all in none
   std::vector<GaussianId> ids_;
   GaussianId next_id_ = 1;
   double homogeneous_density_ = 0.0;

@@ -22,6 +22,25 @@ std::size_t compact(std::size_t size, const std::vector<std::size_t>& dropped, V
   return target;
 }
 
+// Index of an id, found at once if the ids come in the order of the medium without gaps.
+class IndexFinder {
+ public:
+  explicit IndexFinder(const Medium& medium) : medium_(medium) {}
+
+  std::optional<std::size_t> operator()(GaussianId id) {
+    if (next_ >= medium_.size() || medium_.ids()[next_] != id) {
+      const auto found = medium_.index_of(id);
+      if (!found) return std::nullopt;
+      next_ = *found;
+    }
+    return next_++;
+  }
+
+ private:
+  const Medium& medium_;
+  std::size_t next_ = 0;
+};
+
 template <class T>
 void by_id(std::vector<T>& entries) {
   std::sort(entries.begin(), entries.end(), [](const T& a, const T& b) { return a.id < b.id; });
@@ -38,8 +57,10 @@ MediumEdit MediumEdit::add(const Medium& medium, std::span<const Gaussian> gauss
 
 MediumEdit MediumEdit::remove(const Medium& medium, std::span<const GaussianId> ids) {
   MediumEdit edit;
+  edit.removed_.reserve(ids.size());
+  IndexFinder index_of(medium);
   for (const GaussianId id : ids) {
-    const auto index = medium.index_of(id);
+    const auto index = index_of(id);
     assert(index && "MediumEdit::remove: no such Gaussian");
     edit.removed_.push_back({id, medium.gaussian(*index)});
   }
@@ -51,8 +72,10 @@ MediumEdit MediumEdit::change(const Medium& medium, std::span<const GaussianId> 
                               std::span<const Gaussian> after) {
   assert(ids.size() == after.size());
   MediumEdit edit;
+  edit.changed_.reserve(ids.size());
+  IndexFinder index_of(medium);
   for (std::size_t k = 0; k < ids.size(); ++k) {
-    const auto index = medium.index_of(ids[k]);
+    const auto index = index_of(ids[k]);
     assert(index && "MediumEdit::change: no such Gaussian");
     const Gaussian before = medium.gaussian(*index);
     if (!(before == after[k])) edit.changed_.push_back({ids[k], before, after[k]});
@@ -90,6 +113,7 @@ void MediumEdit::apply(Medium& medium) const {
     medium.radii_[index] = gaussian.radius;
     medium.densities_[index] = gaussian.density;
     medium.set_optics(index, gaussian.optics);
+    medium.set_group(index, gaussian.group);
   };
   const auto resize = [&medium](std::size_t size) {
     medium.centers_.resize(size);
@@ -97,6 +121,7 @@ void MediumEdit::apply(Medium& medium) const {
     medium.densities_.resize(size);
     medium.ids_.resize(size);
     if (!medium.optics_.empty()) medium.optics_.resize(size);
+    if (!medium.groups_.empty()) medium.groups_.resize(size);
   };
   const auto move = [&](std::size_t source, std::size_t target) {
     put(target, medium.gaussian(source));
@@ -106,15 +131,17 @@ void MediumEdit::apply(Medium& medium) const {
   if (!removed_.empty()) {
     std::vector<std::size_t> dropped;
     dropped.reserve(removed_.size());
+    IndexFinder index_of(medium);
     for (const Entry& entry : removed_) {
-      const auto index = medium.index_of(entry.id);
+      const auto index = index_of(entry.id);
       assert(index && "MediumEdit::apply: the Gaussian to remove is not there");
       dropped.push_back(*index);
     }
     resize(compact(medium.size(), dropped, move));
   }
+  IndexFinder index_of(medium);
   for (const Change& change : changed_) {
-    const auto index = medium.index_of(change.id);
+    const auto index = index_of(change.id);
     assert(index && "MediumEdit::apply: the Gaussian to change is not there");
     put(*index, change.after);
   }

@@ -13,6 +13,7 @@ void visit_all(auto& scene, double& homogeneous_density, auto&& visit) {
   visit_keyed_density(homogeneous_density, scene.density_keys, visit);
   visit_keyed_optics(scene.optics, visit);
   visit_keyed_noise(scene.optics.noise, visit);
+  for (auto& group : scene.groups) visit_keyed_group(group, visit);
   for (auto& emitter : scene.emitters) visit_keyed_emitter(emitter, visit);
   for (auto& light : scene.lights) visit_keyed_light(light, visit);
   if (scene.environment) visit_keyed_environment(*scene.environment, visit);

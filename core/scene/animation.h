@@ -82,6 +82,17 @@ void visit_keyed_noise(N& noise, auto&& visit) {
   visit("velocity", noise.velocity, noise.keys.velocity, domain::coordinate);
 }
 
+template <class G>
+void visit_keyed_group(G& group, auto&& visit) {
+  auto& keys = group.keys;
+  visit("density_factor", group.density_factor, keys.density_factor, domain::not_negative);
+  visit("density_offset", group.density_offset, keys.density_offset, domain::coordinate);
+  visit("radius_factor", group.radius_factor, keys.radius_factor, domain::length);
+  visit("radius_offset", group.radius_offset, keys.radius_offset, domain::coordinate);
+  visit("albedo_factor", group.albedo_factor, keys.albedo_factor, domain::not_negative);
+  visit("albedo_offset", group.albedo_offset, keys.albedo_offset, domain::albedo_offset);
+}
+
 template <class E>
 void visit_keyed_emitter(E& emitter, auto&& visit) {
   auto& keys = emitter.keys;

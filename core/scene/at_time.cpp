@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/medium/medium_edit.h"
 #include "core/scene/animation.h"
+#include "core/scene/group_effects.h"
 #include "core/scene/particles.h"
 
 namespace brume {
@@ -27,6 +29,20 @@ std::size_t gaussian_count(const Scene& scene) {
   return count;
 }
 
+bool has_constant_groups(const Scene& scene) {
+  return scene.optics.keys.albedo.empty() &&
+         std::ranges::all_of(scene.groups,
+                             [](const Group& group) { return group.keys == GroupKeys(); });
+}
+
+void apply_groups(Scene& scene) {
+  const GroupEffects effects(scene.groups);
+  scene.groups.clear();
+  Medium& medium = scene.medium;
+  medium = with_effects(medium, effects, scene.optics.albedo);
+  MediumEdit::remove(medium, hidden_by_groups(medium, effects)).apply(medium);
+}
+
 Scene evaluate_at(const Scene& scene, double time) {
   Scene result = scene;
   result.time = time;
@@ -37,6 +53,7 @@ Scene evaluate_at(const Scene& scene, double time) {
     noise.velocity = integral(noise.keys.velocity, 0.0, time) / time;
   }
   clear_keys(result);
+  apply_groups(result);
   std::erase_if(result.surfaces, std::not_fn(&Surface::visible));
   for (const Emitter& emitter : scene.emitters) {
     if (!emitter.visible) continue;

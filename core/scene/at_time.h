@@ -14,9 +14,15 @@ double last_moment(const Scene& scene);
 // by limits::gaussians.
 std::size_t gaussian_count(const Scene& scene);
 
-// Evaluates a scene at a time [s]: keyframed values are evaluated, particles and sequences are
-// added to the medium; the result has no keys, emitters, sequences or hidden surfaces, and shows
-// this time.
+// Whether what groups make of the medium is the same at any time.
+bool has_constant_groups(const Scene& scene);
+
+// Makes the medium what the groups make of it, without hidden ones; the scene has no groups then.
+void apply_groups(Scene& scene);
+
+// Evaluates a scene at a time [s]: keyframed values are evaluated, groups are applied, particles
+// and sequences are added to the medium; the result has no keys, groups, emitters, sequences or
+// hidden surfaces, and shows this time.
 Scene evaluate_at(const Scene& scene, double time);
 
 }  // namespace brume

@@ -11,6 +11,7 @@
 #include "core/medium/medium.h"
 #include "core/scene/camera.h"
 #include "core/scene/emitter.h"
+#include "core/scene/group.h"
 #include "core/scene/keys.h"
 #include "core/scene/medium_sequence.h"
 #include "core/scene/object_id.h"
@@ -239,6 +240,7 @@ struct Scene {
   Medium medium;
   Keys<double> density_keys;  // of the medium's homogeneous density
   MediumOptics optics;
+  std::vector<Group> groups;              // of the medium's Gaussians
   std::vector<Emitter> emitters;          // their particles are not in `medium`, see evaluate_at()
   std::vector<MediumSequence> sequences;  // not in `medium` either
   std::vector<Light> lights;

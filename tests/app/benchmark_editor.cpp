@@ -5,9 +5,11 @@
 
 #include <QAbstractScrollArea>
 #include <QScrollBar>
+#include <QTreeWidget>
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <string_view>
 
 #include "app/commands/edit_medium.h"
 #include "app/commands/select_command.h"
@@ -133,6 +135,68 @@ class Benchmark {
     window.document().undo_stack().clear();
   }
 
+  // The same Gaussians in ten groups.
+  void run_groups(int count) {
+    std::printf("\n%d Gaussians in ten groups%*s median    worst    longest block\n", count, 1, "");
+    Scene scene = cloud(count);
+    Medium medium;
+    for (std::size_t i = 0; i < scene.medium.size(); ++i) {
+      Gaussian gaussian = scene.medium.gaussian(i);
+      gaussian.group = static_cast<GroupId>(i % 10 + 1);
+      medium.append(gaussian);
+    }
+    scene.medium = medium;
+    for (GroupId id = 1; id <= 10; ++id) {
+      scene.groups.push_back({.id = id, .name = "g" + std::to_string(id)});
+    }
+    save_document(scene, to_path(folder_.filePath("groups.brume")));
+    MainWindow window;
+    window.resize(1280, 800);
+    window.show();
+    begin();
+    window.files().open_file(to_path(folder_.filePath("groups.brume")));
+    while (window.files().loading().is_running()) QTest::qWait(5);
+    QTest::qWait(1500);
+    report("open (from the file to the first frames)");
+
+    auto* tree = window.findChild<QTreeWidget*>("outliner_tree");
+    const auto click = [tree](int row, int column) {
+      QTreeWidgetItem* item = tree->topLevelItem(0)->child(row + 1);
+      tree->scrollToItem(item);
+      const int x = tree->columnViewportPosition(column) + tree->columnWidth(column) / 2;
+      QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                        {x, tree->visualItemRect(item).center().y()});
+    };
+    measure("eye of a group", 10, [&](int k) { click(k / 2, 1); });
+    measure("lock of a group", 10, [&](int k) { click(k / 2, 2); });
+    measure("select a group", 10, [&](int k) { click(k, 0); });
+    auto* title = window.findChild<QWidget*>("group_density_factor_title");
+    QTest::mousePress(title, Qt::LeftButton, {}, {2, 2});
+    measure("drag a factor of a group", 20, [&](int k) {
+      const QPointF at(6 + 4 * k, 2);
+      QMouseEvent move(QEvent::MouseMove, at, title->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                       {});
+      QApplication::sendEvent(title, &move);
+    });
+    QTest::mouseRelease(title, Qt::LeftButton, {}, {90, 2});
+    stroke(window, "paintbrush", "paintbrush into a group: a step");
+    measure("undo the stroke", 1, [&](int) { window.document().undo_stack().undo(); });
+    const auto menu = [&window](const char* name) { window.findChild<QAction*>(name)->trigger(); };
+    measure("group the selection", 3, [&](int k) {
+      click(k, 0);
+      menu("select.group");
+    });
+    measure("ungroup the selection", 3, [&](int k) {
+      click(k, 0);
+      menu("select.ungroup");
+    });
+    measure("undo these", 6, [&](int) { window.document().undo_stack().undo(); });
+    click(3, 0);
+    measure("delete a group", 1, [&](int) { QTest::keyClick(tree, Qt::Key_Delete); });
+    measure("undo that", 1, [&](int) { window.document().undo_stack().undo(); });
+    window.document().undo_stack().clear();
+  }
+
  private:
   void stroke(MainWindow& window, const char* name, const char* title) {
     ToolBox& tools = window.tools();
@@ -207,6 +271,11 @@ int main(int argc, char** argv) {
   set_up_application(application);
   std::printf("CPU time of the main thread [ms]\n");
   Benchmark benchmark(application);
+  if (argc > 1 && std::string_view(argv[1]) == "groups") {
+    benchmark.run_groups(100'000);
+    return 0;
+  }
   for (const int count : {10'000, 100'000}) benchmark.run(count);
+  benchmark.run_groups(100'000);
   return 0;
 }

@@ -25,7 +25,9 @@ constexpr std::string_view scene = R"({ "format": "brume-scene", "version": 1,
     "noise": { "amplitude": 0.1, "frequency": 2, "velocity": [0, 1, 0], "seed": 3 },
     "emitters": [ { "position": [0, 0, 0], "rate": 10, "albedo": [1, 0.5, 1], "emission": [4, 1, 0],
       "emission_at_death": [1, 0, 0], "keys": { "radius": [ { "time": 1, "value": [0.1, 0.5] } ] } } ],
-    "gaussians": [ { "center": [0, 0, 0], "radius": 0.35, "density": 1.25 } ] },
+    "groups": [ { "name": "a", "parent": "b", "albedo_factor": [1, 0.5, 1], "keys": {
+      "density_factor": [ { "time": 0, "value": 2 } ] } }, { "name": "b", "visible": false } ],
+    "gaussians": [ { "center": [0, 0, 0], "radius": 0.35, "density": 1.25, "group": "a" } ] },
   "lights": [ { "type": "point", "position": [2.5, 2, 1.5], "intensity": [60, 60, 60] } ],
   "surfaces": [ { "mesh": "none.obj", "translate": [0, 0, 0], "rotate": [1, 0, 0, 0], "scale": 1.0,
     "material": { "type": "phong", "reflectance": [0.5, 0.5, 0.5], "exponent": 8 } } ] })";

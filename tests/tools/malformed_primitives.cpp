@@ -31,7 +31,7 @@ std::vector<MalformedCase> malformed_primitives() {
   for (const char* value : {"3", "null", "[\"a\"]"}) {
     add(mesh + R"("name": )" + value, "name", "a string");
   }
-  add(mesh + R"("name": ")" + std::string(257, 'x') + '"', "name", "at most 256");
+  add(mesh + R"("name": ")" + std::string(257, 'x') + '"', "name", "0 to 256");
   add(mesh + R"("name": "a\nb")", "name", "control characters");
   for (const char* value : {"1", "null", "\"yes\""}) {
     add(mesh + R"("locked": )" + value, "locked", "true or false");

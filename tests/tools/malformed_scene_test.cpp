@@ -105,6 +105,12 @@ TEST_F(MalformedScene, EachValueOfAPrimitiveIsRefusedInOneLine) {
   expect_refused(all);
 }
 
+TEST_F(MalformedScene, EachValueOfAGroupIsRefusedInOneLine) {
+  const std::vector<MalformedCase> all = malformed_groups();
+  ASSERT_GE(all.size(), 90u);
+  expect_refused(all);
+}
+
 TEST_F(MalformedScene, RefusesFoldersAndDevices) {
   const std::string out = (folder_ / "o.exr").string();
   for (const std::string& scene :

@@ -89,6 +89,10 @@ std::string scene_with_emitter(const std::string& members) {
   return medium(R"("emitters": [{)" + members + "}]");
 }
 
+std::string scene_with_groups(const std::string& groups) {
+  return medium("\"groups\": " + groups);
+}
+
 std::string good_scene() {
   return Parts{}.text();
 }

@@ -20,11 +20,15 @@ std::vector<MalformedCase> malformed_lights();
 std::vector<MalformedCase> malformed_emitters();
 // Primitives, and the names and switches of surfaces, with such values.
 std::vector<MalformedCase> malformed_primitives();
+// Every key of a group, and keyframes of it, with such values; groups that are not there.
+std::vector<MalformedCase> malformed_groups();
 
-// The text of a scene with one light, with one emitter, with this as its second surface.
+// The text of a scene with one light, with one emitter, with this as its second surface, with an
+// array of groups.
 std::string scene_with_light(const std::string& members);
 std::string scene_with_emitter(const std::string& members);
 std::string scene_with_surface(const std::string& members);
+std::string scene_with_groups(const std::string& groups);
 
 // The scene they are made from; it needs good.obj.
 std::string good_scene();

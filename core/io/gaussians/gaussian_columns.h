@@ -60,6 +60,8 @@ inline bool have_optics(std::span<const Gaussian> gaussians) {
 
 // Persistent id of a Gaussian in a sequence; an integer.
 inline constexpr std::string_view id_name = "id";
+// Number of its group in the scene that the file is part of: 1 is the first, 0 none; an integer.
+inline constexpr std::string_view group_name = "group";
 inline constexpr NumberDomain id_domain{0.0, 4294967295.0, "an integer from 0 to 4294967295"};
 constexpr bool is_id(double value) {
   return id_domain.contains(value) &&

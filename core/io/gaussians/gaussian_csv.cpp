@@ -68,7 +68,8 @@ std::vector<std::size_t> find_optics(const std::vector<std::string_view>& header
 }  // namespace
 
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
-                                         std::vector<GaussianNumber>* ids, std::size_t max_count) {
+                                         std::vector<GaussianNumber>* ids, std::size_t max_count,
+                                         std::string_view number_name) {
   const std::string bytes = read_bytes(file);
   TextScanner text(bytes);
   if (!text.next_line())
@@ -76,7 +77,7 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
   const std::vector<std::string_view> header = cells(text.rest_of_line());
   const std::array<std::size_t, 5> columns = find_columns(file, header);
   const auto id_column = static_cast<std::size_t>(
-      std::find(header.begin(), header.end(), gaussian_columns::id_name) - header.begin());
+      std::find(header.begin(), header.end(), number_name) - header.begin());
   const std::vector<std::size_t> optics_columns = find_optics(header);
   std::vector<Gaussian> gaussians;
   while (text.next_line()) {
@@ -125,7 +126,7 @@ std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
     if (!ids || id_column == header.size()) continue;
     const auto id = id_column < row.size() ? parse_number(row[id_column]) : std::nullopt;
     if (!id || !gaussian_columns::is_id(*id)) {
-      throw InputError(file, text.place() + ", id",
+      throw InputError(file, text.place() + ", " + std::string(number_name),
                        (id ? "found " + quoted_text(row[id_column]) : std::string("no number")) +
                            "; allowed: " + gaussian_columns::id_domain.allowed);
     }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/limits.h"
@@ -14,7 +15,8 @@ namespace brume {
 // empty lines are skipped. Throws InputError naming file and line, also for more than `max_count`.
 std::vector<Gaussian> read_gaussians_csv(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
-                                         std::size_t max_count = limits::gaussians);
+                                         std::size_t max_count = limits::gaussians,
+                                         std::string_view number_name = "id");
 
 // Writes x,y,z,radius,density with the fewest digits that read back the same.
 void write_gaussians_csv(const std::filesystem::path& file, std::span<const Gaussian> gaussians,

@@ -1,15 +1,44 @@
 #include "core/io/gaussians/gaussian_file.h"
 
+#include "core/error.h"
 #include "core/io/file_bytes.h"
+#include "core/io/gaussians/gaussian_columns.h"
 #include "core/io/gaussians/gaussian_csv.h"
 #include "core/io/gaussians/gaussian_ply.h"
 
 namespace brume {
+namespace {
+
+std::vector<Gaussian> read_numbered(const std::filesystem::path& file,
+                                    std::vector<GaussianNumber>* numbers, std::size_t max_count,
+                                    std::string_view number_name) {
+  return read_first_bytes(file, 3) == "ply"
+             ? read_gaussians_ply(file, numbers, max_count, number_name)
+             : read_gaussians_csv(file, numbers, max_count, number_name);
+}
+
+}  // namespace
 
 std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids, std::size_t max_count) {
-  return read_first_bytes(file, 3) == "ply" ? read_gaussians_ply(file, ids, max_count)
-                                            : read_gaussians_csv(file, ids, max_count);
+  return read_numbered(file, ids, max_count, gaussian_columns::id_name);
+}
+
+std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
+                                             std::size_t max_count, std::size_t max_group) {
+  std::vector<GaussianNumber> groups;
+  std::vector<Gaussian> gaussians =
+      read_numbered(file, &groups, max_count, gaussian_columns::group_name);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i] > max_group) {
+      throw InputError(file, "Gaussian " + std::to_string(i),
+                       "group: found " + std::to_string(groups[i]) +
+                           "; allowed: an integer from 0 to " + std::to_string(max_group) +
+                           ", the number of the scene's groups");
+    }
+    gaussians[i].group = groups[i];
+  }
+  return gaussians;
 }
 
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,

@@ -16,6 +16,11 @@ std::vector<Gaussian> read_gaussians(const std::filesystem::path& file,
                                      std::vector<GaussianNumber>* ids = nullptr,
                                      std::size_t max_count = limits::gaussians);
 
+// Reads Gaussians of a scene with `max_group` groups: the column `group`, if present, has the
+// numbers that become their groups.
+std::vector<Gaussian> read_grouped_gaussians(const std::filesystem::path& file,
+                                             std::size_t max_count, std::size_t max_group);
+
 // Writes CSV if the extension is .csv, else PLY; lossless.
 void write_gaussians(const std::filesystem::path& file, std::span<const Gaussian> gaussians,
                      std::span<const GaussianNumber> ids = {});

@@ -93,7 +93,8 @@ ToGaussians from_points(const std::filesystem::path& file, const PlyFile::Elemen
 }  // namespace
 
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
-                                         std::vector<GaussianNumber>* ids, std::size_t max_count) {
+                                         std::vector<GaussianNumber>* ids, std::size_t max_count,
+                                         std::string_view number_name) {
   const std::string bytes = read_bytes(file);
   const PlyFile ply(file, bytes);
   const PlyFile::Element* vertices = ply.element("vertex");
@@ -107,7 +108,7 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
   const ToGaussians to_gaussians = splats ? *splats : from_points(file, *vertices);
   const auto optics_columns =
       splats ? std::nullopt : columns<6>(*vertices, gaussian_columns::optics_names);
-  const auto id = columns<1>(*vertices, {gaussian_columns::id_name});
+  const auto id = columns<1>(*vertices, {number_name});
   std::vector<Gaussian> gaussians;
   ply.for_each_row(
       [&](const PlyFile::Element& element, std::uint64_t index, const PlyFile::Row& row) {
@@ -141,8 +142,9 @@ std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
         if (!ids || !id || splats) return;
         const double number = row.scalars[(*id)[0]];
         if (!gaussian_columns::is_id(number)) {
-          throw InputError(file, "vertex " + std::to_string(index),
-                           "id: " + gaussian_columns::id_domain.refusal(number));
+          throw InputError(
+              file, "vertex " + std::to_string(index),
+              std::string(number_name) + ": " + gaussian_columns::id_domain.refusal(number));
         }
         ids->push_back(static_cast<GaussianNumber>(number));
       });

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/limits.h"
@@ -22,7 +23,8 @@ namespace brume {
 // refused.
 std::vector<Gaussian> read_gaussians_ply(const std::filesystem::path& file,
                                          std::vector<GaussianNumber>* ids = nullptr,
-                                         std::size_t max_count = limits::gaussians);
+                                         std::size_t max_count = limits::gaussians,
+                                         std::string_view number_name = "id");
 
 // Writes binary little-endian PLY in double precision, lossless, with ids if given (as many as
 // Gaussians).

@@ -11,22 +11,6 @@
 namespace brume {
 namespace {
 
-bool is_name(const std::string& text) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  return !text.empty() && text.size() <= limits::name_length &&
-         std::none_of(text.begin(), text.end(), is_control);
-}
-
-std::string read_name(JsonObject& object, std::optional<std::string> fallback) {
-  std::string name = object.text("name", std::move(fallback));
-  if (!is_name(name)) {
-    object.fail("name", "found " + quoted_text(name) + "; allowed: a name of 1 to " +
-                            std::to_string(limits::name_length) +
-                            " bytes without control characters");
-  }
-  return name;
-}
-
 void read_values(JsonObject& object, Camera& camera) {
   camera.eye = object.vector("eye", domain::coordinate, camera.eye);
   camera.target = object.vector("target", domain::coordinate, camera.target);
@@ -44,7 +28,7 @@ NamedCamera read_camera(JsonContext& context, const Json& value, const JsonPath&
                         std::optional<std::string> default_name, UnknownKeys& unknown_keys) {
   JsonObject object(context, value, path);
   NamedCamera camera;
-  camera.name = read_name(object, std::move(default_name));
+  camera.name = object.name(std::move(default_name));
   read_values(object, camera.camera);
   unknown_keys.add(camera.id, "keys",
                    read_keys_member(context, object, unknown_keys, [&](auto&& visit) {

@@ -122,13 +122,15 @@ std::string JsonObject::text(std::string_view key, std::optional<std::string> fa
   return value->get<std::string>();
 }
 
-std::string JsonObject::name() {
-  std::string name = text("name", "");
-  const bool has_control = std::ranges::any_of(name, [](unsigned char c) { return c < 32; });
-  if (name.size() > limits::name || has_control) {
-    fail("name", "found " + std::to_string(name.size()) + " bytes" +
-                     (has_control ? " with control characters" : "") + "; allowed: at most " +
-                     std::to_string(limits::name) + ", without control characters");
+std::string JsonObject::name(std::optional<std::string> fallback) {
+  const std::size_t shortest = fallback && fallback->empty() ? 0 : 1;
+  std::string name = text("name", std::move(fallback));
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (name.size() < shortest || name.size() > limits::name_length ||
+      std::ranges::any_of(name, is_control)) {
+    fail("name", "found " + quoted_text(name) + "; allowed: a name of " + std::to_string(shortest) +
+                     " to " + std::to_string(limits::name_length) +
+                     " bytes without control characters");
   }
   return name;
 }

@@ -77,9 +77,9 @@ class JsonObject {
                     std::optional<glm::dvec3> fallback);
   bool boolean(std::string_view key, bool fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
-  // The member `name`, if there is one: what an object is called, up to limits::name bytes, without
-  // control characters.
-  std::string name();
+  // The member `name`: what an object is called, up to limits::name_length bytes without control
+  // characters; not empty, unless the fallback is.
+  std::string name(std::optional<std::string> fallback);
   // Index of the text in `allowed`.
   std::size_t choice(std::string_view key, const std::vector<std::string>& allowed,
                      std::optional<std::size_t> fallback);

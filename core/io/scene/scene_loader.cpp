@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/scene/camera_json.h"
+#include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
 #include "core/io/scene/output_json.h"
@@ -103,6 +104,9 @@ class SceneLoader {
   void load_medium(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
     scene_.medium.set_homogeneous_density(object.number("density", domain::density, 0.0));
+    load_elements(object, "groups", limits::groups, &SceneLoader::load_group);
+    read_parents(context_, object.array("groups", limits::groups), object.path_of("groups"),
+                 scene_.groups);
     const JsonPath gaussians = object.path_of("gaussians");
     budget_.reserve_gaussians(gaussians, object.array("gaussians", limits::gaussians).size());
     load_elements(object, "gaussians", limits::gaussians, &SceneLoader::load_gaussian);
@@ -128,7 +132,17 @@ class SceneLoader {
     gaussian.radius = object.number("radius", domain::length, {});
     gaussian.density = object.number("density", domain::density, {});
     gaussian.optics = load_optics(object);
+    gaussian.group = read_group_name(object, "group", scene_.groups);
     unknown_keys_.add_of_gaussian(scene_.medium.append(gaussian), object.unknown_keys());
+  }
+
+  void load_group(const Json& value, const JsonPath& path) {
+    JsonObject object(context_, value, path);
+    Group group = read_group(object, scene_.groups);
+    unknown_keys_.add(group.object_id, "keys",
+                      load_keys(object, [&](auto&& visit) { visit_keyed_group(group, visit); }));
+    unknown_keys_.add(group.object_id, "", object.unknown_keys());
+    scene_.groups.push_back(std::move(group));
   }
 
   // Of a Gaussian, or of an emitter's.
@@ -143,8 +157,8 @@ class SceneLoader {
     const JsonPath path = object.path_of("file");
     auto loaded = std::make_shared<MediumFile>();
     loaded->file = references_.resolve(context_, path, object.text("file", {}));
-    loaded->gaussians =
-        references_.gaussians(context_, path, loaded->file, budget_.gaussians_left());
+    loaded->gaussians = references_.gaussians(context_, path, loaded->file,
+                                              budget_.gaussians_left(), scene_.groups.size());
     budget_.reserve_gaussians(path, loaded->gaussians.size());
     Medium& medium = scene_.medium;
     medium.reserve(medium.size() + loaded->gaussians.size());
@@ -168,7 +182,7 @@ class SceneLoader {
   void load_emitter(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
     Emitter emitter;
-    emitter.name = object.name();
+    emitter.name = object.name("");
     emitter.visible = object.boolean("visible", emitter.visible);
     emitter.locked = object.boolean("locked", emitter.locked);
     emitter.position = object.vector("position", domain::coordinate, {});
@@ -231,7 +245,7 @@ class SceneLoader {
     }
     if (type == 1) light.spot = load_cone(object);
     if (type <= 1) load_profile(object, light);
-    light.name = object.name();
+    light.name = object.name("");
     light.on = object.boolean("on", light.on);
     light.locked = object.boolean("locked", light.locked);
     unknown_keys_.add(light.id, "keys",
@@ -326,7 +340,7 @@ class SceneLoader {
   void load_surface(const Json& value, const JsonPath& path) {
     JsonObject object(context_, value, path);
     Surface surface;
-    surface.name = object.name();
+    surface.name = object.name("");
     load_mesh(object, surface);
     surface.translate = object.vector("translate", domain::coordinate, surface.translate);
     if (const Json* rotate = object.find("rotate")) {

@@ -150,9 +150,13 @@ std::shared_ptr<const TriangleMesh> SceneReferences::mesh(const JsonContext& con
 }
 
 std::vector<Gaussian> SceneReferences::gaussians(const JsonContext& context, const JsonPath& path,
-                                                 const fs::path& file, std::size_t max_gaussians) {
+                                                 const fs::path& file, std::size_t max_gaussians,
+                                                 std::size_t max_group) {
   if (is_missing(file)) return {};
-  return at_path(context, path, [&] { return read_gaussians(file, nullptr, max_gaussians); });
+  return at_path(context, path, [&] {
+    return max_group == 0 ? read_gaussians(file, nullptr, max_gaussians)
+                          : read_grouped_gaussians(file, max_gaussians, max_group);
+  });
 }
 
 std::shared_ptr<const RadianceMap> SceneReferences::radiance_map(const JsonContext& context,

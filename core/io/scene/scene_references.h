@@ -43,8 +43,11 @@ class SceneReferences {
   std::shared_ptr<const MeasuredBrdf> measured_brdf(const JsonContext& context,
                                                     const JsonPath& path,
                                                     const std::filesystem::path& file);
+  // Their groups are the numbers of the column `group`, at most `max_group`; without groups it is
+  // not read.
   std::vector<Gaussian> gaussians(const JsonContext& context, const JsonPath& path,
-                                  const std::filesystem::path& file, std::size_t max_gaussians);
+                                  const std::filesystem::path& file, std::size_t max_gaussians,
+                                  std::size_t max_group);
   std::shared_ptr<const RadianceMap> radiance_map(const JsonContext& context, const JsonPath& path,
                                                   const std::filesystem::path& file);
 

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/scene/camera_json.h"
+#include "core/io/scene/group_json.h"
 #include "core/io/scene/json_reader.h"
 #include "core/io/scene/keys_json.h"
 #include "core/io/scene/light_json.h"
@@ -12,16 +13,22 @@
 #include "core/io/scene/scene_names.h"
 #include "core/io/scene/scene_references.h"
 #include "core/scene/animation.h"
+#include "core/scene/group_effects.h"
 
 namespace brume {
 namespace fs = std::filesystem;
 namespace {
 
-// Whether the Gaussians that came from medium.file are still what they were.
-bool is_unchanged(const MediumFile& loaded, const Medium& medium) {
+// Whether the Gaussians that came from medium.file are still what they were, in groups that the
+// numbers of the file still mean.
+bool is_unchanged(const MediumFile& loaded, const Scene& scene) {
+  const auto is_in_place = [&scene](GroupId group) {
+    return group == 0 || (group <= scene.groups.size() && scene.groups[group - 1].id == group);
+  };
   for (std::size_t i = 0; i < loaded.ids.size(); ++i) {
-    const auto at = medium.index_of(loaded.ids[i]);
-    if (!at || medium.gaussian(*at) != loaded.gaussians[i]) return false;
+    const auto at = scene.medium.index_of(loaded.ids[i]);
+    if (!at || scene.medium.gaussian(*at) != loaded.gaussians[i]) return false;
+    if (!is_in_place(loaded.gaussians[i].group)) return false;
   }
   return true;
 }
@@ -68,6 +75,13 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
 
   Json object;
   object["density"] = medium.homogeneous_density();
+  for (const Group& group : scene.groups) {
+    Json entry = group_to_json(group, scene.groups);
+    add_keys(entry, unknown_keys, unknown_keys.of(group.object_id, "keys"),
+             [&group](auto&& visit) { visit_keyed_group(group, visit); });
+    add_unknown_keys(entry, unknown_keys.of(group.object_id, ""));
+    object["groups"].push_back(std::move(entry));
+  }
   Json& gaussians = object["gaussians"] = Json::array();
   for (std::size_t i = 0; i < medium.size(); ++i) {
     const GaussianId id = medium.ids()[i];
@@ -75,6 +89,7 @@ Json medium_to_json(const SceneDocument& document, const fs::path& directory) {
     const Gaussian g = medium.gaussian(i);
     Json entry{{"center", to_json(g.center)}, {"radius", g.radius}, {"density", g.density}};
     add_optics(entry, g.optics);
+    if (const Group* group = find_group(scene.groups, g.group)) entry["group"] = group->name;
     add_unknown_keys(entry, unknown_keys.of_gaussian(id));
     gaussians.push_back(std::move(entry));
   }
@@ -286,7 +301,7 @@ class Layout {
 
 bool refers_to_medium_file(const SceneDocument& document) {
   const std::shared_ptr<const MediumFile>& loaded = document.extras.medium_file;
-  return loaded != nullptr && is_unchanged(*loaded, document.scene.medium);
+  return loaded != nullptr && is_unchanged(*loaded, document.scene);
 }
 
 std::string document_to_json(const SceneDocument& document, const fs::path& directory) {

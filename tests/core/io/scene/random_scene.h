@@ -19,11 +19,14 @@ class RandomScene {
     scene.camera = {point(), point(), point(), number(1e-3, 179.0)};
     scene.film = {integer(1, 16384), integer(1, 16384)};
     scene.medium.set_homogeneous_density(maybe() ? number(0.0, 10.0) : 0.0);
+    if (maybe()) groups(scene.groups);
+    const auto count = static_cast<int>(scene.groups.size());
     for (int i = integer(0, 30); i > 0; --i) {
       GaussianOptics optics;
       if (maybe()) optics.albedo = glm::dvec3(1.0, number(0.01, 1), number(0.01, 1));
       if (maybe()) optics.emission = {number(0, 9), 0.0, number(0, 1e9)};
-      scene.medium.append({point(), std::exp(number(-20, 20)), std::exp(number(-30, 20)), optics});
+      scene.medium.append({point(), std::exp(number(-20, 20)), std::exp(number(-30, 20)), optics,
+                           static_cast<GroupId>(integer(0, count))});
     }
     if (maybe()) scene.optics.albedo = {number(0.01, 1), 1.0, number(0.01, 1)};
     if (maybe()) scene.optics.anisotropy = number(-0.95, 0.95);
@@ -158,6 +161,25 @@ class RandomScene {
   }
   glm::dvec3 up_to(double max_value, const glm::dvec3&) {
     return {number(0.01, max_value), number(0.01, max_value), number(0.01, max_value)};
+  }
+  void groups(std::vector<Group>& groups) {
+    for (int i = integer(1, 4); i > 0; --i) {
+      Group group{.id = static_cast<GroupId>(groups.size() + 1), .name = std::to_string(i)};
+      if (!groups.empty() && maybe()) group.parent = 1;
+      group.color = {number(0, 1), number(0, 1), 1.0};
+      group.visible = maybe();
+      group.locked = maybe();
+      if (maybe()) group.density_factor = number(0, 9);
+      if (maybe()) group.density_offset = number(-9, 9);
+      if (maybe()) group.radius_factor = number(0.1, 9);
+      if (maybe()) group.radius_offset = number(-9, 9);
+      if (maybe()) group.albedo_factor = {number(0, 9), 1.0, number(0, 9)};
+      if (maybe()) group.albedo_offset = {number(-1, 1), 0.0, number(-1, 1)};
+      keys(group.keys.density_factor, 9.0);
+      keys(group.keys.radius_offset, 9.0);
+      keys(group.keys.albedo_factor, 9.0);
+      groups.push_back(group);
+    }
   }
   template <class T>
   void keys(Keys<T>& keys, double max_value) {

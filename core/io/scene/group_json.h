@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/io/scene/keys_json.h"
+#include "core/scene/group.h"
+
+namespace brume {
+
+// Groups in scene files, but for their keyframes. They refer to each other by name.
+
+// Reads one that follows `groups`, but for its parent, which may come later.
+Group read_group(JsonObject& object, const std::vector<Group>& groups);
+// The parents of groups read from these elements of an array at `path`.
+void read_parents(JsonContext& context, const Json::array_t& elements, const JsonPath& path,
+                  std::vector<Group>& groups);
+// The id of the group that member `key` names; 0 if it is missing.
+GroupId read_group_name(JsonObject& object, const char* key, const std::vector<Group>& groups);
+
+Json group_to_json(const Group& group, const std::vector<Group>& groups);
+
+}  // namespace brume

@@ -1,0 +1,471 @@
+// Groups of Gaussians: made, nested, renamed, hidden and locked in the outliner, painted into, and
+// changed by factors with keyframes.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTreeWidget>
+#include <random>
+
+#include "app/commands/clipboard.h"
+#include "app/commands/edit_groups.h"
+#include "app/commands/edit_keys.h"
+#include "app/commands/edit_medium.h"
+#include "app/commands/select_command.h"
+#include "app/document/document.h"
+#include "app/document/timeline.h"
+#include "app/viewport/viewport.h"
+#include "app/window/message_bar.h"
+#include "core/io/scene/scene_file.h"
+#include "core/scene/at_time.h"
+#include "core/scene/group_effects.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+using Ids = std::vector<GaussianId>;
+
+std::string bytes_of(const Document& document) {
+  return document_to_json({document.scene(), document.extras()}, "/");
+}
+
+class GroupsWindow : public TestWindow {
+ public:
+  Document& document() { return (*this)->document(); }
+  const Groups& groups() { return document().scene().groups; }
+  QTreeWidget& tree() { return *(*this)->findChild<QTreeWidget*>("outliner_tree"); }
+  // The row of a name, which is followed by a number.
+  QTreeWidgetItem* row(const QString& name) {
+    const auto found = tree().findItems(name + " (", Qt::MatchStartsWith | Qt::MatchRecursive);
+    return found.isEmpty() ? nullptr : found.front();
+  }
+  QPoint position(const QString& name, int column = 0) {
+    QTreeWidgetItem* item = row(name);
+    tree().scrollToItem(item);
+    const int x = tree().columnViewportPosition(column) + tree().columnWidth(column) / 2;
+    return {x, tree().visualItemRect(item).center().y()};
+  }
+  void click(const QString& name, int column = 0) {
+    QTest::mouseClick(tree().viewport(), Qt::LeftButton, {}, position(name, column));
+  }
+  // Chooses from the context menu of a row; "Move into/a" from a menu in it.
+  bool choose(const QString& name, const QString& text) {
+    const QPoint at = position(name);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree().viewport()->mapToGlobal(at));
+    QApplication::sendEvent(tree().viewport(), &event);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QMenu* shown = menu;
+    for (const QString& part : text.split('/')) {
+      if (!shown) break;
+      for (QAction* action : shown->actions()) {
+        if (action->text() != part) continue;
+        if (action->menu()) {
+          shown = action->menu();
+          break;
+        }
+        const bool enabled = action->isEnabled();
+        if (enabled) action->trigger();
+        menu->close();
+        return enabled;
+      }
+    }
+    if (menu) menu->close();
+    return false;
+  }
+  // Types a name into the editor that is open.
+  void type_name(const QString& name) {
+    auto* editor = tree().findChild<QLineEdit*>("row_name");
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, name);
+    QTest::keyClick(editor, Qt::Key_Return);
+  }
+  void group(const Ids& ids) {
+    select_gaussians(document(), ids);
+    key(Qt::Key_G, Qt::ControlModifier);
+  }
+  Medium shown_medium() { return (*this)->viewport().shown_scene()->medium; }
+};
+
+// Makes the window of a test be left as it was opened once all is undone.
+#define VERIFY_UNDONE(window, before)            \
+  window.document().undo_stack().setIndex(0);    \
+  QCOMPARE(bytes_of(window.document()), before); \
+  QVERIFY(!window.document().is_modified())
+
+}  // namespace
+
+class GroupsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void the_selection_becomes_a_group() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    QVERIFY(!window.row("In no group"));
+    window.group({2, 4});
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Group 2 Gaussians"));
+    QCOMPARE(window.groups().size(), std::size_t{1});
+    QCOMPARE(members_of(window.document(), window.groups()[0].id), (Ids{2, 4}));
+    QVERIFY(window.row("Group"));
+    QCOMPARE(window.row("Group")->text(0), QString("Group (2)"));
+    QCOMPARE(window.row("In no group")->text(0), QString("In no group (3)"));
+    QVERIFY(window.row("Group")->font(0).bold());  // the active one
+    window.click("In no group");
+    QCOMPARE(window.document().selection(), (Ids{1, 3, 5}));
+    QVERIFY(!window.document().active_group());
+    QVERIFY(window.row("In no group")->font(0).bold());
+    window.click("Group");
+    QCOMPARE(window.document().selection(), (Ids{2, 4}));
+    QCOMPARE(window.document().active_group(), &window.groups()[0]);
+    QCOMPARE(window->findChild<QComboBox*>("group")->currentText(), QString("Group"));
+    // A group of part of it is in it.
+    window.group({4});
+    QCOMPARE(window.groups()[1].parent, window.groups()[0].id);
+    QCOMPARE(window.row("Group 2")->parent(), window.row("Group"));
+    QCOMPARE(window.row("Group")->text(0), QString("Group (2)"));
+    window.click("Group");
+    QCOMPARE(window.document().selection(), (Ids{2, 4}));
+    // No deeper than that.
+    window.group({4});
+    QCOMPARE(window.groups().back().parent, window.groups()[0].id);
+    window.group({});
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Add group"));
+    QVERIFY(window.settle());
+    VERIFY_UNDONE(window, before);
+    QVERIFY(!window.document().active_group());
+  }
+
+  void ungroup() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    window.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);  // of nothing
+    QCOMPARE(window.document().undo_stack().count(), 0);
+    window.group({1, 2, 3});
+    window.group({3});
+    select_gaussians(window.document(), {2, 3});
+    window.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Ungroup 2 Gaussians"));
+    QCOMPARE(window.groups().size(), std::size_t{1});  // the inner one is empty, and gone
+    QCOMPARE(members_of(window.document(), window.groups()[0].id), (Ids{1, 3}));
+    QVERIFY(window.choose("Group", "Ungroup"));
+    QVERIFY(window.groups().empty());
+    QCOMPARE(window.document().medium().size(), std::size_t{5});
+    VERIFY_UNDONE(window, before);
+  }
+
+  void delete_takes_the_gaussians_along() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    window.group({1, 2, 3});
+    window.group({3});
+    window.group({5});
+    window.click("Group");
+    QTest::keyClick(&window.tree(), Qt::Key_Delete);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Delete Group"));
+    QCOMPARE(window.groups().size(), std::size_t{1});
+    QCOMPARE(window.document().medium().size(), std::size_t{2});
+    window.document().undo_stack().undo();
+    QCOMPARE(window.document().selection(), (Ids{1, 2, 3}));
+    QVERIFY(window.choose("Group 3", "Delete with Gaussians"));
+    QCOMPARE(window.document().medium().size(), std::size_t{4});
+    // Those in no group are none that could be deleted as one.
+    window.click("In no group");
+    QTest::keyClick(&window.tree(), Qt::Key_Delete);
+    QCOMPARE(window.document().medium().size(), std::size_t{4});
+    VERIFY_UNDONE(window, before);
+  }
+
+  void rename_in_place() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    window.group({1});
+    window.group({2});
+    window.click("Group");
+    QTest::keyClick(&window.tree(), Qt::Key_F2);
+    window.type_name("  ground  mist ");
+    QTRY_VERIFY(window.row("ground mist"));
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Rename Group to ground mist"));
+    QCOMPARE(window.tree().currentItem(), window.row("ground mist"));
+    // A name that another has gets a number.
+    window.click("Group 2");
+    QTest::mouseDClick(window.tree().viewport(), Qt::LeftButton, {}, window.position("Group 2"));
+    window.type_name("ground mist");
+    QTRY_VERIFY(window.row("ground mist 2"));
+    const int count = window.document().undo_stack().count();
+    QVERIFY(window.choose("ground mist", "Rename"));
+    window.type_name(" ");
+    QTest::qWait(1);
+    QCOMPARE(window.document().undo_stack().count(), count);
+    QVERIFY(window.row("ground mist"));
+    // Other rows have no names to change.
+    QTest::keyClick(&window.tree(), Qt::Key_Home);
+    QTest::keyClick(&window.tree(), Qt::Key_F2);
+    QVERIFY(!window.tree().findChild<QLineEdit*>("row_name"));
+    VERIFY_UNDONE(window, before);
+  }
+
+  void the_eye_hides_and_shows() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    window.group({1, 2, 3});
+    window.group({3});
+    select_all(window.document());
+    window.click("Group", 1);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Hide Group"));
+    QCOMPARE(window.shown_medium().size(), std::size_t{2});
+    QCOMPARE(window.document().selection(), (Ids{4, 5}));
+    QVERIFY(!window.document().is_editable(3));
+    QCOMPARE(evaluate_at(window.document().scene(), 0.0).medium, window.shown_medium());
+    QVERIFY(!window->viewport().handles().pick(window.handle(0)));
+    QVERIFY(window.settle());
+    // Hidden ones of their own stay hidden when the group is shown.
+    window.document().hide({2, 4});
+    QCOMPARE(window.shown_medium().size(), std::size_t{1});
+    window.click("Group", 1);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Show Group"));
+    QCOMPARE(window.shown_medium().size(), std::size_t{3});
+    window.document().hide({});
+    QCOMPARE(window.shown_medium().size(), std::size_t{5});
+    window.click("Group 2", 1);
+    QCOMPARE(window.shown_medium().size(), std::size_t{4});
+    // The file has it.
+    window.document().save(window.file("hidden.brume"));
+    QVERIFY(!load_scene(window.file("hidden.brume")).groups[1].visible);
+    window.document().undo_stack().setIndex(0);
+    QCOMPARE(bytes_of(window.document()), before);
+  }
+
+  void the_lock_keeps_from_selecting_and_erasing() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    window.group({1, 2});
+    window.click("Group", 2);
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Lock Group"));
+    QVERIFY(window.document().selection().empty());
+    QCOMPARE(window.shown_medium().size(), std::size_t{5});
+    select_all(window.document());
+    QCOMPARE(window.document().selection(), (Ids{3, 4, 5}));
+    QVERIFY(!window->viewport().handles().pick(window.handle(0)));
+    window.click("Group");
+    QVERIFY(window.document().selection().empty());
+    // What moves into it is locked too.
+    select_gaussians(window.document(), {3});
+    QVERIFY(window.choose("Group", "Move Selection Here"));
+    QVERIFY(window.document().selection().empty());
+    QVERIFY(!window.document().is_editable(3));
+    window.click("Group", 2);
+    QVERIFY(window.document().is_editable(3));
+    VERIFY_UNDONE(window, before);
+  }
+
+  void brushes_paint_into_the_active_group() {
+    GroupsWindow window;
+    Document& document = window.document();
+    const std::string before = bytes_of(document);
+    window.group({1});
+    const GroupId group = window.groups()[0].id;
+    const auto last_group = [&] { return document.medium().group(document.medium().size() - 1); };
+    window.key(Qt::Key_B);
+    const QPoint at(300, 300);
+    window.drag(at, at + QPoint(80, 0));
+    QVERIFY(document.medium().size() > 6);
+    QCOMPARE(last_group(), group);
+    window.key(Qt::Key_A, Qt::ShiftModifier);  // Add Gaussian
+    QCOMPARE(last_group(), group);
+    select_gaussians(document, {2});
+    window.key(Qt::Key_C, Qt::ControlModifier);
+    window.key(Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(last_group(), group);
+    // A duplicate is where its original is.
+    select_gaussians(document, {2});
+    window.key(Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(last_group(), GroupId{0});
+    window.click("In no group");
+    window.key(Qt::Key_A, Qt::ShiftModifier);
+    QCOMPARE(last_group(), GroupId{0});
+    // Nothing comes into what cannot be seen or touched.
+    window.click("Group");
+    for (const int column : {1, 2}) {
+      window.click("Group", column);
+      const std::size_t count = document.medium().size();
+      window.drag(at, at + QPoint(80, 0));
+      window.key(Qt::Key_A, Qt::ShiftModifier);
+      window.key(Qt::Key_V, Qt::ControlModifier);
+      QCOMPARE(document.medium().size(), count);
+      QVERIFY(window->findChild<MessageBar*>()->isVisible());
+      window.click("Group", column);
+    }
+    VERIFY_UNDONE(window, before);
+  }
+
+  void groups_go_into_groups_once() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    for (const GaussianId id : {1, 2, 3}) window.group({id});
+    QVERIFY(window.choose("Group 2", "Move into/Group"));
+    QCOMPARE(window.groups()[1].parent, window.groups()[0].id);
+    QVERIFY(!window.choose("Group", "Move into/Group 3"));    // it has one in it
+    QVERIFY(!window.choose("Group 3", "Move into/Group 2"));  // that is in one
+    QVERIFY(!window.choose("Group 3", "Move out of Group"));
+    QVERIFY(window.choose("Group 2", "Move out of Group"));
+    QCOMPARE(window.groups()[1].parent, GroupId{0});
+    QVERIFY(window.choose("Group", "Move into/Group 3"));
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Move Group into Group 3"));
+    VERIFY_UNDONE(window, before);
+  }
+
+  void factors_and_offsets() {
+    GroupsWindow window;
+    Document& document = window.document();
+    const std::string before = bytes_of(document);
+    QVERIFY(!window->findChild<QLabel*>("group_hint")->isHidden());
+    window.group({1, 2});
+    QVERIFY(window->findChild<QLabel*>("group_hint")->isHidden());
+    window.click("Group");
+    const Medium plain = document.medium();
+    QCOMPARE(value(window, "group_density_factor"), QString("1"));
+    enter(window, "group_density_factor", "2");
+    QCOMPARE(document.undo_stack().undoText(), QString("Set density factor of Group"));
+    enter(window, "group_radius_offset", "0.1");
+    enter(window, "group_albedo_factor_y", "0.5");
+    QCOMPARE(document.medium().revision(), plain.revision());
+    const Medium shown = window.shown_medium();
+    QCOMPARE(shown.densities()[0], 2.0 * plain.densities()[0]);
+    QCOMPARE(shown.radii()[1], plain.radii()[1] + 0.1);
+    QCOMPARE(shown.optics(0).albedo->y, 0.5);
+    QCOMPARE(shown.gaussian(2), plain.gaussian(2));
+    QCOMPARE(shown, evaluate_at(document.scene(), 0.0).medium);
+    enter(window, "group_radius_factor", "0");  // refused
+    QCOMPARE(window.groups()[0].radius_factor, 1.0);
+    // A drag is one step.
+    const int count = document.undo_stack().count();
+    drag_title(window, "group_density_factor", 40);
+    QCOMPARE(document.undo_stack().count(), count + 1);
+    QVERIFY(window.groups()[0].density_factor > 2.0);
+    // What does not change the picture leaves the medium of frames as it is.
+    const Revision revision = window.shown_medium().revision();
+    window.click("Group", 2);
+    rename_group(document, window.groups()[0].id, "steam");
+    QCOMPARE(window.shown_medium().revision(), revision);
+    QVERIFY(window.settle());
+    VERIFY_UNDONE(window, before);
+    QCOMPARE(window.shown_medium(), document.medium());
+  }
+
+  void factors_have_keyframes() {
+    GroupsWindow window;
+    Document& document = window.document();
+    window.group({1});
+    window.click("Group");
+    auto* target = window->findChild<QComboBox*>("key_target");
+    const int index = target->findText("Group density factor");
+    QVERIFY(index >= 0);
+    target->setCurrentIndex(index);
+    window.key(Qt::Key_I);
+    window->timeline().set_frame(30);
+    enter(window, "group_density_factor", "3");
+    window.key(Qt::Key_I);
+    QCOMPARE(window.groups()[0].keys.density_factor.size(), std::size_t{2});
+    const double density = document.medium().densities()[0];
+    QCOMPARE(window.shown_medium().densities()[0], 3.0 * density);
+    window->timeline().set_frame(15);
+    QCOMPARE(window.shown_medium().densities()[0], 2.0 * density);
+    QCOMPARE(value(window, "group_density_factor"), QString("2"));
+    // From then on what is entered is a keyframe.
+    enter(window, "group_density_factor", "5");
+    QCOMPARE(window.groups()[0].keys.density_factor.size(), std::size_t{3});
+    window->timeline().set_frame(0);
+    QCOMPARE(window.shown_medium().densities()[0], density);
+    document.undo_stack().undo();
+    QCOMPARE(window.groups()[0].keys.density_factor.size(), std::size_t{2});
+  }
+
+  // Random sequences of all that is done with groups, among what else is done with Gaussians.
+  void any_edit_can_be_undone_and_redone() {
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+      std::mt19937 random(seed);
+      const auto below = [&](std::size_t count) { return random() % count; };
+      Document document;
+      Scene scene = small_scene();
+      scene.groups = {{.id = 3, .name = "a"}, {.id = 7, .name = "b", .parent = 3}};
+      document.open(SceneDocument(scene), {});
+      const std::string before = bytes_of(document);
+      const auto some_group = [&]() -> GroupId {
+        const Groups& groups = document.scene().groups;
+        return groups.empty() || below(8) == 0 ? static_cast<GroupId>(below(9))
+                                               : groups[below(groups.size())].id;
+      };
+      const auto act = [&] {
+        switch (below(16)) {
+          case 0:
+          case 1: {
+            Ids ids;
+            for (const GaussianId id : document.medium().ids()) {
+              if (below(2) == 0) ids.push_back(id);
+            }
+            return select_gaussians(document, ids);
+          }
+          case 2:
+            return group_selection(document);
+          case 3:
+            return ungroup_selection(document);
+          case 4:
+            return move_selection_to_group(document, some_group());
+          case 5:
+            return dissolve_group(document, some_group());
+          case 6:
+            return below(3) == 0 ? delete_group(document, some_group()) : void();
+          case 7:
+            return rename_group(document, some_group(), below(2) == 0 ? "a" : "b");
+          case 8:
+            return nest_group(document, some_group(), below(2) == 0 ? some_group() : 0);
+          case 9:
+            return change_group(document, some_group(), "Hide %1", no_merge,
+                                [](Group& g) { g.visible = !g.visible; });
+          case 10:
+            return change_group(document, some_group(), "Lock %1", no_merge,
+                                [](Group& g) { g.locked = !g.locked; });
+          case 11:
+            return change_group(document, some_group(), "Set %1", 12, [&](Group& g) {
+              g.density_factor = static_cast<double>(below(4));
+            });
+          case 12:
+            return select_group(document, some_group());
+          case 13:
+            return add_gaussian(document, {{1, 2, 3}, 1.0, 1.0});
+          case 14:
+            return below(4) == 0 ? delete_selection(document, "Delete")
+                                 : duplicate_selection(document, {1, 0, 0});
+          default: {
+            const std::vector<Track> rows = tracks(document.scene());
+            return set_keys(document, rows[below(rows.size())]);
+          }
+        }
+      };
+      for (int k = 0; k < 60; ++k) {
+        act();
+        if (below(6) == 0) document.undo_stack().undo();
+        if (below(9) == 0) document.undo_stack().redo();
+        // What views show is what the scene is, but for what is hidden by itself.
+        const Scene shown = evaluate_at(document.scene(), document.time());
+        QVERIFY2(document.visible_snapshot()->medium == shown.medium,
+                 qPrintable(QString::number(seed)));
+        for (const GaussianId id : document.selection()) QVERIFY(document.is_editable(id));
+      }
+      const std::string after = bytes_of(document);
+      const int index = document.undo_stack().index();
+      document.undo_stack().setIndex(0);
+      QVERIFY2(bytes_of(document) == before, qPrintable(QString::number(seed)));
+      QVERIFY(!document.is_modified());
+      document.undo_stack().setIndex(index);
+      QVERIFY2(bytes_of(document) == after, qPrintable(QString::number(seed)));
+    }
+  }
+};
+
+BRUME_APP_SUITE("groups", GroupsTest)
+#include "groups_test.moc"
