@@ -1,0 +1,188 @@
+// How soon designers see what they do: wall time from events of mouse and keys to pictures on
+// screen, no display needed (QT_QPA_PLATFORM=offscreen). The scene: 48 Gaussians, a mesh of 2,503
+// vertices, an environment, a light, an emitter. Beside milliseconds it prints what part that is of
+// the picture at rest, measured in the same run, and how wrong that picture is.
+//   benchmark_gestures [REPEATS]
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <vector>
+
+#include "app/document/document.h"
+#include "app/document/paths.h"
+#include "app/document/timeline.h"
+#include "app/files/scene_files.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/viewport.h"
+#include "app/widgets/application.h"
+#include "core/io/image/radiance_map_file.h"
+#include "core/io/mesh/mesh_file.h"
+#include "core/io/scene/scene_file.h"
+#include "tests/app/test_window.h"
+#include "tests/random.h"
+
+using namespace brume;
+
+namespace {
+
+Scene designers_scene() {
+  Scene scene = small_scene();
+  scene.medium = {};
+  Random random(1);
+  for (int k = 0; k < 48; ++k) {
+    scene.medium.append({random.point(1.0), random.uniform(0.2, 0.5), random.uniform(0.1, 0.6)});
+  }
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.mesh_file = BRUME_RESOURCES "/meshes/bunny.obj";
+  surface.mesh = read_mesh(surface.mesh_file);
+  Environment environment;
+  environment.file = BRUME_RESOURCES "/environments/sunset.exr";
+  environment.map = read_radiance_map(environment.file);
+  environment.intensity = 0.3;
+  scene.environment = environment;
+  Emitter emitter;
+  emitter.position = {0.5, 0.0, 0.5};
+  scene.emitters.push_back(emitter);
+  return scene;
+}
+
+class Gestures {
+ public:
+  Gestures(MainWindow& window, int repeats)
+      : window_(window), view_(window.viewport()), repeats_(repeats) {
+    QObject::connect(&view_.frames(), &FrameScheduler::frame_shown, &view_, [this] { ++frames_; });
+  }
+
+  void run() {
+    settle();
+    at_rest_ = view_.frames().shown()->milliseconds;
+    const auto& quality = view_.frames().quality();
+    std::printf("picture at rest: %.0f ms, relative RMSE %.4f (bound %.2f)\n", at_rest_,
+                quality.error() ? quality.error()->rel_rmse : -1.0, quality.max_error());
+    std::printf("%-34s first picture [ms]: median, worst, of rest | pictures/s | settled [s]\n",
+                "");
+    const QPoint middle = view_.rect().center();
+    gesture("orbit", Qt::MiddleButton, middle);
+    choose("paintbrush");
+    gesture("paint", Qt::LeftButton, middle);
+    choose("eraser");
+    gesture("erase", Qt::LeftButton, middle);
+    choose("select");
+    const glm::dvec3 light = view_.rays().project(window_.document().scene().lights[0].position);
+    gesture("drag a light", Qt::LeftButton, QPointF(light.x, light.y).toPoint());
+    play();
+    window_.document().undo_stack().clear();
+  }
+
+ private:
+  void choose(const char* name) {
+    const auto& entries = window_.tools().entries();
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      if (entries[k].name == name) window_.tools().activate(k);
+    }
+  }
+
+  void settle() {
+    while (!view_.frames().is_measured()) QTest::qWait(5);
+  }
+
+  // The next picture that is shown, at most ten seconds later.
+  double next_picture() {
+    QElapsedTimer timer;
+    timer.start();
+    const int before = frames_;
+    while (frames_ == before && timer.elapsed() < 10'000) QCoreApplication::processEvents();
+    return 1e-6 * static_cast<double>(timer.nsecsElapsed());
+  }
+
+  void send_move(QPointF at, Qt::MouseButton button) {
+    QMouseEvent move(QEvent::MouseMove, at, view_.mapToGlobal(at), Qt::NoButton, button, {});
+    QApplication::sendEvent(&view_, &move);
+    view_.finish_input();
+  }
+
+  void gesture(const char* name, Qt::MouseButton button, QPoint start) {
+    constexpr int duration = 2000;  // milliseconds
+    std::vector<double> first;
+    double pictures = 0.0;
+    double settled = 0.0;
+    for (int k = 0; k < repeats_; ++k) {
+      settle();
+      QTest::mouseMove(&view_, start);
+      QTest::mousePress(&view_, button, {}, start);
+      QCoreApplication::processEvents();
+      send_move(start + QPoint(6, 2), button);
+      first.push_back(next_picture());
+      QElapsedTimer timer;
+      timer.start();
+      const int before = frames_;
+      int step = 0;
+      while (timer.elapsed() < duration) {
+        ++step;
+        send_move(start + QPointF(6 + 60.0 * std::sin(0.05 * step), 2 + 0.2 * step), button);
+        QTest::qWait(8);
+      }
+      pictures += 1e3 * (frames_ - before) / duration;
+      QTest::mouseRelease(&view_, button, {}, start);
+      timer.restart();
+      while (!view_.frames().is_settled()) QCoreApplication::processEvents();
+      settled += 1e-3 * static_cast<double>(timer.elapsed());
+    }
+    print(name, first, pictures / repeats_, settled / repeats_);
+  }
+
+  void play() {
+    constexpr int duration = 4000;  // milliseconds
+    settle();
+    QElapsedTimer timer;
+    timer.start();
+    window_.timeline().play();
+    const double first = next_picture();
+    const int before = frames_;
+    timer.restart();
+    while (timer.elapsed() < duration) QTest::qWait(5);
+    const double pictures = 1e3 * (frames_ - before) / duration;
+    window_.timeline().stop();
+    timer.restart();
+    while (!view_.frames().is_settled()) QCoreApplication::processEvents();
+    print("play an emitter", {first}, pictures, 1e-3 * static_cast<double>(timer.elapsed()));
+  }
+
+  void print(const char* name, std::vector<double> first, double pictures, double settled) const {
+    std::sort(first.begin(), first.end());
+    const double median = first[first.size() / 2];
+    std::printf("  %-32s %20.0f %7.0f %7.2f      %12.1f   %10.2f\n", name, median, first.back(),
+                median / at_rest_, pictures, settled);
+    std::fflush(stdout);
+  }
+
+  MainWindow& window_;
+  Viewport& view_;
+  int repeats_;
+  int frames_ = 0;
+  double at_rest_ = 0.0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const QTemporaryDir settings;
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) {
+    qputenv(name, settings.path().toUtf8());
+  }
+  prepare_application();
+  QApplication application(argc, argv);
+  set_up_application(application);
+  const std::filesystem::path file = to_path(settings.filePath("scene.brume"));
+  save_document(designers_scene(), file);
+  MainWindow window;
+  window.resize(1280, 800);
+  window.show();
+  window.files().open_file(file);
+  while (window.files().loading().is_running()) QTest::qWait(5);
+  Gestures(window, argc > 1 ? std::max(1, std::atoi(argv[1])) : 3).run();
+  return 0;
+}
