@@ -26,6 +26,7 @@
 #include "app/viewport/view_grid.h"
 #include "app/widgets/application.h"
 #include "app/widgets/keys.h"
+#include "app/window/group_menu.h"
 #include "app/window/help_windows.h"
 #include "app/window/main_window.h"
 
@@ -125,6 +126,10 @@ void MainWindow::create_actions() {
   select->addSeparator();
   add(select, tr("Gr&oup Selection"), "select.group", [this] { group_selection(document_); });
   add(select, tr("Ungroup S&election"), "select.ungroup", [this] { ungroup_selection(document_); });
+  QMenu* to_group = select->addMenu(tr("Mo&ve to Group"));
+  to_group->setObjectName("move_to_group");
+  connect(to_group, &QMenu::aboutToShow, this,
+          [this, to_group] { fill_group_menu(*to_group, document_); });
   select->addSeparator();
   add(select, tr("&Hide"), "select.hide",
       [this] { document_.hide(joined(document_.hidden(), document_.selection())); });
