@@ -12,10 +12,14 @@ void EditGesture::begin() {
 }
 
 void EditGesture::apply(MediumEdit edit, const QString& text) {
+  apply(std::move(edit), [&text](const MediumEdit&) { return text; });
+}
+
+void EditGesture::apply(MediumEdit edit, const std::function<QString(const MediumEdit&)>& text) {
   if (!running_ || edit.empty()) return;
   if (!has_room(document_, edit.added().size(), edit.removed().size())) return;
   edit_.merge(edit);
-  push(std::move(edit), text);
+  push(std::move(edit), text(edit_));
 }
 
 void EditGesture::cancel() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "app/commands/medium_command.h"
 
 namespace brume {
@@ -14,6 +16,8 @@ class EditGesture {
   void begin();
   // Applies an edit if the Gaussian budget allows; `text` names the whole step.
   void apply(MediumEdit edit, const QString& text);
+  // The same, with a text made of the merged edit.
+  void apply(MediumEdit edit, const std::function<QString(const MediumEdit&)>& text);
   void cancel();  // reverts everything and removes the step
   void end() { running_ = false; }
 

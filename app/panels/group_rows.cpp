@@ -72,7 +72,9 @@ void GroupRows::show_state(QTreeWidgetItem& item, GroupId id) {
   }
   item.setFlags(item.flags() | Qt::ItemIsEditable);
   item.setData(name_column, NameDelegate::name_role, name_of(*group));
-  item.setIcon(name_column, QIcon(color_swatch(group->color)));
+  QIcon swatch(color_swatch(group->color));
+  swatch.addPixmap(color_swatch(group->color), QIcon::Selected);  // else tinted
+  item.setIcon(name_column, swatch);
   item.setToolTip(name_column,
                   plain_tool_tip(tr("%1: a click selects its Gaussians, and brushes paint into it. "
                                     "Double click or F2 renames it.")

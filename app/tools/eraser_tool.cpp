@@ -84,12 +84,11 @@ void EraserTool::touch(const std::vector<QPointF>& places) {
   for (const QPointF place : places) {
     cones.push_back({rays.eye(), rays.direction(place.x(), place.y()), cone_slope(rays)});
   }
-  MediumEdit all = gesture_.edit();
   MediumEdit edit = stroke_->touch(document_.medium(), cones,
                                    [this](GaussianId id) { return document_.is_editable(id); });
-  all.merge(edit);
-  const std::size_t count = all.changed().size() + all.removed().size();
-  gesture_.apply(std::move(edit), tr("Erase %1").arg(gaussians_text(count)));
+  gesture_.apply(std::move(edit), [](const MediumEdit& all) {
+    return tr("Erase %1").arg(gaussians_text(all.changed().size() + all.removed().size()));
+  });
 }
 
 double EraserTool::cone_slope(const CameraRays& rays) const {

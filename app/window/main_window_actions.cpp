@@ -28,6 +28,7 @@
 #include "app/window/command_search.h"
 #include "app/window/fog_menu.h"
 #include "app/window/ground_grid_action.h"
+#include "app/window/group_menu.h"
 #include "app/window/help_windows.h"
 #include "app/window/main_window.h"
 #include "app/window/menu_action.h"
@@ -134,6 +135,10 @@ void MainWindow::create_actions() {
   select->addSeparator();
   add(select, tr("Gr&oup Selection"), "select.group", [this] { group_selection(document_); });
   add(select, tr("Ungroup S&election"), "select.ungroup", [this] { ungroup_selection(document_); });
+  QMenu* to_group = select->addMenu(tr("Mo&ve to Group"));
+  to_group->setObjectName("move_to_group");
+  connect(to_group, &QMenu::aboutToShow, this,
+          [this, to_group] { fill_group_menu(*to_group, document_); });
   select->addSeparator();
   add(select, tr("&Hide"), "select.hide", [this] {
     if (document_.object()) return show_object(document_, *document_.object(), false);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace brume {
 namespace {
@@ -43,7 +44,7 @@ class IndexFinder {
 
 template <class T>
 void by_id(std::vector<T>& entries) {
-  std::sort(entries.begin(), entries.end(), [](const T& a, const T& b) { return a.id < b.id; });
+  if (!std::ranges::is_sorted(entries, {}, &T::id)) std::ranges::sort(entries, {}, &T::id);
 }
 
 }  // namespace
@@ -168,11 +169,27 @@ void MediumEdit::apply(Medium& medium) const {
 
 std::vector<MediumEdit::Step> MediumEdit::steps() const {
   std::vector<Step> steps;
-  steps.reserve(added_.size() + removed_.size() + changed_.size());
-  for (const Entry& e : added_) steps.push_back({e.id, std::nullopt, e.gaussian});
-  for (const Entry& e : removed_) steps.push_back({e.id, e.gaussian, std::nullopt});
-  for (const Change& c : changed_) steps.push_back({c.id, c.before, c.after});
-  by_id(steps);
+  const std::size_t count = added_.size() + removed_.size() + changed_.size();
+  steps.reserve(count);
+  auto added = added_.begin();
+  auto removed = removed_.begin();
+  auto changed = changed_.begin();
+  const auto id_of = [](auto entry, const auto& entries) {
+    return entry == entries.end() ? std::numeric_limits<GaussianId>::max() : entry->id;
+  };
+  while (steps.size() < count) {
+    const GaussianId a = id_of(added, added_);
+    const GaussianId r = id_of(removed, removed_);
+    const GaussianId c = id_of(changed, changed_);
+    if (a < r && a < c) {
+      steps.push_back({a, std::nullopt, added++->gaussian});
+    } else if (r < c) {
+      steps.push_back({r, removed++->gaussian, std::nullopt});
+    } else {
+      steps.push_back({c, changed->before, changed->after});
+      ++changed;
+    }
+  }
   return steps;
 }
 

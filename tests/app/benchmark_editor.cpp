@@ -181,6 +181,8 @@ class Benchmark {
     QTest::mouseRelease(title, Qt::LeftButton, {}, {90, 2});
     stroke(window, "paintbrush", "paintbrush into a group: a step");
     measure("undo the stroke", 1, [&](int) { window.document().undo_stack().undo(); });
+    stroke(window, "eraser", "eraser: a step");
+    measure("undo the stroke", 1, [&](int) { window.document().undo_stack().undo(); });
     const auto menu = [&window](const char* name) { window.findChild<QAction*>(name)->trigger(); };
     measure("group the selection", 3, [&](int k) {
       click(k, 0);

@@ -302,6 +302,29 @@ class GroupsTest : public QObject {
     VERIFY_UNDONE(window, before);
   }
 
+  void the_selection_moves_to_a_group() {
+    GroupsWindow window;
+    const std::string before = bytes_of(window.document());
+    window.group({1});
+    window.group({2});
+    auto* menu = window->findChild<QMenu*>("move_to_group");
+    const auto choose = [&](const QString& text) {
+      Q_EMIT menu->aboutToShow();
+      for (QAction* action : menu->actions()) {
+        if (action->text() == text && action->isEnabled()) return action->trigger();
+      }
+      QFAIL(qPrintable(text));
+    };
+    select_gaussians(window.document(), {2, 3});
+    choose("Group");
+    QCOMPARE(window.document().undo_stack().undoText(), QString("Move 2 Gaussians to Group"));
+    QCOMPARE(members_of(window.document(), window.groups()[0].id), (Ids{1, 2, 3}));
+    QCOMPARE(window.groups().size(), std::size_t{2});  // though one is empty now
+    choose("Out of Groups");
+    QCOMPARE(members_of(window.document(), window.groups()[0].id), (Ids{1}));
+    VERIFY_UNDONE(window, before);
+  }
+
   void groups_go_into_groups_once() {
     GroupsWindow window;
     const std::string before = bytes_of(window.document());

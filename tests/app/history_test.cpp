@@ -8,6 +8,7 @@
 #include "app/commands/edit_cameras.h"
 #include "app/commands/edit_emitters.h"
 #include "app/commands/edit_gesture.h"
+#include "app/commands/edit_groups.h"
 #include "app/commands/edit_keys.h"
 #include "app/commands/edit_lights.h"
 #include "app/commands/edit_medium.h"
@@ -22,6 +23,7 @@
 #include "core/authoring/paintbrush.h"
 #include "core/io/scene/scene_file.h"
 #include "core/medium/medium_edit.h"
+#include "core/scene/at_time.h"
 #include "core/scene/mesh_arrays.h"
 #include "tests/app/test_window.h"
 
@@ -44,7 +46,7 @@ class RandomHands {
         &RandomHands::surface, &RandomHands::object,       &RandomHands::add_primitive,
         &RandomHands::camera,  &RandomHands::hide_or_lock, &RandomHands::environment,
         &RandomHands::key,     &RandomHands::playback,     &RandomHands::cameras,
-        &RandomHands::output,  &RandomHands::go_back};
+        &RandomHands::output,  &RandomHands::group,        &RandomHands::go_back};
     (this->*acts[below(std::size(acts))])();
   }
 
@@ -234,6 +236,30 @@ class RandomHands {
       environment = {BRUME_RESOURCES "/environments/sunset.exr", {}, number(), 0.0, {}};
     set_scene_part(document_, environment, "Set environment");
   }
+  void group() {
+    const Groups& groups = document_.scene().groups;
+    const GroupId some = groups.empty() ? 0 : groups[below(groups.size())].id;
+    switch (below(8)) {
+      case 0:
+      case 1:
+        return group_selection(document_);
+      case 2:
+        return ungroup_selection(document_);
+      case 3:
+        return below(3) == 0 ? delete_group(document_, some) : dissolve_group(document_, some);
+      case 4:
+        return move_selection_to_group(document_, some);
+      case 5:
+        return select_group(document_, some);
+      default:
+        return change_group(document_, some, "Change %1", no_merge, [this](Group& g) {
+          g.visible = below(3) > 0;
+          g.locked = below(3) == 0;
+          g.density_factor = number();
+          g.albedo_offset = below(2) == 0 ? glm::dvec3(0.0) : glm::dvec3(-0.1);
+        });
+    }
+  }
   void playback() {
     std::optional<Playback> playback;
     const int first = static_cast<int>(below(5));
@@ -349,12 +375,19 @@ class HistoryTest : public QObject {
         const Revision before = document.visible_snapshot()->medium.revision();
         const Revision medium = document.medium().revision();
         const std::vector<GaussianId> hidden = document.hidden();
+        const Groups groups = document.scene().groups;
+        const glm::dvec3 albedo = document.scene().optics.albedo;
         hands.act();
         Medium expected = document.medium();
         MediumEdit::remove(expected, document.hidden()).apply(expected);
+        Scene scene = document.scene();
+        scene.medium = expected;
+        apply_groups(scene);
+        expected = scene.medium;
         const Medium& visible = document.visible_snapshot()->medium;
         QVERIFY2(visible == expected, qPrintable(QString::number(seed)));
-        if (medium == document.medium().revision() && hidden == document.hidden()) {
+        if (medium == document.medium().revision() && hidden == document.hidden() &&
+            groups == document.scene().groups && albedo == document.scene().optics.albedo) {
           QCOMPARE(visible.revision(), before);
         }
       }
