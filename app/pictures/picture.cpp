@@ -4,6 +4,8 @@
 #include <cstring>
 
 #include "app/widgets/frame_text.h"
+#include "core/io/image/image_file.h"
+#include "core/number_domain.h"
 #include "render/frame.h"
 #include "render/output/compare.h"
 
@@ -47,6 +49,20 @@ std::shared_ptr<const Picture> make_picture(const Frame& frame, double exposure,
   picture->exposure = exposure;
   picture->image = shown(frame, exposure);
   return picture;
+}
+
+void save_picture(const Picture& picture, const std::filesystem::path& file) {
+  std::vector<std::uint8_t> bytes;
+  const auto row = static_cast<std::size_t>(picture.width) * 3;
+  bytes.reserve(row * static_cast<std::size_t>(picture.height));
+  for (int y = 0; y < picture.height; ++y) {
+    const uchar* line = picture.image.constScanLine(y);
+    bytes.insert(bytes.end(), line, line + row);
+  }
+  write_png(file, picture.width, picture.height, bytes,
+            {{"Software", "Brume " BRUME_VERSION},
+             {"brume:exposure", quoted_text(picture.exposure)},
+             {"brume:made", picture.details.toStdString()}});
 }
 
 QString picture_details(const Frame& frame, const Settings& settings, double milliseconds) {

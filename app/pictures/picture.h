@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QString>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,6 +29,9 @@ struct Picture {
 
 std::shared_ptr<const Picture> make_picture(const Frame& frame, double exposure,
                                             const QString& name, const QString& details);
+
+// Writes what `image` shows as a PNG. Throws InputError.
+void save_picture(const Picture& picture, const std::filesystem::path& file);
 
 // "sliced 16 · 800 × 600 · 1.2 s", of a path-traced frame with its noise.
 QString picture_details(const Frame& frame, const Settings& settings, double milliseconds);

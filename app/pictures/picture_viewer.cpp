@@ -108,6 +108,10 @@ void PictureViewer::add_tools(QBoxLayout& row) {
       [this] { canvas_->actual_size(); });
   add(tr("Clear Slot"), "clear_slot", tr("Empties the slot that is shown as A"),
       [this] { slots_.set(static_cast<std::size_t>(a_->checkedId()), nullptr); });
+  add(tr("Save…"), "save_picture",
+      tr("Saves the picture that is shown as A, as it looks, as a PNG"), [this] {
+        if (a()) Q_EMIT save_asked_for(a());
+      });
   add(tr("Keep View"), "keep_view", tr("Keeps what the view shows in the next empty slot"),
       [this] { Q_EMIT keep_view_asked_for(); });
 }

@@ -26,6 +26,7 @@ class PictureViewer : public QWidget {
 
  Q_SIGNALS:
   void keep_view_asked_for();
+  void save_asked_for(std::shared_ptr<const brume::Picture> picture);
 
  private:
   void add_slots(QBoxLayout& row, QButtonGroup& group, const QString& title, const char* name);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/document/document.h"
+#include "app/view/camera_outline.h"
 #include "app/view/ground_grid.h"
 #include "app/view/tool.h"
 #include "app/viewport/camera_frame.h"
@@ -151,6 +152,10 @@ void Viewport::draw_overlay() {
   if (const Tool* tool = input_.tool()) {
     tool->draw(overlay, rays());
     if (&tool->view() == this) tool->draw_on_film(overlay);
+  }
+  // The perspective view looks through it, or came from there.
+  if (projection() != Projection::perspective) {
+    add_camera_outline(overlay, rays(), document_.scene().camera, document_.scene().film);
   }
   add_axes(overlay, rays(), film());
   surface_->show_overlay(overlay);

@@ -20,6 +20,7 @@ class FrameExport;
 struct FrameExportRequest;
 class GaussianPanel;
 class MessageBar;
+struct Picture;
 class PictureViewer;
 class RenderQueue;
 class SceneFiles;
@@ -81,6 +82,7 @@ class MainWindow : public QMainWindow {
   void show_picture_viewer();
   [[nodiscard]] bool may_end_renders();  // asks if any is not done
   void keep_view();
+  void save_kept_picture(const std::shared_ptr<const Picture>& picture);
   void mark_region();
 
   void create_actions();  // main_window_actions.cpp

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollArea>
@@ -141,6 +142,7 @@ void MainWindow::create_output_docks(QDockWidget* beside) {
   pictures->toggleViewAction()->setShortcuts(keys_of("render.viewer"));
   pictures->toggleViewAction()->setObjectName("render.viewer");
   connect(picture_viewer_, &PictureViewer::keep_view_asked_for, this, &MainWindow::keep_view);
+  connect(picture_viewer_, &PictureViewer::save_asked_for, this, &MainWindow::save_kept_picture);
   connect(queue, &QueueList::show_asked_for, this, &MainWindow::show_render);
   connect(render_queue_, &RenderQueue::rendered, this, [this](int id, const ExportedFrame& made) {
     const std::size_t slot = picture_viewer_->pictures().keep_of_job(id, made.picture);
@@ -260,6 +262,21 @@ void MainWindow::keep_view() {
   picture_viewer_->show_new(slot);
   show_picture_viewer();
   show_status(tr("Kept in slot %1").arg(slot + 1));
+}
+
+void MainWindow::save_kept_picture(const std::shared_ptr<const Picture>& picture) {
+  const QString start = last_folder(FileKind::picture, document_.folder()) + "/picture.png";
+  const QString name =
+      QFileDialog::getSaveFileName(this, tr("Save picture"), start, tr("PNG pictures (*.png)"));
+  if (name.isEmpty()) return;
+  std::filesystem::path file = to_path(name);
+  if (file.extension().empty()) file += ".png";
+  remember_folder(FileKind::picture, file);
+  start_file_job(tr("Saving %1").arg(to_qstring(file.filename())),
+                 [this, file, picture](const Job&) -> BackgroundJob::Apply {
+                   save_picture(*picture, file);
+                   return [this, file] { show_status(tr("Saved %1").arg(to_qstring(file))); };
+                 });
 }
 
 void MainWindow::mark_region() {

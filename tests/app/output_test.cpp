@@ -16,6 +16,7 @@
 #include "app/document/timeline.h"
 #include "app/export/render_queue.h"
 #include "app/pictures/picture_viewer.h"
+#include "app/view/camera_outline.h"
 #include "app/viewport/camera_frame.h"
 #include "app/viewport/viewport.h"
 #include "core/io/image/image_file.h"
@@ -331,6 +332,21 @@ class OutputTest : public QObject {
     window.drag({300, 300}, {340, 300}, Qt::MiddleButton);  // leaves the camera
     QVERIFY(!frame.isVisible());
     QVERIFY(view.camera() != window->document().scene().camera);
+  }
+
+  void other_views_see_the_camera() {
+    const Camera camera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 90.0};
+    const CameraRays from_above({{0, 50, 0}, {0, 0, 0}, {0, 0, -1}, 20.0}, {400, 400});
+    Overlay overlay;
+    add_camera_outline(overlay, from_above, camera, {200, 100});
+    QVERIFY(!overlay.lines.empty());
+    const glm::dvec3 eye = from_above.project(camera.eye);
+    QCOMPARE(overlay.lines[0].x, static_cast<float>(eye.x));
+    QCOMPARE(overlay.lines[0].y, static_cast<float>(eye.y));
+    // At a right angle upwards, twice as far to the sides.
+    const glm::dvec3 corner = from_above.project({-8.0, 4.0, 0.0});
+    QCOMPARE(overlay.lines[1].x, static_cast<float>(corner.x));
+    QCOMPARE(overlay.lines[1].y, static_cast<float>(corner.y));
   }
 
   void a_view_locked_to_the_camera_moves_it() {

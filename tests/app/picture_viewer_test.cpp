@@ -5,8 +5,10 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "app/document/paths.h"
 #include "app/pictures/picture_viewer.h"
 #include "app/viewport/viewport.h"
+#include "core/error.h"
 #include "render/frame.h"
 #include "tests/app/test_window.h"
 
@@ -148,6 +150,17 @@ class PictureViewerTest : public QObject {
     QVERIFY(test.text("picture_pixel").trimmed().isEmpty());
     test.click("clear_slot");
     QVERIFY(!canvas.pixel_at(fixed));
+  }
+
+  void pictures_are_saved_as_they_look() {
+    const QTemporaryDir folder;
+    const auto picture = plain("a", 0.5F);
+    const std::filesystem::path file = to_path(folder.filePath("a.png"));
+    save_picture(*picture, file);
+    const QImage saved = QImage(to_qstring(file)).convertToFormat(picture->image.format());
+    QCOMPARE(saved.size(), picture->image.size());
+    QCOMPARE(saved.pixelColor(3, 4), picture->image.pixelColor(3, 4));
+    QVERIFY_EXCEPTION_THROWN(save_picture(*picture, file / "b.png"), InputError);
   }
 
   void the_view_is_kept() {
