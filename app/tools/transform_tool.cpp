@@ -1,14 +1,35 @@
 #include "app/tools/transform_tool.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
+#include "app/tools/option_widgets.h"
+#include "app/view/surface_picker.h"
 #include "app/view/view.h"
+#include "core/authoring/soft_selection.h"
 
 namespace brume {
+
+void TransformTool::set_soft_radius(double radius) {
+  soft_radius_ = radius;
+  Q_EMIT options_changed();
+  Q_EMIT appearance_changed();
+}
+
+void TransformTool::add_options(QHBoxLayout& row) {
+  SelectTool::add_options(row);
+  ValueField* soft = add_number(
+      row, *this,
+      {tr("Soft, u"), "soft_radius", domain::not_negative, ValueField::Scale::linear, 0.02},
+      [this] { return soft_radius_; }, [this](double value) { set_soft_radius(value); });
+  soft->setToolTip(
+      tr("Soft selection: Gaussians within this distance of the selection, in scene "
+         "units, come along, the less the farther they are; 0 is off"));
+}
 
 void TransformTool::hover(QPointF position) {
   hovered_.reset();
@@ -43,13 +64,32 @@ void TransformTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   gaussians_.clear();
   const Medium& medium = document_.medium();
   for (const GaussianId id : ids_) gaussians_.push_back(medium.gaussian(*medium.index_of(id)));
+  weights_.assign(ids_.size(), 1.0);
+  if (soft_radius_ <= 0.0) return;
+  for (const SoftMember& member : soft_members(medium, document_.selection(), soft_radius_)) {
+    const GaussianId id = medium.ids()[member.index];
+    if (!document_.is_editable(id)) continue;
+    ids_.push_back(id);
+    gaussians_.push_back(medium.gaussian(member.index));
+    weights_.push_back(member.weight);
+  }
 }
 
 void TransformTool::drag(QPointF position) {
   std::vector<Gaussian> after;
   after.reserve(gaussians_.size());
-  for (const Gaussian& gaussian : gaussians_) {
-    after.push_back(position == start_ ? gaussian : dragged(gaussian, position));
+  drag_to(position);
+  for (std::size_t k = 0; k < gaussians_.size(); ++k) {
+    const Gaussian& gaussian = gaussians_[k];
+    after.push_back(gaussian);
+    if (position == start_) continue;
+    const Gaussian whole_way = dragged(gaussian, position);
+    if (weights_[k] == 1.0) {
+      after.back() = whole_way;
+    } else {
+      after.back().center += weights_[k] * (whole_way.center - gaussian.center);
+      after.back().radius += weights_[k] * (whole_way.radius - gaussian.radius);
+    }
   }
   applying_ = true;
   change_gaussians(document_, ids_, after, verb().arg(gaussians_text(ids_.size())), merge_id_);
@@ -92,6 +132,9 @@ void TransformTool::medium_changed() {
 void TransformTool::draw(Overlay& overlay, const CameraRays& rays) const {
   SelectTool::draw(overlay, rays);
   if (document_.selection().empty()) return;
+  if (soft_radius_ > 0.0) {
+    overlay.add_ball_outline(rays, view().pivot(), soft_radius_, qRgba(235, 238, 242, 90));
+  }
   const auto active = dragging_ ? std::optional(part_) : hovered_;
   Gizmo(kind_, view().pivot(), rays).draw(overlay, active);
 }
@@ -100,13 +143,51 @@ QString MoveTool::hint() const {
   return tr("Drag an arrow to move the selection along it, the ring to move it in the view plane.");
 }
 
-Gaussian MoveTool::dragged(const Gaussian& gaussian, QPointF position) const {
+void MoveTool::add_options(QHBoxLayout& row) {
+  TransformTool::add_options(row);
+  add_choice(
+      row, *this, {tr("Snap to"), "move_snap"}, {tr("Nothing"), tr("Surface"), tr("Grid")},
+      [this] { return static_cast<int>(snap_); },
+      [this](int index) {
+        snap_ = static_cast<Snap>(index);
+        Q_EMIT options_changed();
+      });
+  ValueField* grid = add_number(
+      row, *this,
+      {tr("Grid, u"), "move_grid", domain::length, ValueField::Scale::logarithmic, 0.01},
+      [this] { return grid_; },
+      [this](double value) {
+        grid_ = value;
+        Q_EMIT options_changed();
+      });
+  grid->setToolTip(tr("Distance between the points of the grid in scene units"));
+  const auto show = [this, grid] { grid->setEnabled(snap_ == Snap::grid); };
+  connect(this, &Tool::options_changed, grid, show);
+  show();
+}
+
+void MoveTool::drag_to(QPointF position) {
   const CameraRays rays = view().rays();
+  const bool in_view_plane = part_ == Gizmo::Part::all;
+  if (snap_ == Snap::surface && in_view_plane) {
+    const glm::dvec3 direction = rays.direction(position.x(), position.y());
+    if (const auto hit = view().surfaces().hit(rays.eye(), direction)) {
+      way_ = hit->position - pivot_;
+      return;
+    }
+  }
   const glm::dvec3 axis = axis_of(part_);
+  way_ = in_view_plane ? dragged_across(pivot_, rays, start_, position)
+                       : axis * dragged_along(pivot_, axis, rays, start_, position);
+  if (snap_ == Snap::grid) {
+    const glm::dvec3 snapped = glm::round((pivot_ + way_) / grid_) * grid_ - pivot_;
+    way_ = in_view_plane ? snapped : axis * glm::dot(axis, snapped);
+  }
+}
+
+Gaussian MoveTool::dragged(const Gaussian& gaussian, QPointF /*position*/) const {
   Gaussian moved = gaussian;
-  moved.center += part_ == Gizmo::Part::all
-                      ? dragged_across(pivot_, rays, start_, position)
-                      : axis * dragged_along(pivot_, axis, rays, start_, position);
+  moved.center += way_;
   return moved;
 }
 

@@ -1,17 +1,24 @@
 #pragma once
 
+#include "app/tools/paint_plane.h"
 #include "app/tools/select_tool.h"
 #include "app/view/gizmo.h"
 
 namespace brume {
 
-// Base of transform tools: selection plus a manipulator at the selection's center.
+// Base of transform tools: selection plus a manipulator at the selection's center. A soft selection
+// takes what is near along, the less the farther it is.
 class TransformTool : public SelectTool {
   Q_OBJECT
  public:
   TransformTool(Gizmo::Kind kind, Document& document, View& view)
       : SelectTool(document, view), kind_(kind) {}
 
+  // How far from the selection Gaussians are taken along [u]; 0: none.
+  [[nodiscard]] double soft_radius() const { return soft_radius_; }
+  void set_soft_radius(double radius);
+
+  void add_options(QHBoxLayout& row) override;
   void hover(QPointF position) override;
   void leave() override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
@@ -23,6 +30,8 @@ class TransformTool : public SelectTool {
   void draw(Overlay& overlay, const CameraRays& rays) const override;
 
  protected:
+  // Called before dragged() for all Gaussians.
+  virtual void drag_to(QPointF /*position*/) {}
   // A Gaussian transformed by a drag from start_ to `position`.
   [[nodiscard]] virtual Gaussian dragged(const Gaussian& gaussian, QPointF position) const = 0;
   [[nodiscard]] virtual QString verb() const = 0;
@@ -41,6 +50,8 @@ class TransformTool : public SelectTool {
   bool applying_ = false;
   std::vector<GaussianId> ids_;
   std::vector<Gaussian> gaussians_;
+  std::vector<double> weights_;  // 1 of selected ones
+  double soft_radius_ = 0.0;
   MergeId merge_id_ = no_merge;
 };
 
@@ -49,10 +60,17 @@ class MoveTool : public TransformTool {
  public:
   MoveTool(Document& document, View& view) : TransformTool(Gizmo::Kind::move, document, view) {}
   [[nodiscard]] QString hint() const override;
+  void add_options(QHBoxLayout& row) override;
 
  protected:
+  void drag_to(QPointF position) override;
   [[nodiscard]] Gaussian dragged(const Gaussian& gaussian, QPointF position) const override;
   [[nodiscard]] QString verb() const override { return tr("Move %1"); }
+
+ private:
+  glm::dvec3 way_{0.0};  // of the pivot [u]
+  Snap snap_ = Snap::none;
+  double grid_ = 0.5;  // [u]
 };
 
 class RotateTool : public TransformTool {
