@@ -22,9 +22,11 @@ void TransformTool::set_soft_radius(double radius) {
 
 void TransformTool::add_options(QHBoxLayout& row) {
   SelectTool::add_options(row);
+  const char* const names[] = {"move_soft", "rotate_soft", "scale_soft"};
   ValueField* soft = add_number(
       row, *this,
-      {tr("Soft, u"), "soft_radius", domain::not_negative, ValueField::Scale::linear, 0.02},
+      {tr("Soft, u"), names[static_cast<int>(kind_)], domain::not_negative,
+       ValueField::Scale::linear, 0.02},
       [this] { return soft_radius_; }, [this](double value) { set_soft_radius(value); });
   soft->setToolTip(
       tr("Soft selection: Gaussians within this distance of the selection, in scene "
