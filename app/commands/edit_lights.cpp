@@ -251,12 +251,6 @@ Camera camera_at(const Light& light, const LitRegion& region, const glm::dvec3& 
   return camera;
 }
 
-glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye) {
-  if (!light.directional) return light.position;
-  const glm::dvec3& target = scene.camera.target;
-  return target + 0.2 * glm::distance(eye, target) * to_light(*light.directional);
-}
-
 SpotCone with_inner_angle(SpotCone cone, double angle) {
   cone.inner_angle = std::clamp(angle, 0.0, domain::cone_angle.max_value - min_angle_difference);
   cone.outer_angle = std::max(cone.outer_angle, cone.inner_angle + min_angle_difference);

@@ -72,10 +72,6 @@ void set_profile(Light& light, LightProfile profile);
 SpotCone with_inner_angle(SpotCone cone, double angle);
 SpotCone with_outer_angle(SpotCone cone, double angle);
 
-// Where a light is drawn: a directional light, which is nowhere, beside what the scene's camera
-// looks at, as near as an eye that looks there sees it.
-glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye);
-
 // Intensity = strength (see light_unit) * colour, whose maximum channel is 1; white if zero.
 double light_strength(const Light& light);
 glm::dvec3 light_color(const Light& light);

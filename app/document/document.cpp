@@ -14,6 +14,8 @@ namespace brume {
 
 Scene new_scene() {
   Scene scene;
+  // From a little above, so that the ground is seen.
+  scene.camera.eye = {0.0, 1.4, 4.8};
   // So bright because thin fog scatters little of it to the eye.
   scene.lights.push_back({.position = {2.0, 3.0, 3.0}, .intensity = glm::dvec3(150.0)});
   return scene;

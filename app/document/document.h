@@ -16,7 +16,8 @@
 
 namespace brume {
 
-// What File > New makes: a light, so that the first Gaussian added can be seen.
+// What File > New makes: a view down on the ground, and a light, so that the first Gaussian added
+// can be seen.
 Scene new_scene();
 
 // The edited scene, its history and selection. Views read it and listen to its signals; all changes

@@ -24,7 +24,7 @@ struct LibraryKey {
   NumberDomain domain;
 };
 constexpr NumberDomain relative_size{1e-6, 100.0, "a number from 1e-6 to 100"};
-constexpr NumberDomain relative{0.0, 100.0, "a number from 0 to 100"};
+constexpr NumberDomain relative_number{0.0, 100.0, "a number from 0 to 100"};
 constexpr std::array library_keys = std::to_array<LibraryKey>({
     {"size", &BrushPreset::size, relative_size},
     {"depth", &BrushPreset::depth, {0.0, 1e6, "a number from 0 to 1e6"}},
@@ -35,9 +35,9 @@ constexpr std::array library_keys = std::to_array<LibraryKey>({
     {"falloff", &BrushPreset::falloff, domain::unit},
     {"flow", &BrushPreset::flow, domain::unit},
     {"rate", &BrushPreset::rate, {0.0, 1e4, "a number from 0 to 10000"}},
-    {"speed", &BrushPreset::speed, relative},
-    {"spread", &BrushPreset::spread, relative},
-    {"wander", &BrushPreset::wander, relative},
+    {"speed", &BrushPreset::speed, relative_number},
+    {"spread", &BrushPreset::spread, relative_number},
+    {"wander", &BrushPreset::wander, relative_number},
 });
 
 const char* tool_key(bool sprays) {

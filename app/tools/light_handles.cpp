@@ -14,6 +14,7 @@
 #include "app/commands/undo_text.h"
 #include "app/document/document.h"
 #include "app/view/gizmo.h"
+#include "app/view/object_box.h"
 #include "app/view/overlay.h"
 #include "app/widgets/color_button.h"
 #include "core/limits.h"

@@ -37,22 +37,15 @@ QString PaintbrushTool::hint() const {
 }
 
 void PaintbrushTool::add_options(QHBoxLayout& row) {
+  add_brush_options(row, "brush");
+}
+
+void PaintbrushTool::add_brush_options(QHBoxLayout& row, const QString& prefix) {
   using Scale = ValueField::Scale;
-  const auto add = [&](const QString& title, const char* name, const NumberDomain& domain,
-                       Scale scale, double Paintbrush::*number) {
-    add_number(
-        row, *this, {title, name, domain, scale, 0.01}, [this, number] { return brush_.*number; },
-        [this, number](double value) {
-          brush_.*number = value;
-          Q_EMIT options_changed();
-        });
-  };
-  add_gaussian_options(row, "brush");
-  add(tr("Spacing"), "brush_spacing", spacing_domain, Scale::logarithmic, &Paintbrush::spacing);
-  add(tr("Scatter"), "brush_scatter", scatter_domain, Scale::linear, &Paintbrush::scatter);
-  const auto number = [&](const QString& title, const char* name, const QString& tip,
-                          double Paintbrush::*part) -> StrokeNumber {
-    return {{title, name, domain::unit, Scale::linear, 0.01},
+  const auto number = [this, &prefix](const QString& title, const char* name,
+                                      const NumberDomain& domain, Scale scale, const QString& tip,
+                                      double Paintbrush::*part) -> StrokeNumber {
+    return {{title, prefix + '_' + name, domain, scale, 0.01},
             tip,
             [this, part] { return brush_.*part; },
             [this, part](double value) {
@@ -60,15 +53,22 @@ void PaintbrushTool::add_options(QHBoxLayout& row) {
               Q_EMIT options_changed();
             }};
   };
+  add_gaussian_options(row, prefix);
   add_place_options(
-      row, "brush",
-      {number(tr("Flow"), "brush_flow",
+      row, prefix,
+      {number(tr("Spacing"), "spacing", spacing_domain, Scale::logarithmic,
+              tr("Distance between Gaussians along the stroke, relative to the radius"),
+              &Paintbrush::spacing),
+       number(tr("Scatter"), "scatter", scatter_domain, Scale::linear,
+              tr("Maximum random offset across the stroke, relative to the radius"),
+              &Paintbrush::scatter),
+       number(tr("Flow"), "flow", domain::unit, Scale::linear,
               tr("Share of the density that one pass adds: 1 all of it, less builds up"),
               &Paintbrush::flow),
-       number(tr("Soft edge"), "brush_falloff",
+       number(tr("Soft edge"), "falloff", domain::unit, Scale::linear,
               tr("How much thinner fog is at the rim of the scatter: 0 as dense, 1 nothing"),
               &Paintbrush::falloff),
-       number(tr("Jitter"), "brush_jitter",
+       number(tr("Jitter"), "jitter", domain::unit, Scale::linear,
               tr("Random variation of radius and density: at 1 from half to double"),
               &Paintbrush::jitter)});
 }

@@ -20,6 +20,9 @@ class PaintbrushTool : public FogBrushTool {
   void apply_preset(const BrushPreset& preset) override;
 
  protected:
+  // `prefix` of the names of the widgets.
+  void add_brush_options(QHBoxLayout& row, const QString& prefix);
+
   [[nodiscard]] double radius() const override { return brush_.radius; }
   [[nodiscard]] double density() const override { return brush_.density; }
   void set_gaussian(double radius, double density) override;

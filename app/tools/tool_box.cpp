@@ -7,6 +7,7 @@
 #include "app/tools/eraser_tool.h"
 #include "app/tools/lasso_tool.h"
 #include "app/tools/paintbrush_tool.h"
+#include "app/tools/spline_tool.h"
 #include "app/tools/transform_tool.h"
 #include "app/view/view.h"
 
@@ -27,6 +28,7 @@ ToolBox::ToolBox(Document& document, View& view, std::function<void(Tool*)> use,
   add("eraser", tr("Eraser"), std::type_identity<EraserTool>());
   add("airbrush", tr("Airbrush"), std::type_identity<AirbrushTool>());
   add("emitter", tr("Emitter"), std::type_identity<EmitterTool>());
+  add("spline", tr("Spline Brush"), std::type_identity<SplineTool>());
   use_(entries_[active_].tool.get());
   connect(&document, &Document::scene_replaced, this, [this] { tool().abandon(); });
   connect(&document, &Document::medium_changed, this, [this] { tool().medium_changed(); });

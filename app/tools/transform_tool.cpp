@@ -1,17 +1,40 @@
 #include "app/tools/transform_tool.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/commands/edit_medium.h"
 #include "app/document/document.h"
+#include "app/tools/option_widgets.h"
+#include "app/view/surface_picker.h"
 #include "app/view/view.h"
+#include "core/authoring/soft_selection.h"
 
 namespace brume {
 
 bool TransformTool::has_something() const {
   return document_.object() || !document_.selection().empty();
+}
+
+void TransformTool::set_soft_radius(double radius) {
+  soft_radius_ = radius;
+  Q_EMIT options_changed();
+  Q_EMIT appearance_changed();
+}
+
+void TransformTool::add_options(QHBoxLayout& row) {
+  SelectTool::add_options(row);
+  const char* const names[] = {"move_soft", "rotate_soft", "scale_soft"};
+  ValueField* soft = add_number(
+      row, *this,
+      {tr("Soft, u"), names[static_cast<int>(kind_)], domain::not_negative,
+       ValueField::Scale::linear, 0.02},
+      [this] { return soft_radius_; }, [this](double value) { set_soft_radius(value); });
+  soft->setToolTip(
+      tr("Soft selection: Gaussians within this distance of the selection, in scene "
+         "units, come along, the less the farther they are; 0 is off"));
 }
 
 void TransformTool::hover(QPointF position) {
@@ -50,6 +73,15 @@ void TransformTool::press(QPointF position, Qt::KeyboardModifiers modifiers) {
   ids_ = document_.selection();
   const Medium& medium = document_.medium();
   for (const GaussianId id : ids_) gaussians_.push_back(medium.gaussian(*medium.index_of(id)));
+  weights_.assign(ids_.size(), 1.0);
+  if (soft_radius_ <= 0.0) return;
+  for (const SoftMember& member : soft_members(medium, document_.selection(), soft_radius_)) {
+    const GaussianId id = medium.ids()[member.index];
+    if (!document_.is_editable(id)) continue;
+    ids_.push_back(id);
+    gaussians_.push_back(medium.gaussian(member.index));
+    weights_.push_back(member.weight);
+  }
 }
 
 void TransformTool::drag(QPointF position) {
@@ -58,9 +90,11 @@ void TransformTool::drag(QPointF position) {
   if (object_) return move_object(document_, *ref_, *object_, movement, verb(), merge_id_);
   std::vector<Gaussian> after = gaussians_;
   if (position != start_) {
-    for (Gaussian& gaussian : after) {
-      gaussian.center = movement.point(gaussian.center);
-      gaussian.radius *= movement.size;
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      Gaussian& gaussian = after[k];
+      const double weight = weights_[k];
+      gaussian.center = glm::mix(gaussian.center, movement.point(gaussian.center), weight);
+      gaussian.radius *= glm::mix(1.0, movement.size, weight);
     }
   }
   applying_ = true;
@@ -104,6 +138,9 @@ void TransformTool::medium_changed() {
 void TransformTool::draw(Overlay& overlay, const CameraRays& rays) const {
   SelectTool::draw(overlay, rays);
   if (!has_something()) return;
+  if (soft_radius_ > 0.0 && !document_.object()) {
+    overlay.add_ball_outline(rays, view().pivot(), soft_radius_, qRgba(235, 238, 242, 90));
+  }
   const auto active = dragging_ ? std::optional(part_) : hovered_;
   Gizmo(kind_, view().pivot(), rays).draw(overlay, active);
 }
@@ -112,13 +149,51 @@ QString MoveTool::hint() const {
   return tr("Drag an arrow to move the selection along it, the ring to move it in the view plane.");
 }
 
-Movement MoveTool::dragged(QPointF position) const {
+void MoveTool::add_options(QHBoxLayout& row) {
+  TransformTool::add_options(row);
+  add_choice(
+      row, *this, {tr("Snap to"), "move_snap"}, {tr("Nothing"), tr("Surface"), tr("Grid")},
+      [this] { return static_cast<int>(snap_); },
+      [this](int index) {
+        snap_ = static_cast<Snap>(index);
+        Q_EMIT options_changed();
+      });
+  ValueField* grid = add_number(
+      row, *this,
+      {tr("Grid, u"), "move_grid", domain::length, ValueField::Scale::logarithmic, 0.01},
+      [this] { return grid_; },
+      [this](double value) {
+        grid_ = value;
+        Q_EMIT options_changed();
+      });
+  grid->setToolTip(tr("Distance between the points of the grid in scene units"));
+  const auto show = [this, grid] { grid->setEnabled(snap_ == Snap::grid); };
+  connect(this, &Tool::options_changed, grid, show);
+  show();
+}
+
+glm::dvec3 MoveTool::way(QPointF position) const {
   const CameraRays rays = view().rays();
+  const bool in_view_plane = part_ == Gizmo::Part::all;
+  if (snap_ == Snap::surface && in_view_plane) {
+    const glm::dvec3 direction = rays.direction(position.x(), position.y());
+    const auto hit = view().surfaces().hit(rays.eye(), direction);
+    // A surface would climb up itself.
+    const ObjectRef itself{ObjectRef::Kind::surface, hit ? view().surfaces().index_of(*hit) : 0};
+    if (hit && document_.object() != itself) {
+      return hit->position - pivot_;
+    }
+  }
   const glm::dvec3 axis = axis_of(part_);
-  return {.pivot = pivot_,
-          .shift = part_ == Gizmo::Part::all
-                       ? dragged_across(pivot_, rays, start_, position)
-                       : axis * dragged_along(pivot_, axis, rays, start_, position)};
+  const glm::dvec3 way = in_view_plane ? dragged_across(pivot_, rays, start_, position)
+                                       : axis * dragged_along(pivot_, axis, rays, start_, position);
+  if (snap_ != Snap::grid) return way;
+  const glm::dvec3 snapped = glm::round((pivot_ + way) / grid_) * grid_ - pivot_;
+  return in_view_plane ? snapped : axis * glm::dot(axis, snapped);
+}
+
+Movement MoveTool::dragged(QPointF position) const {
+  return {.pivot = pivot_, .shift = way(position)};
 }
 
 QString RotateTool::hint() const {

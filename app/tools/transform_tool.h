@@ -1,19 +1,26 @@
 #pragma once
 
 #include "app/commands/edit_objects.h"
+#include "app/tools/paint_plane.h"
 #include "app/tools/select_tool.h"
 #include "app/view/gizmo.h"
 
 namespace brume {
 
 // Base of transform tools: selection plus a manipulator at the center of the selected Gaussians, or
-// of the light, emitter or surface that is selected.
+// of the light, emitter or surface that is selected. A soft selection takes Gaussians that are near
+// along, the less the farther they are.
 class TransformTool : public SelectTool {
   Q_OBJECT
  public:
   TransformTool(Gizmo::Kind kind, Document& document, View& view)
       : SelectTool(document, view), kind_(kind) {}
 
+  // How far from the selection Gaussians are taken along [u]; 0: none.
+  [[nodiscard]] double soft_radius() const { return soft_radius_; }
+  void set_soft_radius(double radius);
+
+  void add_options(QHBoxLayout& row) override;
   void hover(QPointF position) override;
   void leave() override;
   void press(QPointF position, Qt::KeyboardModifiers modifiers) override;
@@ -44,6 +51,8 @@ class TransformTool : public SelectTool {
   bool applying_ = false;
   std::vector<GaussianId> ids_;
   std::vector<Gaussian> gaussians_;
+  std::vector<double> weights_;  // 1 of selected ones
+  double soft_radius_ = 0.0;
   std::optional<ObjectRef> ref_;  // instead of Gaussians
   std::optional<Object> object_;  // as it was
   MergeId merge_id_ = no_merge;
@@ -54,10 +63,17 @@ class MoveTool : public TransformTool {
  public:
   MoveTool(Document& document, View& view) : TransformTool(Gizmo::Kind::move, document, view) {}
   [[nodiscard]] QString hint() const override;
+  void add_options(QHBoxLayout& row) override;
 
  protected:
   [[nodiscard]] Movement dragged(QPointF position) const override;
   [[nodiscard]] QString verb() const override { return tr("Move %1"); }
+
+ private:
+  [[nodiscard]] glm::dvec3 way(QPointF position) const;  // of the pivot [u]
+
+  Snap snap_ = Snap::none;
+  double grid_ = 0.5;  // [u]
 };
 
 class RotateTool : public TransformTool {

@@ -12,7 +12,7 @@ constexpr double edge_on =
     0.03;  // sine of the view's height above the ground: below, all is a line
 constexpr int plain_alpha = 70;
 constexpr int strong_alpha = 120;  // of every fifth line
-constexpr int axis_alpha = 190;
+constexpr int axis_alpha = 140;
 constexpr double behind_surface = 0.2;  // of the alpha
 
 bool is_behind(const glm::dvec3& point, const glm::dvec3& film_position, const CameraRays& rays,

@@ -1,6 +1,7 @@
 #include "app/view/object_box.h"
 
-#include "app/commands/edit_lights.h"
+#include <glm/geometric.hpp>
+
 #include "app/view/overlay.h"
 #include "core/scene/mesh_arrays.h"
 #include "core/scene/placement.h"
@@ -11,6 +12,12 @@ namespace {
 constexpr double ring_radius = 13.0;  // pixels
 
 }  // namespace
+
+glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye) {
+  if (!light.directional) return light.position;
+  const glm::dvec3& target = scene.camera.target;
+  return target + 0.2 * glm::distance(eye, target) * to_light(*light.directional);
+}
 
 std::array<glm::dvec3, 8> box_corners(const Surface& surface) {
   const MeshBox box = box_of(*surface.mesh);

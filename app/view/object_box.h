@@ -14,6 +14,9 @@ struct Overlay;
 
 // What of an object is seen in a view besides its picture. `ref` must be one of the scene's.
 
+// Where a light is drawn: a directional light, which is nowhere, beside what the scene's camera
+// looks at, as near as an eye that looks there sees it.
+glm::dvec3 handle_position(const Light& light, const Scene& scene, const glm::dvec3& eye);
 // Corners of the box around a surface's mesh, along its own axes: corner k has the greater x, y, z
 // where the bits 1, 2, 4 of k are set.
 std::array<glm::dvec3, 8> box_corners(const Surface& surface);

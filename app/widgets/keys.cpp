@@ -49,6 +49,7 @@ constexpr std::array table = std::to_array<KeyEntry>({
     {"tool.eraser", "E"},
     {"tool.airbrush", "A"},
     {"tool.emitter", "P"},
+    {"tool.spline", "Shift+B"},
     {"tool.smaller", "["},
     {"tool.larger", "]"},
     {"tool.weaker", "Shift+[; {"},

@@ -13,7 +13,8 @@ void light_new_scene(Document& document, View& view, Camera& framed) {
   if (scene.environment || scene.lights != new_scene().lights) return;
   const auto sphere = bounding_sphere(scene);
   if (!sphere) return;
-  const bool is_new_camera = KeyedCamera{scene.camera, scene.camera_keys} == KeyedCamera{};
+  const bool is_new_camera =
+      KeyedCamera{scene.camera, scene.camera_keys} == KeyedCamera{new_scene().camera, {}};
   if (is_new_camera && (view.camera() == scene.camera || view.camera() == framed)) {
     view.camera_controller().frame_all();
     framed = view.camera();

@@ -22,7 +22,7 @@ QVariantList camera_numbers(const Camera& camera) {
   return numbers << camera.vertical_fov;
 }
 
-std::optional<Camera> camera_of(const QVariantList& numbers) {
+std::optional<Camera> saved_camera(const QVariantList& numbers) {
   if (numbers.size() != 10) return std::nullopt;
   std::array<double, 10> v{};
   for (std::size_t k = 0; k < v.size(); ++k) {
@@ -35,7 +35,7 @@ std::optional<Camera> camera_of(const QVariantList& numbers) {
   return is_valid ? std::optional(camera) : std::nullopt;
 }
 
-QString name_of(const QVariant& entry) {
+QString saved_view_name(const QVariant& entry) {
   return entry.toMap().value("file").toString();
 }
 
@@ -66,8 +66,8 @@ void SavedViews::note_view() {
 void SavedViews::restore_view() {
   const QString name = to_qstring(document_.file());
   for (const QVariant& entry : QSettings().value(saved_views_key).toList()) {
-    if (name_of(entry) != name) continue;
-    if (const auto camera = camera_of(entry.toMap().value("camera").toList())) {
+    if (saved_view_name(entry) != name) continue;
+    if (const auto camera = saved_camera(entry.toMap().value("camera").toList())) {
       view_.camera_controller().set_camera(*camera);
     }
   }
@@ -78,7 +78,7 @@ void SavedViews::store() {
   const QString name = to_qstring(file_);
   QSettings settings;
   QVariantList views = settings.value(saved_views_key).toList();
-  views.removeIf([&](const QVariant& entry) { return name_of(entry) == name; });
+  views.removeIf([&](const QVariant& entry) { return saved_view_name(entry) == name; });
   if (camera_) {
     views.prepend(QVariantMap{{"file", name}, {"camera", camera_numbers(*camera_)}});
   }

@@ -91,7 +91,7 @@ QPixmap empty_picture() {
   return picture;
 }
 
-QLabel* heading(const QString& text, QWidget* parent) {
+QLabel* page_heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(QString("<b>%1</b>").arg(text), parent);
   label->setContentsMargins(0, 8, 0, 2);
   return label;
@@ -108,14 +108,14 @@ StartPage::StartPage(Document& document, SceneFiles& files, QWidget& views)
   templates_ = new TileGrid(content);
   recent_ = new TileGrid(content);
   samples_ = new TileGrid(content);
-  recent_title_ = heading(tr("Recent scenes"), content);
+  recent_title_ = page_heading(tr("Recent scenes"), content);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(18, 4, 18, 12);
-  column->addWidget(heading(tr("New scene"), content));
+  column->addWidget(page_heading(tr("New scene"), content));
   column->addWidget(templates_);
   column->addWidget(recent_title_);
   column->addWidget(recent_);
-  column->addWidget(heading(tr("Samples"), content));
+  column->addWidget(page_heading(tr("Samples"), content));
   column->addWidget(samples_);
   column->addStretch(1);
   auto* scroll = new QScrollArea(this);

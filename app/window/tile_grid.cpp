@@ -7,7 +7,7 @@
 namespace brume {
 namespace {
 
-constexpr int gap = 6;            // pixels
+constexpr int tile_gap = 6;       // pixels
 constexpr int picture_scale = 2;  // for screens with fine pixels
 
 QPixmap filled_tile(const QPixmap& picture) {
@@ -64,14 +64,15 @@ void TileGrid::arrange() {
   }
   QSize size;
   for (const QToolButton* tile : tiles_) size = size.expandedTo(tile->sizeHint());
-  const int columns = std::max(1, (width() + gap) / (size.width() + gap));
+  const int columns = std::max(1, (width() + tile_gap) / (size.width() + tile_gap));
   int k = 0;
   for (QToolButton* tile : tiles_) {
     tile->setGeometry(QRect(
-        QPoint(k % columns * (size.width() + gap), k / columns * (size.height() + gap)), size));
+        QPoint(k % columns * (size.width() + tile_gap), k / columns * (size.height() + tile_gap)),
+        size));
     ++k;
   }
-  setFixedHeight(((k - 1) / columns + 1) * (size.height() + gap) - gap);
+  setFixedHeight(((k - 1) / columns + 1) * (size.height() + tile_gap) - tile_gap);
 }
 
 }  // namespace brume

@@ -31,7 +31,7 @@ CellCounts cells_along(const FogShape& shape) {
 }
 
 // The density of each Gaussian so that one to a cell of this volume makes a mean density.
-double peak_density(double mean, double cell_volume, double radius) {
+double density_per_cell(double mean, double cell_volume, double radius) {
   return mean * cell_volume / (std::pow(std::numbers::pi, 1.5) * radius * radius * radius);
 }
 
@@ -47,7 +47,7 @@ std::vector<Gaussian> fill(const FogShape& shape) {
   const glm::dvec3 size = filled_size(shape);
   const glm::dvec3 cell = size / glm::dvec3(n[0], n[1], n[2]);
   const double radius = radius_per_spacing * shape.spacing;
-  const double peak = peak_density(shape.density, cell.x * cell.y * cell.z, radius);
+  const double peak = density_per_cell(shape.density, cell.x * cell.y * cell.z, radius);
   const bool is_height = shape.kind == FogShape::Kind::height;
   glm::dvec3 low = shape.center - 0.5 * size;
   if (is_height) low.y = shape.center.y;

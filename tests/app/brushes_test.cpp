@@ -14,6 +14,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <set>
 
 #include "app/tools/airbrush_tool.h"
 #include "app/tools/brush_library.h"

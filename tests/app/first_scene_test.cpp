@@ -171,7 +171,7 @@ class FirstSceneTest : public QObject {
     QVERIFY(document.scene() == new_scene());
     window.import({bunny, BRUME_RESOURCES "/environments/sunset.exr"});
     QVERIFY(document.scene().lights == new_scene().lights);
-    QVERIFY(document.scene().camera == Camera());
+    QVERIFY(document.scene().camera == new_scene().camera);
   }
 
   void what_nothing_lights_is_shown_by_a_headlight() {

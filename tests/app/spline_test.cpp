@@ -1,0 +1,177 @@
+// The spline brush, and moves with a soft selection and with snapping.
+
+#include <QComboBox>
+#include <QPushButton>
+#include <cmath>
+
+#include "app/commands/edit_medium.h"
+#include "app/tools/spline_tool.h"
+#include "app/tools/tool_box.h"
+#include "app/viewport/viewport.h"
+#include "tests/app/test_window.h"
+
+using namespace brume;
+
+namespace {
+
+// A window of a light and no fog.
+class SplineWindow : public TestWindow {
+ public:
+  SplineWindow() : TestWindow(scene_without_fog()) {}
+
+  static Scene scene_without_fog() {
+    Scene scene = small_scene();
+    scene.medium = {};
+    return scene;
+  }
+
+  Document& document() { return (*this)->document(); }
+  Viewport& view() { return (*this)->viewport(); }
+};
+
+}  // namespace
+
+class SplineTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void a_soft_move_takes_near_fog_along() {
+    SplineWindow window;
+    Document& document = window.document();
+    for (int k = 0; k < 6; ++k) {
+      add_gaussian(document, {.center = {0.3 * k, 0.0, 0.0}, .radius = 0.2, .density = 1.0});
+    }
+    const Scene before = document.scene();
+    document.select({before.medium.ids()[0]});
+    document.lock({before.medium.ids()[2]});
+    window.key(Qt::Key_G);
+    enter(window, "move_soft", "1");
+    const glm::dvec3 at = window.view().rays().project(window.view().pivot());
+    const QPoint pivot = QPointF(at.x, at.y).toPoint();
+    const auto steps = document.undo_stack().count();
+    window.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
+    QCOMPARE(document.undo_stack().count(), steps + 1);
+    const auto moved = [&](std::size_t k) {
+      return document.medium().centers()[k].y - before.medium.centers()[k].y;
+    };
+    QVERIFY(moved(0) < -0.2);
+    const auto weight = [](double t) { return (1.0 - t) * (1.0 - t) * (1.0 + 2.0 * t); };
+    QVERIFY(std::abs(moved(1) / moved(0) - weight(0.3)) < 1e-6);
+    QCOMPARE(moved(2), 0.0);  // locked
+    QVERIFY(std::abs(moved(3) / moved(0) - weight(0.9)) < 1e-6);
+    QCOMPARE(moved(4), 0.0);
+    document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+    enter(window, "move_soft", "0");
+    window.drag(pivot + QPoint(0, 9), pivot + QPoint(0, 69));
+    QCOMPARE(moved(1), 0.0);
+    QCOMPARE(document.undo_stack().undoText(), QString("Move Gaussian"));
+  }
+
+  void moves_snap_to_a_grid() {
+    SplineWindow window;
+    Document& document = window.document();
+    add_gaussian(document, {.center = {0.1, 0.2, 0.3}, .radius = 0.2, .density = 1.0});
+    document.select({document.medium().ids()[0]});
+    window.key(Qt::Key_G);
+    auto* snap = window->findChild<QComboBox*>("move_snap");
+    snap->setCurrentIndex(2);
+    Q_EMIT snap->activated(2);
+    enter(window, "move_grid", "0.5");
+    const glm::dvec3 at = window.view().rays().project(window.view().pivot());
+    const QPoint pivot = QPointF(at.x, at.y).toPoint();
+    window.drag(pivot + QPoint(60, 0), pivot + QPoint(150, 0));  // along x only
+    const glm::dvec3 center = document.medium().centers()[0];
+    QVERIFY(center.x > 0.4 && std::abs(std::remainder(center.x, 0.5)) < 1e-9);
+    QCOMPARE(center.y, 0.2);
+    QCOMPARE(center.z, 0.3);
+  }
+
+  void a_spline_stays_editable() {
+    SplineWindow window;
+    Document& document = window.document();
+    const Scene before = document.scene();
+    window.key(Qt::Key_B, Qt::ShiftModifier);
+    auto& tool = dynamic_cast<SplineTool&>(window->tools().tool());
+    const QPoint center = window.view().rect().center();
+    const auto click = [&](QPoint at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+      QTest::mouseClick(&window.view(), Qt::LeftButton, modifiers, at);
+    };
+    click(center - QPoint(150, 0));
+    click(center);
+    click(center + QPoint(150, 0));
+    QCOMPARE(tool.spline().points.size(), std::size_t{3});
+    QCOMPARE(document.undo_stack().count(), 3);
+    const Medium straight = document.medium();
+    const std::vector<glm::dvec3> points = tool.spline().points;
+    QVERIFY(straight.size() > 5);
+
+    // The point in the middle, down: one step, and undo takes the point back as well.
+    window.drag(center, center + QPoint(0, 90));
+    QCOMPARE(document.undo_stack().count(), 4);
+    QCOMPARE(document.undo_stack().undoText(), QString("Move point of spline"));
+    QVERIFY(tool.spline().points[1].y < -0.5);
+    double lowest = 0.0;
+    for (const glm::dvec3& at : document.medium().centers()) lowest = std::min(lowest, at.y);
+    QVERIFY(lowest < -0.5);
+    document.undo_stack().undo();
+    QVERIFY(tool.spline().points == points);
+    QVERIFY(document.medium() == straight);
+    document.undo_stack().redo();
+    QVERIFY(tool.spline().points[1].y < -0.5);
+
+    // A change of the brush repaints it, as one step of all in a row.
+    enter(window, "spline_radius", "0.1");
+    enter(window, "spline_density", "2");
+    QCOMPARE(document.undo_stack().count(), 5);
+    for (std::size_t k = 0; k < document.medium().size(); ++k) {
+      QCOMPARE(document.medium().gaussian(k).radius, 0.1);
+      QCOMPARE(document.medium().gaussian(k).density, 2.0);
+    }
+    enter(window, "spline_smoothing", "10");  // which changes nothing of it
+    QCOMPARE(document.undo_stack().count(), 5);
+
+    click(center + QPoint(0, 90), Qt::ControlModifier);
+    QCOMPARE(tool.spline().points.size(), std::size_t{2});
+    QCOMPARE(document.undo_stack().undoText(), QString("Remove point of spline"));
+
+    // What was deleted meanwhile is painted again; Escape takes a drag back.
+    document.select({document.medium().ids()[1]});
+    delete_selection(document, "Delete");
+    const Medium deleted = document.medium();
+    const QPoint end = center + QPoint(150, 0);
+    QTest::mousePress(&window.view(), Qt::LeftButton, {}, end);
+    window.move(end + QPoint(0, 40));
+    QVERIFY(document.medium().size() >= deleted.size());
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    QTest::mouseRelease(&window.view(), Qt::LeftButton, {}, end);
+    QVERIFY(tool.spline().points[1] == points[2]);
+
+    // New leaves it; the next click begins another.
+    const std::size_t count = document.medium().size();
+    window->findChild<QPushButton*>("spline_new")->click();
+    QVERIFY(tool.spline().points.empty());
+    click(center + QPoint(0, 120));
+    QCOMPARE(tool.spline().points.size(), std::size_t{1});
+    QCOMPARE(document.medium().size(), count + 1);
+    while (document.undo_stack().canUndo()) document.undo_stack().undo();
+    QVERIFY(document.scene() == before);
+    while (document.undo_stack().canRedo()) document.undo_stack().redo();
+    QCOMPARE(document.medium().size(), count + 1);
+  }
+
+  void another_scene_ends_a_spline() {
+    SplineWindow window;
+    window.key(Qt::Key_B, Qt::ShiftModifier);
+    auto& tool = dynamic_cast<SplineTool&>(window->tools().tool());
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, window.view().rect().center());
+    QVERIFY(!tool.spline().points.empty());
+    window.document().create();
+    QVERIFY(tool.spline().points.empty());
+    QVERIFY(window.document().medium().empty());
+    QVERIFY(!window.document().is_modified());
+  }
+};
+
+BRUME_APP_SUITE("spline", SplineTest)
+#include "spline_test.moc"
