@@ -5,6 +5,7 @@
 #include "app/view/overlay.h"
 #include "core/scene/mesh_arrays.h"
 #include "core/scene/placement.h"
+#include "core/scene/point_lights.h"
 
 namespace brume {
 namespace {
