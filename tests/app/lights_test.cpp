@@ -13,6 +13,7 @@
 
 #include "app/commands/edit_lights.h"
 #include "app/panels/light_panel.h"
+#include "app/view/object_box.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/color_button.h"
 #include "app/widgets/number_field.h"
