@@ -20,6 +20,7 @@
 #include "app/files/recent_pictures.h"
 #include "app/files/scene_files.h"
 #include "app/import/scene_import.h"
+#include "app/panels/outliner.h"
 #include "app/panels/timeline_bar.h"
 #include "app/tools/tool_bars.h"
 #include "app/tools/tool_box.h"
@@ -120,7 +121,11 @@ void MainWindow::create_actions() {
     }
     delete_selection(document_, tr("Delete"));
   });
-  add(edit, tr("Rena&me"), "edit.rename", [this] { rename_object(); });
+  QAction* rename = add(edit, tr("Rena&me"), "edit.rename", [this] { rename_object(); });
+  // Elsewhere F2 edits the cell of a table.
+  rename->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  views_->addAction(rename);
+  findChild<Outliner*>()->addAction(rename);
 
   QMenu* adding = menuBar()->addMenu(tr("&Add"));
   adding->setObjectName("add_menu");
