@@ -6,9 +6,11 @@
 
 #include <QElapsedTimer>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/document/document.h"
@@ -38,6 +40,8 @@ Scene designers_scene() {
   Surface& surface = scene.surfaces.emplace_back();
   surface.mesh_file = BRUME_RESOURCES "/meshes/bunny.obj";
   surface.mesh = read_mesh(surface.mesh_file);
+  surface.scale = 0.12;
+  surface.translate = {0.0, -0.9, 0.0};
   Environment environment;
   environment.file = BRUME_RESOURCES "/environments/sunset.exr";
   environment.map = read_radiance_map(environment.file);
@@ -49,6 +53,32 @@ Scene designers_scene() {
   return scene;
 }
 
+// rms(a - b) / rms(b) of radiance, b averaged over the pixels of the coarser frame a.
+double difference(const Frame& a, const Frame& b) {
+  const int step = b.film.width / a.film.width;
+  double sum = 0.0;
+  double whole = 0.0;
+  for (int y = 0; y < a.film.height; ++y) {
+    for (int x = 0; x < a.film.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        double mean = 0.0;
+        for (int j = 0; j < step; ++j) {
+          for (int i = 0; i < step; ++i) {
+            const int at = (y * step + j) * b.film.width + x * step + i;
+            mean +=
+                static_cast<double>(b.beauty[static_cast<std::size_t>(4 * at + c)]) / (step * step);
+          }
+        }
+        const auto own = static_cast<std::size_t>(4 * (y * a.film.width + x) + c);
+        const double gap = static_cast<double>(a.beauty[own]) - mean;
+        sum += gap * gap;
+        whole += mean * mean;
+      }
+    }
+  }
+  return std::sqrt(sum / whole);
+}
+
 class Gestures {
  public:
   Gestures(MainWindow& window, int repeats)
@@ -57,6 +87,8 @@ class Gestures {
   }
 
   void run() {
+    settle();
+    QTest::qWait(500);
     settle();
     at_rest_ = view_.frames().shown()->milliseconds;
     const auto& quality = view_.frames().quality();
@@ -122,14 +154,30 @@ class Gestures {
       int step = 0;
       while (timer.elapsed() < duration) {
         ++step;
-        send_move(start + QPointF(6 + 60.0 * std::sin(0.05 * step), 2 + 0.2 * step), button);
+        // Wide loops: a brush paints all along them.
+        send_move(
+            start + QPointF(6 + 200.0 * std::sin(0.06 * step), 2 + 90.0 * std::sin(0.04 * step)),
+            button);
         QTest::qWait(8);
       }
       pictures += 1e3 * (frames_ - before) / duration;
+      if (k == 0) stages_ = stages_text();
       QTest::mouseRelease(&view_, button, {}, start);
       timer.restart();
-      while (!view_.frames().is_settled()) QCoreApplication::processEvents();
+      std::optional<RenderedFrame> last;  // in motion
+      int copied = -1;
+      while (!view_.frames().is_settled()) {
+        QCoreApplication::processEvents();
+        if (frames_ == std::exchange(copied, frames_)) continue;
+        const RenderedFrame& shown = *view_.frames().shown();
+        if (shown.request.moving) last = shown;
+      }
       settled += 1e-3 * static_cast<double>(timer.elapsed());
+      const RenderedFrame& rest = *view_.frames().shown();
+      if (last && last->request.scene == rest.request.scene &&
+          last->request.camera == rest.request.camera) {
+        difference_ = difference(last->frame, rest.frame);
+      }
     }
     print(name, first, pictures / repeats_, settled / repeats_);
   }
@@ -144,6 +192,7 @@ class Gestures {
     const int before = frames_;
     timer.restart();
     while (timer.elapsed() < duration) QTest::qWait(5);
+    stages_ = stages_text();
     const double pictures = 1e3 * (frames_ - before) / duration;
     window_.timeline().stop();
     timer.restart();
@@ -156,7 +205,23 @@ class Gestures {
     const double median = first[first.size() / 2];
     std::printf("  %-32s %20.0f %7.0f %7.2f      %12.1f   %10.2f\n", name, median, first.back(),
                 median / at_rest_, pictures, settled);
+    std::printf("      %s; its radiance differs by %.1f %% from that at rest\n",
+                qPrintable(stages_), 100.0 * difference_);
     std::fflush(stdout);
+  }
+
+  // Of the picture shown: its pixels, and the stages that took longest.
+  [[nodiscard]] QString stages_text() const {
+    const RenderedFrame& frame = *view_.frames().shown();
+    std::vector<StageTime> times = frame.frame.statistics.stages;
+    std::ranges::sort(times, std::ranges::greater{}, &StageTime::milliseconds);
+    QString text =
+        QString("1/%1 of the width, %2 ms:").arg(frame.divisor).arg(frame.milliseconds, 0, 'f', 0);
+    for (std::size_t k = 0; k < std::min<std::size_t>(times.size(), 5); ++k) {
+      text +=
+          QString(" %1 %2").arg(to_string(times[k].stage)).arg(times[k].milliseconds, 0, 'f', 0);
+    }
+    return text;
   }
 
   MainWindow& window_;
@@ -164,6 +229,8 @@ class Gestures {
   int repeats_;
   int frames_ = 0;
   double at_rest_ = 0.0;
+  QString stages_;           // of a picture in motion
+  double difference_ = 0.0;  // of the last one from the picture at rest
 };
 
 }  // namespace
