@@ -138,6 +138,7 @@ class Gestures {
 
   void gesture(const char* name, Qt::MouseButton button, QPoint start) {
     constexpr int duration = 2000;  // milliseconds
+    difference_ = NAN;
     std::vector<double> first;
     double pictures = 0.0;
     double settled = 0.0;
@@ -183,6 +184,7 @@ class Gestures {
   }
 
   void play() {
+    difference_ = NAN;
     constexpr int duration = 4000;  // milliseconds
     settle();
     QElapsedTimer timer;
@@ -230,7 +232,7 @@ class Gestures {
   int frames_ = 0;
   double at_rest_ = 0.0;
   QString stages_;           // of a picture in motion
-  double difference_ = 0.0;  // of the last one from the picture at rest
+  double difference_ = NAN;  // of the last one from the picture at rest
 };
 
 }  // namespace
