@@ -10,6 +10,7 @@ namespace brume {
 
 Timeline::Timeline(QObject* parent) : QObject(parent) {
   timer_.setInterval(static_cast<int>(1000.0 / frames_per_second_));
+  timer_.setTimerType(Qt::PreciseTimer);  // a coarse one drops frames
   connect(&timer_, &QTimer::timeout, this, &Timeline::advance_frame);
 }
 
