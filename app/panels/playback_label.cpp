@@ -21,7 +21,9 @@ PlaybackLabel::PlaybackLabel(const Timeline& timeline, QWidget* parent)
       tr("Frames per second that the view shows, of the scene's rate. Frames that take too long "
          "are dropped, so that time runs as it will; once a loop is cached, none are."));
   // The slider keeps its place while the numbers change.
-  setMinimumWidth(fontMetrics().horizontalAdvance(playback_text(2.0, 29.97)));
+  constexpr int margin = 8;  // pixels
+  setContentsMargins(margin, 0, margin, 0);
+  setMinimumWidth(fontMetrics().horizontalAdvance(playback_text(2.0, 29.97)) + 2 * margin);
   hide();
   clock_.start();
   constexpr int interval = 250;  // milliseconds: can be read

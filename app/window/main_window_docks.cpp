@@ -112,8 +112,10 @@ void MainWindow::create_docks() {
   addDockWidget(Qt::BottomDockWidgetArea, curves);
   splitDockWidget(curves, timeline_dock, Qt::Vertical);
   curves->hide();
-  connect(timeline_bar_, &TimelineBar::curves_asked_for, curves,
-          [curves] { curves->setVisible(curves->isHidden()); });
+  connect(timeline_bar_, &TimelineBar::curves_asked_for, curves, [this, curves] {
+    curves->setVisible(curves->isHidden());
+    if (curves->isVisible()) resizeDocks({curves}, {240}, Qt::Vertical);
+  });
 
   connect(&document_, &Document::object_changed, this, [this, lights, emitters, material] {
     const auto& object = document_.object();
