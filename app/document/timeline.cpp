@@ -80,8 +80,10 @@ void Timeline::advance_frame() {
   int frame = play_start_ + static_cast<int>(played);
   if (frame > last_) {
     if (loops_) {
-      frame = play_start_ = first_;
-      clock_.restart();
+      // Time goes on: a restarted clock would lose a part of a frame in each loop.
+      const int wrapped = first_ + (frame - first_) % (last_ - first_ + 1);
+      play_start_ -= frame - wrapped;
+      frame = wrapped;
     } else {
       frame = last_;
       timer_.stop();
