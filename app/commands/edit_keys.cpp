@@ -45,6 +45,14 @@ void move_keys(Document& document, const Track& row, const ScenePart& before, do
   push(document, std::move(part), undo_text("Move keyframe of %1").arg(in_sentence(row)), merge_id);
 }
 
+void move_curve_key(Document& document, const Track& row, const Curve& curve,
+                    const ScenePart& before, const CurveKeyMove& move, MergeId merge_id) {
+  ScenePart part = before;
+  if (move.new_time != move.old_time) move_keys(part, row, move.old_time, move.new_time);
+  set_key_value(part, curve, move.new_time, move.value);
+  push(document, std::move(part), undo_text("Move keyframe of %1").arg(in_sentence(row)), merge_id);
+}
+
 void set_interpolation(Document& document, const Track& row, double time,
                        Interpolation interpolation) {
   ScenePart part = scene_part(document.scene(), row.part);

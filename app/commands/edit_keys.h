@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/commands/merge_id.h"
-#include "app/document/keyframe_tracks.h"
+#include "app/document/keyframe_curves.h"
 
 namespace brume {
 
@@ -17,6 +17,14 @@ void delete_keys(Document& document, const Track& row, double time);
 // `before`: the scene part at the start of the gesture.
 void move_keys(Document& document, const Track& row, const ScenePart& before, double old_time,
                double new_time, MergeId merge_id);
+// The same, and sets one number of the key.
+struct CurveKeyMove {
+  double old_time;  // [s]
+  double new_time;
+  double value;
+};
+void move_curve_key(Document& document, const Track& row, const Curve& curve,
+                    const ScenePart& before, const CurveKeyMove& move, MergeId merge_id);
 void set_interpolation(Document& document, const Track& row, double time,
                        Interpolation interpolation);
 

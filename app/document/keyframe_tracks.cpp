@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/animation.h"
+#include "app/document/visit_keyed_part.h"
 
 namespace brume {
 namespace {
@@ -16,30 +16,9 @@ QString track_text(const char* text) {
 // Calls visit(i, value, keys) for the values of a part that can have keys, in order.
 void visit_values(auto& part, auto&& visit) {
   std::size_t i = 0;
-  const auto each = [&](const char*, auto& value, auto& keys, const NumberDomain&) {
+  visit_keyed_part(part, [&](const char*, auto& value, auto& keys, const NumberDomain&) {
     visit(i++, value, keys);
-  };
-  std::visit(
-      [&]<class T>(T& value) {
-        using Part = std::remove_const_t<T>;
-        if constexpr (std::is_same_v<Part, KeyedCamera>) {
-          visit_keyed_camera(value.camera, value.keys, each);
-        } else if constexpr (std::is_same_v<Part, KeyedDensity>) {
-          visit_keyed_density(value.density, value.keys, each);
-        } else if constexpr (std::is_same_v<Part, Lights>) {
-          for (auto& light : value) visit_keyed_light(light, each);
-        } else if constexpr (std::is_same_v<Part, Emitters>) {
-          for (auto& emitter : value) visit_keyed_emitter(emitter, each);
-        } else if constexpr (std::is_same_v<Part, Groups>) {
-          for (auto& group : value) visit_keyed_group(group, each);
-        } else if constexpr (std::is_same_v<Part, std::optional<Environment>>) {
-          if (value) visit_keyed_environment(*value, each);
-        } else if constexpr (std::is_same_v<Part, MediumOptics>) {
-          visit_keyed_optics(value, each);
-          visit_keyed_noise(value.noise, each);
-        }
-      },
-      part);
+  });
 }
 
 // The same for the values of a row.

@@ -10,6 +10,7 @@ namespace brume {
 
 Timeline::Timeline(QObject* parent) : QObject(parent) {
   timer_.setInterval(static_cast<int>(1000.0 / frames_per_second_));
+  timer_.setTimerType(Qt::PreciseTimer);  // a coarse one drops frames
   connect(&timer_, &QTimer::timeout, this, &Timeline::advance_frame);
 }
 
@@ -79,8 +80,10 @@ void Timeline::advance_frame() {
   int frame = play_start_ + static_cast<int>(played);
   if (frame > last_) {
     if (loops_) {
-      frame = play_start_ = first_;
-      clock_.restart();
+      // Time goes on: a restarted clock would lose a part of a frame in each loop.
+      const int wrapped = first_ + (frame - first_) % (last_ - first_ + 1);
+      play_start_ -= frame - wrapped;
+      frame = wrapped;
     } else {
       frame = last_;
       timer_.stop();

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <algorithm>
+#include <utility>
 
 #include "app/document/document.h"
 #include "app/frames/frame_services.h"
@@ -41,7 +42,7 @@ FrameScheduler::FrameScheduler(const Document& document, FrameServices& services
   // Even if they are again those of the frame shown: another one may be on its way.
   connect(&quality_, &FrameQuality::settings_changed, this, [this] {
     if (pane_.isHidden() || mode_ == ViewMode::path_traced) return;
-    services_.service.request(frame_request(false));
+    send(frame_request(false));
   });
   connect(&quality_, &FrameQuality::failed, this, &FrameScheduler::failed);
   connect(&quality_, &FrameQuality::error_changed, this, &FrameScheduler::map_error);
@@ -54,15 +55,17 @@ FrameScheduler::FrameScheduler(const Document& document, FrameServices& services
   connect(&services.error_mapper, &ErrorMapper::failed, this, [this](const QString& message) {
     if (active_) Q_EMIT failed(message);
   });
-  connect(&services.transfer_job, &TransferJob::made, this, &FrameScheduler::request);
-  connect(&services.service, &FrameService::backend_changed, this, &FrameScheduler::request);
+  connect(&services.service, &FrameService::failed, this, [this] { refines_cache_ = false; });
+  connect(&services.transfer_job, &TransferJob::made, this, &FrameScheduler::change_look);
+  connect(&services.service, &FrameService::backend_changed, this, &FrameScheduler::change_look);
   connect(&document, &Document::scene_replaced, this, [this] {
     quality_.scene_replaced();
     oldest_serial_ = serial_ + 1;
+    forget_cached();
   });
-  connect(&document, &Document::medium_changed, this, &FrameScheduler::request);
-  connect(&document, &Document::part_changed, this, &FrameScheduler::request);
-  connect(&document, &Document::hidden_or_locked_changed, this, &FrameScheduler::request);
+  connect(&document, &Document::medium_changed, this, &FrameScheduler::change_look);
+  connect(&document, &Document::part_changed, this, &FrameScheduler::change_look);
+  connect(&document, &Document::hidden_or_locked_changed, this, &FrameScheduler::change_look);
 }
 
 void FrameScheduler::set_active(bool active) {
@@ -102,8 +105,13 @@ void FrameScheduler::set_mode(ViewMode mode) {
 
 bool FrameScheduler::is_settled() const {
   if (mode_ == ViewMode::path_traced) return shows_paths() && shown_->divisor == 1;
-  return shown_ && shown_->request.serial == serial_ && shown_->divisor == 1 &&
-         !shown_->on_device && shown_->request.settings == quality_.settings();
+  return shown_ && shown_->request.serial == serial_ && is_full(*shown_);
+}
+
+// One in motion may be, where that saves nothing.
+bool FrameScheduler::is_full(const RenderedFrame& frame) const {
+  return frame.divisor == 1 && !frame.on_device && !frame.cached &&
+         frame.request.settings == quality_.settings();
 }
 
 bool FrameScheduler::shows_paths() const {
@@ -166,12 +174,12 @@ std::shared_ptr<const Scene> FrameScheduler::lit_scene() const {
   return headlit_;
 }
 
-FrameRequest FrameScheduler::frame_request(bool moving) const {
+FrameRequest FrameScheduler::frame_request(bool moving) {
+  check_look();
   const auto scene = lit_scene();
-  const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
   FrameRequest request{.scene = scene,
                        .camera = view_.shown_camera(),
-                       .film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
+                       .film = look_.film,
                        .settings = moving ? motion_settings(scene) : quality_.settings(),
                        .exposure = exposure_,
                        .mode = mode_,
@@ -179,26 +187,95 @@ FrameRequest FrameScheduler::frame_request(bool moving) const {
                        .serial = serial_,
                        .moving = moving,
                        .depth = view_.shown_handles().use_depth(),
-                       .headlight = scene == headlit_};
+                       .headlight = scene == headlit_,
+                       .time = view_.time(),
+                       .look = look_count_};
   if (!moving && mode_ == ViewMode::path_traced) ask_for_paths(request);
   return request;
 }
 
+void FrameScheduler::send(FrameRequest request) {
+  refines_cache_ = request.refines_cache;
+  services_.service.request(std::move(request));
+}
+
 void FrameScheduler::request() {
+  if (held_) {
+    held_request_ = true;
+    return;
+  }
   ++serial_;
   forget_error_map();
   if (pane_.isHidden()) return;
   quality_.picture_changes(*lit_scene(), view_.shown_camera());
   services_.transfer_job.follow(document_.scene(), quality_.settings());
-  services_.service.request(frame_request(true));
+  if (!show_cached()) send(frame_request(true));
   rest_timer_.start(rest_after);
 }
 
+void FrameScheduler::change_look() {
+  if (!held_) forget_cached();
+  request();
+}
+
+void FrameScheduler::release() {
+  held_ = false;
+  if (std::exchange(held_request_, false)) request();
+}
+
+bool FrameScheduler::uses_cache() const {
+  return mode_ == ViewMode::final || mode_ == ViewMode::airlight || mode_ == ViewMode::outlines;
+}
+
+void FrameScheduler::forget_cached() {
+  ++look_count_;
+  services_.cache.forget(index());
+}
+
+void FrameScheduler::check_look() {
+  const QSize pixels = (QSizeF(pane_.size()) * pane_.devicePixelRatioF()).toSize();
+  const Look look{.film = {std::max(1, pixels.width()), std::max(1, pixels.height())},
+                  .exposure = exposure_,
+                  .mode = mode_,
+                  .airlight = quality_.airlight(),
+                  .scattering = quality_.scattering(),
+                  .max_error = quality_.max_error()};
+  if (look == look_) return;
+  look_ = look;
+  forget_cached();
+}
+
+bool FrameScheduler::show_cached() {
+  check_look();
+  if (!uses_cache()) return false;
+  const PictureCache::Picture* kept =
+      services_.cache.find(index(), view_.time(), view_.shown_camera());
+  if (!kept) return false;
+  const bool is_draft = !kept->full;
+  auto frame = std::make_shared<RenderedFrame>(*kept->frame);
+  frame->request.scene = lit_scene();
+  frame->request.serial = serial_;
+  frame->request.moving = true;  // the one at rest has layers, and follows
+  frame->cached = true;
+  shown_ = std::move(frame);
+  if (is_draft) refine_cached();
+  Q_EMIT frame_shown();
+  return true;
+}
+
+void FrameScheduler::refine_cached() {
+  if (refines_cache_) return;
+  FrameRequest request = frame_request(false);
+  request.refines_cache = true;
+  send(std::move(request));
+}
+
 void FrameScheduler::request_at_rest() {
-  if (!is_settled() && !pane_.isHidden()) services_.service.request(frame_request(false));
+  if (!is_settled() && !pane_.isHidden()) send(frame_request(false));
 }
 
 void FrameScheduler::forget() {
+  refines_cache_ = false;
   services_.service.forget(index());
 }
 
@@ -215,6 +292,14 @@ void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame
   const bool at_rest = !frame->request.moving;
   // One that came too late for the mode it was made for.
   if (at_rest && is_path_traced(*frame) != (mode_ == ViewMode::path_traced)) return;
+  if (frame->request.refines_cache) refines_cache_ = false;
+  check_look();
+  if (uses_cache() && frame->request.look == look_count_) {
+    services_.cache.insert(*frame, is_full(*frame) || (at_rest && frame->divisor == 1));
+  }
+  // A later one may have come from the cache.
+  const bool is_late = shown_ && frame->request.serial < shown_->request.serial;
+  if (is_late || (frame->request.refines_cache && frame->request.serial != serial_)) return;
   shown_ = frame;
   forget_error_map();
   // Paths prepare nothing that a frame in motion could keep.
@@ -231,7 +316,7 @@ void FrameScheduler::refine() {
   // Two paths without noise: there is nothing that more of them would change.
   const bool is_exact = paths > 1 && !shown_->frame.statistics.path_noise;
   const bool is_done = is_settled() && (is_exact || paths >= max_view_paths);
-  if (!is_done) services_.service.request(frame_request(false));
+  if (!is_done) send(frame_request(false));
 }
 
 // One view at a time: each measurement takes all cores.

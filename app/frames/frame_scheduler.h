@@ -22,8 +22,13 @@ class FrameScheduler : public QObject {
   // Something that changes the picture: requests a frame soon, the full one once the view rests.
   // None for a hidden pane.
   void request();
-  void forget();  // drops what is pending
-  void resume();  // after forget(): requests what is missing
+  void change_look();  // the same, for what is not due to the time
+  void forget();       // drops what is pending
+  void resume();       // after forget(): requests what is missing
+  // Changes of time: until release(), all that changes is due to the time, and requested at once
+  // then.
+  void hold() { held_ = true; }
+  void release();
   // Whether it is the view that keys, panels and the error meter are about.
   void set_active(bool active);
 
@@ -53,9 +58,18 @@ class FrameScheduler : public QObject {
 
  private:
   [[nodiscard]] bool shows_paths() const;  // of the present state
+  // At full resolution with the settings for rest, and all its layers.
+  [[nodiscard]] bool is_full(const RenderedFrame& frame) const;
   void ask_for_paths(FrameRequest& request) const;
   [[nodiscard]] Settings motion_settings(const std::shared_ptr<const Scene>& scene) const;
-  [[nodiscard]] FrameRequest frame_request(bool moving) const;
+  [[nodiscard]] FrameRequest frame_request(bool moving);
+  void send(FrameRequest request);
+  // The cache is for what keeps its look while it plays, and needs no layers.
+  [[nodiscard]] bool uses_cache() const;
+  void forget_cached();
+  void check_look();     // forgets what is cached if the pane looks otherwise now
+  bool show_cached();    // of the present state; false: there is none
+  void refine_cached();  // renders it at rest, one at a time
   [[nodiscard]] std::shared_ptr<const Scene> lit_scene() const;  // by a headlight if unlit
   [[nodiscard]] int index() const { return static_cast<int>(view_.projection()); }
   void request_at_rest();
@@ -75,6 +89,21 @@ class FrameScheduler : public QObject {
   std::uint64_t serial_ = 0;         // of the current state
   std::uint64_t oldest_serial_ = 0;  // older frames belong to another scene
   std::shared_ptr<const RenderedFrame> shown_;
+  // What cached pictures were made for.
+  struct Look {
+    Film film;
+    double exposure = 0.0;
+    ViewMode mode = ViewMode::final;
+    AirlightMethod airlight = AirlightMethod::auto_;
+    Scattering scattering = Scattering::multiple;
+    double max_error = 0.0;
+    bool operator==(const Look&) const = default;
+  };
+  Look look_;
+  std::uint64_t look_count_ = 0;  // see FrameRequest
+  bool held_ = false;
+  bool held_request_ = false;
+  bool refines_cache_ = false;                 // one for the cache is on its way
   std::shared_ptr<const ErrorMap> error_map_;  // of the displayed frame
   std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest
   // Cache of lit_scene(), and what it was made from.

@@ -33,6 +33,10 @@ struct FrameRequest {
   int divisor = 1;           // at rest: of the resolution
   bool depth = true;         // request the depth layer nevertheless
   bool headlight = false;    // the scene has a light that the document lacks
+  double time = 0.0;         // [s] of the scene
+  // Of what the view shows besides the time: frames of another do not go to the cache.
+  std::uint64_t look = 0;
+  bool refines_cache = false;  // at rest, during playback: to be shown when its time comes again
 };
 
 struct RenderedFrame {
@@ -40,6 +44,7 @@ struct RenderedFrame {
   Frame frame;     // in motion at most the depth layer, and none without surfaces
   QImage picture;  // null if on the device
   std::shared_ptr<gl::DevicePicture> on_device;  // null: picture and frame are complete
+  bool cached = false;                           // by PictureCache: a picture alone
   int divisor = 1;
   double milliseconds = 0.0;
 };

@@ -2,6 +2,7 @@
 
 #include "app/frames/error_map.h"
 #include "app/frames/frame_service.h"
+#include "app/frames/picture_cache.h"
 #include "app/jobs/transfer_job.h"
 
 namespace brume {
@@ -15,6 +16,7 @@ struct FrameServices {
   TransferJob transfer_job;
   FrameService service;
   ErrorMapper error_mapper;  // for the active view
+  PictureCache cache;
 };
 
 }  // namespace brume

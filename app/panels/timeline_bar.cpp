@@ -10,12 +10,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "app/commands/edit_keys.h"
 #include "app/commands/scene_part_command.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
+#include "app/frames/picture_cache.h"
 #include "app/panels/keyframe_track.h"
+#include "app/panels/playback_label.h"
 #include "app/widgets/frame_slider.h"
 #include "app/widgets/icons.h"
 #include "app/widgets/plain_text.h"
@@ -40,8 +43,11 @@ QSpinBox* new_number(QWidget* parent, const char* name, const QString& tip) {
 TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<Camera()> view,
                          QWidget* parent)
     : QWidget(parent),
+      timeline_(timeline),
       document_(document),
       view_(std::move(view)),
+      slider_(new FrameSlider(this)),
+      playback_(new PlaybackLabel(timeline, this)),
       target_(new QComboBox(this)),
       keys_(new KeyframeTrack(timeline, document, this)),
       key_area_(new QScrollArea(this)) {
@@ -57,8 +63,12 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   auto* back = button("step_back", tr("Previous frame (,)"));
   auto* play = button("play", tr("Play (Space)"));
   auto* forward = button("step_forward", tr("Next frame (.)"));
-  auto* slider = new FrameSlider(this);
+  FrameSlider* slider = slider_;
   slider->setObjectName("frame_slider");
+  slider->setToolTip(
+      tr("Drag to another frame. The bar below shows which frames are cached: bright "
+         "at full quality, dim as they were shown during playback."));
+  playback_->setObjectName("playback_rate");
   auto* frame = new_number(this, "frame", tr("Frame"));
   auto* seconds = new PlainLabel(this);
   auto* first = new_number(this, "first_frame_of_range", tr("First frame"));
@@ -71,6 +81,8 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   target_->setFocusPolicy(Qt::ClickFocus);
   target_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* key = button("key", tr("Set a keyframe of this value at the current frame (I)"));
+
+  auto* curves = button("curve", tr("Show or hide the curves of the animated values"));
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -89,11 +101,13 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   row->addWidget(frame);
   row->addWidget(slider, 1);
   row->addWidget(seconds);
+  row->addWidget(playback_);
   row->addWidget(first);
   row->addWidget(last);
   row->addWidget(loop);
   row->addWidget(target_);
   row->addWidget(key);
+  row->addWidget(curves);
 
   connect(to_first, &QToolButton::clicked, &timeline,
           [&timeline] { timeline.set_frame(timeline.first()); });
@@ -121,6 +135,7 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   connect(loop, &QCheckBox::toggled, this, [this, &timeline](bool on) {
     set_playback({timeline.first(), timeline.last(), on, timeline.frames_per_second()});
   });
+  connect(curves, &QToolButton::clicked, this, &TimelineBar::curves_asked_for);
   connect(key, &QToolButton::clicked, this, &TimelineBar::set_key);
   for (const auto signal : {&Document::scene_replaced, &Document::part_changed}) {
     connect(&document_, signal, this, &TimelineBar::refresh_targets);
@@ -144,6 +159,18 @@ TimelineBar::TimelineBar(Timeline& timeline, Document& document, std::function<C
   };
   connect(&timeline, &Timeline::changed, this, show);
   show();
+}
+
+void TimelineBar::picture_shown(double time) {
+  playback_->picture_shown(time);
+}
+
+void TimelineBar::show_cached(const PictureCache& cache, int view) {
+  std::vector<FrameSlider::Cached> frames;
+  for (const PictureCache::Kept& kept : cache.kept(view)) {
+    frames.push_back({static_cast<int>(std::round(timeline_.frame_of(kept.time))), kept.full});
+  }
+  slider_->set_cached(std::move(frames));
 }
 
 void TimelineBar::set_playback(const Playback& playback) {

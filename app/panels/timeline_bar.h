@@ -12,7 +12,10 @@ class QScrollArea;
 namespace brume {
 
 class Document;
+class FrameSlider;
 class KeyframeTrack;
+class PictureCache;
+class PlaybackLabel;
 class Timeline;
 
 // The timeline: playback controls, frame slider, range, loop, keyframe target, and tracks.
@@ -25,14 +28,24 @@ class TimelineBar : public QWidget {
 
   // Sets a keyframe of the selected target at the current frame.
   void set_key();
+  // The active view shows the picture of a time [s].
+  void picture_shown(double time);
+  // Which frames of a view (its index) are cached.
+  void show_cached(const PictureCache& cache, int view);
+
+ Q_SIGNALS:
+  void curves_asked_for();  // shown or hidden
 
  private:
   void set_playback(const Playback& playback);  // one undo step
   void refresh_targets();
   void fit_keys();  // shows a few tracks at once
 
+  Timeline& timeline_;
   Document& document_;
   std::function<Camera()> view_;
+  FrameSlider* slider_;
+  PlaybackLabel* playback_;
   QComboBox* target_;
   KeyframeTrack* keys_;
   QScrollArea* key_area_;

@@ -135,6 +135,14 @@ void ViewGrid::set_time(double time) {
   for (Viewport* pane : panes_) pane->set_time(time);
 }
 
+void ViewGrid::hold_frames() {
+  for (Viewport* pane : panes_) pane->frames().hold();
+}
+
+void ViewGrid::release_frames() {
+  for (Viewport* pane : panes_) pane->frames().release();
+}
+
 void ViewGrid::show_ground_grid(bool shown) {
   shows_ground_grid_ = shown;
   for (Viewport* pane : panes_) pane->show_ground_grid(shown);

@@ -33,6 +33,9 @@ class ViewGrid : public QWidget {
   // Settings of all views.
   void set_tool(Tool* tool);
   void set_time(double time);
+  // What changes between is due to the time; see FrameScheduler.
+  void hold_frames();
+  void release_frames();
   void set_airlight(AirlightMethod method);
   void set_scattering(Scattering scattering);
   void set_max_error(double max_error);
@@ -45,6 +48,7 @@ class ViewGrid : public QWidget {
   void set_backend(Backend backend) { services_.frames.service.set_backend(backend); }
   [[nodiscard]] Backend backend() const { return services_.frames.service.backend(); }
 
+  [[nodiscard]] const PictureCache& picture_cache() const { return services_.frames.cache; }
   [[nodiscard]] TransferJob& transfer_job() { return services_.frames.transfer_job; }
 
  Q_SIGNALS:

@@ -38,13 +38,13 @@ Viewport::Viewport(Document& document, ViewServices& services, Projection projec
   connect(&overlay_timer_, &QTimer::timeout, this, &Viewport::draw_overlay);
   connect(&input_, &ViewInput::pointed_at, this, &Viewport::pointed_at);
   connect(&input_, &ViewInput::menu_asked, this, &Viewport::menu_asked);
-  connect(&camera_controller(), &CameraController::moved, &frames_, &FrameScheduler::request);
+  connect(&camera_controller(), &CameraController::moved, &frames_, &FrameScheduler::change_look);
   connect(&camera_controller(), &CameraController::moved, this, &Viewport::show_camera_frame);
   connect(&shown_handles(), &ShownHandles::changed, this, &Viewport::update_overlay);
   connect(&frames_, &FrameScheduler::frame_shown, this, [this] {
     show_picture();
     const RenderedFrame& frame = *frames_.shown();
-    shown_handles().classify_depth(frame.request.camera, frame.frame);
+    if (!frame.cached) shown_handles().classify_depth(frame.request.camera, frame.frame);
   });
   connect(&frames_, &FrameScheduler::picture_changed, this, &Viewport::show_picture);
   connect(&frames_, &FrameScheduler::mode_changed, this, &Viewport::update_overlay);
@@ -108,7 +108,8 @@ void Viewport::show_picture() {
   const double exposure = frames_.exposure();
   const ViewMode mode = frames_.mode();
   const bool as_made = frame->request.exposure == exposure && frame->request.mode == mode;
-  if (frame->on_device && !as_made) return;  // the one at rest, which is to come, will be as asked
+  // The one at rest, which is to come, will be as asked.
+  if ((frame->on_device || frame->cached) && !as_made) return;
   const ErrorMap* error_map = frames_.error_map();
   ColorScale scale = color_scale(frame->frame, mode, error_map);
   if (frame->request.headlight && scale.ticks.isEmpty()) {

@@ -186,11 +186,13 @@ void MainWindow::update_title() {
 
 void MainWindow::show_time() {
   const bool looks_through_camera = viewport_->camera() == document_.scene().camera;
+  views_->hold_frames();
   views_->set_time(timeline_->time());
   document_.set_time(timeline_->time());
   if (looks_through_camera && viewport_->camera() != document_.scene().camera) {
     viewport_->camera_controller().set_camera(document_.scene().camera);
   }
+  views_->release_frames();
 }
 
 void MainWindow::save_current_picture() {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/panels/contribution_panel.h"
+#include "app/panels/curve_panel.h"
 #include "app/panels/emitter_panel.h"
 #include "app/panels/gaussian_panel.h"
 #include "app/panels/group_panel.h"
@@ -93,7 +94,28 @@ void MainWindow::create_docks() {
   timeline_bar_ = new TimelineBar(
       *timeline_, document_, [this] { return viewport_->camera(); }, this);
   timeline_dock->setWidget(timeline_bar_);
+  connect(views_, &ViewGrid::frame_shown, timeline_bar_, [this] {
+    if (const RenderedFrame* frame = views_->active().frames().shown()) {
+      timeline_bar_->picture_shown(frame->request.time);
+    }
+  });
+  const auto show_cached = [this] {
+    timeline_bar_->show_cached(views_->picture_cache(),
+                               static_cast<int>(views_->active().projection()));
+  };
+  connect(&views_->picture_cache(), &PictureCache::changed, timeline_bar_, show_cached);
+  connect(views_, &ViewGrid::active_changed, timeline_bar_, show_cached);
   addDockWidget(Qt::BottomDockWidgetArea, timeline_dock);
+  auto* curves = new QDockWidget(tr("Curves"), this);
+  curves->setObjectName("curves_dock");
+  curves->setWidget(new CurvePanel(*timeline_, document_, this));
+  addDockWidget(Qt::BottomDockWidgetArea, curves);
+  splitDockWidget(curves, timeline_dock, Qt::Vertical);
+  curves->hide();
+  connect(timeline_bar_, &TimelineBar::curves_asked_for, curves, [this, curves] {
+    curves->setVisible(curves->isHidden());
+    if (curves->isVisible()) resizeDocks({curves}, {240}, Qt::Vertical);
+  });
 
   connect(&document_, &Document::object_changed, this, [this, lights, emitters, material] {
     const auto& object = document_.object();
