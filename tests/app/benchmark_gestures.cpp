@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -96,15 +97,17 @@ class Gestures {
                 quality.error() ? quality.error()->rel_rmse : -1.0, quality.max_error());
     std::printf("%-34s first picture [ms]: median, worst, of rest | pictures/s | settled [s]\n",
                 "");
-    const QPoint middle = view_.rect().center();
+    const auto middle = [this] { return view_.rect().center(); };
     gesture("orbit", Qt::MiddleButton, middle);
     choose("paintbrush");
     gesture("paint", Qt::LeftButton, middle);
     choose("eraser");
     gesture("erase", Qt::LeftButton, middle);
     choose("select");
-    const glm::dvec3 light = view_.rays().project(window_.document().scene().lights[0].position);
-    gesture("drag a light", Qt::LeftButton, QPointF(light.x, light.y).toPoint());
+    gesture("drag a light", Qt::LeftButton, [this] {
+      const glm::dvec3 light = view_.rays().project(window_.document().scene().lights[0].position);
+      return QPointF(light.x, light.y).toPoint();
+    });
     play();
     window_.document().undo_stack().clear();
   }
@@ -136,7 +139,7 @@ class Gestures {
     view_.finish_input();
   }
 
-  void gesture(const char* name, Qt::MouseButton button, QPoint start) {
+  void gesture(const char* name, Qt::MouseButton button, const std::function<QPoint()>& place) {
     constexpr int duration = 2000;  // milliseconds
     difference_ = NAN;
     std::vector<double> first;
@@ -144,6 +147,7 @@ class Gestures {
     double settled = 0.0;
     for (int k = 0; k < repeats_; ++k) {
       settle();
+      const QPoint start = place();
       QTest::mouseMove(&view_, start);
       QTest::mousePress(&view_, button, {}, start);
       QCoreApplication::processEvents();
