@@ -119,11 +119,13 @@ class FirstHourTest : public QObject {
     QVERIFY(hour.document().object() == pot);
     enter(hour, "surface_scale", "/30");
     QCOMPARE(hour.scene().surfaces.back().scale, 1.0 / 30.0);
-    enter(hour, "surface_position_y", "0.72");  // on the table
+    // On the table.
+    enter(hour, "surface_position_x", "0.2");
+    enter(hour, "surface_position_y", "0.75");
+    enter(hour, "surface_position_z", "-0.9");
     hour.key(Qt::Key_G);
-    const double before = hour.scene().surfaces.back().translate.y;
-    hour.drag_arrow({0.0, 1.0, 0.0}, {0, -25});
-    QVERIFY(hour.scene().surfaces.back().translate.y > before);
+    hour.drag_arrow({1.0, 0.0, 0.0}, {12, 3});
+    QVERIFY(hour.scene().surfaces.back().translate.x > 0.2);
     hour.key(Qt::Key_F2);
     QVERIFY(tree->findChild<QLineEdit*>("row_name"));
     tree->findChild<QLineEdit*>("row_name")->setText("pot");

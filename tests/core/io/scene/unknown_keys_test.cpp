@@ -44,15 +44,15 @@ TEST(UnknownKeys, ArePreservedAndWarnedOfOncePerKind) {
       "noise": {"amplitude": 0, "octaves": 3},
       "sequences": [{"file": "smoke_%d.csv", "first": 1, "last": 1, "loops": true}]},
     "timeline": {"last": 2, "speed": 2},
-    "lights": [{"type": "point", "position": [0, 0, 0], "name": "sun"}],
+    "lights": [{"type": "point", "position": [0, 0, 0], "owner": "sun"}],
     "environment": {"file": "dawn.exr", "blur": 1},
-    "surfaces": [{"mesh": "bunny.obj", "name": "b", "material": {"roughness": 0.5}}]})");
+    "surfaces": [{"mesh": "bunny.obj", "owner": "b", "material": {"roughness": 0.5}}]})");
   std::vector<std::string> warnings;
   const SceneDocument document = load_document(file, &warnings);
   for (const char* kind :
        {"author", "camera.lens", "film.gamma", "medium.kind", "medium.gaussians[].colour",
         "medium.gaussians[].9", "medium.noise.octaves", "medium.sequences[].loops",
-        "timeline.speed", "lights[].name", "environment.blur", "surfaces[].name",
+        "timeline.speed", "lights[].owner", "environment.blur", "surfaces[].owner",
         "surfaces[].material.roughness"}) {
     EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
                             [&](const std::string& warning) {
