@@ -16,9 +16,9 @@ constexpr int motion_slices = 8;
 // All orders of scattering, while the scene changes: from the last solution on, which is nearly
 // right. The frame at rest goes on to convergence.
 constexpr int motion_sweeps = 2;
-// Against 20,000 nodes of 64 directions and the degrees of rest it takes a quarter of the time, and
-// pictures differ from those at rest by 5.5% in place of 5%; half as many nodes still: by 10 to 15%
-// (benchmark_gestures).
+// Against 20,000 nodes of 64 directions and the degrees of rest it takes a half to a quarter of the
+// time, and pictures differ from those at rest by as much; on half as many nodes by up to three
+// times as much (benchmark_gestures).
 constexpr SourceGridSize motion_grid{8'000, 32};
 constexpr int motion_degree = 7;
 constexpr int motion_light_degree = 11;

@@ -93,8 +93,8 @@ class Gestures {
     settle();
     at_rest_ = view_.frames().shown()->milliseconds;
     const auto& quality = view_.frames().quality();
-    std::printf("picture at rest: %.0f ms, relative RMSE %.4f (bound %.2f)\n", at_rest_,
-                quality.error() ? quality.error()->rel_rmse : -1.0, quality.max_error());
+    std::printf("picture at rest: %.0f ms, relative RMSE at most %.4f (bound %.2f)\n", at_rest_,
+                quality.error() ? quality.error()->high : -1.0, quality.max_error());
     std::printf("%-34s first picture [ms]: median, worst, of rest | pictures/s | settled [s]\n",
                 "");
     const auto middle = [this] { return view_.rect().center(); };
