@@ -91,14 +91,22 @@ void add_haze(Document& document, const FogPlace& place) {
                           no_merge);
 }
 
-void add_dust(Document& document, const FogPlace& place) {
+// As wide and high, and with Gaussians so far apart, relative to the place's size; it takes half of
+// the light that crosses it.
+FogShape cloud_on_ground(const Document& document, const FogPlace& place, double width,
+                         double height, double spacing, double jitter) {
   FogShape cloud;
-  cloud.size = {1.8 * place.size, 0.7 * place.size, 1.8 * place.size};
-  cloud.center = place.target + glm::dvec3(0.0, 0.35 * place.size, 0.0);
-  cloud.spacing = 0.28 * place.size;
-  cloud.density = density_over(0.7, 1.8 * place.size);
-  cloud.jitter = 1.0;
+  cloud.size = {width * place.size, height * place.size, width * place.size};
+  cloud.center = place.target + glm::dvec3(0.0, 0.5 * height * place.size, 0.0);
+  cloud.spacing = spacing * place.size;
+  cloud.density = density_over(0.7, width * place.size);
+  cloud.jitter = jitter;
   cloud.seed = seed_of(document);
+  return cloud;
+}
+
+void add_dust(Document& document, const FogPlace& place) {
+  const FogShape cloud = cloud_on_ground(document, place, 1.8, 0.7, 0.28, 1.0);
   add_rounded(document, above_ground(fill(cloud), place.find_ground),
               {.albedo = glm::dvec3(0.95, 0.86, 0.7)});
 }
@@ -127,13 +135,7 @@ void add_god_rays(Document& document, const FogPlace& place) {
     optics.anisotropy = 0.3;
     set_scene_part(document, optics, undo_text("Set anisotropy"));
   }
-  FogShape shape;
-  shape.size = {2.0 * place.size, 1.0 * place.size, 2.0 * place.size};
-  shape.center = place.target + glm::dvec3(0.0, 0.5 * place.size, 0.0);
-  shape.spacing = 0.4 * place.size;
-  shape.density = density_over(0.7, 2.0 * place.size);
-  shape.jitter = 0.3;
-  shape.seed = seed_of(document);
+  const FogShape shape = cloud_on_ground(document, place, 2.0, 1.0, 0.4, 0.3);
   add_rounded(document, above_ground(fill(shape), place.find_ground));
 }
 

@@ -1,7 +1,6 @@
 #include "app/panels/curve_editor.h"
 
 #include <QContextMenuEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -12,6 +11,7 @@
 #include "app/commands/edit_keys.h"
 #include "app/document/document.h"
 #include "app/document/timeline.h"
+#include "app/panels/key_menu.h"
 #include "app/widgets/application.h"
 
 namespace brume {
@@ -294,20 +294,8 @@ void CurveEditor::contextMenuEvent(QContextMenuEvent* event) {
   chosen_ = mark_near(event->pos());
   update();
   if (!chosen_) return;
-  const Track row = *row_;
-  const double time = chosen_->time;
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  const auto add = [&](const QString& text, Interpolation interpolation) {
-    menu->addAction(text, this, [this, row, time, interpolation] {
-      set_interpolation(document_, row, time, interpolation);
-    });
-  };
-  add(tr("&Smooth"), Interpolation::smooth);
-  add(tr("&Linear"), Interpolation::linear);
-  menu->addSeparator();
-  menu->addAction(tr("&Delete"), this, &CurveEditor::delete_chosen);
-  menu->popup(event->globalPos());
+  show_key_menu(
+      *this, document_, *row_, chosen_->time, [this] { delete_chosen(); }, event->globalPos());
 }
 
 void CurveEditor::delete_chosen() {
