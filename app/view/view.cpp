@@ -22,6 +22,10 @@ namespace {
 
 constexpr double min_effect = 0.02;  // of a Gaussian that can be pointed at
 
+double mean(const glm::dvec3& rgb) {
+  return (rgb.r + rgb.g + rgb.b) / 3.0;
+}
+
 }  // namespace
 
 View::View(const Document& document, SurfacePicker& surfaces, Projection projection,
@@ -97,9 +101,11 @@ std::optional<std::size_t> View::visible_surface(QPointF position) {
       projection() == Projection::perspective
           ? scene->medium.homogeneous_density() * glm::distance(view.eye(), surface->position)
           : 0.0;
+  depth /= mean(scene->optics.albedo);
   for (std::size_t i = 0; i < scene->medium.size() && depth < std::numbers::ln2; ++i) {
-    depth += optical_depth(GaussianTerm<double>(scene->medium.gaussian(i)), view.eye(),
-                           surface->position);
+    const Gaussian gaussian = scene->medium.gaussian(i);
+    depth += optical_depth(GaussianTerm<double>(gaussian), view.eye(), surface->position) /
+             mean(gaussian.optics.albedo.value_or(scene->optics.albedo));
   }
   return depth < std::numbers::ln2 ? std::optional(index) : std::nullopt;
 }
