@@ -23,7 +23,7 @@ namespace {
 
 constexpr NumberDomain seed_domain{0.0, 1e9, "an integer from 0 to 1e9"};
 constexpr NumberDomain smoothing_domain{0.0, 500.0, "a number of pixels from 0 to 500"};
-constexpr double least_pressure = 0.02;  // a radius is never 0
+constexpr double min_pressure = 0.02;  // a radius is never 0
 
 }  // namespace
 
@@ -57,7 +57,7 @@ double FogBrushTool::view_distance() const {
 }
 
 FogBrushTool::PenScale FogBrushTool::pen_scale(double fraction) const {
-  const double pressure = std::max(pressure_at(fraction), least_pressure);
+  const double pressure = std::max(pressure_at(fraction), min_pressure);
   const PenUse pen = stroke_options_.pen;
   return {pen == PenUse::size || pen == PenUse::both ? pressure : 1.0,
           pen == PenUse::density || pen == PenUse::both ? pressure : 1.0};

@@ -33,13 +33,13 @@ struct Offered {
 };
 constexpr std::array offered_templates = std::to_array<Offered>({
     {"room", QT_TRANSLATE_NOOP("StartPage", "Room"),
-     QT_TRANSLATE_NOOP("StartPage", "A room of 6 by 5 m with a window, sun and a lamp")},
+     QT_TRANSLATE_NOOP("StartPage", "A room of 6 by 5 m with a window, the sun and a point light")},
     {"landscape", QT_TRANSLATE_NOOP("StartPage", "Landscape"),
      QT_TRANSLATE_NOOP("StartPage", "A valley of 120 m with mist under a morning sun")},
     {"stage", QT_TRANSLATE_NOOP("StartPage", "Stage"),
      QT_TRANSLATE_NOOP("StartPage", "A stage of 12 m with four beams in haze")},
     {"street", QT_TRANSLATE_NOOP("StartPage", "Street"),
-     QT_TRANSLATE_NOOP("StartPage", "A street at dusk with lamps and ground mist")},
+     QT_TRANSLATE_NOOP("StartPage", "A street at dusk with spot lights and ground mist")},
 });
 constexpr std::array offered_samples = std::to_array<Offered>({
     {"bunny_fog", QT_TRANSLATE_NOOP("StartPage", "Statue in fog"),
