@@ -15,13 +15,13 @@ constexpr int rest_after = 150;  // milliseconds without a change
 constexpr int motion_slices = 8;
 // All orders of scattering, while the scene changes: from the last solution on, which is nearly
 // right. The frame at rest goes on to convergence.
-constexpr int motion_sweeps = 2;
+constexpr int motion_sweeps = 1;
 // Against 20,000 nodes of 64 directions and the degrees of rest it takes a half to a quarter of the
 // time, and pictures differ from those at rest by as much; on half as many nodes by up to three
 // times as much (benchmark_gestures).
 constexpr SourceGridSize motion_grid{8'000, 32};
 constexpr int motion_degree = 7;
-constexpr int motion_light_degree = 11;
+constexpr int motion_light_degree = 9;
 constexpr int max_view_paths = 4096;  // per pixel
 // A quarter of the work of one path for each pixel.
 constexpr int preview_divisor = 4;
@@ -205,12 +205,23 @@ void FrameScheduler::request() {
     return;
   }
   ++serial_;
+  gesture_ended_ = false;
   forget_error_map();
   if (pane_.isHidden()) return;
   quality_.picture_changes(*lit_scene(), view_.shown_camera());
   services_.transfer_job.follow(document_.scene(), quality_.settings());
   if (!show_cached()) send(frame_request(true));
   rest_timer_.start(rest_after);
+}
+
+void FrameScheduler::end_gesture() {
+  gesture_ended_ = true;
+  rest_soon();
+}
+
+void FrameScheduler::rest_soon() {
+  if (!gesture_ended_ || !rest_timer_.isActive()) return;
+  if (shown_ && shown_->request.serial == serial_) rest_timer_.start(0);
 }
 
 void FrameScheduler::change_look() {
@@ -306,6 +317,7 @@ void FrameScheduler::use_frame(const std::shared_ptr<const RenderedFrame>& frame
   if (at_rest && !is_path_traced(*frame)) rested_scene_ = shown_->request.scene;
   if (is_settled()) measure();
   refine();
+  rest_soon();
   Q_EMIT frame_shown();
 }
 

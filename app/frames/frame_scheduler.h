@@ -22,6 +22,8 @@ class FrameScheduler : public QObject {
   // Something that changes the picture: requests a frame soon, the full one once the view rests.
   // None for a hidden pane.
   void request();
+  // The gesture has ended: the full frame follows the last picture of it at once.
+  void end_gesture();
   void change_look();  // the same, for what is not due to the time
   void forget();       // drops what is pending
   void resume();       // after forget(): requests what is missing
@@ -73,6 +75,7 @@ class FrameScheduler : public QObject {
   [[nodiscard]] std::shared_ptr<const Scene> lit_scene() const;  // by a headlight if unlit
   [[nodiscard]] int index() const { return static_cast<int>(view_.projection()); }
   void request_at_rest();
+  void rest_soon();  // if it is due, and the last picture in motion is shown
   void use_frame(const std::shared_ptr<const RenderedFrame>& frame);
   void refine();  // more paths, where they are shown
   void measure();
@@ -103,6 +106,7 @@ class FrameScheduler : public QObject {
   std::uint64_t look_count_ = 0;  // see FrameRequest
   bool held_ = false;
   bool held_request_ = false;
+  bool gesture_ended_ = false;
   bool refines_cache_ = false;                 // one for the cache is on its way
   std::shared_ptr<const ErrorMap> error_map_;  // of the displayed frame
   std::shared_ptr<const Scene> rested_scene_;  // of the last frame at rest

@@ -201,6 +201,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   input_.release(*event);
+  if (event->buttons() == Qt::NoButton) frames_.end_gesture();
 }
 
 // Qt sends a pen's events again as those of a mouse if they are ignored; only the pressure is new.

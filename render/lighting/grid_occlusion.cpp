@@ -167,12 +167,16 @@ void LevelOcclusion::set(const RayCaster& ray_caster, std::span<const Surface> s
 std::shared_ptr<const GridOcclusion> LevelOcclusion::at(std::size_t level, const glm::dvec3& first,
                                                         const GridNodes& nodes, const Job& job) {
   if (level >= cached_.size()) cached_.resize(level + 1);
-  Cached& cached = cached_[level];
-  if (cached.surfaces != revision_ || cached.first != first || cached.nodes != nodes) {
-    cached = {revision_, first, nodes,
-              std::make_shared<const GridOcclusion>(*ray_caster_, surfaces_, first, nodes, job)};
-    if (job.stop.stop_requested()) cached = {};
-  }
+  auto& [cached, last] = cached_[level];
+  const auto is_wanted = [&](const Cached& of) {
+    return of.surfaces == revision_ && of.first == first && of.nodes == nodes;
+  };
+  if (is_wanted(cached)) return cached.occlusion;
+  std::swap(cached, last);
+  if (is_wanted(cached)) return cached.occlusion;
+  cached = {revision_, first, nodes,
+            std::make_shared<const GridOcclusion>(*ray_caster_, surfaces_, first, nodes, job)};
+  if (job.stop.stop_requested()) cached = {};
   return cached.occlusion;
 }
 

@@ -88,8 +88,9 @@ class LevelOcclusion {
   std::span<const Surface> surfaces_;
   Revision ray_caster_revision_ = 0;
   std::vector<Material> materials_;
-  Revision revision_ = 0;       // of geometry and materials
-  std::vector<Cached> cached_;  // per level
+  Revision revision_ = 0;  // of geometry and materials
+  // Per level: in use, and the one before, for frames in motion and at rest take turns.
+  std::vector<std::array<Cached, 2>> cached_;
 };
 
 }  // namespace brume

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "render/util/anderson.h"
 
@@ -18,6 +21,19 @@ TruncatedScattering::TruncatedScattering(double full_albedo, double anisotropy, 
   albedo = full_albedo * (1.0 - lobe) / extinction;
 }
 
+namespace {
+
+void add(std::span<const float> values, std::span<float> sums) {
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
+}
+
+// What surfaces reflect of the light at the nodes; nothing without surfaces.
+std::vector<float> reflected(const GridMedium& medium, const NodeLight& incident) {
+  return medium.surfaces ? reflected_light(*medium.surfaces, incident) : std::vector<float>{};
+}
+
+}  // namespace
+
 Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering& scattering,
                              const UnscatteredLight& unscattered, const SweepDegrees& degrees,
                              const ScatteringLimits& limits, NodeLight& scattered, const Job& job) {
@@ -31,15 +47,23 @@ Convergence solve_scattering(const GridMedium& medium, const TruncatedScattering
   AndersonAcceleration acceleration(weights);
 
   NodeLight first(incident.bands, incident.channels, medium.nodes.size());
+  if (limits.sweeps == 1 && !scattered.values.empty()) {
+    // One sweep for what was scattered and what was not.
+    NodeLight all = scattered;
+    add(incident.values, all.values);
+    std::vector<float> all_reflected = reflected(medium, scattered);
+    add(unscattered.reflected, all_reflected);
+    scatter_once(medium, all, all_reflected, phase, degrees.first, first, job);
+    scattered = std::move(first);
+    return {.sweeps = 1};
+  }
   scatter_once(medium, incident, unscattered.reflected, phase, degrees.first, first, job);
   if (scattered.values.empty()) scattered = first;
   NodeLight next = first;
   Convergence convergence{.sweeps = 1};
   while (convergence.sweeps < limits.sweeps && !job.stop.stop_requested()) {
-    const std::vector<float> reflected =
-        medium.surfaces ? reflected_light(*medium.surfaces, scattered) : std::vector<float>{};
-    scatter_once(medium, scattered, reflected, phase, degrees.rest, next, job);
-    for (std::size_t i = 0; i < next.values.size(); ++i) next.values[i] += first.values[i];
+    scatter_once(medium, scattered, reflected(medium, scattered), phase, degrees.rest, next, job);
+    add(first.values, next.values);
     ++convergence.sweeps;
     const double size = acceleration.norm(next.values);
     const double residual = acceleration.advance(scattered.values, next.values);

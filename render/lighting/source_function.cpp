@@ -147,11 +147,9 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
   if (environment) environment_ = *environment;
   if (same) return true;
   if (!environment) {
-    lights_.clear();
-    lobes_.clear();
-    power_ = 0.0;
-  } else if (!same_light) {
-    read_map(*environment->map, input.anisotropy, input.size.directions, job);
+    light_ = {};
+  } else {
+    read_map(environment->map, input.anisotropy, input.size.directions, job);
   }
   medium_ = input.medium.revision();
   fog_ball_ = input.fog_ball;
@@ -178,7 +176,7 @@ bool SourceFunction::make_grid(const Input& input, const Job& job) {
 }
 
 std::vector<SourceLight> SourceFunction::lights_in_world() const {
-  std::vector<SourceLight> lights = lights_;
+  std::vector<SourceLight> lights = light_.lights;
   for (SourceLight& light : lights) {
     light.light.direction = environment_rotation(*environment_) * light.light.direction;
   }
@@ -217,51 +215,59 @@ bool SourceFunction::has_same(const std::optional<SourceGrid::Receivers>& receiv
          grid_->holds(receivers_->box) == grid_->holds(receivers->box);
 }
 
-void SourceFunction::read_map(const RadianceMap& map, double anisotropy, std::size_t directions,
-                              const Job& job) {
+void SourceFunction::read_map(const std::shared_ptr<const RadianceMap>& map, double anisotropy,
+                              std::size_t directions, const Job& job) {
+  const auto is_wanted = [&](const MapLight& light) {
+    return light.map == map && light.anisotropy == anisotropy && light.directions == directions;
+  };
+  if (is_wanted(light_)) return;
+  std::swap(light_, last_light_);
+  if (is_wanted(light_)) return;
+  light_ = {.map = map, .anisotropy = anisotropy, .directions = directions};
   const std::vector<LightGroup> groups = distant_light_groups(
-      map, {.groups = directions, .clusters = static_cast<std::size_t>(source_clusters)});
+      *map, {.groups = directions, .clusters = static_cast<std::size_t>(source_clusters)});
   std::array<double, source_clusters> powers{};
   for (const LightGroup& group : groups) {
     powers[static_cast<std::size_t>(group.cluster)] += power(group.combined);
   }
-  lights_.clear();
-  power_ = 0.0;
   for (const LightGroup& group : groups) {
     const double group_power = power(group.combined);
-    lights_.push_back({group.combined, group.cluster,
-                       group_power / powers[static_cast<std::size_t>(group.cluster)]});
-    power_ += group_power;
+    light_.lights.push_back({group.combined, group.cluster,
+                             group_power / powers[static_cast<std::size_t>(group.cluster)]});
+    light_.power += group_power;
   }
-  lobes_.clear();
-  if (phase_.count() > 1) find_forward_lobes(groups, anisotropy, job);
+  if (phase_.count() > 1) find_forward_lobes(groups, job);
+  if (job.stop.stop_requested()) light_ = {};
 }
 
-void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, double anisotropy,
-                                        const Job& job) {
+void SourceFunction::find_forward_lobes(std::span<const LightGroup> groups, const Job& job) {
   for (std::size_t cluster = 0; cluster < source_clusters; ++cluster) {
     std::vector<const LightGroup*> members;
     for (const LightGroup& group : groups) {
       if (group.cluster == static_cast<int>(cluster)) members.push_back(&group);
     }
-    lobes_.push_back(scattered_by_forward_lobe(phase_, anisotropy, members, job));
-    is_narrow_[cluster] = is_narrow(members);
+    light_.lobes.push_back(scattered_by_forward_lobe(phase_, light_.anisotropy, members, job));
+    light_.is_narrow[cluster] = is_narrow(members);
   }
 }
 
 SourceLookup SourceFunction::from_eye(const glm::dvec3& eye) const {
   const bool adds_clusters =
-      !lobes_.empty() && std::ranges::find(is_narrow_, true) != is_narrow_.end();
+      !light_.lobes.empty() && std::ranges::find(light_.is_narrow, true) != light_.is_narrow.end();
   return {*grid_, eye, adds_clusters, grid_->occlusion_bits(eye)};
 }
 
 SourceFunction::WeightParts SourceFunction::weight_parts() const {
-  if (!environment_) return {1.0, 1.0, phase_.factors(), {}, is_narrow_, 0.0};
+  if (!environment_) return {1.0, 1.0, phase_.factors(), {}, light_.is_narrow, 0.0};
   // Sums of what is beyond float would not be numbers.
   const double scale =
-      std::min(attenuation_ * environment_->intensity, 1e30 / std::max(power_, 1e-30));
-  return {scale,      has_multiple() ? 1.0 : scale, phase_.factors(), lobes_,
-          is_narrow_, environment_->rotation};
+      std::min(attenuation_ * environment_->intensity, 1e30 / std::max(light_.power, 1e-30));
+  return {scale,
+          has_multiple() ? 1.0 : scale,
+          phase_.factors(),
+          light_.lobes,
+          light_.is_narrow,
+          environment_->rotation};
 }
 
 glm::vec3 SourceFunction::lobe(const SourceLookup& source, const SourceWeights& weights,
@@ -287,11 +293,12 @@ SourceWeights SourceFunction::weights(const glm::dvec3& w) const {
           static_cast<float>(parts.harmonics_scale * static_cast<double>(bands[i]));
     }
   }
-  if (lobes_.empty()) return weights;
+  if (light_.lobes.empty()) return weights;
   const glm::vec3 in_map(glm::conjugate(environment_rotation(*environment_)) * w);
-  for (std::size_t f = 0; f < lobes_.size(); ++f) {
-    const glm::vec3 scattered = static_cast<float>(parts.scale) * map_radiance(*lobes_[f], in_map);
-    (is_narrow_[f] ? weights.narrow : weights.spread)[f] = scattered;
+  for (std::size_t f = 0; f < light_.lobes.size(); ++f) {
+    const glm::vec3 scattered =
+        static_cast<float>(parts.scale) * map_radiance(*light_.lobes[f], in_map);
+    (light_.is_narrow[f] ? weights.narrow : weights.spread)[f] = scattered;
   }
   return weights;
 }

@@ -75,7 +75,7 @@ class SourceFunction {
   [[nodiscard]] Convergence convergence() const { return multiple_.convergence(); }
   // Memory of the light on the grid.
   [[nodiscard]] std::size_t bytes() const { return grid_->bytes() + multiple_.bytes(); }
-  [[nodiscard]] bool has_forward_lobe() const { return !lobes_.empty(); }
+  [[nodiscard]] bool has_forward_lobe() const { return !light_.lobes.empty(); }
   // Look-ups relative to the eye.
   [[nodiscard]] SourceLookup from_eye(const glm::dvec3& eye) const;
   // Forward-lobe scattering of the light along a view ray, per unit of SliceWeights::along_rays.
@@ -100,14 +100,16 @@ class SourceFunction {
 
  private:
   [[nodiscard]] bool has_same(const std::optional<SourceGrid::Receivers>& receivers) const;
-  void read_map(const RadianceMap& map, double anisotropy, std::size_t directions, const Job& job);
+  // Sets light_; nothing is left of it if stopped.
+  void read_map(const std::shared_ptr<const RadianceMap>& map, double anisotropy,
+                std::size_t directions, const Job& job);
   // False if stopped.
   bool make_grid(const Input& input, const Job& job);
   bool add_multiple(const Input& input, const Multiple& multiple, const Job& job);
   [[nodiscard]] std::vector<SourceLight> lights_in_world() const;
   // Whether the grid holds light that was scattered more than once, and all in its own scale.
   [[nodiscard]] bool has_multiple() const { return added_ != 0; }
-  void find_forward_lobes(std::span<const LightGroup> groups, double anisotropy, const Job& job);
+  void find_forward_lobes(std::span<const LightGroup> groups, const Job& job);
 
   // Inputs of the cached grid and lights.
   std::optional<Environment> environment_;
@@ -124,12 +126,22 @@ class SourceFunction {
   std::optional<SourceGrid::Receivers> receivers_;
   SourceGridSize size_;
 
-  std::vector<SourceLight> lights_;  // in the frame of the map
-  double power_ = 0.0;               // of all the light
-  double attenuation_ = 1.0;         // by the fog
-  // Per cluster, the map convolved with the forward lobe; empty without lobe.
-  std::vector<std::shared_ptr<const RadianceMap>> lobes_;
-  std::array<bool, source_clusters> is_narrow_{};
+  // The light of a map, in its frame.
+  struct MapLight {
+    // What it is made from.
+    std::shared_ptr<const RadianceMap> map;
+    double anisotropy = 0.0;
+    std::size_t directions = 0;
+
+    std::vector<SourceLight> lights;
+    double power = 0.0;  // of all of them
+    // Per cluster, the map convolved with the forward lobe; empty without lobe.
+    std::vector<std::shared_ptr<const RadianceMap>> lobes;
+    std::array<bool, source_clusters> is_narrow{};
+  };
+  // In use, and the one before: frames in motion and at rest take turns.
+  MapLight light_, last_light_;
+  double attenuation_ = 1.0;  // by the fog
   PhaseBands phase_{0.0};
   std::optional<SourceGrid> grid_;
   LevelOcclusion occlusion_;

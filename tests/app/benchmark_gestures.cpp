@@ -95,6 +95,7 @@ class Gestures {
     const auto& quality = view_.frames().quality();
     std::printf("picture at rest: %.0f ms, relative RMSE at most %.4f (bound %.2f)\n", at_rest_,
                 quality.error() ? quality.error()->high : -1.0, quality.max_error());
+    std::printf("  %s\n", qPrintable(stages_text()));
     std::printf("%-34s first picture [ms]: median, worst, of rest | pictures/s | settled [s]\n",
                 "");
     const auto middle = [this] { return view_.rect().center(); };
@@ -141,7 +142,7 @@ class Gestures {
 
   void gesture(const char* name, Qt::MouseButton button, const std::function<QPoint()>& place) {
     constexpr int duration = 2000;  // milliseconds
-    difference_ = NAN;
+    difference_.reset();
     std::vector<double> first;
     double pictures = 0.0;
     double settled = 0.0;
@@ -161,7 +162,7 @@ class Gestures {
         ++step;
         // Wide loops: a brush paints all along them.
         send_move(
-            start + QPointF(6 + 200.0 * std::sin(0.06 * step), 2 + 90.0 * std::sin(0.04 * step)),
+            start + QPointF(6 + 200.0 * std::sin(0.15 * step), 2 + 90.0 * std::sin(0.1 * step)),
             button);
         QTest::qWait(8);
       }
@@ -183,12 +184,13 @@ class Gestures {
           last->request.camera == rest.request.camera) {
         difference_ = difference(last->frame, rest.frame);
       }
+      if (window_.document().undo_stack().canUndo()) window_.document().undo_stack().undo();
     }
     print(name, first, pictures / repeats_, settled / repeats_);
   }
 
   void play() {
-    difference_ = NAN;
+    difference_.reset();
     constexpr int duration = 4000;  // milliseconds
     settle();
     QElapsedTimer timer;
@@ -211,8 +213,9 @@ class Gestures {
     const double median = first[first.size() / 2];
     std::printf("  %-32s %20.0f %7.0f %7.2f      %12.1f   %10.2f\n", name, median, first.back(),
                 median / at_rest_, pictures, settled);
-    std::printf("      %s; its radiance differs by %.1f %% from that at rest\n",
-                qPrintable(stages_), 100.0 * difference_);
+    std::printf("      %s", qPrintable(stages_));
+    if (difference_) std::printf("; it differs by %.1f %% from that at rest", 100.0 * *difference_);
+    std::printf("\n");
     std::fflush(stdout);
   }
 
@@ -227,6 +230,9 @@ class Gestures {
       text +=
           QString(" %1 %2").arg(to_string(times[k].stage)).arg(times[k].milliseconds, 0, 'f', 0);
     }
+    if (const auto& solved = frame.frame.statistics.scattering) {
+      text += QString(", %1 sweeps").arg(solved->sweeps);
+    }
     return text;
   }
 
@@ -235,8 +241,8 @@ class Gestures {
   int repeats_;
   int frames_ = 0;
   double at_rest_ = 0.0;
-  QString stages_;           // of a picture in motion
-  double difference_ = NAN;  // of the last one from the picture at rest
+  QString stages_;                    // of a picture in motion
+  std::optional<double> difference_;  // of the last one from the picture at rest
 };
 
 }  // namespace
@@ -256,6 +262,11 @@ int main(int argc, char** argv) {
   window.show();
   window.files().open_file(file);
   while (window.files().loading().is_running()) QTest::qWait(5);
+  // Pictures of a half to a sixth of the width then cover the same part of the scene.
+  constexpr int divisible = 12;
+  const QSize pane = window.viewport().size();
+  window.resize(window.width() - pane.width() % divisible,
+                window.height() - pane.height() % divisible);
   Gestures(window, argc > 1 ? std::max(1, std::atoi(argv[1])) : 3).run();
   return 0;
 }
