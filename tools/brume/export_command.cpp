@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -6,6 +10,7 @@
 #include "core/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gaussians/gaussian_file.h"
+#include "core/io/scene/usd_file.h"
 #include "core/io/text_scanner.h"
 #include "core/io/volume/volume_file.h"
 #include "core/number_domain.h"
@@ -36,9 +41,11 @@ class ExportCommand final : public Command {
            "SCENE", input_,
            "a scene (.brume) or Gaussians (.ply, .csv; with %04d for the frame, a sequence)")
         ->required();
-    app.add_option("-o,--output", output_,
-                   "output: .vdb (a fog volume with the grid density, and albedo and emission if "
-                   "Gaussians have their own), .ply or .csv")
+    app.add_option(
+           "-o,--output", output_,
+           "output: .vdb (a fog volume with the grid density, and albedo and emission if "
+           "Gaussians have their own), .ply, .csv, or .usda (a USD stage of a scene: camera, "
+           "lights, surfaces and, in .vdb files beside it, the fog)")
         ->required();
     app.add_option("--voxel", voxel_size_,
                    "voxel size of the .vdb; default: half the smallest radius")
@@ -48,8 +55,8 @@ class ExportCommand final : public Command {
         app.add_option("--time", time_, "time to export [s], for keyframes and emitters");
     time->check(finite_in(-1e9, 1e9))->capture_default_str();
     app.add_option("--frames", frames_,
-                   "export a sequence, FIRST-LAST; OUT needs %04d for the frame; frame n of a "
-                   "scene is at n / fps seconds")
+                   "export a sequence, FIRST-LAST; OUT needs %04d for the frame, but for .usda; "
+                   "frame n of a scene is at n / fps seconds")
         ->excludes(time);
     app.add_option("--fps", fps_, "frames per second")
         ->check(finite_in(1e-3, 1e6))
@@ -58,13 +65,18 @@ class ExportCommand final : public Command {
 
   ExitCode run() override {
     const std::string extension = lower_case_extension(output_);
-    if (extension != ".vdb" && extension != ".ply" && extension != ".csv") {
+    const std::array allowed{".vdb", ".ply", ".csv", ".usda"};
+    if (std::ranges::find(allowed, extension) == allowed.end()) {
       throw InputError(
           output_, "",
-          "found the extension " + quoted_text(extension) + "; allowed: .vdb, .ply, .csv");
+          "found the extension " + quoted_text(extension) + "; allowed: .vdb, .ply, .csv, .usda");
     }
-    if (extension != ".vdb" && (half_ || voxel_size_ > 0.0)) {
-      throw UsageError("--voxel and --half: only for .vdb");
+    if (extension != ".vdb" && extension != ".usda" && (half_ || voxel_size_ > 0.0)) {
+      throw UsageError("--voxel and --half: only for .vdb and .usda");
+    }
+    if (extension == ".usda") {
+      write_stage();
+      return done;
     }
     const bool is_sequence = !frames_.empty();
     const bool are_files = FramePattern::is_pattern(input_);
@@ -96,12 +108,8 @@ class ExportCommand final : public Command {
     return medium;
   }
 
-  // The medium at a time [s].
-  [[nodiscard]] Medium read(double time) {
-    if (lower_case_extension(input_) != ".brume") {
-      files_.add_input(input_);
-      return read_file(input_);
-    }
+  // The scene at a time [s].
+  [[nodiscard]] Scene read_scene_at(double time) {
     if (!scene_) {
       scene_ = read_scene(input_, files_);
       const double homogeneous = scene_->medium.homogeneous_density();
@@ -112,7 +120,47 @@ class ExportCommand final : public Command {
     }
     Scene scene = evaluate_at(*scene_, time);
     albedo_ = scene.optics.albedo;
-    return std::move(scene.medium);
+    return scene;
+  }
+
+  // The medium at a time [s].
+  [[nodiscard]] Medium read(double time) {
+    if (lower_case_extension(input_) == ".brume") return read_scene_at(time).medium;
+    files_.add_input(input_);
+    return read_file(input_);
+  }
+
+  // A stage, whose volumes lie beside it: NAME_fog.vdb, with frames NAME_fog_0001.vdb.
+  void write_stage() {
+    if (lower_case_extension(input_) != ".brume") {
+      throw InputError(input_, "", "found no scene; allowed for .usda: a .brume");
+    }
+    const bool is_sequence = !frames_.empty();
+    const std::filesystem::path stage = output_;
+    const std::vector<int> codes = is_sequence ? parse_frames(frames_) : std::vector{0};
+    const auto file_of = [&](int code) {
+      std::array<char, 16> number{};
+      if (is_sequence) std::snprintf(number.data(), number.size(), "_%04d", code);
+      std::filesystem::path file = stage;
+      return file.replace_filename(stage.stem().string() + "_fog" + number.data() + ".vdb");
+    };
+    files_.add_output(output_);
+    for (const int code : codes) files_.add_output(file_of(code).string());
+    std::vector<UsdFrame> frames;
+    for (const int code : codes) {
+      UsdFrame frame{code, read_scene_at(is_sequence ? code / fps_ : time_), {}};
+      if (frame.scene.medium.size() > 0) {
+        frame.volume = file_of(code).filename();
+        const VolumeColors colors = write_grids(frame.scene.medium, file_of(code).string());
+        frame.has_albedo = colors.albedo.has_value();
+        frame.has_emission = colors.emission.has_value();
+        const double homogeneous = frame.scene.medium.homogeneous_density();
+        frame.scene.medium = {};  // its files have it
+        frame.scene.medium.set_homogeneous_density(homogeneous);
+      }
+      frames.push_back(std::move(frame));
+    }
+    write_usd(stage, frames, fps_);
   }
 
   void write(const Medium& medium, const std::string& output) {
@@ -127,8 +175,8 @@ class ExportCommand final : public Command {
   }
 
   // Reports the size of the grids in advance. All frames use the voxel size of the first non-empty
-  // one.
-  void write_grids(const Medium& medium, const std::string& output) {
+  // one. Returns what it wrote besides the density.
+  VolumeColors write_grids(const Medium& medium, const std::string& output) {
     if (!(voxel_size_ > 0.0)) voxel_size_ = fitting_voxel_size(medium);
     const double size = voxel_size_ > 0.0 ? voxel_size_ : 1.0;  // nothing to sample
     const auto plan = MediumSampling::plan(medium, size, max_blocks);
@@ -141,11 +189,12 @@ class ExportCommand final : public Command {
     };
     const DensityGrid density =
         sampled([&](const auto& progress) { return plan->sample(interruption(), progress); });
-    const VolumeColors colors = sampled([&](const auto& progress) {
+    VolumeColors colors = sampled([&](const auto& progress) {
       return plan->sample_colors(albedo_, interruption(), progress);
     });
     const ProgressLine line("writing " + output);
     write_volume(output, density, half_, colors);
+    return colors;
   }
 
   [[noreturn]] void refuse(const Medium& medium, double size) const {

@@ -1,0 +1,272 @@
+#include "core/io/scene/usd_file.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <string>
+#include <vector>
+
+#include "core/io/atomic_file.h"
+#include "core/io/scene/usd_text.h"
+#include "core/scene/environment.h"
+#include "core/scene/mesh_arrays.h"
+#include "core/scene/placement.h"
+
+namespace brume {
+namespace {
+
+using Frames = std::span<const UsdFrame>;
+
+// A file as a stage in `folder` names it.
+std::string named_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  return usd_asset(file.lexically_proximate(folder).generic_string());
+}
+
+// A frame with -z towards `forward` and y as far towards `up` as that allows, as cameras and lights
+// of USD have them.
+glm::dmat4 looking(const glm::dvec3& position, const glm::dvec3& forward, const glm::dvec3& up) {
+  const glm::dvec3 back = -glm::normalize(forward);
+  glm::dvec3 right = glm::cross(up, back);
+  if (glm::length(right) < 1e-9 * glm::length(up)) {  // up and forward are one line
+    right = glm::cross(
+        std::abs(back.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0), back);
+  }
+  right = glm::normalize(right);
+  const glm::dvec3 top = glm::cross(back, right);
+  return {glm::dvec4(right, 0.0), glm::dvec4(top, 0.0), glm::dvec4(back, 0.0),
+          glm::dvec4(position, 1.0)};
+}
+
+void write_camera(UsdText& out, Frames frames) {
+  out.open("Camera", frames.front().scene.camera_name);
+  const auto camera = [&](std::size_t k) -> const Camera& { return frames[k].scene.camera; };
+  out.transform([&](std::size_t k) {
+    return looking(camera(k).eye, camera(k).target - camera(k).eye, camera(k).up);
+  });
+  // Lengths are tenths of a unit; only their ratios count for a pinhole. A film of 24 mm.
+  constexpr double height = 24.0;
+  const Film& film = frames.front().scene.film;
+  const double width = height * film.width / film.height;
+  out.constant("float verticalAperture", usd_value(height));
+  out.constant("float horizontalAperture", usd_value(width));
+  out.each_frame("float focalLength", [&](std::size_t k) {
+    return 0.5 * height / std::tan(0.5 * glm::radians(camera(k).vertical_fov));
+  });
+  out.close();
+}
+
+double strength(const Light& light) {
+  return std::max({light.intensity.x, light.intensity.y, light.intensity.z});
+}
+
+const char* type_of(const Light& light) {
+  if (light.directional) return "DistantLight";
+  if (!light.area || light.area->shape == AreaLight::Shape::sphere) return "SphereLight";
+  return light.area->shape == AreaLight::Shape::rectangle ? "RectLight" : "DiskLight";
+}
+
+const char* name_of(const Light& light) {
+  if (light.directional) return "Sun";
+  if (light.area) return "Area light";
+  return light.spot ? "Spot light" : "Point light";
+}
+
+glm::dmat4 place_of(const Light& light) {
+  const glm::dvec3 y(0.0, 1.0, 0.0);
+  if (light.directional) return looking(glm::dvec3(0.0), light.directional->direction, y);
+  if (light.area) return looking(light.position, light.area->direction, light.area->up);
+  if (light.spot) return looking(light.position, light.spot->direction, y);
+  if (light.profile.content) return looking(light.position, -y, y);
+  return glm::translate(glm::dmat4(1.0), light.position);
+}
+
+// What lights of each type have besides colour, intensity and place.
+void write_shape(UsdText& out, Frames frames, std::size_t i, const std::filesystem::path& folder) {
+  const auto light = [&](std::size_t k) -> const Light& { return frames[k].scene.lights[i]; };
+  const Light& first = light(0);
+  if (first.directional) {
+    out.each_frame("float inputs:angle",
+                   [&](std::size_t k) { return light(k).directional->angular_diameter; });
+  } else if (!first.area) {
+    constexpr double radius = 0.001;  // with normalize, what it shines does not depend on it
+    out.constant("float inputs:radius", usd_value(radius));
+    out.constant("bool treatAsPoint", usd_value(true));
+  } else if (first.area->shape == AreaLight::Shape::rectangle) {
+    out.each_frame("float inputs:width", [&](std::size_t k) { return light(k).area->width; });
+    out.each_frame("float inputs:height", [&](std::size_t k) { return light(k).area->height; });
+  } else {
+    out.each_frame("float inputs:radius", [&](std::size_t k) { return light(k).area->radius; });
+  }
+  if (first.spot) {
+    out.each_frame("float inputs:shaping:cone:angle",
+                   [&](std::size_t k) { return light(k).spot->outer_angle; });
+    out.each_frame("float inputs:shaping:cone:softness", [&](std::size_t k) {
+      return 1.0 - light(k).spot->inner_angle / light(k).spot->outer_angle;
+    });
+  }
+  if (first.profile.content) {
+    out.constant("asset inputs:shaping:ies:file", named_from(folder, first.profile.file));
+    out.constant("bool inputs:shaping:ies:normalize", usd_value(true));
+  }
+  if (first.area && first.area->two_sided) {
+    out.constant("custom bool brume:twoSided", usd_value(true));
+  }
+}
+
+// Intensity, per type: area lights radiance; distant lights, normalized, irradiance; normalized
+// spheres 4 times radiant intensity, for intensity / (4 pi r^2) is then radiance, and pi r^2 times
+// that radiant intensity.
+void write_light(UsdText& out, Frames frames, std::size_t i, const std::filesystem::path& folder) {
+  const auto light = [&](std::size_t k) -> const Light& { return frames[k].scene.lights[i]; };
+  const Light& first = light(0);
+  const bool has_shaping = first.spot || first.profile.content;
+  out.open(type_of(first), first.name.empty() ? name_of(first) : first.name,
+           has_shaping ? "\"ShapingAPI\"" : "");
+  out.transform([&](std::size_t k) { return place_of(light(k)); });
+  const double factor = first.directional || first.area ? 1.0 : 4.0;
+  out.each_frame("float inputs:intensity",
+                 [&](std::size_t k) { return light(k).on ? factor * strength(light(k)) : 0.0; });
+  out.each_frame("color3f inputs:color", [&](std::size_t k) {
+    const double max = strength(light(k));
+    return max > 0.0 ? light(k).intensity / max : glm::dvec3(1.0);
+  });
+  out.constant("bool inputs:normalize", usd_value(!first.area.has_value()));
+  write_shape(out, frames, i, folder);
+  out.close();
+}
+
+// USD's maps have +z in the middle, Brume's -z.
+void write_environment(UsdText& out, Frames frames, const std::filesystem::path& folder) {
+  if (!frames.front().scene.environment) return;
+  const auto environment = [&](std::size_t k) -> const Environment& {
+    return *frames[k].scene.environment;
+  };
+  out.open("DomeLight", "Environment");
+  out.transform([&](std::size_t k) {
+    const glm::dmat4 half_turn =
+        glm::rotate(glm::dmat4(1.0), glm::radians(180.0), glm::dvec3(0.0, 1.0, 0.0));
+    return glm::mat4_cast(environment_rotation(environment(k))) * half_turn;
+  });
+  out.constant("asset inputs:texture:file", named_from(folder, environment(0).file));
+  out.constant("token inputs:texture:format", "\"latlong\"");
+  out.each_frame("float inputs:intensity", [&](std::size_t k) { return environment(k).intensity; });
+  out.close();
+}
+
+// A list of as many values as there are.
+template <class ValueOf>
+std::string list_of(std::size_t count, ValueOf value_of) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + value_of(i);
+  return text + "]";
+}
+
+void write_mesh(UsdText& out, const TriangleMesh& mesh) {
+  const MeshArrays arrays = to_arrays(mesh);
+  const auto vectors = [](const std::vector<glm::vec3>& values) {
+    return list_of(values.size(), [&](std::size_t i) { return usd_value(glm::dvec3(values[i])); });
+  };
+  out.constant("int[] faceVertexCounts",
+               list_of(arrays.triangles.size(), [](std::size_t) { return std::string("3"); }));
+  out.constant("int[] faceVertexIndices", list_of(arrays.triangles.size(), [&](std::size_t i) {
+                 const glm::uvec3& t = arrays.triangles[i];
+                 return std::to_string(t.x) + ", " + std::to_string(t.y) + ", " +
+                        std::to_string(t.z);
+               }));
+  out.constant("point3f[] points", vectors(arrays.points));
+  out.constant("normal3f[] normals", vectors(arrays.normals), "interpolation = \"vertex\"");
+  out.constant("uniform token subdivisionScheme", "\"none\"");
+  out.constant("uniform bool doubleSided", usd_value(true));
+}
+
+std::string surface_name(const Surface& surface) {
+  if (!surface.name.empty()) return surface.name;
+  return surface.mesh_file.empty() ? "Surface" : surface.mesh_file.stem().string();
+}
+
+void write_surface(UsdText& out, Frames frames, std::size_t i) {
+  const auto surface = [&](std::size_t k) -> const Surface& { return frames[k].scene.surfaces[i]; };
+  const Surface& first = surface(0);
+  const std::string path = out.open("Mesh", surface_name(first), "\"MaterialBindingAPI\"");
+  out.transform([&](std::size_t k) {
+    const Placement placement(surface(k));
+    return glm::translate(glm::dmat4(1.0), placement.translate) * glm::mat4_cast(placement.rotate) *
+           glm::scale(glm::dmat4(1.0), glm::dvec3(placement.scale));
+  });
+  write_mesh(out, *first.mesh);
+  const std::string material = path + "/Material";
+  out.constant("rel material:binding", "<" + material + ">");
+  out.open("Material", "Material");
+  out.constant("token outputs:surface.connect", "<" + material + "/Shader.outputs:surface>");
+  out.open("Shader", "Shader");
+  out.constant("uniform token info:id", "\"UsdPreviewSurface\"");
+  out.each_frame("color3f inputs:diffuseColor",
+                 [&](std::size_t k) { return surface(k).material.reflectance; });
+  out.constant("float inputs:roughness", usd_value(1.0));
+  out.constant("float inputs:metallic", usd_value(0.0));
+  out.declare("token outputs:surface");
+  out.close();
+  out.close();
+  out.close();
+}
+
+void write_fog(UsdText& out, Frames frames) {
+  const auto optics = [&](std::size_t k) -> const MediumOptics& { return frames[k].scene.optics; };
+  const std::string path = out.open("Volume", "Fog");
+  out.each_frame("custom color3f brume:albedo", [&](std::size_t k) { return optics(k).albedo; });
+  out.each_frame("custom double brume:anisotropy",
+                 [&](std::size_t k) { return optics(k).anisotropy; });
+  out.each_frame("custom double brume:homogeneousDensity",
+                 [&](std::size_t k) { return frames[k].scene.medium.homogeneous_density(); });
+  const auto any = [&](bool UsdFrame::*has) {
+    return std::ranges::any_of(frames, [has](const UsdFrame& frame) { return frame.*has; });
+  };
+  std::vector<std::string> fields;
+  const auto has_volume = [](const UsdFrame& frame) { return !frame.volume.empty(); };
+  if (std::ranges::any_of(frames, has_volume)) fields.emplace_back("density");
+  if (any(&UsdFrame::has_albedo)) fields.emplace_back("albedo");
+  if (any(&UsdFrame::has_emission)) fields.emplace_back("emission");
+  for (const std::string& field : fields) {
+    out.constant("rel field:" + field, "<" + path + "/" + field + ">");
+  }
+  std::vector<std::string> files;
+  for (const UsdFrame& frame : frames) files.push_back(usd_asset(frame.volume.generic_string()));
+  for (const std::string& field : fields) {
+    out.open("OpenVDBAsset", field);
+    out.constant("token fieldName", usd_string(field));
+    out.animated("asset filePath", files);
+    out.close();
+  }
+  out.close();
+}
+
+}  // namespace
+
+void write_usd(const std::filesystem::path& file, Frames frames, double frames_per_second) {
+  assert(!frames.empty());
+  std::vector<int> codes;
+  for (const UsdFrame& frame : frames) codes.push_back(frame.frame);
+  UsdText out(codes);
+  const Scene& first = frames.front().scene;
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  out.open("Xform", "World");
+  write_camera(out, frames);
+  for (std::size_t i = 0; i < first.lights.size(); ++i) write_light(out, frames, i, folder);
+  write_environment(out, frames, folder);
+  for (std::size_t i = 0; i < first.surfaces.size(); ++i) write_surface(out, frames, i);
+  write_fog(out, frames);
+  out.close();
+  std::string head = "#usda 1.0\n(\n    defaultPrim = \"World\"\n    doc = \"Made by Brume\"\n";
+  head += "    metersPerUnit = 1\n    upAxis = \"Y\"\n";
+  if (frames.size() > 1) {
+    head += "    startTimeCode = " + std::to_string(codes.front()) + "\n";
+    head += "    endTimeCode = " + std::to_string(codes.back()) + "\n";
+    head += "    timeCodesPerSecond = " + usd_value(frames_per_second) + "\n";
+  }
+  write_atomically(file, head + ")\n" + out.text());
+}
+
+}  // namespace brume

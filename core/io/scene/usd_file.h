@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "core/scene/scene.h"
+
+namespace brume {
+
+// Scenes as USD's text (.usda), for other programs.
+
+// A moment of a scene.
+struct UsdFrame {
+  int frame = 0;                 // the time code
+  Scene scene;                   // as evaluate_at() makes it
+  std::filesystem::path volume;  // OpenVDB file of its medium as the stage names it; empty: none
+  bool has_albedo = false;       // grids of the volume besides density
+  bool has_emission = false;
+};
+
+// Writes a stage: the camera, lights (UsdLux), the environment (DomeLight), surfaces as meshes with
+// UsdPreviewSurface, and the medium as a Volume of OpenVDB assets. One unit of the scene is a
+// meter; y is up. What differs between frames gets time samples. What USD has no words for is in
+// attributes `brume:...`. Frames ascend, at least one, and are of one scene: they have the same
+// lights and surfaces. Throws InputError if the file cannot be written.
+void write_usd(const std::filesystem::path& file, std::span<const UsdFrame> frames,
+               double frames_per_second);
+
+}  // namespace brume

@@ -1,0 +1,186 @@
+#include "core/io/scene/usd_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "core/io/file_bytes.h"
+#include "core/io/scene/usd_text.h"
+#include "core/number_domain.h"
+#include "core/scene/primitive.h"
+#include "core/scene/radiance_map.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace brume {
+namespace {
+
+// The prim of a name, from its first to its last line.
+std::string prim(const std::string& stage, const std::string& name) {
+  const std::size_t at = stage.find("\"" + name + "\"\n");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = stage.rfind('\n', at) + 1;
+  const std::string margin(stage.find_first_not_of(' ', begin) - begin, ' ');
+  const std::size_t end = stage.find("\n" + margin + "}\n", at);
+  return stage.substr(begin, end - begin);
+}
+
+// The numbers of an attribute, whatever brackets they are in.
+std::vector<double> numbers(const std::string& prim, const std::string& attribute) {
+  const std::size_t at = prim.find(attribute + " = ");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + attribute.size() + 3;
+  const std::string line = prim.substr(begin, prim.find('\n', begin) - begin);
+  const std::regex number(R"([-+]?[0-9.]+(e[-+]?[0-9]+)?)");
+  std::vector<double> values;
+  for (std::sregex_iterator i(line.begin(), line.end(), number), end; i != end; ++i) {
+    values.push_back(std::stod(i->str()));
+  }
+  return values;
+}
+
+class UsdFile : public ::testing::Test {
+ protected:
+  UsdFile() {
+    scene_.camera = {{1.0, 2.0, 5.0}, {1.0, 2.0, 0.0}, {0.0, 1.0, 0.0}, 60.0};
+    scene_.film = {200, 100};
+  }
+
+  [[nodiscard]] std::string stage(const std::vector<UsdFrame>& frames) const {
+    write_usd(folder_ / "a.usda", frames, 24.0);
+    return read_bytes(folder_ / "a.usda");
+  }
+  [[nodiscard]] std::string stage() const { return stage({{0, scene_, {}}}); }
+
+  TemporaryFolder folder_;
+  Scene scene_;
+};
+
+TEST_F(UsdFile, CameraSeesWhatBrumeSees) {
+  const std::string camera = prim(stage(), "Camera");
+  const double height = numbers(camera, "verticalAperture")[0];
+  EXPECT_NEAR(numbers(camera, "horizontalAperture")[0], 2.0 * height, 1e-9);
+  const double focal = numbers(camera, "focalLength")[0];
+  EXPECT_NEAR(std::atan(0.5 * height / focal), std::numbers::pi / 6.0, 1e-12);
+  // Looking along -z from the eye: no rotation.
+  const std::vector<double> expected{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 5, 1};
+  const std::vector<double> found = numbers(camera, "xformOp:transform");
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
+}
+
+// Radiant intensity pi r^2 L of a normalized sphere, whose L is intensity / (4 pi r^2).
+TEST_F(UsdFile, PointLightsKeepTheirIntensity) {
+  scene_.lights = {{{1.0, 2.0, 3.0}, {8.0, 4.0, 2.0}}};
+  const std::string light = prim(stage(), "Point_light");
+  ASSERT_NE(light.find("SphereLight"), std::string::npos);
+  EXPECT_NEAR(numbers(light, "inputs:intensity")[0] / 4.0, 8.0, 1e-12);
+  EXPECT_EQ(numbers(light, "inputs:color"), (std::vector{1.0, 0.5, 0.25}));
+  EXPECT_NE(light.find("inputs:normalize = true"), std::string::npos);
+  EXPECT_NE(light.find("treatAsPoint = true"), std::string::npos);
+}
+
+TEST_F(UsdFile, OtherLightsKeepShapeAndDirection) {
+  Light spot{{0.0, 3.0, 0.0}, {2.0, 2.0, 2.0}, SpotCone{{0.0, -1.0, 0.0}, 10.0, 40.0}};
+  spot.name = "Lamp";
+  Light sun;
+  sun.directional = Directional{{1.0, 0.0, 0.0}, 0.5};
+  sun.intensity = {3.0, 3.0, 3.0};
+  Light panel;
+  panel.area = AreaLight{};
+  panel.area->width = 2.0;
+  panel.area->two_sided = true;
+  panel.on = false;
+  scene_.lights = {spot, sun, panel};
+  const std::string text = stage();
+  const std::string lamp = prim(text, "Lamp");
+  EXPECT_NE(lamp.find("ShapingAPI"), std::string::npos);
+  EXPECT_EQ(numbers(lamp, "shaping:cone:angle"), std::vector{40.0});
+  EXPECT_EQ(numbers(lamp, "shaping:cone:softness"), std::vector{0.75});
+  const std::vector<double> down = numbers(lamp, "xformOp:transform");  // -z of the light is -y
+  EXPECT_NEAR(down[9], 1.0, 1e-12);
+  const std::string distant = prim(text, "Sun");
+  EXPECT_EQ(numbers(distant, "inputs:angle"), std::vector{0.5});
+  EXPECT_EQ(numbers(distant, "inputs:intensity"), std::vector{3.0});
+  EXPECT_NEAR(numbers(distant, "xformOp:transform")[8], -1.0, 1e-12);
+  const std::string area = prim(text, "Area_light");
+  EXPECT_NE(area.find("RectLight"), std::string::npos);
+  EXPECT_EQ(numbers(area, "inputs:width"), std::vector{2.0});
+  EXPECT_EQ(numbers(area, "inputs:intensity"), std::vector{0.0});  // switched off
+  EXPECT_NE(area.find("brume:twoSided = true"), std::string::npos);
+}
+
+// OpenEXR's maps, which USD follows, have +z in the middle.
+TEST_F(UsdFile, EnvironmentIsTurnedToUsd) {
+  Environment environment;
+  environment.file = folder_ / "sky.exr";
+  environment.rotation = 30.0;
+  environment.intensity = 2.0;
+  environment.map = std::make_shared<RadianceMap>(RadianceMap{2, 1, {{}, {}}});
+  scene_.environment = environment;
+  const std::string dome = prim(stage(), "Environment");
+  EXPECT_NE(dome.find("@sky.exr@"), std::string::npos) << dome;
+  EXPECT_EQ(numbers(dome, "inputs:intensity"), std::vector{2.0});
+  const std::vector<double> turn = numbers(dome, "xformOp:transform");
+  EXPECT_NEAR(turn[0], std::cos(210.0 * std::numbers::pi / 180.0), 1e-12);
+  EXPECT_NEAR(turn[8], std::sin(210.0 * std::numbers::pi / 180.0), 1e-12);
+}
+
+TEST_F(UsdFile, SurfacesAreMeshesInTheirPlaces) {
+  Surface box;
+  box.name = "A \"box\"";
+  box.primitive = Primitive{};
+  box.mesh = mesh_of(*box.primitive);
+  box.translate = {1.0, 2.0, 3.0};
+  box.scale = 2.0;
+  box.material.reflectance = {0.1, 0.2, 0.3};
+  scene_.surfaces = {box, box};
+  const std::string text = stage();
+  const std::string first = prim(text, "A__box_");
+  EXPECT_NE(first.find(R"(displayName = "A \"box\"")"), std::string::npos) << first.substr(0, 300);
+  EXPECT_FALSE(prim(text, "A__box__2").empty());  // names are told apart
+  EXPECT_EQ(numbers(first, "xformOp:transform"),
+            (std::vector<double>{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 3, 1}));
+  const std::size_t triangles = numbers(first, "faceVertexCounts").size();
+  const std::vector<double> indices = numbers(first, "faceVertexIndices");
+  const std::size_t points = numbers(first, "points").size() / 3;
+  EXPECT_GT(triangles, 0u);
+  EXPECT_EQ(indices.size(), 3 * triangles);
+  EXPECT_EQ(numbers(first, "normals").size(), 3 * points);
+  EXPECT_LT(*std::ranges::max_element(indices), static_cast<double>(points));
+  EXPECT_EQ(numbers(first, "inputs:diffuseColor"), (std::vector{0.1, 0.2, 0.3}));
+}
+
+TEST_F(UsdFile, WhatMovesHasTimeSamples) {
+  std::vector<UsdFrame> frames;
+  for (const int frame : {1, 2}) {
+    scene_.camera.eye.z = 5.0 + frame;
+    frames.push_back({frame, scene_, "fog_" + std::to_string(frame) + ".vdb"});
+  }
+  const std::string text = stage(frames);
+  EXPECT_NE(text.find("startTimeCode = 1"), std::string::npos);
+  EXPECT_NE(text.find("endTimeCode = 2"), std::string::npos);
+  EXPECT_NE(text.find("timeCodesPerSecond = 24"), std::string::npos);
+  const std::string camera = prim(text, "Camera");
+  EXPECT_NE(camera.find("xformOp:transform.timeSamples = {"), std::string::npos);
+  EXPECT_NE(camera.find("focalLength = "), std::string::npos);  // stays
+  const std::string density = prim(text, "density");
+  EXPECT_NE(density.find("1: @fog_1.vdb@"), std::string::npos) << density;
+  EXPECT_NE(density.find("2: @fog_2.vdb@"), std::string::npos);
+  EXPECT_NE(text.find("rel field:density = </World/Fog/density>"), std::string::npos);
+}
+
+TEST(UsdText, QuotesWhatNeedsIt) {
+  EXPECT_EQ(usd_string("a \"b\" \\ c"), R"("a \"b\" \\ c")");
+  EXPECT_EQ(usd_asset("a.vdb"), "@a.vdb@");
+  EXPECT_EQ(usd_asset("a@b.vdb"), "@@@a@b.vdb@@@");
+  UsdText text({0});
+  EXPECT_EQ(text.open("Xform", "1 \xc3\xa4"), "/_1___");
+}
+
+}  // namespace
+}  // namespace brume

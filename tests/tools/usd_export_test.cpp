@@ -1,0 +1,66 @@
+// brume export to USD: the stage, and its volumes beside it.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/io/volume/volume_file.h"
+#include "tests/tools/command_line.h"
+
+namespace brume {
+namespace {
+
+class UsdExport : public CommandLine {
+ protected:
+  [[nodiscard]] std::string text_of(const char* name) const {
+    std::ifstream in(file(name));
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+};
+
+TEST_F(UsdExport, WritesAStageAndItsVolume) {
+  const ProgramResult result = run_brume({"export", scene_, "-o", file("a.usda")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("homogeneous"), std::string::npos) << result.err;
+  const std::string stage = text_of("a.usda");
+  EXPECT_TRUE(stage.starts_with("#usda 1.0\n"));
+  for (const char* part :
+       {"def Camera", "def SphereLight", "def Mesh \"floor\"", "def Volume",
+        "def OpenVDBAsset \"density\"", "@a_fog.vdb@", "brume:homogeneousDensity = 0.02"}) {
+    EXPECT_NE(stage.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(volume_grids(file("a_fog.vdb")).size(), 1u);
+}
+
+TEST_F(UsdExport, WritesAVolumeForEachFrame) {
+  const std::string moving = folder_
+                                 .write("m.brume", R"({
+    "format": "brume-scene", "version": 1,
+    "camera": { "eye": [0, 0, 5], "target": [0, 0, 0], "keys": { "eye": [
+      { "time": 0, "value": [0, 0, 5] }, { "time": 1, "value": [0, 0, 9] } ] } },
+    "film": { "width": 24, "height": 18 },
+    "medium": { "emitters": [ { "position": [0, 0, 0], "rate": 20 } ] },
+    "lights": [] })")
+                                 .string();
+  const ProgramResult result = run_brume(
+      {"export", moving, "-o", file("m.usda"), "--frames", "5-6", "--fps", "10", "--voxel", "0.1"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string stage = text_of("m.usda");
+  EXPECT_NE(stage.find("5: @m_fog_0005.vdb@"), std::string::npos) << stage;
+  EXPECT_NE(stage.find("6: @m_fog_0006.vdb@"), std::string::npos);
+  EXPECT_NE(stage.find("xformOp:transform.timeSamples"), std::string::npos);
+  EXPECT_NE(stage.find("timeCodesPerSecond = 10"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(file("m_fog_0006.vdb")));
+}
+
+TEST_F(UsdExport, NeedsAScene) {
+  folder_.write("g.csv", "x,y,z,radius,density\n0,0,0,1,1\n");
+  expect_refused({"export", file("g.csv"), "-o", file("g.usda")}, {"g.csv", ".brume"});
+  EXPECT_FALSE(std::filesystem::exists(file("g.usda")));
+}
+
+}  // namespace
+}  // namespace brume
